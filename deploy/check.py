@@ -4,6 +4,7 @@
 usage: deploy/check.py [path to brinell]
 Needs deploy/requirements.txt, which bring the schemas along, and systemd-analyze where there is one.
 """
+
 import re
 import shutil
 import subprocess
@@ -20,12 +21,18 @@ BINARY = sys.argv[1] if len(sys.argv) > 1 else str(FOLDER.parent / "target/debug
 
 def check_kubernetes():
     version = kubernetes_validate.latest_version()
-    documents = [document for path in sorted((FOLDER / "kubernetes").glob("*.yaml"))
-                 for document in yaml.safe_load_all(path.read_text())]
+    documents = [
+        document
+        for path in sorted((FOLDER / "kubernetes").glob("*.yaml"))
+        for document in yaml.safe_load_all(path.read_text())
+    ]
     for document in documents:
         kubernetes_validate.validate(document, version, strict=True)
-    pods = {document["metadata"]["name"]: document["spec"]["template"]["spec"]
-            for document in documents if document["kind"] == "Deployment"}
+    pods = {
+        document["metadata"]["name"]: document["spec"]["template"]["spec"]
+        for document in documents
+        if document["kind"] == "Deployment"
+    }
     for pod in pods.values():
         for container in pod["containers"]:
             check_arguments(container["args"])
@@ -51,9 +58,15 @@ def check_systemd():
         print("systemd-analyze is not here: the unit has not been verified")
         return
     for path in sorted((FOLDER / "systemd").glob("*.service")):
-        answer = subprocess.run(["systemd-analyze", "verify", "--man=no", str(path)], capture_output=True, text=True)
+        answer = subprocess.run(
+            ["systemd-analyze", "verify", "--man=no", str(path)], capture_output=True, text=True
+        )
         # The program need not be installed where this is checked.
-        faults = [line for line in answer.stderr.splitlines() if "brinell" in line and "is not executable" not in line]
+        faults = [
+            line
+            for line in answer.stderr.splitlines()
+            if "brinell" in line and "is not executable" not in line
+        ]
         assert not faults, faults
         check_variables(re.findall(r"^Environment=(\w+)=", path.read_text(), re.M))
         print(f"{path.name} is valid")
@@ -64,8 +77,12 @@ def check_arguments(arguments):
 
 
 def check_variables(names):
-    known = "".join(subprocess.run([BINARY, command, "--help"], check=True, capture_output=True, text=True).stdout
-                    for command in ("serve", "worker"))
+    known = "".join(
+        subprocess.run(
+            [BINARY, command, "--help"], check=True, capture_output=True, text=True
+        ).stdout
+        for command in ("serve", "worker")
+    )
     for name in names:
         assert re.search(rf"\[env: {name}[=\]]", known), f"{name} is no setting"
 

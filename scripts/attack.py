@@ -6,6 +6,7 @@ Each attack has a service of its own. While it lasts another client asks `GET /v
 the 99th percentile of its waits, the memory of the service before and at most, and how long the service takes to end on SIGTERM with
 the attackers still there. The exit code is 1 where somebody else is not answered, the service grows beyond bounds, or does not end by itself.
 """
+
 import argparse, http.client, resource, socket, subprocess, sys, threading, time
 from pathlib import Path
 
@@ -13,7 +14,9 @@ from harness import EXAMPLES, Service, load
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--only", nargs="+", default=[])
-parser.add_argument("--connections", type=int, default=4500, help="of the attackers, where they need only be many")
+parser.add_argument(
+    "--connections", type=int, default=4500, help="of the attackers, where they need only be many"
+)
 parser.add_argument("--binary", default="target/release/brinell")
 args = parser.parse_args()
 limit = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
@@ -21,8 +24,16 @@ resource.setrlimit(resource.RLIMIT_NOFILE, (min(limit, 16384), limit))
 JOB = EXAMPLES["two_cylinders"]
 SMALL = {**JOB, "mesh": {"elements_per_half_width": 5}}
 LARGE = {**JOB, "mesh": {"elements_per_half_width": 80}, "output": {"fields": True}}
-LONG = {**JOB, "mesh": {"elements_per_half_width": 60}, "load": {"forces": [400 + step for step in range(500)]}}
-SWEEP = {**JOB, "mesh": {"elements_per_half_width": 10}, "load": {"forces": [300 + step for step in range(400)]}}
+LONG = {
+    **JOB,
+    "mesh": {"elements_per_half_width": 60},
+    "load": {"forces": [400 + step for step in range(500)]},
+}
+SWEEP = {
+    **JOB,
+    "mesh": {"elements_per_half_width": 10},
+    "load": {"forces": [300 + step for step in range(400)]},
+}
 failures = []
 
 
@@ -81,13 +92,19 @@ def silent(service):
 
 def slow_heads(service):
     """Heads that come byte by byte."""
-    many = [service.attack(b"GET /v1/jobs HTTP/1.1\r\nHost: localhost\r\nX-Slow: ") for _ in range(args.connections)]
+    many = [
+        service.attack(b"GET /v1/jobs HTTP/1.1\r\nHost: localhost\r\nX-Slow: ")
+        for _ in range(args.connections)
+    ]
     return lambda: [send(one, b"a") for one in many]
 
 
 def slow_bodies(service):
     """Bodies of the largest size that come byte by byte."""
-    many = [service.attack(head("/v1/solve", "POST", "Content-Length: 1048576\r\n") + b" " * 20000) for _ in range(1000)]
+    many = [
+        service.attack(head("/v1/solve", "POST", "Content-Length: 1048576\r\n") + b" " * 20000)
+        for _ in range(1000)
+    ]
     return lambda: [send(one, b" ") for one in many]
 
 
@@ -130,7 +147,12 @@ def solvers(service):
 
     def ask():
         while not over.is_set():
-            service.ask("POST", "/v1/solve?wait=5", {**JOB, "mesh": {"elements_per_half_width": 120}}, service.connect(30))
+            service.ask(
+                "POST",
+                "/v1/solve?wait=5",
+                {**JOB, "mesh": {"elements_per_half_width": 120}},
+                service.connect(30),
+            )
 
     for _ in range(12):
         threading.Thread(target=quiet(ask), daemon=True).start()
@@ -164,7 +186,9 @@ def checks_of_keys(service):
             service.ask("POST", "/v1/validate", sweep, connection, Authorization=f"Bearer {token}")
 
     for number in range(40):
-        token = subprocess.run([*create, str(number)], check=True, capture_output=True, text=True).stdout.strip()
+        token = subprocess.run(
+            [*create, str(number)], check=True, capture_output=True, text=True
+        ).stdout.strip()
         threading.Thread(target=quiet(lambda token=token: ask(token)), daemon=True).start()
     service.over = over
 
@@ -175,10 +199,22 @@ def requests_without_answers(service):
         service.attack(head("/openapi.json") * 2000, small=True)
 
 
-ATTACKS = {"silent": silent, "slow heads": slow_heads, "slow bodies": slow_bodies, "waits": waits, "event streams": event_streams, "deaf followers": deaf_followers,
-           "deaf readers of results": deaf_readers("/result"), "deaf readers of arrays": deaf_readers("/fields/1"),
-           "deaf readers of VTK files": deaf_readers("/field.vtu"), "deaf readers of tables": deaf_readers("/pressure.csv", SWEEP), "solvers": solvers, "checks": checks, "checks of 40 keys": checks_of_keys,
-           "requests without answers": requests_without_answers}
+ATTACKS = {
+    "silent": silent,
+    "slow heads": slow_heads,
+    "slow bodies": slow_bodies,
+    "waits": waits,
+    "event streams": event_streams,
+    "deaf followers": deaf_followers,
+    "deaf readers of results": deaf_readers("/result"),
+    "deaf readers of arrays": deaf_readers("/fields/1"),
+    "deaf readers of VTK files": deaf_readers("/field.vtu"),
+    "deaf readers of tables": deaf_readers("/pressure.csv", SWEEP),
+    "solvers": solvers,
+    "checks": checks,
+    "checks of 40 keys": checks_of_keys,
+    "requests without answers": requests_without_answers,
+}
 
 
 def quiet(what):
@@ -187,6 +223,7 @@ def quiet(what):
             what()
         except (OSError, http.client.HTTPException):
             pass  # The service ends while they are at it.
+
     return run
 
 
@@ -234,24 +271,40 @@ def run(attack):
             waits.append(wait)
             faults.append(fault)
             time.sleep(0.02)
-        for path in [service.path, f"/v1/jobs/{own}/pressure.svg"] if hasattr(service, "path") else []:
+        for path in (
+            [service.path, f"/v1/jobs/{own}/pressure.svg"] if hasattr(service, "path") else []
+        ):
             wait, fault = wait_of(service, path, service.connect(100))
             faults.append(fault)
-            print(f"  another reader of {path.split('/', 4)[-1]}: {wait / 1e3:.1f} s", file=sys.stderr)
+            print(
+                f"  another reader of {path.split('/', 4)[-1]}: {wait / 1e3:.1f} s",
+                file=sys.stderr,
+            )
         peak = service.memory("VmHWM")
         if hasattr(service, "over"):
             service.over.set()
         code, taken = service.end()
         over.set()
         waits.sort()
-        return before, peak, waits, taken, [fault for fault in [*faults, code and f"exit code {code}"] if fault]
+        return (
+            before,
+            peak,
+            waits,
+            taken,
+            [fault for fault in [*faults, code and f"exit code {code}"] if fault],
+        )
 
 
-print(f"{load()}\n\n| attack | memory before [MiB] | at most | others: median [ms] | p99 | end on SIGTERM [s] |\n|---|--:|--:|--:|--:|--:|")
+print(
+    f"{load()}\n\n| attack | memory before [MiB] | at most | others: median [ms] | p99 | end on SIGTERM [s] |\n|---|--:|--:|--:|--:|--:|"
+)
 for title, attack in ATTACKS.items():
     if args.only and title not in args.only:
         continue
     before, peak, waits, taken, faults = run(attack)
-    print(f"| {title} | {before >> 20} | {peak >> 20} | {waits[100]:.1f} | {waits[198]:.1f} | {taken:.1f} | {'; '.join(faults)}", flush=True)
+    print(
+        f"| {title} | {before >> 20} | {peak >> 20} | {waits[100]:.1f} | {waits[198]:.1f} | {taken:.1f} | {'; '.join(faults)}",
+        flush=True,
+    )
     failures += faults
 sys.exit(1 if failures else 0)

@@ -5,6 +5,7 @@ usage: scripts/cancel.py [--elements 220] [--times 6] [--course 30] [--binary ta
 Jobs of two different bodies with every output, of each analysis, theory and coupling, are cancelled at moments spread over their course, or
 over so many seconds of it. Prints the longest and the median time from the request to the final state, and fails above 0.5 s.
 """
+
 import argparse, statistics, sys, time
 
 from harness import EXAMPLES, Service, load
@@ -16,16 +17,47 @@ parser.add_argument("--course", type=float, default=30)
 parser.add_argument("--only", nargs="+", default=[])
 parser.add_argument("--binary", default="target/release/brinell")
 args = parser.parse_args()
-BASE = {**EXAMPLES["two_cylinders"], "mesh": {"elements_per_half_width": args.elements}, "output": {"fields": True, "subsurface": True}}
-BASE["lower"] = {**BASE["lower"], "material": {**BASE["lower"]["material"], "plasticity": {**BASE["lower"]["material"]["plasticity"], "yield_stress": 501.0}}}
-HISTORY = {"solver": {"theory": "flow"}, "load": {"history": [{"force": 300.0}, {"force": 612.0}, {"force": 0.0}]}}
-JOBS = {"accelerated": {}, "strong": {"solver": {"coupling": "strong"}}, "weak": {"solver": {"coupling": "weak"}},
-        "secant stiffness": {"solver": {"coupling": "secant_stiffness"}}, "plane stress": {"analysis": "plane_stress"},
-        "axisymmetric": {"analysis": "axisymmetric", "load": {"force": 3000.0}}, "flow theory": HISTORY}
+BASE = {
+    **EXAMPLES["two_cylinders"],
+    "mesh": {"elements_per_half_width": args.elements},
+    "output": {"fields": True, "subsurface": True},
+}
+BASE["lower"] = {
+    **BASE["lower"],
+    "material": {
+        **BASE["lower"]["material"],
+        "plasticity": {**BASE["lower"]["material"]["plasticity"], "yield_stress": 501.0},
+    },
+}
+HISTORY = {
+    "solver": {"theory": "flow"},
+    "load": {"history": [{"force": 300.0}, {"force": 612.0}, {"force": 0.0}]},
+}
+JOBS = {
+    "accelerated": {},
+    "strong": {"solver": {"coupling": "strong"}},
+    "weak": {"solver": {"coupling": "weak"}},
+    "secant stiffness": {"solver": {"coupling": "secant_stiffness"}},
+    "plane stress": {"analysis": "plane_stress"},
+    "axisymmetric": {"analysis": "axisymmetric", "load": {"force": 3000.0}},
+    "flow theory": HISTORY,
+}
 
 worst = 0.0
-print(f"{args.elements} elements, {load()}\n\n| job | course [s] | median [s] | longest [s] |\n|---|--:|--:|--:|")
-with Service(args.binary, "--workers", "1", "--factor-cache", "0", "--max-job-memory", "16384", "--memory-limit", "16384") as service:
+print(
+    f"{args.elements} elements, {load()}\n\n| job | course [s] | median [s] | longest [s] |\n|---|--:|--:|--:|"
+)
+with Service(
+    args.binary,
+    "--workers",
+    "1",
+    "--factor-cache",
+    "0",
+    "--max-job-memory",
+    "16384",
+    "--memory-limit",
+    "16384",
+) as service:
     for title, more in JOBS.items():
         if args.only and title not in args.only:
             continue
@@ -51,6 +83,9 @@ with Service(args.binary, "--workers", "1", "--factor-cache", "0", "--max-job-me
             if state == "cancelled":
                 waits.append(wait)
         worst = max([worst, *waits])
-        print(f"| {title} | {course:.1f} | {statistics.median(waits):.3f} | {max(waits):.3f} |", flush=True)
+        print(
+            f"| {title} | {course:.1f} | {statistics.median(waits):.3f} | {max(waits):.3f} |",
+            flush=True,
+        )
 print(f"\nlongest {worst:.3f} s, {load()}")
 sys.exit(worst >= 0.5)

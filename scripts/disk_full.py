@@ -12,6 +12,7 @@ says what was seen, and with exit code 1 if it is not what docs/operations.md pr
 4. The disk under the tables of PostgreSQL is filled to the last byte and freed.
 5. The disk under all of PostgreSQL is filled, at which PostgreSQL may end, and freed; then PostgreSQL is started again.
 """
+
 import argparse, http.client, json, os, resource, shutil, subprocess, sys, tempfile, time
 from pathlib import Path
 
@@ -26,8 +27,14 @@ args = parser.parse_args()
 
 if not args.inside:
     # PostgreSQL refuses to run as root, and only root may be somebody else.
-    own = ["unshare", "--mount"] if os.getuid() == 0 else ["unshare", "--user", "--map-current-user", "--keep-caps", "--mount"]
-    sys.exit(subprocess.run([*own, sys.executable, __file__, *sys.argv[1:], "--inside"]).returncode)
+    own = (
+        ["unshare", "--mount"]
+        if os.getuid() == 0
+        else ["unshare", "--user", "--map-current-user", "--keep-caps", "--mount"]
+    )
+    sys.exit(
+        subprocess.run([*own, sys.executable, __file__, *sys.argv[1:], "--inside"]).returncode
+    )
 
 JOB = json.loads(Path("api/examples/two_cylinders.json").read_text())
 JOB["mesh"] = {"elements_per_half_width": args.elements}
@@ -45,15 +52,20 @@ class Service:
     def __init__(self, directory, *flags, limit=None, database=None):
         store = ["--database-url", database] if database else ["--data-dir", f"{directory}/data"]
         command = [args.binary, "serve", "--listen", "127.0.0.1:0", *store, *flags]
-        set_limit = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) if limit else None
+        set_limit = (
+            (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) if limit else None
+        )
         self.log = tempfile.TemporaryFile("w+")
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=self.log, text=True,
-                                        preexec_fn=set_limit)
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=self.log, text=True, preexec_fn=set_limit
+        )
         self.host = self.process.stdout.readline().split("//")[1].strip()
 
     def ask(self, method, path, body=None):
         connection = http.client.HTTPConnection(self.host, timeout=60)
-        connection.request(method, path, body and json.dumps(body), {"Content-Type": "application/json"})
+        connection.request(
+            method, path, body and json.dumps(body), {"Content-Type": "application/json"}
+        )
         answer = connection.getresponse()
         text = answer.read()
         kind = answer.getheader("content-type") or ""
@@ -99,9 +111,15 @@ def to_the_last_byte():
     ballast.write_bytes(bytes(4 << 20))
     service = Service(directory, "--min-free-disk", "0")
     status, body, accepted = service.fill()
-    check(status == 507 and body["type"] == "/problems/insufficient-storage", f"refused with {status} {body and body['type']}")
+    check(
+        status == 507 and body["type"] == "/problems/insufficient-storage",
+        f"refused with {status} {body and body['type']}",
+    )
     status, body = service.ask("GET", "/readyz")
-    check(status == 507 and "disk is full" in body["detail"], f"/readyz answers {status}: {body.get('detail')}")
+    check(
+        status == 507 and "disk is full" in body["detail"],
+        f"/readyz answers {status}: {body.get('detail')}",
+    )
     check(service.ask("GET", "/livez")[0] == 200, "/livez answers 200")
     ballast.unlink()
     seconds = service.until("GET", "/readyz", None, (200,))
@@ -112,11 +130,20 @@ def to_the_last_byte():
     if status == 202:
         seconds = service.until("GET", f"/v1/jobs/{receipt['id']}/result", None, (200,))
         check(seconds is not None, f"it is claimed and solved after {seconds} s")
-        check(service.ask("POST", f"/v1/jobs/{accepted[-1]}/cancel")[0] == 200, "cancel answers 200")
-    lost = [job for job in accepted[:-1] if service.ask("GET", f"/v1/jobs/{job}")[1]["status"] == "failed"]
+        check(
+            service.ask("POST", f"/v1/jobs/{accepted[-1]}/cancel")[0] == 200, "cancel answers 200"
+        )
+    lost = [
+        job
+        for job in accepted[:-1]
+        if service.ask("GET", f"/v1/jobs/{job}")[1]["status"] == "failed"
+    ]
     check(not lost, f"none of {len(accepted)} accepted jobs failed")
     code, log = service.end()
-    check(code == 0 and "disk is full" in log, f"exit code {code}, the log says that the disk is full")
+    check(
+        code == 0 and "disk is full" in log,
+        f"exit code {code}, the log says that the disk is full",
+    )
 
 
 def with_a_reserve():
@@ -125,7 +152,10 @@ def with_a_reserve():
     service = Service(directory, "--min-free-disk", "4")
     status, body, accepted = service.fill()
     free = os.statvfs(directory)
-    check(status == 507, f"refused with {status} while {free.f_bavail * free.f_frsize >> 10} KiB are free")
+    check(
+        status == 507,
+        f"refused with {status} while {free.f_bavail * free.f_frsize >> 10} KiB are free",
+    )
     states = {service.ask("GET", f"/v1/jobs/{job}?wait=30")[1]["status"] for job in accepted}
     check(states == {"succeeded"}, f"{len(accepted)} accepted jobs: {states}")
     for job in accepted[: len(accepted) // 2]:
@@ -141,28 +171,41 @@ def file_size_limit():
     service = Service(directory, "--min-free-disk", "0", limit=6 << 20)
     status, body, accepted = service.fill()
     check(status in (503, 507), f"refused with {status} {body and body['type']}")
-    check(service.process.poll() is None and service.ask("GET", "/livez")[0] == 200, "the process lives")
+    check(
+        service.process.poll() is None and service.ask("GET", "/livez")[0] == 200,
+        "the process lives",
+    )
     check(service.end()[0] == 0, "and exits with 0")
 
 
 def under_postgres(holds_log):
     """With its log on the full disk PostgreSQL may end; it is started again once there is space."""
-    print(f"{5 if holds_log else 4}. under PostgreSQL, {'all of it' if holds_log else 'its tables'}")
+    print(
+        f"{5 if holds_log else 4}. under PostgreSQL, {'all of it' if holds_log else 'its tables'}"
+    )
     directory = mounted("120m")
     os.chmod(directory, 0o755)
     tempfile.tempdir = directory if holds_log else None
     with Cluster() as cluster:
         if not holds_log:
             shutil.chown(directory, *["nobody"] if cluster.user else [os.getuid()])
-            for statement in (f"CREATE TABLESPACE small LOCATION '{directory}'", "ALTER DATABASE postgres SET default_tablespace = small"):
+            for statement in (
+                f"CREATE TABLESPACE small LOCATION '{directory}'",
+                "ALTER DATABASE postgres SET default_tablespace = small",
+            ):
                 subprocess.run(["psql", cluster.url, "-qc", statement], check=True)
         service = Service(directory, database=cluster.url)
         free = os.statvfs(directory)
         ballast = Path(directory, "ballast")
-        ballast.write_bytes(bytes(free.f_bavail * free.f_frsize - (12 << 20 if holds_log else 6 << 20)))
+        ballast.write_bytes(
+            bytes(free.f_bavail * free.f_frsize - (12 << 20 if holds_log else 6 << 20))
+        )
         status, body, accepted = service.fill()
         wanted = (503, 507) if holds_log else (507,)
-        check(status in wanted, f"refused with {status} {body and body['type']} after {len(accepted)} jobs")
+        check(
+            status in wanted,
+            f"refused with {status} {body and body['type']} after {len(accepted)} jobs",
+        )
         status, body = service.ask("GET", "/readyz")
         # PostgreSQL may still have room for one row in the pages that it has.
         check(status in (200, *wanted), f"/readyz answers {status}: {body.get('detail')}")
@@ -178,10 +221,15 @@ def under_postgres(holds_log):
         if status == 202:
             seconds = service.until("GET", f"/v1/jobs/{receipt['id']}/result", None, (200,), 90)
             check(seconds is not None, f"it is claimed and solved after {seconds} s")
-        states = {service.ask("GET", f"/v1/jobs/{job}?wait=90")[1].get("status") for job in accepted}
+        states = {
+            service.ask("GET", f"/v1/jobs/{job}?wait=90")[1].get("status") for job in accepted
+        }
         check(states == {"succeeded"}, f"{len(accepted)} accepted jobs: {states}")
         code, log = service.end()
-        check(code == 0 and (holds_log or "disk is full" in log), f"exit code {code}; the log says {'disk is full' if 'disk is full' in log else 'storage is unavailable'}")
+        check(
+            code == 0 and (holds_log or "disk is full" in log),
+            f"exit code {code}; the log says {'disk is full' if 'disk is full' in log else 'storage is unavailable'}",
+        )
 
 
 to_the_last_byte()

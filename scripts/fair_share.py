@@ -6,6 +6,7 @@ A key has default jobs solved, half of them through POST /v1/solve and half thro
 both ways at priority 100: default jobs, sweeps of 200 loads at 60 elements, histories of 10 000 increments. Prints the waits of each way, alone and beside the flood. Fails
 where the p99 beside it is above one second.
 """
+
 import argparse, contextlib, http.client, json, statistics, subprocess, sys, threading, time
 
 from harness import EXAMPLES, Cluster, Service, load
@@ -15,11 +16,17 @@ parser.add_argument("--jobs", type=int, default=500)
 parser.add_argument("--store", choices=["sqlite", "postgres"], default="sqlite")
 parser.add_argument("--solvers", type=int, default=2)
 parser.add_argument("--binary", default="target/release/brinell")
-parser.add_argument("--connections", type=int, default=8, help="of the flood, each way and kind of job")
+parser.add_argument(
+    "--connections", type=int, default=8, help="of the flood, each way and kind of job"
+)
 parser.add_argument("serve", nargs="*")
 args = parser.parse_args()
 JOB = EXAMPLES["two_cylinders"]
-SWEEP = {**JOB, "mesh": {"elements_per_half_width": 60}, "load": {"forces": [400 + step for step in range(200)]}}
+SWEEP = {
+    **JOB,
+    "mesh": {"elements_per_half_width": 60},
+    "load": {"forces": [400 + step for step in range(200)]},
+}
 HISTORY = {**JOB, "solver": {"theory": "flow", "increments": 10_000}}
 
 
@@ -35,12 +42,16 @@ def solve(connection, token):
 
 
 def queue(connection, token):
-    # As a job of /v1/solve has it: of one key the higher goes first, so that its two ways would hold each other up.
+    # As a job of /v1/solve has it: of one key the higher goes first, so that its two ways would
+    # hold each other up.
     status, receipt = ask(connection, token, "POST", "/v1/jobs?priority=1", JOB)
     if status != 202:
         return False
     job = json.loads(receipt)["id"]
-    return json.loads(ask(connection, token, "GET", f"/v1/jobs/{job}?wait=60")[1])["status"] == "succeeded"
+    return (
+        json.loads(ask(connection, token, "GET", f"/v1/jobs/{job}?wait=60")[1])["status"]
+        == "succeeded"
+    )
 
 
 def client(host, token, way, waits):
@@ -67,9 +78,15 @@ def p99(waits):
 def round_of(host, token, greedy):
     waits, end = {solve: [], queue: []}, threading.Event()
     if greedy:
-        for what in [(path, job) for job in (SWEEP, HISTORY, JOB) for path in ("/v1/jobs?priority=100", "/v1/solve")] * args.connections:
+        for what in [
+            (path, job)
+            for job in (SWEEP, HISTORY, JOB)
+            for path in ("/v1/jobs?priority=100", "/v1/solve")
+        ] * args.connections:
             threading.Thread(target=flood, args=(host, greedy, *what, end), daemon=True).start()
-    threads = [threading.Thread(target=client, args=(host, token, way, waits[way])) for way in waits]
+    threads = [
+        threading.Thread(target=client, args=(host, token, way, waits[way])) for way in waits
+    ]
     for thread in threads:
         thread.start()
     for thread in threads:
@@ -80,17 +97,34 @@ def round_of(host, token, greedy):
 
 worst = 0
 with Cluster() if args.store == "postgres" else contextlib.nullcontext() as cluster:
-    flags = ["--require-api-key", "--queue-capacity-per-key", "1000", "--workers", str(args.solvers), *args.serve]
+    flags = [
+        "--require-api-key",
+        "--queue-capacity-per-key",
+        "1000",
+        "--workers",
+        str(args.solvers),
+        *args.serve,
+    ]
     with Service(args.binary, *flags, database=cluster and cluster.url) as service:
-        modest, greedy = [subprocess.run([args.binary, "key", "create", name, *service.store], check=True, capture_output=True, text=True).stdout.strip()
-                          for name in ("modest", "greedy")]
+        modest, greedy = [
+            subprocess.run(
+                [args.binary, "key", "create", name, *service.store],
+                check=True,
+                capture_output=True,
+                text=True,
+            ).stdout.strip()
+            for name in ("modest", "greedy")
+        ]
         alone = round_of(service.host, modest, None)
         flooded = round_of(service.host, modest, greedy)
         for way in (solve, queue):
             a, b = alone[way], flooded[way]
             worst = max(worst, p99(b))
-            print(f"{args.store}, {args.solvers} solvers, {way.__name__}: alone median {1e3 * statistics.median(a):.0f} ms, p99 {1e3 * p99(a):.0f} ms; beside the flood median "
-                  f"{1e3 * statistics.median(b):.0f} ms, p99 {1e3 * p99(b):.0f} ms of {len(b)}; {load()}", flush=True)
+            print(
+                f"{args.store}, {args.solvers} solvers, {way.__name__}: alone median {1e3 * statistics.median(a):.0f} ms, p99 {1e3 * p99(a):.0f} ms; beside the flood median "
+                f"{1e3 * statistics.median(b):.0f} ms, p99 {1e3 * p99(b):.0f} ms of {len(b)}; {load()}",
+                flush=True,
+            )
         # What the flood has queued would take minutes.
         service.process.kill()
 sys.exit(worst > 1)

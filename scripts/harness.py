@@ -1,8 +1,11 @@
 """What the scripts share: a service on a free port, and PostgreSQL on one of its own."""
+
 import glob, http.client, json, os, re, shutil, socket, subprocess, sys, tempfile
 from pathlib import Path
 
-EXAMPLES = {path.stem: json.loads(path.read_text()) for path in sorted(Path("api/examples").glob("*.json"))}
+EXAMPLES = {
+    path.stem: json.loads(path.read_text()) for path in sorted(Path("api/examples").glob("*.json"))
+}
 
 
 def free_port():
@@ -18,11 +21,14 @@ def load():
 
 class Service:
     """`brinell serve` with a store of its own, until the end of a `with`."""
+
     def __init__(self, binary, *flags, database=None):
         self.data = tempfile.mkdtemp()
         self.store = ["--database-url", database] if database else ["--data-dir", self.data]
         command = [binary, "serve", "--listen", "127.0.0.1:0", *self.store, *flags]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        )
         self.host = self.process.stdout.readline().split("//")[1].strip()
         self.connection = self.connect()
 
@@ -36,7 +42,9 @@ class Service:
         connection.request(method, path, text, {"Content-Type": "application/json", **headers})
         answer = connection.getresponse()
         text = answer.read()
-        return answer.status, json.loads(text) if "json" in (answer.getheader("content-type") or "") else text
+        return answer.status, json.loads(text) if "json" in (
+            answer.getheader("content-type") or ""
+        ) else text
 
     def submit(self, job):
         status, receipt = self.ask("POST", "/v1/jobs", job)
@@ -55,7 +63,14 @@ class Service:
 
     def memory(self, figure="VmRSS"):
         """Bytes of memory; `VmHWM` is the most so far."""
-        return int(re.search(rf"{figure}:\s+(\d+)", Path(f"/proc/{self.process.pid}/status").read_text())[1]) << 10
+        return (
+            int(
+                re.search(
+                    rf"{figure}:\s+(\d+)", Path(f"/proc/{self.process.pid}/status").read_text()
+                )[1]
+            )
+            << 10
+        )
 
     def __enter__(self):
         return self
@@ -70,8 +85,11 @@ class Service:
 
 class Cluster:
     """PostgreSQL on a port of its own (needs initdb and pg_ctl), until the end of a `with`."""
+
     def __init__(self):
-        self.programs = Path(shutil.which("initdb") or sorted(glob.glob("/usr/lib/postgresql/*/bin/initdb"))[-1]).parent
+        self.programs = Path(
+            shutil.which("initdb") or sorted(glob.glob("/usr/lib/postgresql/*/bin/initdb"))[-1]
+        ).parent
         self.base = tempfile.mkdtemp()
         self.folder, self.port = f"{self.base}/cluster", free_port()
         # PostgreSQL refuses to run as root.
@@ -86,17 +104,34 @@ class Cluster:
 
     def start(self):
         options = f"-p {self.port} -k {self.folder} -c listen_addresses=127.0.0.1"
-        self.run("pg_ctl", "-D", self.folder, "-w", "-l", f"{self.folder}/log", "-o", options, "start")
+        self.run(
+            "pg_ctl", "-D", self.folder, "-w", "-l", f"{self.folder}/log", "-o", options, "start"
+        )
 
     def is_running(self):
         command = [*self.user, str(self.programs / "pg_ctl"), "-D", self.folder, "status"]
         return subprocess.run(command, stdout=subprocess.DEVNULL, cwd="/").returncode == 0
 
     def run(self, program, *arguments):
-        subprocess.run([*self.user, str(self.programs / program), *arguments], check=True, stdout=subprocess.DEVNULL, cwd="/")
+        subprocess.run(
+            [*self.user, str(self.programs / program), *arguments],
+            check=True,
+            stdout=subprocess.DEVNULL,
+            cwd="/",
+        )
 
     def restart(self):
-        self.run("pg_ctl", "-D", self.folder, "-w", "-m", "immediate", "-l", f"{self.folder}/log", "restart")
+        self.run(
+            "pg_ctl",
+            "-D",
+            self.folder,
+            "-w",
+            "-m",
+            "immediate",
+            "-l",
+            f"{self.folder}/log",
+            "restart",
+        )
 
     def stop(self):
         self.run("pg_ctl", "-D", self.folder, "-m", "immediate", "stop")

@@ -6,6 +6,7 @@ Needs nothing but Python. Prints one line each for submission, solving and memor
 tenth of them, and after all results were fetched). With `--large` so many of the jobs, spread over the others, have 200 MB of fields; answers other than
 those expected, 503 among them, end the run.
 """
+
 import argparse, threading, time
 
 from harness import EXAMPLES, Service, load
@@ -23,7 +24,12 @@ args = parser.parse_args()
 job = {**EXAMPLES["two_cylinders"], "mesh": {"elements_per_half_width": args.elements}}
 # A step has about 7 MB of fields.
 steps = max(1, round(args.megabytes / 7))
-large = {**job, "mesh": {"elements_per_half_width": 50}, "output": {"fields": True}, "load": {"forces": [400 + 5 * step for step in range(steps)]}}
+large = {
+    **job,
+    "mesh": {"elements_per_half_width": 50},
+    "output": {"fields": True},
+    "load": {"forces": [400 + 5 * step for step in range(steps)]},
+}
 print(load())
 
 with Service(args.binary, "--queue-capacity", str(args.jobs + args.large), *args.serve) as service:
@@ -40,7 +46,11 @@ with Service(args.binary, "--queue-capacity", str(args.jobs + args.large), *args
 
     begin, ids, larges = time.perf_counter(), [], []
     for number in range(args.jobs):
-        if args.large and number % max(1, args.jobs // args.large) == 0 and len(larges) < args.large:
+        if (
+            args.large
+            and number % max(1, args.jobs // args.large) == 0
+            and len(larges) < args.large
+        ):
             larges.append(service.submit(large))
         ids.append(service.submit({**job, "tags": {"number": str(number)}}))
     submitted = time.perf_counter() - begin
@@ -74,7 +84,11 @@ with Service(args.binary, "--queue-capacity", str(args.jobs + args.large), *args
     print(f"submitted {args.jobs} jobs in {submitted:.1f} s, {args.jobs / submitted:.0f} a second")
     print(f"all solved and fetched after {solved:.1f} s, {args.jobs / solved:.0f} a second")
     if larges:
-        print(f"and {len(larges)} jobs with fields, {2 * size / len(larges) / 1e6:.0f} MB of them in the store each (in double precision)")
+        print(
+            f"and {len(larges)} jobs with fields, {2 * size / len(larges) / 1e6:.0f} MB of them in the store each (in double precision)"
+        )
     print("memory (MiB): " + " / ".join(f"{value >> 20}" for value in memory))
-    print(f"GET /v1/jobs/ID meanwhile: median {1e3 * latencies[len(latencies) // 2]:.1f} ms, "
-          f"p99 {1e3 * latencies[len(latencies) * 99 // 100]:.1f} ms of {len(latencies)}")
+    print(
+        f"GET /v1/jobs/ID meanwhile: median {1e3 * latencies[len(latencies) // 2]:.1f} ms, "
+        f"p99 {1e3 * latencies[len(latencies) * 99 // 100]:.1f} ms of {len(latencies)}"
+    )

@@ -7,6 +7,7 @@ of its own that waits, by server-sent events, asks for its place in the queue ev
 every five. Opening them is not measured. Beside the change by the clock, which other work on the machine disturbs,
 stands the processor time that the server takes beyond the cost of its jobs, as a share of all cores.
 """
+
 import argparse, asyncio, json, os, re, statistics, subprocess, tempfile, threading, time
 from pathlib import Path
 
@@ -18,7 +19,9 @@ parser.add_argument("--elements", type=int, default=8)
 parser.add_argument("--release", default="target/release")
 args = parser.parse_args()
 
-FILES = ["/"] + [f"/{path}" for path in Path("web").rglob("*") if path.is_file() and path.name != "index.html"]
+FILES = ["/"] + [
+    f"/{path}" for path in Path("web").rglob("*") if path.is_file() and path.name != "index.html"
+]
 POST = """wrk.method = "POST"
 wrk.headers["Content-Type"] = "application/json"
 wrk.body = io.open("{job}"):read("*a")
@@ -29,7 +32,10 @@ async def ask(address, path, method="GET", body=b"", coding="gzip"):
     """One request on a connection of its own; status and body."""
     reader, writer = await asyncio.open_connection(*address)
     head = f"{method} {path} HTTP/1.1\r\nHost: page\r\nAccept-Encoding: {coding}\r\nConnection: close\r\n"
-    writer.write(f"{head}Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n".encode() + body)
+    writer.write(
+        f"{head}Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n".encode()
+        + body
+    )
     answer = await reader.read()
     writer.close()
     head, _, body = answer.partition(b"\r\n\r\n")
@@ -39,7 +45,9 @@ async def ask(address, path, method="GET", body=b"", coding="gzip"):
 async def stream(address, path):
     """Reads events for ever."""
     reader, writer = await asyncio.open_connection(*address)
-    writer.write(f"GET {path} HTTP/1.1\r\nHost: page\r\nAccept: text/event-stream\r\n\r\n".encode())
+    writer.write(
+        f"GET {path} HTTP/1.1\r\nHost: page\r\nAccept: text/event-stream\r\n\r\n".encode()
+    )
     try:
         while await reader.read(4096):
             pass
@@ -61,8 +69,11 @@ async def page(address, job):
     for path in FILES:
         status, _ = await ask(address, path)
         assert status == 200, (path, status)
-    await asyncio.gather(stream(address, f"{job}/events"), every(2, address, job),
-                         every(5, address, "/v1/jobs?limit=30"))
+    await asyncio.gather(
+        stream(address, f"{job}/events"),
+        every(2, address, job),
+        every(5, address, "/v1/jobs?limit=30"),
+    )
 
 
 class Pages(threading.Thread):
@@ -75,7 +86,8 @@ class Pages(threading.Thread):
         self.work = self.loop.create_task(self.open(address, job))
 
     async def open(self, address, job):
-        # The solvers are busy by now, and these jobs have the lowest priority: they wait, and the pages with them.
+        # The solvers are busy by now, and these jobs have the lowest priority: they wait, and the
+        # pages with them.
         await asyncio.sleep(0.3)
         await asyncio.gather(*(page(address, job) for _ in range(args.pages)))
 
@@ -96,7 +108,9 @@ class Pages(threading.Thread):
 
 async def cancel_queued(address):
     """The jobs that closed pages have left behind."""
-    while jobs := json.loads((await ask(address, "/v1/jobs?status=queued&limit=100", coding="identity"))[1])["jobs"]:
+    while jobs := json.loads(
+        (await ask(address, "/v1/jobs?status=queued&limit=100", coding="identity"))[1]
+    )["jobs"]:
         for job in jobs:
             await ask(address, job["links"]["cancel"], "POST")
 
@@ -109,7 +123,17 @@ def processor_time(pid):
 def load(pid, url, lua, seconds=args.seconds):
     """Jobs and processor time of the server, both a second."""
     before, begin = processor_time(pid), time.perf_counter()
-    command = ["wrk", "-t1", "-c8", f"-d{seconds}s", "--timeout", "30s", "-s", str(lua), f"{url}/v1/solve"]
+    command = [
+        "wrk",
+        "-t1",
+        "-c8",
+        f"-d{seconds}s",
+        "--timeout",
+        "30s",
+        "-s",
+        str(lua),
+        f"{url}/v1/solve",
+    ]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     assert "Non-2xx" not in text and "Socket errors" not in text, text
     jobs = int(re.search(r"(\d+) requests in", text)[1])
@@ -124,8 +148,17 @@ with tempfile.TemporaryDirectory(dir=".") as folder:
     (folder / "job.json").write_text(json.dumps(job))
     lua = folder / "post.lua"
     lua.write_text(POST.format(job=folder / "job.json"))
-    command = [f"{args.release}/brinell", "serve", "--listen", "127.0.0.1:0", "--data-dir", str(folder / "data")]
-    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    command = [
+        f"{args.release}/brinell",
+        "serve",
+        "--listen",
+        "127.0.0.1:0",
+        "--data-dir",
+        str(folder / "data"),
+    ]
+    server = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    )
     try:
         url = "http://" + server.stdout.readline().split("//")[1].strip()
         host, port = url.removeprefix("http://").split(":")
@@ -147,12 +180,17 @@ with tempfile.TemporaryDirectory(dir=".") as folder:
             (alone, cost), (opened, used) = measured[False], measured[True]
             # What the server used beyond what its jobs cost without pages.
             rows.append((alone, opened, used - opened * cost / alone))
-            print(f"  round {number + 1}: {alone:.1f} jobs/s alone, {opened:.1f} with pages, "
-                  f"which took {1000 * rows[-1][2]:.0f} ms of processor time a second", flush=True)
+            print(
+                f"  round {number + 1}: {alone:.1f} jobs/s alone, {opened:.1f} with pages, "
+                f"which took {1000 * rows[-1][2]:.0f} ms of processor time a second",
+                flush=True,
+            )
         change = 100 * (statistics.median(opened / alone for alone, opened, _ in rows) - 1)
         taken = statistics.median(row[2] for row in rows)
-        print(f"{args.pages} open pages: {change:+.1f} % jobs a second by the clock; {1000 * taken:.0f} ms of processor time a "
-              f"second, {100 * taken / os.cpu_count():.1f} % of {os.cpu_count()} cores (medians of {args.rounds} rounds)")
+        print(
+            f"{args.pages} open pages: {change:+.1f} % jobs a second by the clock; {1000 * taken:.0f} ms of processor time a "
+            f"second, {100 * taken / os.cpu_count():.1f} % of {os.cpu_count()} cores (medians of {args.rounds} rounds)"
+        )
     finally:
         server.terminate()
         server.wait()

@@ -5,6 +5,7 @@ usage: scripts/receivers.py [--jobs 40] [--binary target/release/brinell]
 Seven hosts (127.0.0.2 and on: Linux) are silent, answer byte by byte, without end, with heads without end, elsewhere, with noise, or not at all.
 Prints how long the announcements to an eighth took that were handed in behind theirs, what each was sent, and the memory of the service.
 """
+
 import argparse, base64, os, socket, threading, time
 from urllib.parse import quote
 
@@ -33,12 +34,18 @@ def repeat(connection, head, part):
 
 
 BEHAVIOURS = {
-    "good": lambda connection: connection.sendall(b"HTTP/1.1 204 No Content\r\nConnection: close\r\n\r\n"),
+    "good": lambda connection: connection.sendall(
+        b"HTTP/1.1 204 No Content\r\nConnection: close\r\n\r\n"
+    ),
     "silent": lambda connection: time.sleep(100),
     "drips": drip,
-    "endless": lambda connection: repeat(connection, b"Transfer-Encoding: chunked\r\n\r\n", b"10000\r\n" + bytes(65536) + b"\r\n"),
+    "endless": lambda connection: repeat(
+        connection, b"Transfer-Encoding: chunked\r\n\r\n", b"10000\r\n" + bytes(65536) + b"\r\n"
+    ),
     "heads": lambda connection: repeat(connection, b"", b"A: " + b"b" * 1000 + b"\r\n"),
-    "redirects": lambda connection: connection.sendall(b"HTTP/1.1 302 Found\r\nLocation: http://127.0.0.2/\r\nContent-Length: 0\r\n\r\n"),
+    "redirects": lambda connection: connection.sendall(
+        b"HTTP/1.1 302 Found\r\nLocation: http://127.0.0.2/\r\nContent-Length: 0\r\n\r\n"
+    ),
     "noise": lambda connection: connection.sendall(os.urandom(5000)),
     "closes": lambda connection: None,
 }
@@ -71,9 +78,12 @@ for number, name in enumerate(BEHAVIOURS, 2):
     threading.Thread(target=accept, args=(name, listener), daemon=True).start()
 
 os.environ["BRINELL_WEBHOOK_SECRETS"] = "whsec_" + base64.b64encode(os.urandom(32)).decode()
-hosts = [flag for address in addresses.values() for flag in ("--webhook-host", address.split(":")[0])]
+hosts = [
+    flag for address in addresses.values() for flag in ("--webhook-host", address.split(":")[0])
+]
 JOB = {**EXAMPLES["two_cylinders"], "mesh": {"elements_per_half_width": 4}}
 with Service(args.binary, *hosts, "--webhook-allow-private") as service:
+
     def submit(name):
         address = quote(f"http://{addresses[name]}/")
         return service.ask("POST", f"/v1/jobs?callback_url={address}", JOB)[1]["id"]
@@ -86,10 +96,15 @@ with Service(args.binary, *hosts, "--webhook-allow-private") as service:
         submit("good")
     while calls.get("good", 0) < args.jobs and time.monotonic() - begin < args.seconds:
         time.sleep(0.05)
-    print(f"{calls.get('good', 0)} of {args.jobs} good announcements after {time.monotonic() - begin:.1f} s; {load()}", flush=True)
+    print(
+        f"{calls.get('good', 0)} of {args.jobs} good announcements after {time.monotonic() - begin:.1f} s; {load()}",
+        flush=True,
+    )
     time.sleep(args.seconds)
     begin = time.monotonic()
     submit("good")
     while calls.get("good", 0) <= args.jobs and time.monotonic() - begin < args.seconds:
         time.sleep(0.01)
-    print(f"another after {time.monotonic() - begin:.2f} s; calls {calls}; {service.memory() >> 20} MiB")
+    print(
+        f"another after {time.monotonic() - begin:.2f} s; calls {calls}; {service.memory() >> 20} MiB"
+    )

@@ -5,6 +5,7 @@ usage: scripts/rounds.py [--rounds 9] [--store sqlite|postgres] [--binary target
 `sqlite` is one service, `postgres` two on a cluster of their own, which is restarted too (needs initdb and pg_ctl). A receiver answers one announcement in
 five with 500. At the end every job that was accepted has succeeded, its result is whole, its announcement was delivered, under one id.
 """
+
 import argparse, collections, http.client, http.server, json, random, shutil, signal, subprocess, sys, tempfile, threading, time
 
 from harness import EXAMPLES, Cluster, free_port
@@ -25,7 +26,9 @@ announced = collections.defaultdict(list)
 class Receiver(http.server.BaseHTTPRequestHandler):
     def do_POST(self):
         notice = json.loads(self.rfile.read(int(self.headers["content-length"])))
-        announced[notice["data"]["id"]].append((self.headers["webhook-id"], notice["data"]["status"]))
+        announced[notice["data"]["id"]].append(
+            (self.headers["webhook-id"], notice["data"]["status"])
+        )
         self.send_response(500 if random.random() < 0.2 else 204)
         self.send_header("Content-Length", "0")
         self.end_headers()
@@ -40,14 +43,33 @@ threading.Thread(target=receiver.serve_forever, daemon=True).start()
 
 class Node:
     """One service on a port that stays."""
+
     def __init__(self, store):
         self.port, self.store = free_port(), store
         self.start()
 
     def start(self):
-        command = [args.binary, "serve", "--listen", f"127.0.0.1:{self.port}", *self.store, "--lease", "3", "--max-attempts", "100",
-                   "--webhook-host", "127.0.0.1", "--webhook-secret", SECRET, "--webhook-allow-private", "--webhook-retry", "0.2"]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=open(f"{data}/log-{self.port}", "a"), text=True)
+        command = [
+            args.binary,
+            "serve",
+            "--listen",
+            f"127.0.0.1:{self.port}",
+            *self.store,
+            "--lease",
+            "3",
+            "--max-attempts",
+            "100",
+            "--webhook-host",
+            "127.0.0.1",
+            "--webhook-secret",
+            SECRET,
+            "--webhook-allow-private",
+            "--webhook-retry",
+            "0.2",
+        ]
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=open(f"{data}/log-{self.port}", "a"), text=True
+        )
         self.process.stdout.readline()
 
     def kill(self):
@@ -76,13 +98,23 @@ def submit(nodes, prefix):
     while not stop.is_set():
         number += 1
         is_large = number % 5 == 0
-        job = {**JOB, "tags": {"number": f"{prefix}-{number}"}, "mesh": {"elements_per_half_width": 20 if is_large else 4}}
+        job = {
+            **JOB,
+            "tags": {"number": f"{prefix}-{number}"},
+            "mesh": {"elements_per_half_width": 20 if is_large else 4},
+        }
         if is_large:
             job["load"], job["output"] = {"forces": [300, 400, 500]}, {"fields": True}
         path = f"/v1/jobs?callback_url=http://127.0.0.1:{receiver.server_port}/"
         while True:
             try:
-                status, answer = ask(random.choice(nodes), "POST", path, json.dumps(job), {"Idempotency-Key": f"{prefix}-{number}"})
+                status, answer = ask(
+                    random.choice(nodes),
+                    "POST",
+                    path,
+                    json.dumps(job),
+                    {"Idempotency-Key": f"{prefix}-{number}"},
+                )
             except (OSError, http.client.HTTPException):
                 status = 0
             if status in (200, 202):
@@ -96,7 +128,11 @@ def submit(nodes, prefix):
 
 cluster = Cluster() if args.store == "postgres" else None
 try:
-    nodes = [Node(["--database-url", cluster.url]) for _ in range(2)] if cluster else [Node(["--data-dir", f"{data}/jobs"])]
+    nodes = (
+        [Node(["--database-url", cluster.url]) for _ in range(2)]
+        if cluster
+        else [Node(["--data-dir", f"{data}/jobs"])]
+    )
     clients = [threading.Thread(target=submit, args=(nodes, prefix)) for prefix in "ab"]
     for client in clients:
         client.start()
@@ -105,7 +141,11 @@ try:
         time.sleep(args.seconds)
         action, node = actions[number % 3], nodes[number % len(nodes)]
         print(f"round {number + 1}: {action}, {len(accepted)} jobs accepted so far", flush=True)
-        {"kill": node.kill, "freeze": lambda: node.freeze(5), "restart": lambda: cluster.restart()}[action]()
+        {
+            "kill": node.kill,
+            "freeze": lambda: node.freeze(5),
+            "restart": lambda: cluster.restart(),
+        }[action]()
     stop.set()
     for client in clients:
         client.join()
@@ -121,22 +161,36 @@ try:
             time.sleep(0.05)
         status, body = ask(nodes[0], "GET", f"/v1/jobs/{name}/result")
         result = json.loads(body) if status == 200 else {}
-        if document["status"] != "succeeded" or result.get("tags") != {"number": tag} or len(result.get("steps", [])) != steps:
+        if (
+            document["status"] != "succeeded"
+            or result.get("tags") != {"number": tag}
+            or len(result.get("steps", [])) != steps
+        ):
             faults.append(f"{name}: {document['status']}, {status}")
-        if document["callback"]["state"] != "delivered" or not announced[name] or len(set(announced[name])) != 1:
+        if (
+            document["callback"]["state"] != "delivered"
+            or not announced[name]
+            or len(set(announced[name])) != 1
+        ):
             faults.append(f"{name}: {document['callback']}, announced {announced[name]}")
     names, cursor = [], ""
     while cursor is not None:
-        page = json.loads(ask(nodes[0], "GET", f"/v1/jobs?limit=100{cursor and '&cursor=' + cursor}")[1])
+        page = json.loads(
+            ask(nodes[0], "GET", f"/v1/jobs?limit=100{cursor and '&cursor=' + cursor}")[1]
+        )
         names += [one["tags"]["number"] for one in page["jobs"]]
         cursor = page.get("next_cursor")
     twice = [name for name, count in collections.Counter(names).items() if count > 1]
     missing = {tag for tag, _ in accepted.values()} - set(names)
     repeated = sum(len(one) > 1 for one in announced.values())
-    print(f"{args.store}: {len(accepted)} jobs accepted, {len(names)} there, {len(faults)} at fault, {len(twice)} twice, {len(missing)} missing; "
-          f"{sum(map(len, announced.values()))} announcements, of {repeated} jobs more than one")
+    print(
+        f"{args.store}: {len(accepted)} jobs accepted, {len(names)} there, {len(faults)} at fault, {len(twice)} twice, {len(missing)} missing; "
+        f"{sum(map(len, announced.values()))} announcements, of {repeated} jobs more than one"
+    )
     if faults or twice or missing:
-        sys.exit("\n".join([*faults[:10], f"twice {twice[:10]}", f"missing {sorted(missing)[:10]}"]))
+        sys.exit(
+            "\n".join([*faults[:10], f"twice {twice[:10]}", f"missing {sorted(missing)[:10]}"])
+        )
 finally:
     stop.set()
     for node in nodes:

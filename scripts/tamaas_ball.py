@@ -51,7 +51,9 @@ def main(n, period):
     epic.acceleratedSolve(FORCE / length**2)
     seconds = time.perf_counter() - start
     pressure = model.traction[..., 2]
-    print(f"{seconds:.2f} s, peak {pressure.max():.1f} MPa, force {pressure.sum() * (length / n) ** 2:.4f} N")
+    print(
+        f"{seconds:.2f} s, peak {pressure.max():.1f} MPa, force {pressure.sum() * (length / n) ** 2:.4f} N"
+    )
 
 
 if __name__ == "__main__":

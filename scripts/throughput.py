@@ -8,6 +8,7 @@ round by round; each row is the median of the rounds. Three yield stresses of pe
 Beside the rates by the clock, which other work on the machine disturbs, stand those by processor time: jobs for each
 second of it that the loop took, and that server and wrk took together.
 """
+
 import argparse, json, re, resource, statistics, subprocess, sys, tempfile, time
 from pathlib import Path
 
@@ -45,13 +46,32 @@ def service(job, folder):
     before = processor_time()
     lua = folder / "post.lua"
     lua.write_text(POST.format(job=job))
-    command = [f"{args.release}/brinell", "serve", "--listen", "127.0.0.1:0", "--data-dir", str(folder / "data"),
-               *args.serve]
-    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    command = [
+        f"{args.release}/brinell",
+        "serve",
+        "--listen",
+        "127.0.0.1:0",
+        "--data-dir",
+        str(folder / "data"),
+        *args.serve,
+    ]
+    server = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    )
     try:
         url = "http://" + server.stdout.readline().split("//")[1].strip()
-        load = ["wrk", "-t1", f"-c{args.connections}", f"-d{args.seconds}s", "--latency", "--timeout", "30s",
-                "-s", str(lua), f"{url}/v1/solve"]
+        load = [
+            "wrk",
+            "-t1",
+            f"-c{args.connections}",
+            f"-d{args.seconds}s",
+            "--latency",
+            "--timeout",
+            "30s",
+            "-s",
+            str(lua),
+            f"{url}/v1/solve",
+        ]
         text = subprocess.run(load, check=True, capture_output=True, text=True).stdout
     finally:
         server.terminate()
@@ -59,7 +79,10 @@ def service(job, folder):
     if "Non-2xx" in text or "Socket errors" in text:
         sys.exit(text)
     latency = {share: value for share, value in re.findall(r"(50|99)%\s+([\d.]+m?s)", text)}
-    rate, jobs = float(re.search(r"Requests/sec:\s+([\d.]+)", text)[1]), int(re.search(r"(\d+) requests in", text)[1])
+    rate, jobs = (
+        float(re.search(r"Requests/sec:\s+([\d.]+)", text)[1]),
+        int(re.search(r"(\d+) requests in", text)[1]),
+    )
     return rate, jobs / (processor_time() - before), latency
 
 
@@ -74,10 +97,20 @@ for elements in args.elements:
         for number in range(args.rounds):
             alone, alone_cpu = in_process(path)
             served, served_cpu, latency = service(path, folder)
-            rows.append((alone, served, served / alone, alone_cpu, served_cpu, served_cpu / alone_cpu))
-            print(f"  {elements} elements, round {number + 1}: in process {alone:.1f}/s, served {served:.1f}/s; "
-                  f"by processor time {alone_cpu:.1f} and {served_cpu:.1f}; latency {latency}", flush=True)
-        alone, served, ratio, alone_cpu, served_cpu, ratio_cpu = (statistics.median(column) for column in zip(*rows))
-        print(f"{elements} elements: in process {alone:.1f} jobs/s, POST /v1/solve {served:.1f} jobs/s, "
-              f"{100 * ratio:.1f} %; by processor time {alone_cpu:.1f} and {served_cpu:.1f}, {100 * ratio_cpu:.1f} % "
-              f"(medians of {args.rounds})", flush=True)
+            rows.append(
+                (alone, served, served / alone, alone_cpu, served_cpu, served_cpu / alone_cpu)
+            )
+            print(
+                f"  {elements} elements, round {number + 1}: in process {alone:.1f}/s, served {served:.1f}/s; "
+                f"by processor time {alone_cpu:.1f} and {served_cpu:.1f}; latency {latency}",
+                flush=True,
+            )
+        alone, served, ratio, alone_cpu, served_cpu, ratio_cpu = (
+            statistics.median(column) for column in zip(*rows)
+        )
+        print(
+            f"{elements} elements: in process {alone:.1f} jobs/s, POST /v1/solve {served:.1f} jobs/s, "
+            f"{100 * ratio:.1f} %; by processor time {alone_cpu:.1f} and {served_cpu:.1f}, {100 * ratio_cpu:.1f} % "
+            f"(medians of {args.rounds})",
+            flush=True,
+        )

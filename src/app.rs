@@ -13,17 +13,21 @@ use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
-use crate::config::{MetricsConfig, ServeConfig, StorageConfig, TlsConfig, WebhookConfig, WorkerConfig};
-use crate::http::{
-    AllowedHosts, HttpSettings, HttpState, Listening, Metrics, TlsError, TlsIdentity, metrics_router, router,
-    serve,
+use crate::config::{
+    MetricsConfig, ServeConfig, StorageConfig, TlsConfig, WebhookConfig, WorkerConfig,
 };
-use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, OnceKey, Retention, SWEEP, SystemClock};
+use crate::http::{
+    AllowedHosts, HttpSettings, HttpState, Listening, Metrics, TlsError, TlsIdentity,
+    metrics_router, router, serve,
+};
+use crate::jobs::{
+    JobNotifier, JobService, JobSolver, JobStore, OnceKey, Retention, SWEEP, SystemClock,
+};
 use crate::lifecycle::{Hangups, raise_file_limit};
 use crate::outgoing::{Client, RootsError};
 use crate::store::{
-    DATABASE, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_in_memory,
-    open_sqlite_keys,
+    DATABASE, PostgresError, SqliteError, Store, open_postgres, open_sqlite,
+    open_sqlite_in_memory, open_sqlite_keys,
 };
 use crate::telemetry::{AUDIT, collect};
 use crate::webhook::{Announcer, CallbackRules};
@@ -35,7 +39,8 @@ const CLOSE_TIMEOUT: Duration = Duration::from_secs(3);
 /// Most connections to the port of the metrics.
 const METRICS_CONNECTIONS: usize = 100;
 
-/// Files that may be open beside the connections of clients: those of the store, of metrics and of calls to others.
+/// Files that may be open beside the connections of clients: those of the store, of metrics and of
+/// calls to others.
 const OTHER_FILES: usize = METRICS_CONNECTIONS + 64;
 
 /// Time between two sweeps.
@@ -79,7 +84,8 @@ pub enum AppError {
     #[error("{0} (set by --webhook-ca, BRINELL_WEBHOOK_CA)")]
     Webhooks(#[from] RootsError),
     /// The key of this process cannot be used.
-    #[error("{0} holds no key of {min} characters or more (named by --once-key-env, BRINELL_ONCE_KEY_ENV)", min = OnceKey::MIN_LENGTH)]
+    #[error("{0} holds no key of {min} characters or more (named by --once-key-env, \
+             BRINELL_ONCE_KEY_ENV)", min = OnceKey::MIN_LENGTH)]
     OnceKey(String),
     /// The operating system refuses threads, signals or connections.
     #[error(transparent)]
@@ -115,7 +121,8 @@ impl Service {
         let store = open_store(&config.storage, &notifier).await?;
         let mut background = JoinSet::new();
         background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
-        let metrics = start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
+        let metrics =
+            start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
         if let Some(identity) = identity {
             background.spawn(reload_on_hangup(identity)?);
         }
@@ -124,7 +131,12 @@ impl Service {
             None
         } else {
             let settings = config.work.worker(config.storage.is_durable());
-            Some(Worker::start(Arc::clone(&store) as _, Arc::clone(&notifier), Arc::clone(&solver), settings))
+            Some(Worker::start(
+                Arc::clone(&store) as _,
+                Arc::clone(&notifier),
+                Arc::clone(&solver),
+                settings,
+            ))
         };
         let jobs = Arc::new(JobService::new(
             Arc::clone(&store) as _,
@@ -163,8 +175,8 @@ impl Service {
         format!("{scheme}://{}", self.address)
     }
 
-    /// Serves until `stop`, then takes no more jobs, finishes those it has within the grace time while still
-    /// answering questions, and closes its connections.
+    /// Serves until `stop`, then takes no more jobs, finishes those it has within the grace time
+    /// while still answering questions, and closes its connections.
     ///
     /// # Errors
     /// Currently none; the signature leaves room for errors of the listener.
@@ -172,7 +184,8 @@ impl Service {
         let close = self.state.closing.clone();
         let (router, timeouts) = (router(self.state.clone()), self.state.settings.timeouts);
         let most = self.state.settings.connections;
-        let mut server = tokio::spawn(serve(self.listening, router, timeouts, most, close.clone()));
+        let mut server =
+            tokio::spawn(serve(self.listening, router, timeouts, most, close.clone()));
         stop.cancelled().await;
         self.state.jobs.close();
         if let Some(worker) = self.worker {
@@ -218,7 +231,8 @@ pub async fn run_worker(
     Ok(())
 }
 
-/// How many connections there can be at a time, so that files are left for the store and for calls to others.
+/// How many connections there can be at a time, so that files are left for the store and for calls
+/// to others.
 fn connections(most: usize) -> usize {
     let files = raise_file_limit().and_then(|files| usize::try_from(files).ok());
     let possible = files.map_or(most, |files| files.saturating_sub(OTHER_FILES).max(1));
@@ -237,7 +251,9 @@ async fn listen(setting: &'static str, address: &str) -> Result<TcpListener, App
 }
 
 fn tls_identity(config: &TlsConfig) -> Result<Option<Arc<TlsIdentity>>, TlsError> {
-    let (Some(certificate), Some(key)) = (&config.tls_cert, &config.tls_key) else { return Ok(None) };
+    let (Some(certificate), Some(key)) = (&config.tls_cert, &config.tls_key) else {
+        return Ok(None);
+    };
     TlsIdentity::load(certificate, key).map(Some)
 }
 
@@ -293,9 +309,16 @@ async fn start_metrics(
     if let Some(address) = &config.metrics_listen {
         let listener = listen("--metrics-listen, BRINELL_METRICS_LISTEN", address).await?;
         tracing::info!(address = %listener.local_addr()?, "metrics");
-        let (router, timeouts) = (metrics_router(metrics.clone()), HttpSettings::default().timeouts);
+        let (router, timeouts) =
+            (metrics_router(metrics.clone()), HttpSettings::default().timeouts);
         let listening = Listening { listener, tls: None };
-        background.spawn(serve(listening, router, timeouts, METRICS_CONNECTIONS, CancellationToken::new()));
+        background.spawn(serve(
+            listening,
+            router,
+            timeouts,
+            METRICS_CONNECTIONS,
+            CancellationToken::new(),
+        ));
     }
     Ok(metrics)
 }
@@ -308,7 +331,8 @@ async fn upkeep(collected: PrometheusHandle) {
     }
 }
 
-/// The part of the grace time in which jobs may finish: stopping the others and closing connections takes the rest.
+/// The part of the grace time in which jobs may finish: stopping the others and closing
+/// connections takes the rest.
 fn time_to_solve(grace: Duration) -> Duration {
     grace.saturating_sub(STOP_TIMEOUT + CLOSE_TIMEOUT).max(grace / 2)
 }
@@ -319,7 +343,10 @@ async fn drain(worker: Worker, grace: Duration) {
     tracing::info!(finished, "drained");
 }
 
-async fn open_store(config: &StorageConfig, notifier: &Arc<JobNotifier>) -> Result<Arc<dyn Store>, AppError> {
+async fn open_store(
+    config: &StorageConfig,
+    notifier: &Arc<JobNotifier>,
+) -> Result<Arc<dyn Store>, AppError> {
     let (limits, notifier, clock) = (config.limits(), Arc::clone(notifier), Arc::new(SystemClock));
     Ok(match &config.database_url {
         Some(url) => open_postgres(url.as_str(), limits, notifier, None).await?,

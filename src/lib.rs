@@ -1,4 +1,5 @@
-//! The service and the command line around [`brinell_solver`]: jobs, their store, workers, HTTP, the program.
+//! The service and the command line around [`brinell_solver`]: jobs, their store, workers, HTTP,
+//! the program.
 //!
 //! | module | what it is for |
 //! |---|---|

@@ -27,7 +27,8 @@ pub fn stop_on_signal() -> io::Result<CancellationToken> {
     Ok(stop)
 }
 
-/// Cancels `stop` when standard input is closed, as it is when the process at its other end has ended, even by SIGKILL.
+/// Cancels `stop` when standard input is closed, as it is when the process at its other end has
+/// ended, even by SIGKILL.
 ///
 /// # Errors
 /// If there can be no thread to read it.
@@ -42,11 +43,13 @@ pub fn stop_with_stdin(stop: CancellationToken) -> io::Result<()> {
     Ok(())
 }
 
-/// Signal of a write beyond the process's limit on the size of a file (`ulimit -f`), on Linux and the BSDs.
+/// Signal of a write beyond the process's limit on the size of a file (`ulimit -f`), on Linux and
+/// the BSDs.
 #[cfg(unix)]
 const SIGXFSZ: i32 = 25;
 
-/// With a handler, a write beyond the limit on the size of a file fails; without one, it ends the process.
+/// With a handler, a write beyond the limit on the size of a file fails; without one, it ends the
+/// process.
 #[cfg(unix)]
 fn survive_file_size_limit() -> io::Result<()> {
     use tokio::signal::unix::{SignalKind, signal};
@@ -65,13 +68,15 @@ fn survive_file_size_limit() -> io::Result<()> {
     Ok(())
 }
 
-/// Raises the number of files that this process may have open to what the system allows, and returns it; `None` where there is
-/// no such bound or it is not told. Connections are files as well.
+/// Raises the number of files that this process may have open to what the system allows, and
+/// returns it; `None` where there is no such bound or it is not told. Connections are files as
+/// well.
 #[cfg(unix)]
 pub fn raise_file_limit() -> Option<u64> {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
     let limit = getrlimit(Resource::Nofile);
-    let raised = setrlimit(Resource::Nofile, Rlimit { current: limit.maximum, maximum: limit.maximum });
+    let raised =
+        setrlimit(Resource::Nofile, Rlimit { current: limit.maximum, maximum: limit.maximum });
     if raised.is_ok() { limit.maximum } else { limit.current }
 }
 
@@ -90,7 +95,10 @@ struct Signals {
 impl Signals {
     fn new() -> io::Result<Self> {
         use tokio::signal::unix::{SignalKind, signal};
-        Ok(Self { interrupt: signal(SignalKind::interrupt())?, terminate: signal(SignalKind::terminate())? })
+        Ok(Self {
+            interrupt: signal(SignalKind::interrupt())?,
+            terminate: signal(SignalKind::terminate())?,
+        })
     }
 
     async fn next(&mut self) {
@@ -113,7 +121,8 @@ impl Signals {
     }
 }
 
-/// SIGHUPs, by which a service is told to read its files again. Elsewhere than on Unix there are none.
+/// SIGHUPs, by which a service is told to read its files again. Elsewhere than on Unix there are
+/// none.
 #[cfg(unix)]
 pub struct Hangups(tokio::signal::unix::Signal);
 
@@ -134,12 +143,17 @@ impl Hangups {
     }
 }
 
-/// SIGHUPs, by which a service is told to read its files again. Elsewhere than on Unix there are none.
+/// SIGHUPs, by which a service is told to read its files again. Elsewhere than on Unix there are
+/// none.
 #[cfg(not(unix))]
 pub struct Hangups;
 
 #[cfg(not(unix))]
-#[expect(clippy::missing_errors_doc, clippy::unnecessary_wraps, reason = "listening can fail elsewhere")]
+#[expect(
+    clippy::missing_errors_doc,
+    clippy::unnecessary_wraps,
+    reason = "listening can fail elsewhere"
+)]
 impl Hangups {
     /// Listens to none.
     pub fn new() -> io::Result<Self> {

@@ -1,5 +1,9 @@
 //! The command line: exit codes, messages and the table.
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a test that cannot go on says where"
+)]
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -29,7 +33,8 @@ fn brinell(args: &[&str], input: &str) -> Output {
 }
 
 fn example() -> Value {
-    serde_json::from_str(include_str!("../api/examples/two_cylinders.json")).expect("the example is JSON")
+    serde_json::from_str(include_str!("../api/examples/two_cylinders.json"))
+        .expect("the example is JSON")
 }
 
 /// The example with one value replaced or added.
@@ -54,12 +59,21 @@ fn three_dimensions_have_two_semi_axes_and_two_pictures() {
     let output = brinell(&["solve", raceway, "--format", "table"], "");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let text = stdout(&output);
-    for part in ["force 500.0000 N", "semi-axis a, along x", "semi-axis b, along y", "x = 0 mm", "y = 0 mm"] {
+    for part in [
+        "force 500.0000 N",
+        "semi-axis a, along x",
+        "semi-axis b, along y",
+        "x = 0 mm",
+        "y = 0 mm",
+    ] {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     let svg = stdout(&brinell(&["solve", raceway, "--format", "svg"], ""));
-    assert!(svg.matches("<rect").count() > 300, "a filled map has a rectangle for each cell that is pressed");
+    assert!(
+        svg.matches("<rect").count() > 300,
+        "a filled map has a rectangle for each cell that is pressed"
+    );
 }
 
 #[test]
@@ -77,7 +91,8 @@ fn solve_reads_standard_input_and_writes_files() {
     for (format, file) in [("json", "result.json"), ("table", "result.txt")] {
         let path: PathBuf = directory.join(file);
         let name = path.to_str().unwrap();
-        let output = brinell(&["solve", "-", "--format", format, "-o", name], &example().to_string());
+        let output =
+            brinell(&["solve", "-", "--format", format, "-o", name], &example().to_string());
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         assert!(output.stdout.is_empty());
         let written = std::fs::read_to_string(&path).unwrap();
@@ -102,13 +117,19 @@ fn solve_writes_every_format() {
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         assert!(stdout(&output).starts_with(beginning), "{format}");
     }
-    let figure = |step: &str| brinell(&["solve", "-", "--format", "svg", "--step", step], &sweep.to_string());
+    let figure = |step: &str| {
+        brinell(&["solve", "-", "--format", "svg", "--step", step], &sweep.to_string())
+    };
     assert_ne!(figure("1").stdout, figure("2").stdout);
     let beyond = figure("3");
-    assert_eq!((beyond.status.code(), stderr(&beyond).as_str()), (Some(2), "error: there is no step 3\n"));
+    assert_eq!(
+        (beyond.status.code(), stderr(&beyond).as_str()),
+        (Some(2), "error: there is no step 3\n")
+    );
 }
 
-/// A case and a stress before the load are parts of a body; the limit of rolling stands beside the onset of yield.
+/// A case and a stress before the load are parts of a body; the limit of rolling stands beside the
+/// onset of yield.
 #[test]
 fn the_table_says_what_lies_below_the_surface() {
     for (example, words) in [
@@ -118,7 +139,8 @@ fn the_table_says_what_lies_below_the_surface() {
         ),
         ("peened_roller", ["σ_x -1000 to 60 before the load", "σ_x -500 to 0 before the load"]),
     ] {
-        let output = brinell(&["solve", &format!("api/examples/{example}.json"), "--format", "table"], "");
+        let output =
+            brinell(&["solve", &format!("api/examples/{example}.json"), "--format", "table"], "");
         let table = stdout(&output).replace("\n       ", " ");
         for expected in words {
             assert!(table.contains(expected), "{expected:?} is missing:\n{table}");
@@ -169,7 +191,8 @@ fn bodies_of_revolution_have_their_own_words() {
         assert!(!table.contains(plane), "{plane:?} is of plane bodies:\n{table}");
     }
     let drawn = table.lines().skip_while(|line| !line.contains("pressure  [")).skip(1).take(12);
-    let filled = drawn.filter(|line| line.chars().skip(11).take(8).any(|sign| sign != ' ')).count();
+    let filled =
+        drawn.filter(|line| line.chars().skip(11).take(8).any(|sign| sign != ' ')).count();
     assert!(filled >= 2, "the curve begins at the axis:\n{table}");
 }
 
@@ -181,8 +204,10 @@ fn the_table_has_the_mean_pressure_of_a_circle() {
     ball["mesh"] = json!({"elements_per_half_width": 20});
     ball["load"] = json!({"force": 10.0});
     let table = stdout(&brinell(&["solve", "-", "--format", "table"], &ball.to_string()));
-    let mean = table.lines().find(|line| line.starts_with("mean pressure")).expect("a mean pressure");
-    let ratio: f64 = mean.split_whitespace().nth(5).and_then(|word| word.parse().ok()).expect("a ratio");
+    let mean =
+        table.lines().find(|line| line.starts_with("mean pressure")).expect("a mean pressure");
+    let ratio: f64 =
+        mean.split_whitespace().nth(5).and_then(|word| word.parse().ok()).expect("a ratio");
     assert!((ratio - 1.0).abs() < 0.06, "{mean}");
 }
 
@@ -195,8 +220,10 @@ fn the_table_begins_with_the_answer() {
     dent["load"] = json!({"history": [{"force": 612.0}, {"force": 0}]});
     let table = stdout(&brinell(&["solve", "-", "--format", "table"], &dent.to_string()));
     let (_, unloaded) = table.split_once("force 0 N/mm").expect("a step without load");
-    let names: Vec<&str> = unloaded.lines().skip(2).map_while(|line| line.get(..21)).map(str::trim).collect();
-    let expected = ["dent, upper body", "dent, lower body", "pile-up, upper body", "pile-up, lower body"];
+    let names: Vec<&str> =
+        unloaded.lines().skip(2).map_while(|line| line.get(..21)).map(str::trim).collect();
+    let expected =
+        ["dent, upper body", "dent, lower body", "pile-up, upper body", "pile-up, lower body"];
     assert_eq!(names.get(..4), Some(&expected[..]), "{table}");
     for expected in ["permanent approach", "tension, lower body"] {
         assert!(names.contains(&expected), "{expected:?} is missing:\n{table}");
@@ -268,7 +295,10 @@ fn bad_input_names_the_fields() {
             assert_eq!(output.status.code(), Some(2), "{pointer}");
             assert!(output.stdout.is_empty());
             let message = stderr(&output);
-            assert!(message.starts_with("error: standard input is not a valid job\n"), "{message}");
+            assert!(
+                message.starts_with("error: standard input is not a valid job\n"),
+                "{message}"
+            );
             assert!(message.contains(&format!("\n  {pointer}: ")), "{message}");
             assert_eq!(message.lines().count(), 2, "one fault, one line: {message}");
         }
@@ -289,7 +319,8 @@ fn all_faults_are_named_at_once() {
 
 #[test]
 fn what_is_not_json_is_located() {
-    let texts = [spoilt("/load/force", json!(12.5)).replace("12.5", "NaN"), "{\"upper\": {".to_owned()];
+    let texts =
+        [spoilt("/load/force", json!(12.5)).replace("12.5", "NaN"), "{\"upper\": {".to_owned()];
     for text in texts {
         let output = brinell(&["solve", "-"], &text);
         assert_eq!(output.status.code(), Some(2));
@@ -326,7 +357,8 @@ fn the_demonstration_goes_the_whole_way_and_ends_without_a_terminal() {
     let output = brinell(&["demo"], "");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let shown = stdout(&output);
-    for expected in ["POST http://127.0.0.1:", "202 /v1/jobs/", "200 succeeded", "peak pressure", "residual"]
+    for expected in
+        ["POST http://127.0.0.1:", "202 /v1/jobs/", "200 succeeded", "peak pressure", "residual"]
     {
         assert!(shown.contains(expected), "{expected:?} is missing:\n{shown}");
     }
@@ -338,7 +370,11 @@ fn an_address_in_use_is_told() {
     let address = taken.local_addr().unwrap().to_string();
     let output = brinell(&["serve", "--listen", &address], "");
     assert_eq!(output.status.code(), Some(1));
-    assert!(stderr(&output).contains(&format!("cannot listen on {address}")), "{}", stderr(&output));
+    assert!(
+        stderr(&output).contains(&format!("cannot listen on {address}")),
+        "{}",
+        stderr(&output)
+    );
 }
 
 /// Runs the program with these variables.
@@ -358,7 +394,8 @@ fn settings_are_shown_without_secrets() {
         ("BRINELL_WEBHOOK_SECRETS", "whsec_MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSwMfKQ9r8GKYo="),
         ("BRINELL_GRACE", "7"),
     ];
-    let output = with_variables(&["serve", "--print-config", "--listen", "127.0.0.1:9"], &variables);
+    let output =
+        with_variables(&["serve", "--print-config", "--listen", "127.0.0.1:9"], &variables);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let text = stdout(&output);
     for lines in [
@@ -381,7 +418,11 @@ fn settings_are_shown_without_secrets() {
 #[test]
 fn wrong_settings_are_named_in_one_line() {
     for (args, variables, expected) in [
-        (&["serve", "--workers", "none"][..], &[][..], &["--workers", "BRINELL_WORKERS", "none"][..]),
+        (
+            &["serve", "--workers", "none"][..],
+            &[][..],
+            &["--workers", "BRINELL_WORKERS", "none"][..],
+        ),
         (
             &["serve"],
             &[("BRINELL_GRACE", "soon")],
@@ -389,7 +430,11 @@ fn wrong_settings_are_named_in_one_line() {
         ),
         (&["serve"], &[("BRINELL_MAX_BODY", "-1")], &["--max-body", "BRINELL_MAX_BODY", "-1"]),
         (&["serve"], &[("BRINELL_LOG", "a=b=c")], &["--log", "BRINELL_LOG"]),
-        (&["serve"], &[("BRINELL_LOG_FORMAT", "xml")], &["--log-format", "BRINELL_LOG_FORMAT", "text, json"]),
+        (
+            &["serve"],
+            &[("BRINELL_LOG_FORMAT", "xml")],
+            &["--log-format", "BRINELL_LOG_FORMAT", "text, json"],
+        ),
         (
             &["worker"],
             &[("BRINELL_DATABASE_URL", "mysql://u:secret@h")],
@@ -427,11 +472,18 @@ fn wrong_settings_are_named_in_one_line() {
 
 #[test]
 fn a_service_that_is_not_there_is_not_well() {
-    let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().to_string();
+    let free =
+        std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().to_string();
     let output = with_variables(&["healthcheck"], &[("BRINELL_LISTEN", &free)]);
     assert_eq!(output.status.code(), Some(1));
     let told = stderr(&output);
-    assert!(told.starts_with("error: /readyz of 127.0.0.1:") && told.contains("refused"), "{told}");
+    assert!(
+        told.starts_with("error: /readyz of 127.0.0.1:") && told.contains("refused"),
+        "{told}"
+    );
     assert!(!told.contains("demonstration"), "{told}");
-    assert_eq!(with_variables(&["healthcheck", "--listen", "nowhere"], &[]).status.code(), Some(1));
+    assert_eq!(
+        with_variables(&["healthcheck", "--listen", "nowhere"], &[]).status.code(),
+        Some(1)
+    );
 }

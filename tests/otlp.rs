@@ -1,5 +1,10 @@
-//! Spans, as a collector gets them. Built with the feature: `cargo test --features otlp --test otlp`.
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+//! Spans, as a collector gets them. Built with the feature: `cargo test --features otlp --test
+//! otlp`.
+#![expect(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a test that cannot go on says where"
+)]
 
 #[path = "http/curl.rs"]
 #[expect(dead_code, reason = "shared with the HTTP tests")]
@@ -57,7 +62,12 @@ fn request_and_attempt_are_sent_in_the_trace_of_the_client() {
     assert!(server.wait().success());
     let body = received.recv_timeout(DEADLINE).unwrap();
     let count = |part: &[u8]| body.windows(part.len()).filter(|window| *window == part).count();
-    assert_eq!((count(b"\x2a\x07request"), count(b"\x2a\x07attempt")), (1, 1), "names, as protobuf has them");
-    let id: Vec<u8> = (0..32).step_by(2).map(|k| u8::from_str_radix(&trace[k..k + 2], 16).unwrap()).collect();
+    assert_eq!(
+        (count(b"\x2a\x07request"), count(b"\x2a\x07attempt")),
+        (1, 1),
+        "names, as protobuf has them"
+    );
+    let id: Vec<u8> =
+        (0..32).step_by(2).map(|k| u8::from_str_radix(&trace[k..k + 2], 16).unwrap()).collect();
     assert!(count(&id) >= 2 && count(b"brinell") >= 1);
 }

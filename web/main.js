@@ -37,11 +37,14 @@ const DASHES = [undefined, [8, 3], [2, 3], [8, 3, 2, 3], [14, 4], [5, 2, 2, 2, 2
 const [KEPT, KEPT_AT] = ['draft', 'draft-at'];
 /** Whether nothing is to move by itself. */
 const isStill = matchMedia('(prefers-reduced-motion: reduce)');
-const WELCOME = 'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
+const WELCOME =
+  'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
 /** @param {string} id @param {import('./types.js').Report} report @returns {FieldSource | LayerSource} */
 const sourceOf = (id, report) =>
-  report.analysis === 'three_dimensional' ? new LayerSource(id, report) : new FieldSource(id, report);
+  report.analysis === 'three_dimensional'
+    ? new LayerSource(id, report)
+    : new FieldSource(id, report);
 
 startMemory();
 startTheme();
@@ -81,13 +84,17 @@ const watch = new Watch({
     const fields = job.output?.fields && !inside ? sourceOf(id, report) : undefined;
     first = { id, report, job, fields, colour: COLOURS[0], label: '' };
     show();
-    if (innerWidth < 900) byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });
+    if (innerWidth < 900)
+      byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });
   },
   ended: (document) => {
     list.refresh();
     const errors = faultsOf(document.error ?? {});
     if (errors.length) form.showError(errors);
-    if (!first) nothing(document.status === 'cancelled' ? 'The job was stopped before its first iteration.' : '');
+    if (!first)
+      nothing(
+        document.status === 'cancelled' ? 'The job was stopped before its first iteration.' : '',
+      );
   },
   removed: (id) => {
     list.refresh();
@@ -102,25 +109,33 @@ const watch = new Watch({
 const live = new Live({
   begun: (job) => {
     if (current?.id !== '') return;
-    const elements = job.mesh?.elements_per_half_width ?? DEFAULTS['/mesh/elements_per_half_width'];
+    const elements =
+      job.mesh?.elements_per_half_width ?? DEFAULTS['/mesh/elements_per_half_width'];
     watch.showLive(`the figures are those while it moved; solving on ${elements} elements…`);
   },
   solved: ({ job, solved }, report) => {
     if (isLeft()) return;
-    if (watch.isRunning) toast('The job before goes on: Back shows it, and so does the list of jobs');
+    if (watch.isRunning)
+      toast('The job before goes on: Back shows it, and so does the list of jobs');
     // What a slider shows has no address.
     if (location.hash) addressed('pushState', location.pathname);
     current = { id: '', job };
     first = { id: '', report, job: solved, colour: COLOURS[0], label: '' };
     const { total } = report.timings_ms;
     const elements = solved.mesh?.elements_per_half_width;
-    const coarse = elements !== job.mesh?.elements_per_half_width ? `, on ${elements} elements while it moves` : '';
-    watch.showLive(`solved in ${duration(total)}${coarse}; press Solve to keep it as a job with a link`);
+    const coarse =
+      elements !== job.mesh?.elements_per_half_width
+        ? `, on ${elements} elements while it moves`
+        : '';
+    watch.showLive(
+      `solved in ${duration(total)}${coarse}; press Solve to keep it as a job with a link`,
+    );
     compareWithDraft();
     show();
   },
   failed: ({ status, message }) => {
-    if (current?.id === '') watch.showLive('where the slider was left is not solved; the figures are those before');
+    if (current?.id === '')
+      watch.showLive('where the slider was left is not solved; the figures are those before');
     if (status === 202) watch.showLive('this job takes too long to follow a slider');
     else if (status !== 422) refuse(`${sentence(message)} Move the slider again, or press Solve.`);
   },
@@ -139,9 +154,14 @@ const list = new JobList({
   refreshed: () => watch.look(),
 });
 
-/** Leaves out of the comparison what has another kind of force: whole in axisymmetry, for each length otherwise. */
+/**
+ * Leaves out of the comparison what has another kind of force: whole in axisymmetry, for each
+ * length otherwise.
+ */
 function leaveUnlike() {
-  const unlike = [...compared.values()].filter(({ job }) => first && forceOf(job) !== forceOf(first.job));
+  const unlike = [...compared.values()].filter(
+    ({ job }) => first && forceOf(job) !== forceOf(first.job),
+  );
   for (const { id } of unlike) {
     compared.delete(id);
     chosen.delete(id);
@@ -174,12 +194,18 @@ function refuse(words) {
 let sending;
 /** Another set-up than the one that is being sent may be solved. */
 const showSending = () =>
-  byId('solve').setAttribute('aria-disabled', String(Boolean(sending && same(sending.job, draft.job))));
+  byId('solve').setAttribute(
+    'aria-disabled',
+    String(Boolean(sending && same(sending.job, draft.job))),
+  );
 /** How often an address was followed. */
 let visits = 0;
 /** The address that was followed last. */
 let followed = location.hash;
-/** Whether another address is asked for, of which the event is still to come: what arrives meanwhile must not replace it. */
+/**
+ * Whether another address is asked for, of which the event is still to come: what arrives
+ * meanwhile must not replace it.
+ */
 const isLeft = () => location.hash !== followed;
 
 /** Gives what is shown an address. @param {'pushState' | 'replaceState'} how @param {string} address */
@@ -197,7 +223,8 @@ async function solve() {
   }
   draft.settle();
   const job = structuredClone(draft.job);
-  // A key that is held down, or a second click, makes no second job; another set-up goes before the one that waits.
+  // A key that is held down, or a second click, makes no second job; another set-up goes before
+  // the one that waits.
   if (sending && same(sending.job, job)) return;
   sending?.controller.abort();
   const mine = { job, controller: new AbortController() };
@@ -385,7 +412,9 @@ async function applyAddress(edited = false) {
   }
   const definition = await link.unpack(packed).catch(() => undefined);
   if (location.hash !== address) return;
-  leave(isObject(definition) ? WELCOME : 'This link is damaged: it does not carry a whole definition.');
+  leave(
+    isObject(definition) ? WELCOME : 'This link is damaged: it does not carry a whole definition.',
+  );
   draft.replace(isObject(definition) ? definition : (examples[0]?.job ?? {}), 'link');
 }
 
@@ -426,7 +455,8 @@ byId('form').addEventListener('submit', (event) => {
 addEventListener('keydown', (event) => {
   if (event.key === 'Escape') view.closeReport();
   // What is before the form is not to be solved around.
-  const hidden = document.querySelector('dialog[open]') || document.documentElement.dataset.view === 'sheet';
+  const hidden =
+    document.querySelector('dialog[open]') || document.documentElement.dataset.view === 'sheet';
   if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.repeat && !hidden) {
     event.preventDefault();
     solve();

@@ -1,4 +1,7 @@
-/** What stands around the contents: which parts are shown, the API key, menus, the title of the tab. */
+/**
+ * What stands around the contents: which parts are shown, the API key, menus, the title of the
+ * tab.
+ */
 
 import { hasKey, onKeyWanted, useKey } from './api/client.js';
 import { announce } from './api/connection.js';
@@ -22,7 +25,10 @@ export function startMemory() {
 
 /** Menus close by Escape and by a click elsewhere. */
 export function startMenus() {
-  const open = () => /** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll('details.menu[open]'));
+  const open = () =>
+    /** @type {NodeListOf<HTMLDetailsElement>} */ (
+      document.querySelectorAll('details.menu[open]')
+    );
   addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
     for (const menu of open()) {
@@ -31,7 +37,8 @@ export function startMenus() {
     }
   });
   addEventListener('click', (event) => {
-    for (const menu of open()) if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
+    for (const menu of open())
+      if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
   });
 }
 
@@ -80,7 +87,9 @@ export function startKeys() {
         : `This service asks for a key. ${kept}`,
     );
   });
-  byId('api-key').addEventListener('click', () => show(`The key that is used for this service. ${kept}`));
+  byId('api-key').addEventListener('click', () =>
+    show(`The key that is used for this service. ${kept}`),
+  );
   const text = /** @type {HTMLInputElement} */ (byId('key-text'));
   /** Without what cannot be seen and comes along when one copies. */
   const key = () => text.value.replace(/[\s\u200b-\u200f\u2060\ufeff]/g, '');
@@ -88,11 +97,14 @@ export function startKeys() {
     const saves = /** @type {HTMLButtonElement | null} */ (event.submitter)?.value === 'save';
     if (!saves || /^[!-~]*$/.test(key())) return;
     event.preventDefault();
-    show('This is no key: keys have letters, digits and signs such as - and _. Copy it once more.');
+    show(
+      'This is no key: keys have letters, digits and signs such as - and _. Copy it once more.',
+    );
   });
   dialog.addEventListener('close', () => {
     declined = dialog.returnValue !== 'save';
-    // Where nothing on the page had the focus before, the dialogue's field has it until the page is drawn.
+    // Where nothing on the page had the focus before, the dialogue's field has it until the page
+    // is drawn.
     const at = document.activeElement;
     if (!at || at === document.body || dialog.contains(at)) byId('api-key').focus();
     if (declined) return;

@@ -53,7 +53,9 @@ pub(super) fn check(args: &CheckArgs) -> Result<ExitCode, Fault> {
 
 pub(super) fn backup(args: &BackupArgs) -> Result<ExitCode, Fault> {
     if args.storage.is_shared() {
-        return Err(Fault::Unwell("back PostgreSQL up with its own means, such as pg_dump".to_owned()));
+        return Err(Fault::Unwell(
+            "back PostgreSQL up with its own means, such as pg_dump".to_owned(),
+        ));
     }
     let failed = |source| Fault::Write { name: args.file.display().to_string(), source };
     if args.file.exists() {
@@ -83,10 +85,14 @@ fn publish(partial: &Path, file: &Path) -> io::Result<()> {
 
 pub(super) fn restore(args: &RestoreArgs) -> Result<ExitCode, Fault> {
     if args.storage.is_shared() {
-        return Err(Fault::Unwell("restore PostgreSQL with its own means, such as pg_restore".to_owned()));
+        return Err(Fault::Unwell(
+            "restore PostgreSQL with its own means, such as pg_restore".to_owned(),
+        ));
     }
     block_on(async {
-        restore_sqlite(&args.storage.data_dir, &args.file).await.map_err(|error| Fault::App(error.into()))
+        restore_sqlite(&args.storage.data_dir, &args.file)
+            .await
+            .map_err(|error| Fault::App(error.into()))
     })?;
     tracing::info!(target: AUDIT, file = %args.file.display(), directory = %args.storage.data_dir.display(), "backup restored");
     Ok(ExitCode::SUCCESS)

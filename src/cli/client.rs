@@ -47,7 +47,8 @@ impl Client {
         let certificate = certificate.map_err(|error| failed(format!("certificate: {error}")))?;
         let provider = Arc::new(default_provider());
         let trust = Arc::new(Pinned { certificate, provider: Arc::clone(&provider) });
-        let config = ClientConfig::builder_with_provider(provider).with_safe_default_protocol_versions();
+        let config =
+            ClientConfig::builder_with_provider(provider).with_safe_default_protocol_versions();
         let config = config.map_err(failed)?.dangerous().with_custom_certificate_verifier(trust);
         Ok(Self { address, tls: Some(TlsConnector::from(Arc::new(config.with_no_client_auth()))) })
     }
@@ -58,7 +59,11 @@ impl Client {
     }
 
     /// POSTs JSON and takes the answer.
-    pub(super) async fn post<T: DeserializeOwned>(&self, path: &str, json: Bytes) -> Result<T, RequestError> {
+    pub(super) async fn post<T: DeserializeOwned>(
+        &self,
+        path: &str,
+        json: Bytes,
+    ) -> Result<T, RequestError> {
         self.send("POST", path, json).await
     }
 
@@ -95,7 +100,8 @@ impl Client {
         path: &str,
         json: Bytes,
     ) -> Result<(StatusCode, Bytes), Box<dyn std::error::Error>> {
-        let (mut sender, connection) = hyper::client::conn::http1::handshake(TokioIo::new(stream)).await?;
+        let (mut sender, connection) =
+            hyper::client::conn::http1::handshake(TokioIo::new(stream)).await?;
         let connection = tokio::spawn(connection);
         let request = Request::builder()
             .method(method)

@@ -65,9 +65,11 @@ pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
     block_on(async {
         let stop = stop_on_signal()?;
         let storage = StorageConfig { data_dir: ":memory:".into(), ..StorageConfig::default() };
-        let config = ServeConfig { listen: args.listen.clone(), storage, ..ServeConfig::default() };
+        let config =
+            ServeConfig { listen: args.listen.clone(), storage, ..ServeConfig::default() };
         let service =
-            Service::bind(&config, Arc::new(CoreSolver::with_cache(config.work.factor_cache()))).await?;
+            Service::bind(&config, Arc::new(CoreSolver::with_cache(config.work.factor_cache())))
+                .await?;
         let client = Client::new(service.address());
         let server = tokio::spawn(service.run(stop.clone()));
         let (job, report) = tokio::select! {
@@ -114,12 +116,15 @@ fn farewell(client: &Client, job: JobId, serves_on: bool) -> String {
     let url = format!("http://{}", client.address);
     if serves_on {
         format!(
-            "\nThe service listens until Ctrl-C. This contact in a browser, to look at and to change:\n\n  \
+            "\nThe service listens until Ctrl-C. This contact in a browser, to look at and to \
+             change:\n\n  \
              {url}/#job={job}\n\nor ask the service yourself:\n\n  \
-             curl {url}/v1/solve -H 'Content-Type: application/json' -d @api/examples/two_cylinders.json\n"
+             curl {url}/v1/solve -H 'Content-Type: application/json' -d \
+             @api/examples/two_cylinders.json\n"
         )
     } else {
-        let hint = "The service is stopped. `brinell serve` runs it; on a terminal, so does `brinell demo`.";
+        let hint = "The service is stopped. `brinell serve` runs it; on a terminal, so does \
+                    `brinell demo`.";
         format!("\nThe service listened on {url}. {hint}\n")
     }
 }

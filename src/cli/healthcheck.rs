@@ -24,7 +24,8 @@ pub(super) struct HealthcheckArgs {
     #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:8080")]
     listen: String,
 
-    /// Certificate of a service with TLS (PEM), as `serve` has it: no other is trusted, whatever its name
+    /// Certificate of a service with TLS (PEM), as `serve` has it: no other is trusted, whatever
+    /// its name
     #[arg(long, env = "BRINELL_TLS_CERT", value_name = "FILE")]
     tls_cert: Option<PathBuf>,
 
@@ -45,7 +46,9 @@ pub(super) fn healthcheck(args: &HealthcheckArgs) -> Result<ExitCode, Fault> {
         let found = lookup_host(&listen).await.map_err(|error| unwell(error.to_string()))?.next();
         let address = found.map(reachable).ok_or_else(|| unwell("no such address".to_owned()))?;
         let client = match &args.tls_cert {
-            Some(file) => Client::pinned(address, file).map_err(|error| unwell(error.to_string()))?,
+            Some(file) => {
+                Client::pinned(address, file).map_err(|error| unwell(error.to_string()))?
+            }
             None => Client::new(address),
         };
         let asked = timeout(ACQUIRE_TIMEOUT, client.get::<serde_json::Value>(path)).await;

@@ -46,7 +46,8 @@ enum KeyCommand {
         #[command(flatten)]
         storage: StorageConfig,
     },
-    /// Set what a key may take and when it expires; what is not given is left to the settings of the service
+    /// Set what a key may take and when it expires; what is not given is left to the settings of
+    /// the service
     Limit {
         /// Which
         id: KeyId,
@@ -89,7 +90,8 @@ struct Limits {
     /// Highest priority of a job [default: that of the service]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     max_priority: Option<i16>,
-    /// When the key ceases to be good: a moment, `2027-01-31T12:00:00Z`, or a time from now, `90 days` [default: never]
+    /// When the key ceases to be good: a moment, `2027-01-31T12:00:00Z`, or a time from now, `90
+    /// days` [default: never]
     #[arg(long, value_name = "TIME", value_parser = moment)]
     expires: Option<Timestamp>,
 }
@@ -136,7 +138,13 @@ pub(super) fn key(args: &KeyArgs) -> Result<ExitCode, Fault> {
             }
             KeyCommand::List { storage } => {
                 let now = SystemClock.now();
-                open_keys(storage).await?.keys(None).await?.iter().map(|key| line(key, now)).collect()
+                open_keys(storage)
+                    .await?
+                    .keys(None)
+                    .await?
+                    .iter()
+                    .map(|key| line(key, now))
+                    .collect()
             }
             KeyCommand::Limit { id, limits, storage } => {
                 let keys = open_keys(storage).await?;
@@ -199,7 +207,13 @@ fn line(key: &ApiKey, now: Timestamp) -> String {
         let _ = bound.map(|bound| write!(notes, ", {name} <= {bound}"));
     }
     let _ = key.expires_at.map(|end| write!(notes, ", until {end:.0}"));
-    format!("{}  {:5}  {state:7}  {:.0}  {}{notes}\n", key.id, key.scope.name(), key.created_at, key.name)
+    format!(
+        "{}  {:5}  {state:7}  {:.0}  {}{notes}\n",
+        key.id,
+        key.scope.name(),
+        key.created_at,
+        key.name
+    )
 }
 
 /// Reads a moment, or a time from now.
@@ -207,9 +221,9 @@ fn moment(text: &str) -> Result<Timestamp, String> {
     if let Ok(moment) = text.parse() {
         return Ok(moment);
     }
-    let span: Span = text
-        .parse()
-        .map_err(|_| "must be a moment such as 2027-01-31T12:00:00Z, or a time such as `90 days`")?;
+    let span: Span = text.parse().map_err(
+        |_| "must be a moment such as 2027-01-31T12:00:00Z, or a time such as `90 days`",
+    )?;
     let end = SystemClock.now().to_zoned(TimeZone::UTC).checked_add(span);
     end.map(|end| end.timestamp()).map_err(|error| error.to_string())
 }

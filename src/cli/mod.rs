@@ -1,7 +1,7 @@
 //! The command line.
 //!
-//! Exit codes: 0 done (and, for `solve`, converged), 1 the program or its surroundings are at fault, 2 bad input
-//! or usage, 3 not converged.
+//! Exit codes: 0 done (and, for `solve`, converged), 1 the program or its surroundings are at
+//! fault, 2 bad input or usage, 3 not converged.
 
 mod backup;
 mod client;
@@ -66,7 +66,8 @@ enum Command {
     Openapi(OpenapiArgs),
     /// Make, list and revoke API keys
     Key(KeyArgs),
-    /// Look for damage in everything that is stored, also beside a running service: exit code 0 if there is none
+    /// Look for damage in everything that is stored, also beside a running service: exit code 0 if
+    /// there is none
     Check(CheckArgs),
     /// Write a consistent copy of the embedded database to a file, also beside a running service
     Backup(BackupArgs),

@@ -43,8 +43,11 @@ impl ProgressLine {
     /// Shows an iteration.
     pub(super) fn show(&mut self, record: &IterationRecord) {
         let increment = record.increment.map_or_else(String::new, |at| {
-            let load =
-                if at.loads > 1 { format!("load {} of {}, ", at.load, at.loads) } else { String::new() };
+            let load = if at.loads > 1 {
+                format!("load {} of {}, ", at.load, at.loads)
+            } else {
+                String::new()
+            };
             format!("{load}increment {} of {}, ", at.number, at.count)
         });
         self.text = format!(

@@ -18,7 +18,8 @@ pub(super) fn serve(config: &ServeConfig) -> Result<ExitCode, Fault> {
             stop_with_stdin(stop.clone())?;
         }
         let service =
-            Service::bind(config, Arc::new(CoreSolver::with_cache(config.work.factor_cache()))).await?;
+            Service::bind(config, Arc::new(CoreSolver::with_cache(config.work.factor_cache())))
+                .await?;
         // The one line on standard output, for scripts that let the system choose the port.
         write_answer(None, format!("brinell listening on {}\n", service.url()).as_bytes())?;
         service.run(stop).await?;

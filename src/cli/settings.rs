@@ -1,4 +1,5 @@
-//! `--print-config`: the settings as they would be used, each as its variable, with where it comes from.
+//! `--print-config`: the settings as they would be used, each as its variable, with where it comes
+//! from.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -38,7 +39,8 @@ fn line(argument: &Arg, matches: &ArgMatches) -> Option<String> {
     Some(text)
 }
 
-/// An address without what may be a password: user and password, and whatever stands behind a question mark.
+/// An address without what may be a password: user and password, and whatever stands behind a
+/// question mark.
 fn redacted(text: &str) -> String {
     let Some((scheme, rest)) = text.split_once("://") else {
         return if text.is_empty() { String::new() } else { "***".to_owned() };
@@ -57,7 +59,10 @@ mod tests {
 
     #[test]
     fn secrets_are_left_out() {
-        assert_eq!(redacted("postgres://user:sec@ret@host:1/name?password=x"), "postgres://***@host:1/name");
+        assert_eq!(
+            redacted("postgres://user:sec@ret@host:1/name?password=x"),
+            "postgres://***@host:1/name"
+        );
         assert_eq!(redacted("postgres://host/name"), "postgres://host/name");
         assert_eq!(redacted("whsec_MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw"), "***");
         assert_eq!(redacted(""), "");

@@ -30,7 +30,8 @@ pub(super) struct SolveArgs {
     #[arg(long, value_enum)]
     format: Option<ResultFormat>,
 
-    /// Which step of a sweep vtu, svg, depth-svg and surface-svg show, counted from 1 [default: the last]
+    /// Which step of a sweep vtu, svg, depth-svg and surface-svg show, counted from 1 [default:
+    /// the last]
     #[arg(long, value_name = "N")]
     step: Option<NonZeroUsize>,
 

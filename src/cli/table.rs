@@ -11,8 +11,8 @@ use super::style::Style;
 use brinell_solver::job::fields::Figure;
 use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure};
 use brinell_solver::report::{
-    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, RollerReport, RoughContactReport,
-    StepReport, SubsurfaceReport, SurfaceReport, TargetReport, Timings,
+    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, RollerReport,
+    RoughContactReport, StepReport, SubsurfaceReport, SurfaceReport, TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -26,7 +26,8 @@ pub fn table(job: &Job, report: &Report, style: Style) -> String {
     page.lay_out(job, report)
 }
 
-/// How units and figures are written, which depends on whether the bodies are turned about an axis.
+/// How units and figures are written, which depends on whether the bodies are turned about an
+/// axis.
 #[derive(Debug, Clone, Copy)]
 struct Names {
     length: &'static str,
@@ -40,8 +41,8 @@ impl Names {
     fn of(job: &Job) -> Self {
         let is_round = job.analysis == Analysis::Axisymmetric;
         let is_three_dimensional = job.analysis == Analysis::ThreeDimensional;
-        let [length, stress, force] =
-            [Quantity::Length, Quantity::Stress, job.analysis.force()].map(|q| q.symbol(job.units));
+        let [length, stress, force] = [Quantity::Length, Quantity::Stress, job.analysis.force()]
+            .map(|q| q.symbol(job.units));
         Self { length, stress, force, is_round, is_three_dimensional }
     }
 
@@ -72,7 +73,11 @@ impl Names {
     }
 
     fn stiffness(self) -> String {
-        if self.is_whole() { format!("{}/{}", self.force, self.length) } else { format!("{}²", self.force) }
+        if self.is_whole() {
+            format!("{}/{}", self.force, self.length)
+        } else {
+            format!("{}²", self.force)
+        }
     }
 
     /// Hertz's mean pressure over its peak: an ellipse over a line, an ellipsoid over a circle.
@@ -144,13 +149,16 @@ impl Page {
             Figure::Pure(_) => String::new(),
         };
         let when = match figure {
-            TargetFigure::PermanentApproach | TargetFigure::DentDepth => "when this force is taken away",
+            TargetFigure::PermanentApproach | TargetFigure::DentDepth => {
+                "when this force is taken away"
+            }
             _ => "under this force",
         };
         let bar = target
             .relative_error
             .map_or_else(String::new, |error| format!(" ± {} %", significant(100.0 * error, 2)));
-        let force = self.style.bold(&format!("{} {}", significant(target.force, 7), self.names.force));
+        let force =
+            self.style.bold(&format!("{} {}", significant(target.force, 7), self.names.force));
         let name = target.figure.replace('_', " ");
         let reached = significant(target.reached, 5);
         self.line(&format!("force for a {name} of {}{unit}: {force}{bar}", target.wanted));
@@ -159,7 +167,9 @@ impl Page {
 
     fn step(&mut self, step: &StepReport) {
         let load = match step.load {
-            LoadReport::Force(force) => format!("force {} {}", significant(force, 7), self.names.force),
+            LoadReport::Force(force) => {
+                format!("force {} {}", significant(force, 7), self.names.force)
+            }
             LoadReport::Approach(approach) => {
                 format!("approach {} {}", significant(approach, 7), self.names.length)
             }
@@ -210,7 +220,11 @@ impl Page {
         let (contact, names) = (&step.contact, self.names);
         let error = step.estimated_error.as_ref();
         let hertz = step.hertz.as_ref();
-        self.line(&self.style.dim(&format!("{:27}{:>13}{:>13}{:>9}", "", "this contact", "Hertz", "ratio")));
+        self.line(
+            &self
+                .style
+                .dim(&format!("{:27}{:>13}{:>13}{:>9}", "", "this contact", "Hertz", "ratio")),
+        );
         self.figure(
             ("peak pressure", names.stress),
             contact.peak_pressure,
@@ -219,20 +233,30 @@ impl Page {
         );
         let half_widths = hertz.map(|hertz| hertz.half_width);
         let error_of_width = error.and_then(|error| error.half_width);
-        self.figure((names.width(), names.length), contact.half_width, half_widths, error_of_width);
+        self.figure(
+            (names.width(), names.length),
+            contact.half_width,
+            half_widths,
+            error_of_width,
+        );
         if let Some(whole) = &step.three_dimensional {
             let errors = whole.estimated_error.as_ref();
             let longer = whole.hertz.map(|hertz| hertz.b);
             let error = errors.map(|errors| errors.b);
             self.figure(("semi-axis b, along y", names.length), whole.b, longer, error);
         }
-        if let Some(roller) = step.three_dimensional.as_ref().and_then(|whole| whole.roller.as_ref()) {
+        if let Some(roller) =
+            step.three_dimensional.as_ref().and_then(|whole| whole.roller.as_ref())
+        {
             self.roller(roller);
         }
-        if let Some(rough) = step.three_dimensional.as_ref().and_then(|whole| whole.surface.as_ref()) {
+        if let Some(rough) =
+            step.three_dimensional.as_ref().and_then(|whole| whole.surface.as_ref())
+        {
             self.rough_contact(rough);
         }
-        let is_roller = step.three_dimensional.as_ref().is_some_and(|whole| whole.roller.is_some());
+        let is_roller =
+            step.three_dimensional.as_ref().is_some_and(|whole| whole.roller.is_some());
         let mean = hertz.filter(|_| !is_roller);
         let mean = mean.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
         self.figure(("mean pressure", names.stress), contact.mean_pressure, mean, None);
@@ -252,7 +276,10 @@ impl Page {
             ));
         }
         if let Some(angle) = contact.half_angle {
-            self.line(&format!("it touches over {}° to each side, along the arc", significant(angle, 3)));
+            self.line(&format!(
+                "it touches over {}° to each side, along the arc",
+                significant(angle, 3)
+            ));
         }
         if !self.said.contains(&step.approach_datum) {
             self.line(&self.style.dim(&wrapped("approach: ", &words(&step.approach_datum), " ")));
@@ -261,7 +288,10 @@ impl Page {
         if let Some(HertzReport { yield_onset_force: Some(onset), .. }) = hertz {
             let times = significant(contact.force / onset, 3);
             let onset = significant(*onset, 5);
-            self.line(&format!("yield begins at {onset} {}; this force is {times} times that", names.force));
+            self.line(&format!(
+                "yield begins at {onset} {}; this force is {times} times that",
+                names.force
+            ));
         }
         if let Some(limit) = hertz.and_then(|hertz| hertz.shakedown_pressure) {
             let limit = significant(limit, 5);
@@ -295,13 +325,16 @@ impl Page {
         self.line(&format!("moment about the x axis in its middle: {moment} {force} {length}"));
     }
 
-    /// What a load leaves that has been taken away: the bodies are apart, and Hertz's theory says nothing of them.
+    /// What a load leaves that has been taken away: the bodies are apart, and Hertz's theory says
+    /// nothing of them.
     fn left_behind(&mut self, step: &StepReport, flow: &FlowReport) {
         let length = self.names.length;
         let both = [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)];
-        let surfaces = || both.into_iter().filter_map(|(body, surface)| Some((body, surface.as_ref()?)));
+        let surfaces =
+            || both.into_iter().filter_map(|(body, surface)| Some((body, surface.as_ref()?)));
         let errors = |body: &str| {
-            let whole = step.three_dimensional.as_ref().and_then(|whole| whole.estimated_error.as_ref());
+            let whole =
+                step.three_dimensional.as_ref().and_then(|whole| whole.estimated_error.as_ref());
             let bodies = whole.map(|errors| errors.bodies).or(step.estimated_error?.bodies)?;
             if body == "upper" { bodies.upper } else { bodies.lower }
         };
@@ -310,22 +343,30 @@ impl Page {
             self.value(&format!("dent, {body} body"), length, *depth, error, "");
         }
         for (body, SurfaceReport { pile_up, pile_up_position, .. }) in surfaces() {
-            let place = format!("at {} {}", self.names.pile_up_abscissa(), significant(*pile_up_position, 3));
+            let place = format!(
+                "at {} {}",
+                self.names.pile_up_abscissa(),
+                significant(*pile_up_position, 3)
+            );
             let error = errors(body).and_then(|errors| errors.pile_up);
             self.value(&format!("pile-up, {body} body"), length, *pile_up, error, &place);
         }
         let error = step.estimated_error.as_ref().and_then(|error| error.approach);
         self.value("permanent approach", length, step.approach, error, "");
         for body in ["upper", "lower"] {
-            let tensions = step.profiles().filter(|(of, _)| *of == body).filter_map(|(_, profile)| {
-                let largest = largest_tension(profile, self.names.tangential())?;
-                Some((largest, step.place_of(profile)))
-            });
-            let Some(((name, stress, depth), at)) = tensions.max_by(|a, b| a.0.1.total_cmp(&b.0.1)) else {
+            let tensions =
+                step.profiles().filter(|(of, _)| *of == body).filter_map(|(_, profile)| {
+                    let largest = largest_tension(profile, self.names.tangential())?;
+                    Some((largest, step.place_of(profile)))
+                });
+            let Some(((name, stress, depth), at)) =
+                tensions.max_by(|a, b| a.0.1.total_cmp(&b.0.1))
+            else {
                 continue;
             };
             let (abscissa, at) = (self.names.abscissa(), significant(at, 3));
-            let place = format!("{name} at {abscissa} {at}, depth {} {length}", significant(depth, 3));
+            let place =
+                format!("{name} at {abscissa} {at}, depth {} {length}", significant(depth, 3));
             self.value(&format!("tension, {body} body"), self.names.stress, stress, None, &place);
         }
     }
@@ -333,12 +374,19 @@ impl Page {
     fn value(&mut self, name: &str, unit: &str, value: f64, error: Option<f64>, place: &str) {
         let value = self.style.bold(&format!("{:>13}", significant(value, 4)));
         let error = error.filter(|error| *error > 0.0);
-        let error = error.map_or_else(String::new, |error| format!("± {} %", significant(100.0 * error, 2)));
+        let error = error
+            .map_or_else(String::new, |error| format!("± {} %", significant(100.0 * error, 2)));
         let gap = if error.is_empty() { "" } else { "  " };
         self.line(format!("{name:21}{unit:>6}{value}  {error}{gap}{place}").trim_end());
     }
 
-    fn figure(&mut self, (name, unit): (&str, &str), value: f64, hertz: Option<f64>, error: Option<f64>) {
+    fn figure(
+        &mut self,
+        (name, unit): (&str, &str),
+        value: f64,
+        hertz: Option<f64>,
+        error: Option<f64>,
+    ) {
         let reference = hertz.map_or_else(|| "—".to_owned(), |hertz| significant(hertz, 5));
         let ratio = match hertz {
             Some(hertz) if hertz > 0.0 => format!("{:.3}", value / hertz),
@@ -346,8 +394,8 @@ impl Page {
         };
         // What is prescribed, or zero without contact, has no error.
         let error = error.filter(|error| *error > 0.0);
-        let error =
-            error.map_or_else(String::new, |error| format!("  ± {} %", significant(100.0 * error, 2)));
+        let error = error
+            .map_or_else(String::new, |error| format!("  ± {} %", significant(100.0 * error, 2)));
         let value = self.style.bold(&format!("{:>13}", significant(value, 5)));
         let line = format!("{name:21}{unit:>6}{value}{reference:>13}{ratio:>9}{error}");
         self.line(line.trim_end());
@@ -382,7 +430,8 @@ impl Page {
         format!("plastic zone {size}; strain up to {strain} % at {place}, depth {depth} {length}")
     }
 
-    /// How much of its strength a body uses that is not equally strong everywhere, where that is most.
+    /// How much of its strength a body uses that is not equally strong everywhere, where that is
+    /// most.
     fn utilization(&mut self, step: &StepReport) {
         for name in ["upper", "lower"] {
             let profiles = step.profiles().filter(|(of, _)| *of == name);
@@ -390,7 +439,9 @@ impl Page {
                 let used = profile.utilization.iter().flatten().zip(&profile.depth);
                 used.map(|(used, depth)| (*used, *depth, step.place_of(profile)))
             });
-            let Some((used, depth, at)) = used.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+            let Some((used, depth, at)) = used.max_by(|a, b| a.0.total_cmp(&b.0)) else {
+                continue;
+            };
             self.line(&format!(
                 "{name}  uses at most {} % of its yield stress, at {} {}, depth {} {}",
                 significant(100.0 * used, 3),
@@ -407,7 +458,8 @@ impl Page {
         let names = self.names;
         let surfaces = &flow.surfaces;
         for (name, surface) in [("upper", &surfaces.upper), ("lower", &surfaces.lower)] {
-            let Some(surface) = surface.as_ref().filter(|surface| loaded || surface.yielded_in_reverse)
+            let Some(surface) =
+                surface.as_ref().filter(|surface| loaded || surface.yielded_in_reverse)
             else {
                 continue;
             };
@@ -431,8 +483,11 @@ impl Page {
         }
         let energy = &flow.energy;
         let stored = significant(energy.stored, 3);
-        let stored =
-            if energy.stored > 0.0 { format!(", stored by backstress {stored}") } else { String::new() };
+        let stored = if energy.stored > 0.0 {
+            format!(", stored by backstress {stored}")
+        } else {
+            String::new()
+        };
         self.line(&format!(
             "work   {} {}: elastic {}, dissipated {}{stored}",
             significant(energy.work, 4),
@@ -452,7 +507,8 @@ impl Page {
     }
 }
 
-/// The largest of the stresses along the surface and across the section, where that is a tension: name, stress, depth.
+/// The largest of the stresses along the surface and across the section, where that is a tension:
+/// name, stress, depth.
 fn largest_tension(
     profile: &SubsurfaceReport,
     [along, across]: [&'static str; 2],
@@ -462,7 +518,10 @@ fn largest_tension(
         largest.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(stress, depth)| (name, stress, depth))
     };
     let both = [column(along, &profile.sigma_x), column(across, &profile.sigma_z)];
-    both.into_iter().flatten().filter(|(_, stress, _)| *stress > 0.0).max_by(|a, b| a.1.total_cmp(&b.1))
+    both.into_iter()
+        .flatten()
+        .filter(|(_, stress, _)| *stress > 0.0)
+        .max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// One line: the total and the phases that matter, the longest first.
@@ -481,7 +540,9 @@ fn times(timings: &Timings) -> String {
     ];
     phases.sort_by(|(_, one), (_, other)| other.total_cmp(one));
     let mut text = format!("time   {} ms", significant(timings.total, 3));
-    for (number, (name, time)) in phases.into_iter().filter(|(_, time)| *time > 0.0).take(4).enumerate() {
+    for (number, (name, time)) in
+        phases.into_iter().filter(|(_, time)| *time > 0.0).take(4).enumerate()
+    {
         let separator = if number == 0 { ": " } else { ", " };
         let _ = write!(text, "{separator}{name} {}", significant(time, 2));
     }

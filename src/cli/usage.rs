@@ -31,7 +31,9 @@ fn explain(error: &Error, command: &Command) -> Option<String> {
     let variable = variable(command, flag.strip_prefix("--")?)?;
     let reason = match (error.source(), error.get(ContextKind::ValidValue)) {
         (Some(reason), _) => reason.to_string(),
-        (None, Some(ContextValue::Strings(words))) => format!("must be one of: {}", words.join(", ")),
+        (None, Some(ContextValue::Strings(words))) => {
+            format!("must be one of: {}", words.join(", "))
+        }
         (None, _) => "not a value it can have".to_owned(),
     };
     // What may be a secret is not repeated.
@@ -42,10 +44,13 @@ fn explain(error: &Error, command: &Command) -> Option<String> {
 /// The variable of a flag, wherever it is defined, and whether its value is a secret.
 fn variable(command: &Command, flag: &str) -> Option<(String, bool)> {
     let mut arguments = command.get_arguments();
-    let own =
-        arguments.find(|argument: &&Arg| argument.get_long() == Some(flag) && argument.get_env().is_some());
+    let own = arguments
+        .find(|argument: &&Arg| argument.get_long() == Some(flag) && argument.get_env().is_some());
     let found = own.and_then(|argument| {
-        Some((argument.get_env()?.to_string_lossy().into_owned(), argument.is_hide_env_values_set()))
+        Some((
+            argument.get_env()?.to_string_lossy().into_owned(),
+            argument.is_hide_env_values_set(),
+        ))
     });
     found.or_else(|| command.get_subcommands().find_map(|command| variable(command, flag)))
 }

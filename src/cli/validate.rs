@@ -28,14 +28,18 @@ pub(super) struct ValidateArgs {
 
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, Fault> {
     let (name, job) = read_job(&args.job)?;
-    let estimate =
-        report::preflight(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
+    let estimate = report::preflight(&job)
+        .map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
     let default = if io::stdout().is_terminal() { Format::Table } else { Format::Json };
     let text = match args.format.unwrap_or(default) {
         Format::Json => format!("{}\n", json!({"valid": true, "estimate": estimate})),
         Format::Table => {
-            let (verdict, mebibytes) = (Style::of_stdout().green("valid"), estimate.bytes.div_ceil(1 << 20));
-            format!("{name} is {verdict}: {} equations, about {mebibytes} MiB\n", estimate.equations)
+            let (verdict, mebibytes) =
+                (Style::of_stdout().green("valid"), estimate.bytes.div_ceil(1 << 20));
+            format!(
+                "{name} is {verdict}: {} equations, about {mebibytes} MiB\n",
+                estimate.equations
+            )
         }
     };
     write_answer(None, text.as_bytes())?;

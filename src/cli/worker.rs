@@ -13,7 +13,8 @@ use crate::lifecycle::stop_on_signal;
 pub(super) fn worker(config: &WorkerConfig) -> Result<ExitCode, Fault> {
     block_on(async {
         let stop = stop_on_signal()?;
-        run_worker(config, Arc::new(CoreSolver::with_cache(config.work.factor_cache())), stop).await?;
+        run_worker(config, Arc::new(CoreSolver::with_cache(config.work.factor_cache())), stop)
+            .await?;
         Ok(ExitCode::SUCCESS)
     })
 }

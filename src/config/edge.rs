@@ -11,7 +11,8 @@ use crate::webhook::{CallbackRules, WebhookSecret};
 /// Settings of TLS.
 #[derive(Debug, Clone, PartialEq, Default, Args)]
 pub struct TlsConfig {
-    /// Serve HTTPS with these certificates (PEM, the service's own first); read again on SIGHUP [default: HTTP]
+    /// Serve HTTPS with these certificates (PEM, the service's own first); read again on SIGHUP
+    /// [default: HTTP]
     #[arg(long, env = "BRINELL_TLS_CERT", value_name = "FILE", requires = "tls_key")]
     pub tls_cert: Option<PathBuf>,
 
@@ -23,7 +24,8 @@ pub struct TlsConfig {
 /// Settings of announcements (webhooks).
 #[derive(Debug, Clone, PartialEq, Args)]
 pub struct WebhookConfig {
-    /// Host that `callback_url` may name: `hooks.example`, `hooks.example:8443`, `*.example` or `*`. May be repeated [default: none, nobody is called]
+    /// Host that `callback_url` may name: `hooks.example`, `hooks.example:8443`, `*.example` or
+    /// `*`. May be repeated [default: none, nobody is called]
     #[arg(
         long = "webhook-host",
         env = "BRINELL_WEBHOOK_HOSTS",
@@ -33,7 +35,8 @@ pub struct WebhookConfig {
     )]
     pub webhook_hosts: Vec<String>,
 
-    /// Secret that announcements are signed with, `whsec_` and 24 to 64 bytes in base64; several while it is being replaced
+    /// Secret that announcements are signed with, `whsec_` and 24 to 64 bytes in base64; several
+    /// while it is being replaced
     #[arg(
         long = "webhook-secret",
         env = "BRINELL_WEBHOOK_SECRETS",
@@ -43,7 +46,8 @@ pub struct WebhookConfig {
     )]
     pub webhook_secrets: Vec<WebhookSecret>,
 
-    /// Call hosts also at private, loopback and other addresses that are not public, and without TLS
+    /// Call hosts also at private, loopback and other addresses that are not public, and without
+    /// TLS
     #[arg(long, env = "BRINELL_WEBHOOK_ALLOW_PRIVATE")]
     pub webhook_allow_private: bool,
 
@@ -51,7 +55,8 @@ pub struct WebhookConfig {
     #[arg(long, env = "BRINELL_WEBHOOK_CA", value_name = "FILE")]
     pub webhook_ca: Option<PathBuf>,
 
-    /// Pause behind the first attempt that fails; the others are 6, 24, 120, 720, 2160, 5760 and 8640 times as long
+    /// Pause behind the first attempt that fails; the others are 6, 24, 120, 720, 2160, 5760 and
+    /// 8640 times as long
     #[arg(long, env = "BRINELL_WEBHOOK_RETRY", value_name = "SECONDS", default_value = "5", value_parser = seconds)]
     pub webhook_retry: Duration,
 }

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-/// Memory \[bytes\] of the machine or of this process's control group, whichever is less; `None` where the system
-/// does not tell.
+/// Memory \[bytes\] of the machine or of this process's control group, whichever is less; `None`
+/// where the system does not tell.
 pub(super) fn machine_memory() -> Option<u64> {
     let groups = fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
     let group = group_limits(&groups).into_iter().filter_map(|path| fs::read_to_string(path).ok());
@@ -12,8 +12,8 @@ pub(super) fn machine_memory() -> Option<u64> {
     group.filter_map(|text| text.trim().parse().ok()).chain(total).min()
 }
 
-/// Files that may hold a limit of the groups in this listing (`id:controllers:path` a line), of both versions of
-/// the interface. A group's limit also binds the groups below it.
+/// Files that may hold a limit of the groups in this listing (`id:controllers:path` a line), of
+/// both versions of the interface. A group's limit also binds the groups below it.
 fn group_limits(listing: &str) -> Vec<String> {
     let mut files = Vec::new();
     for line in listing.lines() {
@@ -48,7 +48,11 @@ mod tests {
     fn both_versions_of_control_groups_are_understood() {
         assert_eq!(
             group_limits("0::/a/b\n"),
-            ["/sys/fs/cgroup/a/memory.max", "/sys/fs/cgroup/a/b/memory.max", "/sys/fs/cgroup/memory.max"]
+            [
+                "/sys/fs/cgroup/a/memory.max",
+                "/sys/fs/cgroup/a/b/memory.max",
+                "/sys/fs/cgroup/memory.max"
+            ]
         );
         let old = group_limits("3:cpu:/x\n5:memory,other:/\n");
         assert_eq!(old.last().unwrap(), "/sys/fs/cgroup/memory/memory.limit_in_bytes");

@@ -28,8 +28,14 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:8080")]
     pub listen: String,
 
-    /// Name under which the service is addressed, several times if need be [default: those of loopback, if it listens there]
-    #[arg(long = "allowed-host", env = "BRINELL_ALLOWED_HOSTS", value_name = "NAME", value_delimiter = ',')]
+    /// Name under which the service is addressed, several times if need be [default: those of
+    /// loopback, if it listens there]
+    #[arg(
+        long = "allowed-host",
+        env = "BRINELL_ALLOWED_HOSTS",
+        value_name = "NAME",
+        value_delimiter = ','
+    )]
     pub allowed_hosts: Vec<String>,
 
     /// Do not solve here: leave the jobs to `brinell worker` (needs --database-url)
@@ -84,15 +90,23 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_ALLOW_ANONYMOUS", conflicts_with = "require_api_key")]
     pub allow_anonymous: bool,
 
-    /// Answer only to the key that this environment variable holds, 32 characters or more, which is kept nowhere
-    #[arg(long, env = "BRINELL_ONCE_KEY_ENV", value_name = "NAME", conflicts_with = "allow_anonymous")]
+    /// Answer only to the key that this environment variable holds, 32 characters or more, which
+    /// is kept nowhere
+    #[arg(
+        long,
+        env = "BRINELL_ONCE_KEY_ENV",
+        value_name = "NAME",
+        conflicts_with = "allow_anonymous"
+    )]
     pub once_key_env: Option<String>,
 
-    /// Stop, as at SIGTERM, when standard input is closed: with the process that holds its other end
+    /// Stop, as at SIGTERM, when standard input is closed: with the process that holds its other
+    /// end
     #[arg(long, env = "BRINELL_EXIT_WITH_STDIN")]
     pub exit_with_stdin: bool,
 
-    /// Origin whose pages may ask this service, e.g. `https://design.example`; `*` is every origin. May be repeated
+    /// Origin whose pages may ask this service, e.g. `https://design.example`; `*` is every
+    /// origin. May be repeated
     #[arg(long, env = "BRINELL_CORS_ORIGIN", value_name = "ORIGIN", value_delimiter = ',', value_parser = origin)]
     pub cors_origin: Vec<HeaderValue>,
 
@@ -191,8 +205,8 @@ impl ServeConfig {
 /// Settings of the metrics.
 #[derive(Debug, Clone, PartialEq, Default, Args)]
 pub struct MetricsConfig {
-    /// Address and port to show metrics on, at /metrics, to everybody [default: `serve` shows them on its own port,
-    /// `worker` nowhere]
+    /// Address and port to show metrics on, at /metrics, to everybody [default: `serve` shows them
+    /// on its own port, `worker` nowhere]
     #[arg(long, env = "BRINELL_METRICS_LISTEN", value_name = "ADDR")]
     pub metrics_listen: Option<String>,
 }

@@ -5,7 +5,8 @@ use std::time::Duration;
 use axum::http::{HeaderValue, Uri};
 
 /// Units of times, in seconds.
-const UNITS: [(&str, f64); 5] = [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("h", 3600.0), ("d", 86400.0)];
+const UNITS: [(&str, f64); 5] =
+    [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("h", 3600.0), ("d", 86400.0)];
 
 /// Reads a positive number of seconds, or a time such as `500ms`, `1s`, `5m`, up to about three
 /// years.
@@ -21,7 +22,9 @@ pub(super) fn hours(text: &str) -> Result<Duration, String> {
 /// Reads a number of connections, at least one.
 pub(super) fn connections(text: &str) -> Result<usize, String> {
     let value: Option<usize> = text.parse().ok();
-    value.filter(|value| *value > 0).ok_or_else(|| "must be a whole number greater than 0".to_owned())
+    value
+        .filter(|value| *value > 0)
+        .ok_or_else(|| "must be a whole number greater than 0".to_owned())
 }
 
 /// Reads a positive rate.
@@ -41,7 +44,8 @@ pub(super) fn origin(text: &str) -> Result<HeaderValue, String> {
                 && uri.query().is_none()
                 && !text.ends_with('/')
         });
-    let message = || "must be scheme://host or scheme://host:port, without a path, or *".to_owned();
+    let message =
+        || "must be scheme://host or scheme://host:port, without a path, or *".to_owned();
     if is_origin { HeaderValue::try_from(text).map_err(|_| message()) } else { Err(message()) }
 }
 
@@ -49,8 +53,10 @@ fn time(text: &str, unit: f64, name: &str) -> Result<Duration, String> {
     let with_unit = UNITS.iter().find_map(|(end, unit)| Some((text.strip_suffix(end)?, *unit)));
     let (number, unit) =
         with_unit.filter(|(number, _)| number.parse::<f64>().is_ok()).unwrap_or((text, unit));
-    let value: f64 =
-        number.trim_end().parse().map_err(|_| format!("must be a number of {name}, or a time such as 5m"))?;
+    let value: f64 = number
+        .trim_end()
+        .parse()
+        .map_err(|_| format!("must be a number of {name}, or a time such as 5m"))?;
     if value > 0.0 && value * unit <= 1e8 {
         Ok(Duration::from_secs_f64(value * unit))
     } else {
@@ -72,7 +78,9 @@ mod tests {
             [(); 4].map(|()| Ok(minutes))
         );
         assert_eq!(hours("7d"), Ok(Duration::from_hours(168)));
-        for text in ["0", "-1", "NaN", "inf", "soon", "1e9", "", "s", "m", "-5m", "5 weeks", "infs"] {
+        for text in
+            ["0", "-1", "NaN", "inf", "soon", "1e9", "", "s", "m", "-5m", "5 weeks", "infs"]
+        {
             assert!(seconds(text).is_err(), "{text}");
             assert!(hours(text).is_err(), "{text}");
         }
@@ -83,9 +91,13 @@ mod tests {
         for text in ["*", "https://design.example", "http://localhost:3000"] {
             assert!(origin(text).is_ok(), "{text}");
         }
-        for text in
-            ["", "design.example", "https://design.example/", "https://design.example/app", "ftp://a.example"]
-        {
+        for text in [
+            "",
+            "design.example",
+            "https://design.example/",
+            "https://design.example/app",
+            "ftp://a.example",
+        ] {
             assert!(origin(text).is_err(), "{text}");
         }
     }

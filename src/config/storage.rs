@@ -46,7 +46,8 @@ impl fmt::Debug for DatabaseUrl {
 /// Settings of the store.
 #[derive(Debug, Clone, PartialEq, Args)]
 pub struct StorageConfig {
-    /// Directory of the embedded database, which one process owns; `:memory:` keeps jobs in memory only
+    /// Directory of the embedded database, which one process owns; `:memory:` keeps jobs in memory
+    /// only
     #[arg(long, env = "BRINELL_DATA_DIR", value_name = "DIR", default_value = "brinell-data")]
     pub data_dir: PathBuf,
 
@@ -71,7 +72,12 @@ pub struct StorageConfig {
     pub max_stored_per_key: Option<u32>,
 
     /// Highest priority of jobs of an API key [default: no bound]
-    #[arg(long, env = "BRINELL_MAX_PRIORITY_PER_KEY", value_name = "N", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        env = "BRINELL_MAX_PRIORITY_PER_KEY",
+        value_name = "N",
+        allow_hyphen_values = true
+    )]
     pub max_priority_per_key: Option<i16>,
 
     /// Time jobs with a result are kept for
@@ -82,7 +88,8 @@ pub struct StorageConfig {
     #[arg(long, env = "BRINELL_KEEP_FAILURES", value_name = "HOURS", default_value = "72", value_parser = hours)]
     pub keep_failures: Duration,
 
-    /// Room for results above which the jobs that finished first are removed before their time [default: no bound]
+    /// Room for results above which the jobs that finished first are removed before their time
+    /// [default: no bound]
     #[arg(long, env = "BRINELL_KEEP_STORED", value_name = "MIB")]
     pub keep_stored: Option<u32>,
 

@@ -16,7 +16,8 @@ const MEMORY_PERCENT: u64 = 70;
 /// Memory \[bytes\] assumed where the system does not tell.
 const UNKNOWN_MEMORY: u64 = 4 << 30;
 
-/// Part of the jobs' memory that what is kept between them may take beside it, and the most it takes, unless set.
+/// Part of the jobs' memory that what is kept between them may take beside it, and the most it
+/// takes, unless set.
 const CACHE_PART: u64 = 8;
 const MAX_CACHE: u64 = 512 << 20;
 
@@ -37,8 +38,8 @@ pub struct WorkConfig {
     #[arg(long, env = "BRINELL_MEMORY_LIMIT", value_name = "MIB")]
     pub memory_limit: Option<u32>,
 
-    /// Memory for meshes and factors kept for later jobs on the same bodies; 0 keeps none [default: an eighth of
-    /// --memory-limit, 512 at most]
+    /// Memory for meshes and factors kept for later jobs on the same bodies; 0 keeps none
+    /// [default: an eighth of --memory-limit, 512 at most]
     #[arg(long, env = "BRINELL_FACTOR_CACHE", value_name = "MIB")]
     pub factor_cache: Option<u32>,
 

@@ -17,14 +17,14 @@ use super::problem::Problem;
 use super::problem_type::ProblemType;
 use crate::jobs::{KeyId, Turn, Turns};
 
-/// How long, and how much of, a refused body is read and thrown away, so that a client still sending sees the
-/// answer instead of a broken connection.
+/// How long, and how much of, a refused body is read and thrown away, so that a client still
+/// sending sees the answer instead of a broken connection.
 const DISCARD_TIME: Duration = Duration::from_secs(5);
 const DISCARD_BYTES: usize = 256 << 20;
 
 /// Bodies of one key at a time, from their first byte until their jobs are stored, and the bodies
-/// of the largest size for which there is memory: one key holds a quarter of it. Also results of one
-/// key that are sent at a time.
+/// of the largest size for which there is memory: one key holds a quarter of it. Also results of
+/// one key that are sent at a time.
 pub(super) const BODIES_OF_KEY: usize = 32;
 const BODIES: usize = 4 * BODIES_OF_KEY;
 
@@ -44,12 +44,17 @@ impl Bodies {
 
     /// A body of which nothing has come.
     fn open(&self, key: Option<KeyId>) -> Result<HeldBody, Problem> {
-        Ok(HeldBody { text: Vec::new(), room: None, _turn: self.keys.try_take(key).ok_or_else(too_many)? })
+        Ok(HeldBody {
+            text: Vec::new(),
+            room: None,
+            _turn: self.keys.try_take(key).ok_or_else(too_many)?,
+        })
     }
 
     fn extend(&self, body: &mut HeldBody, data: &[u8]) -> Result<(), Problem> {
         let bytes = u32::try_from(data.len()).unwrap_or(u32::MAX);
-        let more = Arc::clone(&self.bytes).try_acquire_many_owned(bytes).map_err(|_| too_many())?;
+        let more =
+            Arc::clone(&self.bytes).try_acquire_many_owned(bytes).map_err(|_| too_many())?;
         match &mut body.room {
             Some(room) => room.merge(more),
             room => *room = Some(more),
@@ -107,9 +112,12 @@ impl FromRequest<HttpState> for JobBody {
 }
 
 fn check_content_type(headers: &HeaderMap) -> Result<(), Problem> {
-    let declared = headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()).unwrap_or_default();
+    let declared =
+        headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()).unwrap_or_default();
     let essence = declared.split(';').next().unwrap_or_default().trim().to_ascii_lowercase();
-    if essence == "application/json" || (essence.starts_with("application/") && essence.ends_with("+json")) {
+    if essence == "application/json"
+        || (essence.starts_with("application/") && essence.ends_with("+json"))
+    {
         return Ok(());
     }
     let found = if essence.is_empty() { "nothing".to_owned() } else { format!("{essence:?}") };
@@ -127,8 +135,13 @@ fn check_not_compressed(headers: &HeaderMap) -> Result<(), Problem> {
 }
 
 fn check_declared_length(headers: &HeaderMap, limit: usize) -> Result<(), Problem> {
-    let declared = headers.get(CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse::<u64>().ok());
-    if declared.is_some_and(|length| length > limit as u64) { Err(too_large(limit)) } else { Ok(()) }
+    let declared =
+        headers.get(CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse::<u64>().ok());
+    if declared.is_some_and(|length| length > limit as u64) {
+        Err(too_large(limit))
+    } else {
+        Ok(())
+    }
 }
 
 /// Reads a body. What has arrived counts towards the bytes that all bodies may take.
@@ -139,7 +152,10 @@ async fn read(body: &mut Body, state: &HttpState, key: Option<KeyId>) -> Result<
         let mut held = state.bodies.open(key)?;
         while let Some(frame) = body.frame().await {
             let broken = |error| {
-                Problem::new(ProblemType::InvalidJson, format!("the body could not be read: {error}"))
+                Problem::new(
+                    ProblemType::InvalidJson,
+                    format!("the body could not be read: {error}"),
+                )
             };
             let Ok(data) = frame.map_err(broken)?.into_data() else { continue };
             if held.text.len() + data.len() > limit {
@@ -152,7 +168,10 @@ async fn read(body: &mut Body, state: &HttpState, key: Option<KeyId>) -> Result<
     };
     timeout(settings.body_timeout, read).await.unwrap_or_else(|_| {
         let seconds = settings.body_timeout.as_secs();
-        Err(Problem::new(ProblemType::BodyTimeout, format!("the body took longer than {seconds} s")))
+        Err(Problem::new(
+            ProblemType::BodyTimeout,
+            format!("the body took longer than {seconds} s"),
+        ))
     })
 }
 
@@ -180,10 +199,15 @@ mod tests {
     #[test]
     fn json_in_all_its_names_is_accepted_and_nothing_else() {
         let verdict = |name: &'static str| {
-            check_content_type(&HeaderMap::from_iter([(CONTENT_TYPE, HeaderValue::from_static(name))]))
-                .is_ok()
+            check_content_type(&HeaderMap::from_iter([(
+                CONTENT_TYPE,
+                HeaderValue::from_static(name),
+            )]))
+            .is_ok()
         };
-        for name in ["application/json", "Application/JSON; charset=utf-8", "application/vnd.brinell+json"] {
+        for name in
+            ["application/json", "Application/JSON; charset=utf-8", "application/vnd.brinell+json"]
+        {
             assert!(verdict(name), "{name}");
         }
         for name in ["", "text/plain", "application/x-www-form-urlencoded", "text/json"] {

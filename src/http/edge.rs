@@ -1,12 +1,12 @@
-//! What holds for every request and every answer: the host that is addressed, the name of the request, and headers that
-//! keep browsers from guessing.
+//! What holds for every request and every answer: the host that is addressed, the name of the
+//! request, and headers that keep browsers from guessing.
 
 use std::net::SocketAddr;
 
 use axum::extract::{Request, State};
 use axum::http::header::{
-    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderMap, HeaderName, HeaderValue, ORIGIN,
-    X_CONTENT_TYPE_OPTIONS,
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderMap, HeaderName,
+    HeaderValue, ORIGIN, X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::uri::Authority;
 use axum::middleware::Next;
@@ -29,14 +29,14 @@ const LOOPBACK: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
 
 /// The hosts that a service answers to.
 ///
-/// A page from elsewhere can have its own name point to this machine (DNS rebinding) and then ask as if it were from
-/// here. The name in `Host` gives it away.
+/// A page from elsewhere can have its own name point to this machine (DNS rebinding) and then ask
+/// as if it were from here. The name in `Host` gives it away.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct AllowedHosts(Option<Vec<String>>);
 
 impl AllowedHosts {
-    /// These names; without any, the names of loopback where the service listens there alone, and every name elsewhere,
-    /// where requests need an API key or anybody may ask anyway.
+    /// These names; without any, the names of loopback where the service listens there alone, and
+    /// every name elsewhere, where requests need an API key or anybody may ask anyway.
     pub fn new(names: &[String], address: SocketAddr) -> Self {
         let is_loopback = address.ip().to_canonical().is_loopback();
         if names.is_empty() && !is_loopback {
@@ -49,22 +49,28 @@ impl AllowedHosts {
     }
 
     fn allow(&self, host: &str) -> bool {
-        let name = host.rsplit_once(':').filter(|(_, port)| port.bytes().all(|byte| byte.is_ascii_digit()));
+        let name = host
+            .rsplit_once(':')
+            .filter(|(_, port)| port.bytes().all(|byte| byte.is_ascii_digit()));
         let name = name.map_or(host, |(name, _)| name).to_ascii_lowercase();
         self.0.as_ref().is_none_or(|names| names.contains(&name))
     }
 }
 
-/// Takes over no name of a request that is long or not printable: the request then gets one of the service's.
+/// Takes over no name of a request that is long or not printable: the request then gets one of the
+/// service's.
 pub(super) async fn drop_unusable_request_id(mut request: Request, next: Next) -> Response {
     let id = request.headers().get("x-request-id");
-    if id.is_some_and(|id| id.len() > REQUEST_ID || !id.as_bytes().iter().all(u8::is_ascii_graphic)) {
+    if id
+        .is_some_and(|id| id.len() > REQUEST_ID || !id.as_bytes().iter().all(u8::is_ascii_graphic))
+    {
         request.headers_mut().remove("x-request-id");
     }
     next.run(request).await
 }
 
-/// Refuses requests with heads that are too large, and those that do not say, or say wrongly, which host they are for.
+/// Refuses requests with heads that are too large, and those that do not say, or say wrongly,
+/// which host they are for.
 pub(super) async fn check_host(
     State(state): State<HttpState>,
     request: Request,
@@ -106,15 +112,21 @@ fn is_from_here(headers: &HeaderMap, host: &HeaderValue, allowed: &[HeaderValue]
     }
     let Some(origin) = origin else { return true };
     let forwarded = headers.get("x-forwarded-host");
-    let authority =
-        origin.to_str().ok().and_then(|origin| origin.split_once("://")).map(|(_, host)| host.as_bytes());
+    let authority = origin
+        .to_str()
+        .ok()
+        .and_then(|origin| origin.split_once("://"))
+        .map(|(_, host)| host.as_bytes());
     [Some(host), forwarded].into_iter().flatten().any(|host| Some(host.as_bytes()) == authority)
 }
 
 /// Bytes of a head on the wire, about: its address and its lines.
 fn head_bytes(request: &Request) -> usize {
     let address = request.uri().path_and_query().map_or(0, |path| path.as_str().len());
-    request.headers().iter().fold(address, |sum, (name, value)| sum + name.as_str().len() + value.len() + 4)
+    request
+        .headers()
+        .iter()
+        .fold(address, |sum, (name, value)| sum + name.as_str().len() + value.len() + 4)
 }
 
 /// Adds the headers that every answer has, unless it has its own.
@@ -135,7 +147,8 @@ pub(super) async fn guard_response(request: Request, next: Next) -> Response {
 }
 
 /// Figures have styles of their own, and nothing else.
-const FIGURE_POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'";
+const FIGURE_POLICY: &str =
+    "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'";
 
 #[cfg(test)]
 mod tests {
@@ -164,17 +177,25 @@ mod tests {
     fn pages_of_elsewhere_change_nothing() {
         let verdict = |headers: &[(&'static str, &'static str)], allowed: &[HeaderValue]| {
             let pairs = headers.iter();
-            let headers =
-                pairs.map(|(name, value)| (HeaderName::from_static(name), HeaderValue::from_static(value)));
+            let headers = pairs.map(|(name, value)| {
+                (HeaderName::from_static(name), HeaderValue::from_static(value))
+            });
             is_from_here(&headers.collect(), &HeaderValue::from_static("localhost:8080"), allowed)
         };
-        let (here, evil) = (("origin", "http://localhost:8080"), ("origin", "https://evil.example"));
-        for good in
-            [&[][..], &[here], &[evil, ("sec-fetch-site", "same-origin")], &[("sec-fetch-site", "none")]]
-        {
+        let (here, evil) =
+            (("origin", "http://localhost:8080"), ("origin", "https://evil.example"));
+        for good in [
+            &[][..],
+            &[here],
+            &[evil, ("sec-fetch-site", "same-origin")],
+            &[("sec-fetch-site", "none")],
+        ] {
             assert!(verdict(good, &[]), "{good:?}");
         }
-        assert!(verdict(&[("origin", "https://press.example"), ("x-forwarded-host", "press.example")], &[]));
+        assert!(verdict(
+            &[("origin", "https://press.example"), ("x-forwarded-host", "press.example")],
+            &[]
+        ));
         for bad in [
             &[evil][..],
             &[("origin", "null")],
@@ -185,7 +206,10 @@ mod tests {
             assert!(!verdict(bad, &[]), "{bad:?}");
         }
         for allowed in ["*", "https://evil.example"] {
-            assert!(verdict(&[evil, ("sec-fetch-site", "cross-site")], &[HeaderValue::from_static(allowed)]));
+            assert!(verdict(
+                &[evil, ("sec-fetch-site", "cross-site")],
+                &[HeaderValue::from_static(allowed)]
+            ));
         }
     }
 }

@@ -26,7 +26,8 @@ impl EventPosition {
     /// Reads an event's id; `None` if no event has it.
     pub(super) fn parse(id: &str) -> Option<Self> {
         let mut parts = id.split('-');
-        let position = Self { attempt: parts.next()?.parse().ok()?, seen: parts.next()?.parse().ok()? };
+        let position =
+            Self { attempt: parts.next()?.parse().ok()?, seen: parts.next()?.parse().ok()? };
         matches!(parts.next(), None | Some("end")).then_some(position)
     }
 
@@ -65,8 +66,8 @@ impl Follower {
         Self { state, job, subscription, prefix, position, sent_state: None, events }
     }
 
-    /// Follows the job to its end. While the store does not answer, the client waits; where what is
-    /// stored cannot be read, the stream breaks off.
+    /// Follows the job to its end. While the store does not answer, the client waits; where what
+    /// is stored cannot be read, the stream breaks off.
     pub(super) async fn run(mut self) -> Result<(), StoreError> {
         let closing = self.state.closing.clone();
         loop {
@@ -116,7 +117,8 @@ impl Follower {
         }
         for iteration in &page {
             self.position.seen += 1;
-            self.send(event("iteration", iteration).map(|event| event.id(self.position.id()))).await;
+            self.send(event("iteration", iteration).map(|event| event.id(self.position.id())))
+                .await;
         }
         Ok(!page.is_empty())
     }
@@ -126,7 +128,11 @@ impl Follower {
         self.state.jobs.get(self.job).await
     }
 
-    async fn send_state(&mut self, record: &JobRecord, id: Option<String>) -> Result<(), StoreError> {
+    async fn send_state(
+        &mut self,
+        record: &JobRecord,
+        id: Option<String>,
+    ) -> Result<(), StoreError> {
         let now = (record.state, record.attempts, record.cancel_requested);
         if self.sent_state != Some(now) {
             let turn = self.state.streams.turn().await;

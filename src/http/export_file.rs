@@ -29,9 +29,11 @@ pub(super) async fn export_file(
         Err(ExportFailure::Export(error)) => return Err(unavailable(&error)),
     };
     // Figures are looked at, the rest is for other programs.
-    let disposition = if form.media_type().starts_with("image/") { "inline" } else { "attachment" };
+    let disposition =
+        if form.media_type().starts_with("image/") { "inline" } else { "attachment" };
     let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
-    let headers = [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
+    let headers =
+        [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
     Ok((headers, body).into_response())
 }
 

@@ -19,7 +19,9 @@ impl FromRequestParts<HttpState> for JobPath {
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let named = Path::<HashMap<String, String>>::from_request_parts(parts, state).await.ok();
-        let id = named.and_then(|Path(named)| named.get("id")?.parse().ok()).ok_or(StoreError::NotFound)?;
+        let id = named
+            .and_then(|Path(named)| named.get("id")?.parse().ok())
+            .ok_or(StoreError::NotFound)?;
         let caller = Caller::from_request_parts(parts, state).await?;
         check_seen(state, caller, id).await?;
         Ok(Self(id))
@@ -27,7 +29,11 @@ impl FromRequestParts<HttpState> for JobPath {
 }
 
 /// Checks that a job exists for a caller who may not see every job.
-pub(super) async fn check_seen(state: &HttpState, caller: Caller, id: JobId) -> Result<(), StoreError> {
+pub(super) async fn check_seen(
+    state: &HttpState,
+    caller: Caller,
+    id: JobId,
+) -> Result<(), StoreError> {
     if caller.confined_to().is_some() && !caller.sees(&state.jobs.get(id).await?) {
         return Err(StoreError::NotFound);
     }

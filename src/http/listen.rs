@@ -1,4 +1,5 @@
-//! Takes connections: HTTP/1.1, over TLS if so set, with bounds on heads and on the patience with slow clients.
+//! Takes connections: HTTP/1.1, over TLS if so set, with bounds on heads and on the patience with
+//! slow clients.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -16,8 +17,8 @@ use tokio_io_timeout::TimeoutStream;
 use tokio_rustls::TlsAcceptor;
 use tokio_util::sync::CancellationToken;
 
-/// Most bytes of a head: a longer one is answered by 431, here where it does not fit into the buffer, which may take
-/// somewhat more, or else with a problem.
+/// Most bytes of a head: a longer one is answered by 431, here where it does not fit into the
+/// buffer, which may take somewhat more, or else with a problem.
 pub(super) const HEAD_BYTES: usize = 64 << 10;
 
 /// Most headers in it.
@@ -29,7 +30,8 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// How long slow clients are waited for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConnectionTimeouts {
-    /// Longest time a request's head may take to arrive, and a connection may idle between two requests.
+    /// Longest time a request's head may take to arrive, and a connection may idle between two
+    /// requests.
     pub head: Duration,
     /// Longest time a client may take nothing of what is being sent.
     pub write: Duration,
@@ -43,7 +45,8 @@ pub struct Listening {
     pub tls: Option<TlsAcceptor>,
 }
 
-/// Serves at most `most` connections at a time until `close`, then lets every connection finish the request it is in.
+/// Serves at most `most` connections at a time until `close`, then lets every connection finish
+/// the request it is in.
 pub async fn serve(
     Listening { listener, tls }: Listening,
     router: Router,
@@ -65,8 +68,14 @@ pub async fn serve(
         };
         match accepted {
             Ok((stream, _)) => {
-                let attended =
-                    attend(stream, tls.clone(), router.clone(), timeouts, connections.watcher(), place.ok());
+                let attended = attend(
+                    stream,
+                    tls.clone(),
+                    router.clone(),
+                    timeouts,
+                    connections.watcher(),
+                    place.ok(),
+                );
                 tokio::spawn(attended);
             }
             Err(error) => {

@@ -31,7 +31,10 @@ impl Metrics {
     pub(super) async fn show(&self) -> Exposition {
         let counts = self.store.counts().await;
         if let Err(error) = &counts {
-            tracing::warn!(error = error as &dyn std::error::Error, "the queue cannot be measured");
+            tracing::warn!(
+                error = error as &dyn std::error::Error,
+                "the queue cannot be measured"
+            );
         }
         jobs::metrics::queue(counts.ok().as_ref());
         ([(CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], self.collected.render())

@@ -1,5 +1,5 @@
-//! The service over HTTP. The routes are listed here; each is one file in `routes`, which also declares it for
-//! [`openapi`].
+//! The service over HTTP. The routes are listed here; each is one file in `routes`, which also
+//! declares it for [`openapi`].
 //!
 //! Every error, including those of the framework and panics, leaves as `application/problem+json`
 //! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
@@ -62,9 +62,9 @@ use rates::Rates;
 use request_log::log_request;
 use result_body::CodingChosen;
 use routes::{
-    batch_cancel, batch_fetch, batch_submit, cancel_job, delete_job, get_capacity, get_events, get_examples,
-    get_export, get_fields, get_job, get_metrics, get_openapi, get_problem, get_request, get_result, health,
-    list_jobs, post_hertz, post_job, post_solve, post_validate,
+    batch_cancel, batch_fetch, batch_submit, cancel_job, delete_job, get_capacity, get_events,
+    get_examples, get_export, get_fields, get_job, get_metrics, get_openapi, get_problem,
+    get_request, get_result, health, list_jobs, post_hertz, post_job, post_solve, post_validate,
 };
 
 use streams::EventStreamLimit;
@@ -127,7 +127,10 @@ impl Default for HttpSettings {
         Self {
             max_body_bytes: 1 << 20,
             body_timeout: Duration::from_secs(30),
-            timeouts: ConnectionTimeouts { head: Duration::from_secs(30), write: Duration::from_secs(30) },
+            timeouts: ConnectionTimeouts {
+                head: Duration::from_secs(30),
+                write: Duration::from_secs(30),
+            },
             connections: 4000,
             event_streams: 1000,
             solve_limit: Duration::from_secs(30),
@@ -153,7 +156,8 @@ pub struct HttpState {
     pub callbacks: Arc<CallbackRules>,
     /// Names that the service answers to.
     pub hosts: Arc<AllowedHosts>,
-    /// Cancelled when connections are about to be closed; streams without an end of their own end then.
+    /// Cancelled when connections are about to be closed; streams without an end of their own end
+    /// then.
     pub closing: CancellationToken,
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
@@ -198,7 +202,8 @@ pub fn router(state: HttpState) -> Router {
         .and(NotForContentType::const_new("application/octet-stream"))
         .and(|_, _, _: &HeaderMap, about: &Extensions| about.get::<CodingChosen>().is_none());
     let cors = cors(&state.settings.cors_origins);
-    let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
+    let (documented, _) =
+        guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
     let routes = documented
         .route("/docs", get(docs::to_page))
         .route("/docs/", get(docs::page))
@@ -210,8 +215,11 @@ pub fn router(state: HttpState) -> Router {
         .layer(hosts)
         .layer(CatchPanicLayer::custom(panicked))
         .layer(from_fn(problem::name_request))
-        // Of ten megabytes of figures the default level saves 8 % more than the fastest, in six times the time.
-        .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible))
+        // Of ten megabytes of figures the default level saves 8 % more than the fastest, in six
+        // times the time.
+        .layer(
+            CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible),
+        )
         .layer(from_fn(settle_coding))
         .layer(from_fn(guard_response));
     // Without origins OPTIONS is a method like others, which no route knows.
@@ -226,7 +234,8 @@ pub fn router(state: HttpState) -> Router {
         .layer(from_fn(drop_unusable_request_id))
 }
 
-/// What pages of other origins may do: with these origins, everything that a program may, without cookies.
+/// What pages of other origins may do: with these origins, everything that a program may, without
+/// cookies.
 fn cors(origins: &[HeaderValue]) -> Option<CorsLayer> {
     let allowed = if origins.iter().any(|origin| origin == "*") {
         AllowOrigin::any()
@@ -291,8 +300,12 @@ async fn no_method(request: Request) -> Problem {
 #[expect(clippy::needless_pass_by_value, reason = "the layer hands the panic over")]
 fn panicked(panic: Box<dyn Any + Send>) -> Response {
     let message = panic.downcast_ref::<String>().map(String::as_str);
-    let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("(no message)");
+    let message =
+        message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("(no message)");
     tracing::error!(panic = message, "a request handler panicked");
-    Problem::new(ProblemType::Internal, "the request could not be answered; the fault has been logged")
-        .into_response()
+    Problem::new(
+        ProblemType::Internal,
+        "the request could not be answered; the fault has been logged",
+    )
+    .into_response()
 }

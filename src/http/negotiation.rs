@@ -6,7 +6,8 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue};
 use axum::middleware::Next;
 use axum::response::Response;
 
-/// What a header lists, in lower case, with its weights. A weight that is none counts as 0: nothing is preferred by mistake.
+/// What a header lists, in lower case, with its weights. A weight that is none counts as 0:
+/// nothing is preferred by mistake.
 fn weighted(headers: &HeaderMap, name: HeaderName) -> Vec<(String, f64)> {
     let lines = headers.get_all(name).iter().filter_map(|line| line.to_str().ok());
     let items = lines.flat_map(|line| line.split(','));
@@ -23,8 +24,9 @@ fn weighted(headers: &HeaderMap, name: HeaderName) -> Vec<(String, f64)> {
     items.map(read).collect()
 }
 
-/// The layer that leaves one word of the codings that a client takes, so that all agree on it: gzip, or none. A client
-/// that would take no coding at all has its answer as it is, rather than a refusal.
+/// The layer that leaves one word of the codings that a client takes, so that all agree on it:
+/// gzip, or none. A client that would take no coding at all has its answer as it is, rather than a
+/// refusal.
 pub(super) async fn settle_coding(mut request: Request, next: Next) -> Response {
     let takes_gzip = takes_gzip(request.headers());
     request.headers_mut().remove(ACCEPT_ENCODING);
@@ -41,8 +43,8 @@ pub(super) fn takes_gzip(headers: &HeaderMap) -> bool {
     find(&["gzip", "x-gzip"]).or_else(|| find(&["*"])).is_some_and(|(_, weight)| *weight > 0.0)
 }
 
-/// Whether a client would rather have CSV than JSON: it gives it more weight, or names it where JSON is only among
-/// others.
+/// Whether a client would rather have CSV than JSON: it gives it more weight, or names it where
+/// JSON is only among others.
 pub(super) fn prefers_csv(headers: &HeaderMap) -> bool {
     let accepted = weighted(headers, ACCEPT);
     let preference = |group: &str, name: &str| {
@@ -51,10 +53,12 @@ pub(super) fn prefers_csv(headers: &HeaderMap) -> bool {
             Some((exactness, *weight))
         });
         // The most exact of them counts, whatever it weighs.
-        let (exactness, weight) = fitting.min_by(|a, b| a.0.cmp(&b.0)).unwrap_or((usize::MAX, 0.0));
+        let (exactness, weight) =
+            fitting.min_by(|a, b| a.0.cmp(&b.0)).unwrap_or((usize::MAX, 0.0));
         (weight, usize::MAX - exactness)
     };
-    let (csv, json) = (preference("text/*", "text/csv"), preference("application/*", "application/json"));
+    let (csv, json) =
+        (preference("text/*", "text/csv"), preference("application/*", "application/json"));
     csv.0 > 0.0 && csv > json
 }
 

@@ -1,8 +1,8 @@
 //! The web page: the files under `web/`, which a release build carries in itself.
 //!
-//! Files keep their names from version to version, so browsers ask each time and are answered 304 by a strong `ETag`
-//! of the content. What is sent is compressed once. The page needs nothing from elsewhere, and its
-//! `Content-Security-Policy` holds it to that.
+//! Files keep their names from version to version, so browsers ask each time and are answered 304
+//! by a strong `ETag` of the content. What is sent is compressed once. The page needs nothing from
+//! elsewhere, and its `Content-Security-Policy` holds it to that.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -11,8 +11,8 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use axum::extract::Path;
 use axum::extract::rejection::PathRejection;
 use axum::http::header::{
-    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, REFERRER_POLICY, VARY,
-    X_CONTENT_TYPE_OPTIONS,
+    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, REFERRER_POLICY,
+    VARY, X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{HeaderMap, HeaderName, StatusCode};
 use axum::response::{IntoResponse, Response};
@@ -30,8 +30,8 @@ use super::result_body::is_known;
 #[folder = "web/"]
 struct Web;
 
-pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; \
-                      frame-ancestors 'none'";
+pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; \
+                                 form-action 'self'; frame-ancestors 'none'";
 
 /// What has been compressed, by digest: in a debug build a file changes while the program runs.
 static COMPRESSED: LazyLock<Mutex<HashMap<[u8; 32], Bytes>>> = LazyLock::new(Mutex::default);
@@ -69,7 +69,8 @@ fn answer(path: &str, headers: &HeaderMap) -> Result<Response, Problem> {
     if !gzip {
         return Ok((common, file.data.into_owned()).into_response());
     }
-    let body = compressed(&file).map_err(|error| Problem::new(ProblemType::Internal, error.to_string()))?;
+    let body = compressed(&file)
+        .map_err(|error| Problem::new(ProblemType::Internal, error.to_string()))?;
     Ok((common, [(CONTENT_ENCODING, "gzip")], body).into_response())
 }
 

@@ -12,8 +12,8 @@ use super::problem_type::ProblemType;
 /// Longest idempotency key.
 const MAX_KEY: usize = 255;
 
-/// `Prefer: wait=N` (RFC 7240): how many seconds the client would wait for the result. What is not understood is
-/// ignored, as the RFC asks.
+/// `Prefer: wait=N` (RFC 7240): how many seconds the client would wait for the result. What is not
+/// understood is ignored, as the RFC asks.
 pub(super) fn preferred_wait(headers: &HeaderMap) -> Option<u64> {
     let lines = headers.get_all("prefer").iter().filter_map(|line| line.to_str().ok());
     let mut preferences = lines.flat_map(|line| line.split(','));
@@ -37,9 +37,13 @@ pub(super) struct PreferHeader {
 #[into_params(parameter_in = Header)]
 #[expect(dead_code, reason = "declares what `IdempotencyKey` reads")]
 pub(super) struct IdempotencyHeader {
-    /// The client's name for this submission, in visible ASCII characters without spaces, bare or in quotes. The same body
-    /// under the same key is the same job; another body is refused.
-    #[param(rename = "Idempotency-Key", example = "press-7", pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#)]
+    /// The client's name for this submission, in visible ASCII characters without spaces, bare or
+    /// in quotes. The same body under the same key is the same job; another body is refused.
+    #[param(
+        rename = "Idempotency-Key",
+        example = "press-7",
+        pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#
+    )]
     key: Option<String>,
 }
 
@@ -69,7 +73,8 @@ fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, Problem> {
         return Ok(Some(key.to_owned()));
     }
     let detail = format!(
-        "Idempotency-Key must come once and have 1 to {MAX_KEY} visible ASCII characters without spaces"
+        "Idempotency-Key must come once and have 1 to {MAX_KEY} visible ASCII characters without \
+         spaces"
     );
     Err(Problem::new(ProblemType::InvalidHeader, detail))
 }

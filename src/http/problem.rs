@@ -30,20 +30,22 @@ pub struct Problem(Box<ProblemDocument>);
 #[derive(Debug, Clone, Serialize, ToSchema)]
 #[schema(as = Problem)]
 pub(super) struct ProblemDocument {
-    /// The kind of error: a relative address that this service answers with an explanation. There may be more kinds in
-    /// the future.
+    /// The kind of error: a relative address that this service answers with an explanation. There
+    /// may be more kinds in the future.
     #[serde(rename = "type")]
     uri: String,
     /// The kind in words, the same for every occurrence.
     #[schema(example = "The job is not valid")]
     title: &'static str,
-    /// The HTTP status; of a job's `error`, the one that `POST /v1/solve` would have answered with.
+    /// The HTTP status; of a job's `error`, the one that `POST /v1/solve` would have answered
+    /// with.
     #[schema(minimum = 400, maximum = 599, example = 422)]
     status: u16,
     /// About this occurrence.
     #[schema(example = "3 fields at fault")]
     detail: String,
-    /// This occurrence, by the id of its request as `X-Request-Id` has it: what to name to those who run the service.
+    /// This occurrence, by the id of its request as `X-Request-Id` has it: what to name to those
+    /// who run the service.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(example = "/requests/7d5bf0b5-4d4e-4c3a-8f0e-0b8f7a1f4c55")]
     instance: Option<String>,
@@ -213,7 +215,8 @@ impl IntoResponse for Problem {
 
 /// The layer that names the request in every error that leaves.
 pub(super) async fn name_request(request: Request, next: Next) -> Response {
-    let id = request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).map(str::to_owned);
+    let id =
+        request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).map(str::to_owned);
     let mut response = next.run(request).await;
     let problem = response.extensions_mut().remove::<Problem>();
     if let (Some(problem), Some(id)) = (problem, id)
@@ -237,7 +240,8 @@ impl From<Rejection> for Problem {
             Rejection::Invalid(JobError::Fields(errors)) => {
                 Self::new(ProblemType::InvalidJob, detail).with_errors(errors)
             }
-            Rejection::TooLarge { estimate, limit } | Rejection::ResultTooLarge { estimate, limit } => {
+            Rejection::TooLarge { estimate, limit }
+            | Rejection::ResultTooLarge { estimate, limit } => {
                 let mut problem = Self::new(ProblemType::JobTooLarge, detail).with_limit(limit);
                 problem.0.estimate = Some(estimate);
                 problem
@@ -310,7 +314,8 @@ mod tests {
 
     #[test]
     fn a_job_too_large_comes_with_its_estimate() {
-        let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30, result_bytes: 100_000, work: 1 };
+        let estimate =
+            JobEstimate { equations: 5_000_000, bytes: 8 << 30, result_bytes: 100_000, work: 1 };
         let problem = Problem::from(Rejection::TooLarge { estimate, limit: 4 << 30 });
         insta::assert_json_snapshot!(problem, @r#"
         {

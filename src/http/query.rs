@@ -1,5 +1,5 @@
-//! Query strings, read whole: every parameter at fault is named at once. An unknown parameter is a typing mistake, not
-//! an extension.
+//! Query strings, read whole: every parameter at fault is named at once. An unknown parameter is a
+//! typing mistake, not an extension.
 
 use std::fmt;
 use std::str::FromStr;
@@ -75,7 +75,8 @@ impl Reader {
         for (name, _) in &pairs {
             if !known.contains(&name.as_str()) {
                 let shown = shown(name);
-                let detail = format!("unknown parameter {shown:?}; expected one of: {}", known.join(", "));
+                let detail =
+                    format!("unknown parameter {shown:?}; expected one of: {}", known.join(", "));
                 faults.push(Fault::parameter(&shown, FaultCode::UnknownKey, detail));
             }
             // A short query is not answered by a long list.
@@ -88,7 +89,8 @@ impl Reader {
 
     /// The text of a parameter, which may be given once.
     fn text(&mut self, name: &str) -> Option<String> {
-        let mut given = self.pairs.iter().filter(|(key, _)| key == name).map(|(_, value)| value.clone());
+        let mut given =
+            self.pairs.iter().filter(|(key, _)| key == name).map(|(_, value)| value.clone());
         let text = given.next();
         if given.next().is_some() {
             self.fault(name, FaultCode::DuplicateKey, "must be given once");
@@ -97,7 +99,12 @@ impl Reader {
     }
 
     /// A parameter that `accept`s, or what is `expected`.
-    fn value<T: FromStr>(&mut self, name: &str, expected: &str, accept: impl Fn(&T) -> bool) -> Option<T> {
+    fn value<T: FromStr>(
+        &mut self,
+        name: &str,
+        expected: &str,
+        accept: impl Fn(&T) -> bool,
+    ) -> Option<T> {
         let text = self.text(name)?;
         self.read(name, &text, expected, &accept)
     }
@@ -125,8 +132,12 @@ impl Reader {
         expected: &str,
         accept: impl Fn(&T) -> bool,
     ) -> Vec<T> {
-        let given: Vec<String> =
-            self.pairs.iter().filter(|(key, _)| key == name).map(|(_, value)| value.clone()).collect();
+        let given: Vec<String> = self
+            .pairs
+            .iter()
+            .filter(|(key, _)| key == name)
+            .map(|(_, value)| value.clone())
+            .collect();
         if given.len() > most {
             self.fault(name, FaultCode::OutOfRange, format!("may be given {most} times"));
             return Vec::new();
@@ -163,7 +174,8 @@ impl Reader {
         }
         let count = self.faults.len();
         let least = if count == MAX_FAULTS { "at least " } else { "" };
-        let detail = format!("{least}{count} parameter{} at fault", if count == 1 { "" } else { "s" });
+        let detail =
+            format!("{least}{count} parameter{} at fault", if count == 1 { "" } else { "s" });
         Err(Problem::new(ProblemType::InvalidQuery, detail).with_faults(self.faults))
     }
 
@@ -197,12 +209,12 @@ pub(super) struct Granted {
 #[into_params(parameter_in = Query)]
 #[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct WaitQuery {
-    /// Wait so many seconds for the job to finish, fractions allowed, cut at the service's limit. Goes before
-    /// `Prefer: wait=N`.
+    /// Wait so many seconds for the job to finish, fractions allowed, cut at the service's limit.
+    /// Goes before `Prefer: wait=N`.
     #[param(minimum = 0, example = 30)]
     wait: Option<f64>,
-    /// The large parts of each step that are wanted of the result inside, as of `GET /v1/jobs/{id}/result`;
-    /// `summary` is none of them.
+    /// The large parts of each step that are wanted of the result inside, as of `GET
+    /// /v1/jobs/{id}/result`; `summary` is none of them.
     #[param(
         example = "summary",
         pattern = "^(summary|contact|subsurface|plasticity|fields|maps|history)(,(summary|contact|subsurface|plasticity|fields|maps|history))*$"
@@ -235,13 +247,14 @@ pub(super) struct SubmitParameters {
     /// Larger goes first; 0 is ordinary.
     #[param(minimum = -100, maximum = 100)]
     priority: Option<i16>,
-    /// Where to POST an announcement when the job is done, signed; at hosts that the service may call
-    /// (docs/webhooks.md). `callback` of the job tells how far that has come.
+    /// Where to POST an announcement when the job is done, signed; at hosts that the service may
+    /// call (docs/webhooks.md). `callback` of the job tells how far that has come.
     #[param(max_length = 2000, example = "https://hooks.example/brinell")]
     callback_url: Option<String>,
 }
 
-/// How a job is handed in: `?priority=`, larger goes first, how long to wait for it, and where to announce its end.
+/// How a job is handed in: `?priority=`, larger goes first, how long to wait for it, and where to
+/// announce its end.
 #[derive(Debug, Clone)]
 pub(super) struct SubmitQuery {
     pub(super) priority: i16,
@@ -254,10 +267,12 @@ impl FromRequestParts<HttpState> for SubmitQuery {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["priority", "wait", "fields", "callback_url"]).await;
+        let mut query =
+            Reader::new(parts, state, &["priority", "wait", "fields", "callback_url"]).await;
         let range = -MAX_PRIORITY..=MAX_PRIORITY;
         let expected = format!("a whole number between -{MAX_PRIORITY} and {MAX_PRIORITY}");
-        let priority = query.value("priority", &expected, |priority| range.contains(priority)).unwrap_or(0);
+        let priority =
+            query.value("priority", &expected, |priority| range.contains(priority)).unwrap_or(0);
         let wait = query.wait(parts, state.settings.wait_limit);
         let selection = Selection { parts: query.parts(), ..Selection::default() };
         let callback_url = query.text("callback_url");
@@ -331,8 +346,14 @@ pub(super) enum StepPart {
 }
 
 impl Named for StepPart {
-    const ALL: &'static [Self] =
-        &[Self::Contact, Self::Subsurface, Self::Plasticity, Self::Fields, Self::Maps, Self::History];
+    const ALL: &'static [Self] = &[
+        Self::Contact,
+        Self::Subsurface,
+        Self::Plasticity,
+        Self::Fields,
+        Self::Maps,
+        Self::History,
+    ];
 
     fn name(self) -> &'static str {
         match self {
@@ -350,9 +371,10 @@ impl Named for StepPart {
 #[into_params(parameter_in = Query)]
 #[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct SelectionQuery {
-    /// The large parts of a step that are wanted, separated by commas: `contact` (`contact.nodes`), `subsurface`,
-    /// `plasticity` (`outline`), `fields` (with `layers`), `maps`, `history`; `summary` is none of them. The others are left out, or empty
-    /// where the schema requires them; single figures always stay. Everything, unless it is given.
+    /// The large parts of a step that are wanted, separated by commas: `contact`
+    /// (`contact.nodes`), `subsurface`, `plasticity` (`outline`), `fields` (with `layers`),
+    /// `maps`, `history`; `summary` is none of them. The others are left out, or empty where the
+    /// schema requires them; single figures always stay. Everything, unless it is given.
     #[param(
         example = "contact,subsurface",
         pattern = "^(summary|contact|subsurface|plasticity|fields|maps|history)(,(summary|contact|subsurface|plasticity|fields|maps|history))*$"
@@ -361,8 +383,8 @@ pub(super) struct SelectionQuery {
     /// Only this step of a sweep, counted from 1.
     #[param(minimum = 1)]
     step: Option<usize>,
-    /// Stresses over depth at so many depths at most, from the surface to the support, among them those of the
-    /// largest shear and von Mises stress.
+    /// Stresses over depth at so many depths at most, from the surface to the support, among them
+    /// those of the largest shear and von Mises stress.
     #[param(minimum = 2)]
     subsurface_points: Option<usize>,
 }
@@ -410,7 +432,8 @@ impl FromRequestParts<HttpState> for Selection {
         let wanted = query.parts();
         let step = query.step();
         let expected = format!("a whole number, {MIN_DEPTHS} or greater");
-        let depths = query.value("subsurface_points", &expected, |Whole(count)| *count >= MIN_DEPTHS);
+        let depths =
+            query.value("subsurface_points", &expected, |Whole(count)| *count >= MIN_DEPTHS);
         query.finish(Self { parts: wanted, step, depths: depths.map(|Whole(count)| count) })
     }
 }
@@ -419,7 +442,8 @@ impl FromRequestParts<HttpState> for Selection {
 #[into_params(parameter_in = Query)]
 #[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct ArraysQuery {
-    /// The arrays that are wanted, by their names, separated by commas. Everything, unless it is given.
+    /// The arrays that are wanted, by their names, separated by commas. Everything, unless it is
+    /// given.
     #[param(
         example = "nodes,elements,displacement,von_mises",
         pattern = "^(nodes|elements|displacement|sigma_x|sigma_y|sigma_z|tau_xy|von_mises|equivalent_plastic_strain)(,(nodes|elements|displacement|sigma_x|sigma_y|sigma_z|tau_xy|von_mises|equivalent_plastic_strain))*$"
@@ -523,12 +547,14 @@ impl FromRequestParts<HttpState> for ListFilter {
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let known = ["status", "tag", "id", "since", "until", "sort", "limit", "cursor"];
         let mut query = Reader::new(parts, state, &known).await;
-        let states = query.values("status", MAX_STATES, "the state of a job", |_: &NamedState| true);
+        let states =
+            query.values("status", MAX_STATES, "the state of a job", |_: &NamedState| true);
         // PostgreSQL has no texts with a NUL, and no job has such a tag.
         let is_tag = |tag: &String| tag.contains(':') && !tag.contains('\0');
         let tags = query.values("tag", MAX_TAGS, "name:value", is_tag);
-        let pair =
-            |tag: &String| tag.split_once(':').map(|(name, value)| (name.to_owned(), value.to_owned()));
+        let pair = |tag: &String| {
+            tag.split_once(':').map(|(name, value)| (name.to_owned(), value.to_owned()))
+        };
         let expected = format!("a whole number between 1 and {MAX_PAGE}");
         let ids = query.values("id", MAX_PAGE, "the id of a job", |_: &JobId| true);
         let since = query.value("since", MOMENT, |_: &Timestamp| true);

@@ -11,7 +11,8 @@ use crate::jobs::KeyId;
 /// A key that has been quiet may hand in this many seconds' worth at once.
 const BURST_SECONDS: f64 = 10.0;
 
-/// Most keys remembered; beyond, those that have been quiet are forgotten, which changes nothing for them.
+/// Most keys remembered; beyond, those that have been quiet are forgotten, which changes nothing
+/// for them.
 const REMEMBERED: usize = 10_000;
 
 /// A bucket of jobs for each key: it fills at a steady rate and is emptied job by job.

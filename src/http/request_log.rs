@@ -1,5 +1,5 @@
-//! Every request leaves one line in the log and one sample in the metrics: which route, how it ended, how long it
-//! took, under which ids. Never what was in it.
+//! Every request leaves one line in the log and one sample in the metrics: which route, how it
+//! ended, how long it took, under which ids. Never what was in it.
 
 use std::convert::Infallible;
 use std::time::Instant;
@@ -43,7 +43,8 @@ pub(super) async fn log_request(request: Request, next: Next) -> Response {
     response
 }
 
-/// One request, logged when dropped, because the handler of a client that disconnects is dropped as well.
+/// One request, logged when dropped, because the handler of a client that disconnects is dropped
+/// as well.
 struct RequestLog {
     started: Instant,
     span: Span,
@@ -76,11 +77,16 @@ fn trace_of(headers: &HeaderMap) -> Option<TraceParent> {
 
 impl RequestLog {
     fn begin(request: &Request) -> Self {
-        let id = request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).unwrap_or_default();
+        let id = request
+            .headers()
+            .get("x-request-id")
+            .and_then(|id| id.to_str().ok())
+            .unwrap_or_default();
         let route = request.extensions().get::<MatchedPath>().map(|path| path.as_str().to_owned());
         let path = request.uri().path();
         let is_job = route.as_deref().is_some_and(|route| route.starts_with("/v1/jobs/{id}"));
-        let job = path.split('/').nth(3).filter(|_| is_job).and_then(|id| id.parse::<JobId>().ok());
+        let job =
+            path.split('/').nth(3).filter(|_| is_job).and_then(|id| id.parse::<JobId>().ok());
         let span = tracing::info_span!("request", id, trace_id = Empty);
         let trace = Trace(telemetry::adopt(&span, trace_of(request.headers())));
         Self {

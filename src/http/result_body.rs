@@ -1,11 +1,13 @@
-//! Results as they leave: step by step as they are read, so that none is in memory as a whole; compressed as they are
-//! kept; under a tag that says when a client has them already.
+//! Results as they leave: step by step as they are read, so that none is in memory as a whole;
+//! compressed as they are kept; under a tag that says when a client has them already.
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use axum::body::Body;
-use axum::http::header::{CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, IF_NONE_MATCH, VARY};
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, IF_NONE_MATCH, VARY,
+};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, body::Bytes};
@@ -85,7 +87,8 @@ impl SentResult {
     /// 200 with the report, or 304.
     pub(super) async fn alone(self, headers: &HeaderMap) -> Result<Response, Problem> {
         let coding = if self.is_compressed(headers) { "-gzip" } else { "" };
-        let tag = format!("\"{}-{}-{}{coding}\"", self.id, self.head.attempt, self.selection.name());
+        let tag =
+            format!("\"{}-{}-{}{coding}\"", self.id, self.head.attempt, self.selection.name());
         let common: [(HeaderName, &str); 4] = [
             (CONTENT_TYPE, "application/json"),
             (ETAG, &tag),
@@ -102,9 +105,13 @@ impl SentResult {
         Ok((common, body).into_response())
     }
 
-    /// 200 with the job and the report inside. What the client has of the result does not matter: it
-    /// asked for the job.
-    pub(super) async fn inside(self, job: &JobDocument, headers: &HeaderMap) -> Result<Response, Problem> {
+    /// 200 with the job and the report inside. What the client has of the result does not matter:
+    /// it asked for the job.
+    pub(super) async fn inside(
+        self,
+        job: &JobDocument,
+        headers: &HeaderMap,
+    ) -> Result<Response, Problem> {
         let mut before = serde_json::to_vec(job).map_err(StoreError::unavailable)?;
         before.pop();
         before.extend_from_slice(b",\"result\":");
@@ -113,7 +120,11 @@ impl SentResult {
         Ok((common, body).into_response())
     }
 
-    async fn body(self, [before, behind]: Around, headers: &HeaderMap) -> Result<Response, Problem> {
+    async fn body(
+        self,
+        [before, behind]: Around,
+        headers: &HeaderMap,
+    ) -> Result<Response, Problem> {
         let about = (Extension(JobIdExtension(self.id)), Extension(CodingChosen));
         let Some((begin, end)) = self.head.around_steps() else {
             return Ok((about, join([&before, &self.whole().await?, &behind])).into_response());
@@ -128,7 +139,8 @@ impl SentResult {
                 self.plain(around, steps, &sender).await
             }
         };
-        let mut response = (about, Body::from_stream(written_body::written(turn, write))).into_response();
+        let mut response =
+            (about, Body::from_stream(written_body::written(turn, write))).into_response();
         if is_compressed {
             response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
         }
@@ -153,9 +165,10 @@ impl SentResult {
             };
         };
         match self.steps() {
-            Ok(steps) => {
-                self.plain([join([&before, &begin]), join([&end, &behind])], steps, sender).await.map(Ok)
-            }
+            Ok(steps) => self
+                .plain([join([&before, &begin]), join([&end, &behind])], steps, sender)
+                .await
+                .map(Ok),
             Err(problem) => Ok(Err(problem)),
         }
     }
@@ -166,7 +179,11 @@ impl SentResult {
         if selection == Selection::default() {
             return Ok(report);
         }
-        self.state.jobs.decoders.run(self.caller.key(), move || edit_report(&report, &selection)).await
+        self.state
+            .jobs
+            .decoders
+            .run(self.caller.key(), move || edit_report(&report, &selection))
+            .await
     }
 
     async fn compressed(
@@ -179,7 +196,8 @@ impl SentResult {
         let (mut gzip, begin) = GzipStream::begin();
         let [before, behind] = around;
         let comma = Deflated::stored(COMMA);
-        let mut go_on = sent(sender, begin).await && sent(sender, gzip.append(&compress(&before)?)).await;
+        let mut go_on =
+            sent(sender, begin).await && sent(sender, gzip.append(&compress(&before)?)).await;
         for number in steps.clone() {
             if number > steps.start {
                 go_on = go_on && sent(sender, gzip.append(&comma)).await;
@@ -238,7 +256,8 @@ impl SentResult {
         self.state.jobs.decoders.run(self.caller.key(), edited).await
     }
 
-    /// A step with its fields as its last member; they become JSON piece by piece, as the client reads.
+    /// A step with its fields as its last member; they become JSON piece by piece, as the client
+    /// reads.
     async fn with_fields(
         &self,
         number: usize,
@@ -249,14 +268,18 @@ impl SentResult {
             return Ok(sent(sender, text).await);
         };
         let member = format!(",\"{}\":", fields.layout().member());
-        let (text, end) =
-            (text.slice(..text.len().saturating_sub(1)), text.slice(text.len().saturating_sub(1)..));
+        let (text, end) = (
+            text.slice(..text.len().saturating_sub(1)),
+            text.slice(text.len().saturating_sub(1)..),
+        );
         let mut go_on = sent(sender, text).await && sent(sender, member.into()).await;
         for piece in fields.layout().json() {
             if !go_on {
                 return Ok(false);
             }
-            go_on = sent(sender, written(&self.state, self.caller.key(), &mut fields, piece).await?).await;
+            go_on =
+                sent(sender, written(&self.state, self.caller.key(), &mut fields, piece).await?)
+                    .await;
         }
         Ok(go_on && sent(sender, end).await)
     }
@@ -281,7 +304,11 @@ pub(super) async fn written(
 
 /// Why this job has no report.
 pub(super) fn no_result(record: &JobRecord) -> Problem {
-    let kind = if record.state.is_finished() { ProblemType::NoResult } else { ProblemType::JobUnfinished };
+    let kind = if record.state.is_finished() {
+        ProblemType::NoResult
+    } else {
+        ProblemType::JobUnfinished
+    };
     let problem = Problem::new(kind, format!("the job is {}", record.state));
     match &record.failure {
         Some(failure) => Problem::new(kind, format!("the job failed: {}", failure.detail))

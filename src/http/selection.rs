@@ -62,13 +62,18 @@ fn remove(object: &mut Value, key: &str) {
 fn keep(step: &mut Value, parts: &[StepPart]) {
     let drops = |part| !parts.contains(&part);
     if drops(StepPart::Contact) {
-        for list in step["contact"]["nodes"].as_object_mut().into_iter().flat_map(|nodes| nodes.values_mut())
+        for list in step["contact"]["nodes"]
+            .as_object_mut()
+            .into_iter()
+            .flat_map(|nodes| nodes.values_mut())
         {
             *list = json!([]);
         }
     }
     if drops(StepPart::Plasticity) {
-        for zone in step["plasticity"].as_object_mut().into_iter().flat_map(|bodies| bodies.values_mut()) {
+        for zone in
+            step["plasticity"].as_object_mut().into_iter().flat_map(|bodies| bodies.values_mut())
+        {
             if zone.is_object() {
                 zone["outline"] = json!([]);
             }
@@ -93,19 +98,24 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
     }
 }
 
-/// Leaves at most so many depths: the first, the last, those of the largest shear and von Mises stress, and the
-/// others evenly among those that the mesh has, which lie closer together towards the surface.
+/// Leaves at most so many depths: the first, the last, those of the largest shear and von Mises
+/// stress, and the others evenly among those that the mesh has, which lie closer together towards
+/// the surface.
 fn thin(body: &mut Value, most: usize) {
-    let Some(count) = body["depth"].as_array().map(Vec::len).filter(|count| *count > most) else { return };
+    let Some(count) = body["depth"].as_array().map(Vec::len).filter(|count| *count > most) else {
+        return;
+    };
     let mut kept = vec![0, count - 1];
     for name in ["von_mises", "tau_max"] {
         let values = body[name].as_array().map_or(&[][..], Vec::as_slice);
         let figures = values.iter().map(|value| value.as_f64().unwrap_or_default());
-        let largest = figures.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index);
+        let largest =
+            figures.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index);
         kept.extend(largest.filter(|index| kept.len() < most && !kept.contains(index)));
     }
     let rest = most.saturating_sub(kept.len());
-    let even = (1..=rest).map(|k| k * (count - 1) / (rest + 1)).filter(|index| !kept.contains(index));
+    let even =
+        (1..=rest).map(|k| k * (count - 1) / (rest + 1)).filter(|index| !kept.contains(index));
     let even: Vec<_> = even.collect();
     kept.extend(even);
     kept.sort_unstable();
@@ -126,7 +136,8 @@ mod tests {
         let peak = |at: f64| depth.iter().map(|d| 100.0 - (d - at).abs()).collect::<Vec<_>>();
         let mut body = json!({"depth": depth, "von_mises": peak(13.0), "tau_max": peak(17.0)});
         thin(&mut body, 10);
-        let depths: Vec<_> = body["depth"].as_array().unwrap().iter().map(|d| d.as_f64().unwrap()).collect();
+        let depths: Vec<_> =
+            body["depth"].as_array().unwrap().iter().map(|d| d.as_f64().unwrap()).collect();
         assert!(depths.len() <= 10 && depths.is_sorted());
         for kept in [0.0, 13.0, 17.0, 99.0] {
             assert!(depths.contains(&kept), "{kept} is not among {depths:?}");

@@ -41,7 +41,8 @@ impl EventStreamLimit {
         let of_key = self.keys.try_take(key);
         let permit = Arc::clone(&self.permits).try_acquire_owned().ok();
         let (of_key, permit) = of_key.zip(permit).ok_or_else(|| {
-            let detail = "as many event streams are open as may be; ask /v1/jobs/{id}?wait=30 instead";
+            let detail =
+                "as many event streams are open as may be; ask /v1/jobs/{id}?wait=30 instead";
             Problem::new(ProblemType::TooManyStreams, detail)
         })?;
         gauge!(EVENT_STREAMS).increment(1.0);

@@ -1,4 +1,5 @@
-//! TLS for a service that no proxy stands before: its certificate and key, which are read again when they are renewed.
+//! TLS for a service that no proxy stands before: its certificate and key, which are read again
+//! when they are renewed.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError, RwLock};

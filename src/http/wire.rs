@@ -32,10 +32,13 @@ pub struct Prefix(String);
 impl Prefix {
     /// Takes the prefix of a header, `/press` for `/press/`; what is no plain path is ignored.
     fn of(headers: &HeaderMap) -> Self {
-        let text =
-            headers.get("x-forwarded-prefix").and_then(|prefix| prefix.to_str().ok()).unwrap_or_default();
+        let text = headers
+            .get("x-forwarded-prefix")
+            .and_then(|prefix| prefix.to_str().ok())
+            .unwrap_or_default();
         let path = text.trim_end_matches('/');
-        let is_plain = path.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte));
+        let is_plain =
+            path.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte));
         // Browsers take `//` for the name of a host, and walk up at dots.
         let mut segments = path.split('/');
         let is_path = segments.next() == Some("")
@@ -80,7 +83,8 @@ pub struct Links {
     /// Contact pressure, drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_svg: Option<String>,
-    /// Stresses over depth; where the job asks for them. In a list of jobs this and the following are left out.
+    /// Stresses over depth; where the job asks for them. In a list of jobs this and the following
+    /// are left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface_csv: Option<String>,
     /// Stresses over depth, drawn; where the job asks for them.
@@ -116,8 +120,9 @@ impl Links {
         let has = |wanted: fn(&Job) -> bool| is_whole && submitted.is_some_and(wanted);
         let over_depth = |name| with_result(name).filter(|_| has(|job| job.output.subsurface));
         let of_flow = |name| {
-            with_result(name)
-                .filter(|_| has(|job| job.solver.theory == Theory::Flow && !matches!(job.load, Load::Onset)))
+            with_result(name).filter(|_| {
+                has(|job| job.solver.theory == Theory::Flow && !matches!(job.load, Load::Onset))
+            })
         };
         Self {
             request: below("request"),
@@ -130,8 +135,9 @@ impl Links {
             subsurface_csv: over_depth("subsurface.csv"),
             depth_svg: over_depth("depth.svg"),
             field_vtu: with_result("field.vtu").filter(|_| has(|job| job.output.fields)),
-            field_vtr: with_result("field.vtr")
-                .filter(|_| has(|job| job.output.fields && job.analysis == Analysis::ThreeDimensional)),
+            field_vtr: with_result("field.vtr").filter(|_| {
+                has(|job| job.output.fields && job.analysis == Analysis::ThreeDimensional)
+            }),
             increments_csv: of_flow("increments.csv"),
             surface_csv: of_flow("surface.csv"),
             surface_svg: of_flow("surface.svg"),
@@ -142,8 +148,8 @@ impl Links {
     }
 }
 
-/// Whether converged loads of this job are more than one point of force and approach. Flow theory begins at rest, which is
-/// one more.
+/// Whether converged loads of this job are more than one point of force and approach. Flow theory
+/// begins at rest, which is one more.
 fn has_curve(job: &Job) -> bool {
     fn differ<T: PartialEq>(values: &[T]) -> bool {
         values.windows(2).any(|pair| pair[0] != pair[1])
@@ -157,7 +163,8 @@ fn has_curve(job: &Job) -> bool {
     }
 }
 
-/// A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
+/// A job: where it stands, where to go from here and, when it finishes within the time its client
+/// waits, its result.
 #[derive(Debug, Clone, Serialize, ToSchema)]
 #[schema(as = Job)]
 pub struct JobDocument {
@@ -200,7 +207,8 @@ pub struct JobDocument {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<ProblemDocument>)]
     pub error: Option<Problem>,
-    /// The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.
+    /// The announcement of its end, where it was handed in with a `callback_url`; not in lists of
+    /// jobs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub callback: Option<Callback>,
     /// Where to go from here.
@@ -217,19 +225,24 @@ impl JobDocument {
     ///
     /// # Errors
     /// The store's.
-    pub async fn of(state: &HttpState, record: JobRecord, prefix: &Prefix) -> Result<Self, StoreError> {
+    pub async fn of(
+        state: &HttpState,
+        record: JobRecord,
+        prefix: &Prefix,
+    ) -> Result<Self, StoreError> {
         let job = if record.has_report {
             let request = state.jobs.store().request(record.id).await?;
             Job::from_json(&request).ok()
         } else {
             None
         };
-        let callback = if record.has_callback { state.jobs.callback(record.id).await? } else { None };
+        let callback =
+            if record.has_callback { state.jobs.callback(record.id).await? } else { None };
         Ok(Self { callback, ..Self::new(record, job.as_ref(), &state.settings.retention, prefix) })
     }
 
-    /// A job that has just been handed in; where the store cannot be asked any more, as it was taken in. With an error in its place it
-    /// would be handed in again.
+    /// A job that has just been handed in; where the store cannot be asked any more, as it was
+    /// taken in. With an error in its place it would be handed in again.
     pub async fn taken_in(state: &HttpState, record: JobRecord, prefix: &Prefix) -> Self {
         let known = Self::brief(record.clone(), &state.settings.retention, prefix);
         Self::of(state, record, prefix).await.unwrap_or(known)

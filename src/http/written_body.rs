@@ -13,8 +13,9 @@ use crate::jobs::StoreError;
 /// Pieces that wait for a client that reads slowly.
 const WAITING_PIECES: usize = 2;
 
-/// What a task writes, piece by piece, in its turn, which lasts until the connection has taken all.
-/// The task ends when the client goes; where it fails, the body breaks off and is not taken for whole.
+/// What a task writes, piece by piece, in its turn, which lasts until the connection has taken
+/// all. The task ends when the client goes; where it fails, the body breaks off and is not taken
+/// for whole.
 pub(super) fn written<P, T, W, F>(
     turn: impl Future<Output = P> + Send + 'static,
     write: F,
@@ -55,7 +56,10 @@ where
 }
 
 /// An answer that breaks off once `end` is there, if its body is still being sent then.
-pub(super) fn ending(response: Response, end: impl Future<Output = ()> + Send + 'static) -> Response {
+pub(super) fn ending(
+    response: Response,
+    end: impl Future<Output = ()> + Send + 'static,
+) -> Response {
     if response.body().size_hint().exact().is_some() {
         return response;
     }

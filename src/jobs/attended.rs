@@ -31,7 +31,8 @@ impl Drop for AttendedJob {
         let (jobs, key) = (Arc::clone(&self.jobs), self.key);
         runtime.spawn(async move {
             if let Err(error) = jobs.cancel(id, key).await {
-                tracing::warn!(job = %id, %error, "cannot cancel the job of a client that hung up");
+                tracing::warn!(job = %id, %error, "cannot cancel the job of a client that hung \
+                                                   up");
             }
         });
     }

@@ -1,4 +1,5 @@
-//! Announcements of the ends of jobs to those who handed them in: what is to be delivered, and how far that has come.
+//! Announcements of the ends of jobs to those who handed them in: what is to be delivered, and how
+//! far that has come.
 
 use std::time::Duration;
 
@@ -112,9 +113,13 @@ pub enum DeliveryEnd {
 /// Keeps announcements, beside the jobs they are of.
 #[async_trait]
 pub trait DeliveryStore: Send + Sync + 'static {
-    /// Hands out up to `limit` announcements that are due, the most overdue first. One whose end is not told within `lease` is
-    /// handed out again.
-    async fn claim_deliveries(&self, limit: usize, lease: Duration) -> Result<Vec<Delivery>, StoreError>;
+    /// Hands out up to `limit` announcements that are due, the most overdue first. One whose end
+    /// is not told within `lease` is handed out again.
+    async fn claim_deliveries(
+        &self,
+        limit: usize,
+        lease: Duration,
+    ) -> Result<Vec<Delivery>, StoreError>;
 
     /// Tells how attempts ended; without effect on those of which another has been made meanwhile.
     async fn end_deliveries(&self, ends: &[(Delivery, DeliveryEnd)]) -> Result<(), StoreError>;

@@ -13,11 +13,12 @@ pub struct ClosedForm {
     /// Units of all figures: `mm_N_MPa` or `SI`.
     #[schema(example = "mm_N_MPa")]
     pub units: &'static str,
-    /// Effective radius of the two surfaces, in three dimensions that of their mean curvature. Unit: mm (SI: m).
+    /// Effective radius of the two surfaces, in three dimensions that of their mean curvature.
+    /// Unit: mm (SI: m).
     #[schema(exclusive_minimum = 0, example = 10.0)]
     pub effective_radius: f64,
-    /// Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in
-    /// axisymmetry and three dimensions.
+    /// Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N
+    /// in axisymmetry and three dimensions.
     #[schema(required, minimum = 0, example = 218.99)]
     pub yield_onset_force: Option<f64>,
     /// One for each force of the load.
@@ -30,7 +31,8 @@ pub struct ClosedFormStep {
     /// The force. Unit: N/mm (SI: N/m); N in axisymmetry and three dimensions.
     #[schema(minimum = 0, example = 612.6106)]
     pub force: f64,
-    /// Half-width of the strip, radius of the circle or shorter semi-axis of the ellipse. Unit: mm (SI: m).
+    /// Half-width of the strip, radius of the circle or shorter semi-axis of the ellipse. Unit: mm
+    /// (SI: m).
     #[schema(minimum = 0, example = 0.26)]
     pub half_width: f64,
     /// Peak pressure. Unit: MPa (SI: Pa).
@@ -47,7 +49,8 @@ impl ClosedForm {
     /// The fields to which Hertz's theory does not apply.
     pub fn of(job: &Job) -> Result<Self, Vec<FieldError>> {
         let Load::Forces(forces) = &job.load else {
-            let detail = "the closed form takes a force or forces; the approach of two cylinders has none";
+            let detail =
+                "the closed form takes a force or forces; the approach of two cylinders has none";
             return Err(vec![FieldError::not_solvable("/load", detail)]);
         };
         let (units, force_unit) = (job.units, job.analysis.force());
@@ -70,7 +73,9 @@ impl ClosedForm {
         Ok(Self {
             units: Units::name(units),
             effective_radius: Quantity::Length.to_wire(units, whole.effective_radius),
-            yield_onset_force: whole.yield_onset_force.map(|force| force_unit.to_wire(units, force)),
+            yield_onset_force: whole
+                .yield_onset_force
+                .map(|force| force_unit.to_wire(units, force)),
             steps,
         })
     }
@@ -81,7 +86,8 @@ impl ClosedForm {
             let hertz = reference.under(force);
             ClosedFormStep {
                 force: Quantity::Force.to_wire(units, force),
-                half_width: Quantity::Length.to_wire(units, hertz.semi_axis_x.min(hertz.semi_axis_y)),
+                half_width: Quantity::Length
+                    .to_wire(units, hertz.semi_axis_x.min(hertz.semi_axis_y)),
                 peak_pressure: Quantity::Stress.to_wire(units, hertz.peak_pressure),
                 yields: reference.onset_force().is_some_and(|onset| force > onset),
             }
@@ -96,8 +102,11 @@ impl ClosedForm {
 }
 
 fn not_hertzian() -> Vec<FieldError> {
-    let detail = "Hertz's theory needs arcs that open away from the contact, and a body that deforms";
-    ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::not_solvable(pointer, detail)).to_vec()
+    let detail =
+        "Hertz's theory needs arcs that open away from the contact, and a body that deforms";
+    ["/upper/shape", "/lower/shape"]
+        .map(|pointer| FieldError::not_solvable(pointer, detail))
+        .to_vec()
 }
 
 #[cfg(test)]

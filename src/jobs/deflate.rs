@@ -1,7 +1,8 @@
 //! Compressed texts that can be put together to one gzip stream without being compressed again.
 //!
-//! Each is a run of deflate blocks (RFC 1951) that ends at a byte boundary and refers to nothing before it, with the checksum and the
-//! length that the end of a gzip stream (RFC 1952) is made of.
+//! Each is a run of deflate blocks (RFC 1951) that ends at a byte boundary and refers to nothing
+//! before it, with the checksum and the length that the end of a gzip stream (RFC 1952) is made
+//! of.
 //!
 //! ```text
 //! offset   bytes   content
@@ -49,7 +50,8 @@ impl Deflated {
     /// # Errors
     /// [`DeflateError`] if the compressor fails, which it does not.
     pub fn compress(text: &[u8]) -> Result<Self, DeflateError> {
-        // In one call: a compressor that ran out of room in a flush does not end it without more text.
+        // In one call: a compressor that ran out of room in a flush does not end it without more
+        // text.
         let mut packed = Vec::with_capacity(HEAD + longest(text.len()));
         head_of(text, &mut packed);
         let mut compress = Compress::new(Compression::fast(), false);
@@ -114,13 +116,17 @@ impl Deflated {
         let mut text = Vec::with_capacity(length);
         let mut decompress = Decompress::new(false);
         let damaged = |_| DeflateError("damaged blocks");
-        decompress.decompress_vec(&self.0[HEAD..], &mut text, FlushDecompress::None).map_err(damaged)?;
+        decompress
+            .decompress_vec(&self.0[HEAD..], &mut text, FlushDecompress::None)
+            .map_err(damaged)?;
         // One byte of room shows whether there is more than there should be.
         text.reserve(1);
-        let end =
-            decompress.decompress_vec(&LAST_BLOCK, &mut text, FlushDecompress::Finish).map_err(damaged)?;
-        let is_whole =
-            end == Status::StreamEnd && text.len() == length && crc32fast::hash(&text) == self.crc();
+        let end = decompress
+            .decompress_vec(&LAST_BLOCK, &mut text, FlushDecompress::Finish)
+            .map_err(damaged)?;
+        let is_whole = end == Status::StreamEnd
+            && text.len() == length
+            && crc32fast::hash(&text) == self.crc();
         if is_whole {
             Ok(text.into())
         } else {
@@ -129,7 +135,8 @@ impl Deflated {
     }
 }
 
-/// Bytes to which a text of this length is compressed at most: codes have nine bits where the text has eight.
+/// Bytes to which a text of this length is compressed at most: codes have nine bits where the text
+/// has eight.
 const fn longest(length: usize) -> usize {
     length + length / 8 + 1024
 }
@@ -162,9 +169,14 @@ impl GzipStream {
 
     /// The end of the stream.
     pub fn end(self) -> Bytes {
-        #[expect(clippy::cast_possible_truncation, reason = "the format wants the length modulo 2^32")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the format wants the length modulo 2^32"
+        )]
         let length = self.length as u32;
-        [&LAST_BLOCK[..], &self.checksum.finalize().to_le_bytes(), &length.to_le_bytes()].concat().into()
+        [&LAST_BLOCK[..], &self.checksum.finalize().to_le_bytes(), &length.to_le_bytes()]
+            .concat()
+            .into()
     }
 }
 
@@ -177,7 +189,8 @@ mod tests {
     use super::*;
 
     fn texts() -> Vec<Vec<u8>> {
-        let figures: Vec<String> = (0..40_000).map(|k| (f64::from(k) * 0.37).sin().to_string()).collect();
+        let figures: Vec<String> =
+            (0..40_000).map(|k| (f64::from(k) * 0.37).sin().to_string()).collect();
         let figures = figures.join(",");
         vec![Vec::new(), b"{}".to_vec(), vec![b' '; 200_000], figures.into_bytes()]
     }
@@ -211,7 +224,10 @@ mod tests {
         .collect();
         for length in (0..noise.len()).step_by(7919) {
             let text = &noise[..length];
-            assert!(Deflated::compress(text).unwrap().text().unwrap() == text, "{length} bytes of noise");
+            assert!(
+                Deflated::compress(text).unwrap().text().unwrap() == text,
+                "{length} bytes of noise"
+            );
         }
     }
 
@@ -237,8 +253,9 @@ mod tests {
 
     #[test]
     fn damage_is_an_error() {
-        let packed =
-            Deflated::compress(b"a text of some length, and then some more of it").unwrap().into_bytes();
+        let packed = Deflated::compress(b"a text of some length, and then some more of it")
+            .unwrap()
+            .into_bytes();
         for place in 1..packed.len() {
             let mut spoilt = packed.to_vec();
             spoilt[place] ^= 0x55;

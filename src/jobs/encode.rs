@@ -1,7 +1,7 @@
 //! JSON in which every number is a number.
 //!
-//! `serde_json` writes NaN and infinities as `null`. A report must not leave like that: it is read back, and has to be what
-//! was written.
+//! `serde_json` writes NaN and infinities as `null`. A report must not leave like that: it is read
+//! back, and has to be what was written.
 
 use bytes::Bytes;
 use serde::{Serialize, de::DeserializeOwned};
@@ -25,7 +25,9 @@ pub enum EncodeError {
 ///
 /// # Errors
 /// [`EncodeError::Altered`] if any number in it is NaN or infinite.
-pub fn encode<T: Serialize + DeserializeOwned + PartialEq>(value: &T) -> Result<Bytes, EncodeError> {
+pub fn encode<T: Serialize + DeserializeOwned + PartialEq>(
+    value: &T,
+) -> Result<Bytes, EncodeError> {
     let json = serde_json::to_vec(value).map_err(|error| EncodeError::Json(error.to_string()))?;
     match serde_json::from_slice::<T>(&json) {
         Ok(read) if read == *value => Ok(json.into()),
@@ -48,8 +50,12 @@ mod tests {
 
     #[test]
     fn finite_numbers_pass_and_no_others() {
-        let figures = |number, perhaps| encode(&Figures { list: vec![[1.0, 2.0], [0.1, number]], perhaps });
-        assert_eq!(figures(3.0, None).unwrap(), r#"{"list":[[1.0,2.0],[0.1,3.0]],"perhaps":null}"#);
+        let figures =
+            |number, perhaps| encode(&Figures { list: vec![[1.0, 2.0], [0.1, number]], perhaps });
+        assert_eq!(
+            figures(3.0, None).unwrap(),
+            r#"{"list":[[1.0,2.0],[0.1,3.0]],"perhaps":null}"#
+        );
         for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert!(matches!(figures(number, None), Err(EncodeError::Altered(_))));
             assert!(matches!(figures(1.0, Some(number)), Err(EncodeError::Altered(_))));

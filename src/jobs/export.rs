@@ -1,5 +1,5 @@
-//! Stored results in the forms that other programs read. Tables and files of fields are written piece
-//! by piece, as whoever takes them reads; pictures are small.
+//! Stored results in the forms that other programs read. Tables and files of fields are written
+//! piece by piece, as whoever takes them reads; pictures are small.
 
 use std::iter::once;
 use std::ops::Range;
@@ -11,7 +11,9 @@ use tokio::sync::mpsc::Sender;
 
 use super::{FieldsReader, JobId, JobService, JobStore, KeyId, StoreError};
 use brinell_solver::job::Job;
-use brinell_solver::report::export::{Export, ExportError, FieldsFile, Table, VtrFile, VtuFile, surface_vtu};
+use brinell_solver::report::export::{
+    Export, ExportError, FieldsFile, Table, VtrFile, VtuFile, surface_vtu,
+};
 use brinell_solver::report::{Report, StepReport};
 
 /// Least size \[bytes\] of what is sent at a time, but for the last.
@@ -56,8 +58,8 @@ fn read_step(text: &[u8]) -> Result<StepReport, StoreError> {
 }
 
 impl JobService {
-    /// The report of a job in another form; `step`, counted from 0, is the last one unless it is given. A table has all steps
-    /// unless one is given.
+    /// The report of a job in another form; `step`, counted from 0, is the last one unless it is
+    /// given. A table has all steps unless one is given.
     ///
     /// # Errors
     /// [`ExportFailure`].
@@ -73,7 +75,8 @@ impl JobService {
         let steps = head.steps;
         let read = move || {
             let job = Job::from_json(&request).map_err(StoreError::damaged)?;
-            let report: Report = serde_json::from_slice(&head.report).map_err(StoreError::damaged)?;
+            let report: Report =
+                serde_json::from_slice(&head.report).map_err(StoreError::damaged)?;
             Ok::<_, StoreError>((job, report))
         };
         let (job, mut report) = self.decoders.run(key, read).await?;
@@ -101,7 +104,10 @@ impl JobService {
             Form::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
         } else if form == Export::FieldVtu {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
-            Form::Mesh(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
+            Form::Mesh(
+                VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?,
+                fields,
+            )
         } else if form == Export::FieldVtr {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoLayers)?;
             Form::Layers(VtrFile::new(&report, [wanted, steps], fields.layout())?, fields)

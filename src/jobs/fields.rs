@@ -1,5 +1,5 @@
-//! Fields of a step as they are read: part by part, so that whoever passes them on slowly holds one part of them and no place
-//! that others wait for.
+//! Fields of a step as they are read: part by part, so that whoever passes them on slowly holds
+//! one part of them and no place that others wait for.
 
 use std::ops::{Deref, Range};
 

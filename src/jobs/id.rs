@@ -8,7 +8,9 @@ use utoipa::ToSchema;
 use uuid::Uuid;
 
 /// Name of a job: a version 7 UUID, so that sorting by name is sorting by the time of submission.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, ToSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, ToSchema,
+)]
 #[serde(transparent)]
 pub struct JobId(Uuid);
 
@@ -44,7 +46,8 @@ impl FromStr for JobId {
     }
 }
 
-/// Name of a worker process, new at every start: a restarted worker never inherits the leases of the dead one.
+/// Name of a worker process, new at every start: a restarted worker never inherits the leases of
+/// the dead one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct WorkerId(Uuid);
 

@@ -1,7 +1,8 @@
 //! API keys: who may ask, and for what.
 //!
-//! A token is `brinell_<id>_<secret>`. The secret is random and long, so a plain SHA-256 of it is all that is kept:
-//! nobody can guess what would have to be guessed. The id finds the key; the digests are compared in constant time.
+//! A token is `brinell_<id>_<secret>`. The secret is random and long, so a plain SHA-256 of it is
+//! all that is kept: nobody can guess what would have to be guessed. The id finds the key; the
+//! digests are compared in constant time.
 
 use std::time::Duration;
 
@@ -141,8 +142,10 @@ impl ApiKey {
     pub fn accepts(&self, secret: &str, now: Timestamp) -> bool {
         let given = digest(secret);
         let is_current = bool::from(self.digest.ct_eq(&given));
-        let is_previous =
-            self.previous.as_ref().is_some_and(|old| bool::from(old.digest.ct_eq(&given)) && now < old.until);
+        let is_previous = self
+            .previous
+            .as_ref()
+            .is_some_and(|old| bool::from(old.digest.ct_eq(&given)) && now < old.until);
         (is_current || is_previous) && self.is_good(now)
     }
 
@@ -159,7 +162,8 @@ pub fn new_secret(id: KeyId) -> ([u8; 32], String) {
     (digest(&secret), format!("{PREFIX}{}_{secret}", id.uuid().simple()))
 }
 
-/// A key that one process is started with and that is kept nowhere. Its bearer is an administrator.
+/// A key that one process is started with and that is kept nowhere. Its bearer is an
+/// administrator.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OnceKey([u8; 32]);
 
@@ -197,10 +201,17 @@ pub trait KeyStore: Send + Sync + 'static {
     /// All keys, the oldest first, or the one of that id.
     async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError>;
 
-    /// Gives a key another secret; the one so far stays good for `overlap`. `false` if there is no such key, or it is revoked.
-    async fn rotate_key(&self, id: KeyId, digest: [u8; 32], overlap: Duration) -> Result<bool, StoreError>;
+    /// Gives a key another secret; the one so far stays good for `overlap`. `false` if there is no
+    /// such key, or it is revoked.
+    async fn rotate_key(
+        &self,
+        id: KeyId,
+        digest: [u8; 32],
+        overlap: Duration,
+    ) -> Result<bool, StoreError>;
 
-    /// Sets what a key may take and when it expires; `false` if there is no such key, or it is revoked.
+    /// Sets what a key may take and when it expires; `false` if there is no such key, or it is
+    /// revoked.
     async fn limit_key(
         &self,
         id: KeyId,

@@ -1,4 +1,5 @@
-//! What a job is once it has been handed in: its identity, its life, where it is kept and who solves it.
+//! What a job is once it has been handed in: its identity, its life, where it is kept and who
+//! solves it.
 //!
 //! ```text
 //!             claim                    finish
@@ -9,9 +10,10 @@
 //!     └── cancel ───────────────────────────────▶ cancelled
 //! ```
 //!
-//! [`JobStore`] is the only door to storage and decides every transition; a worker owns a running job by a
-//! [`Lease`], and whatever it writes is fenced on that lease. [`JobNotifier`] notifies subscribers in this process
-//! that a job has changed; [`JobService`] is what the HTTP layer talks to.
+//! [`JobStore`] is the only door to storage and decides every transition; a worker owns a running
+//! job by a [`Lease`], and whatever it writes is fenced on that lease. [`JobNotifier`] notifies
+//! subscribers in this process that a job has changed; [`JobService`] is what the HTTP layer talks
+//! to.
 
 mod attended;
 mod callback;
@@ -45,7 +47,9 @@ pub use export::{ExportFailure, Exported};
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use fields::FieldsReader;
 pub use id::{JobId, KeyId, WorkerId};
-pub use keys::{ApiKey, KeyLimits, KeyStore, OnceKey, PreviousSecret, Scope, new_secret, read_token};
+pub use keys::{
+    ApiKey, KeyLimits, KeyStore, OnceKey, PreviousSecret, Scope, new_secret, read_token,
+};
 pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
 pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult};
@@ -53,8 +57,8 @@ pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitErr
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
 pub use store::{
-    Claim, ClaimRequest, Claims, Counts, Enqueued, HISTORY_PAGE, JobFilter, JobPage, JobStore, Lease,
-    LeaseStatus, Quota, Retention, SWEEP, StoreError,
+    Claim, ClaimRequest, Claims, Counts, Enqueued, HISTORY_PAGE, JobFilter, JobPage, JobStore,
+    Lease, LeaseStatus, Quota, Retention, SWEEP, StoreError,
 };
 
 pub use brinell_solver::job::{FieldError, JobError};

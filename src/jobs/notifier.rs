@@ -1,8 +1,9 @@
 //! Notifies subscribers in this process that a job has changed.
 //!
-//! The store announces every change here after making it (a store shared by several machines forwards the
-//! others' changes too); those who wait then ask the store. A signal carries no data, so a slow listener costs
-//! nothing and misses nothing: it sees the latest state whenever it looks.
+//! The store announces every change here after making it (a store shared by several machines
+//! forwards the others' changes too); those who wait then ask the store. A signal carries no data,
+//! so a slow listener costs nothing and misses nothing: it sees the latest state whenever it
+//! looks.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -35,10 +36,14 @@ impl JobNotifier {
         Arc::new(Self::default())
     }
 
-    /// Listens to one job. Subscription first, then ask the store: a change in between is not missed.
+    /// Listens to one job. Subscription first, then ask the store: a change in between is not
+    /// missed.
     pub fn subscribe(self: &Arc<Self>, id: JobId) -> Subscription {
-        let receiver =
-            self.lock().entry(id).or_insert_with(|| watch::Sender::new(Signal::default())).subscribe();
+        let receiver = self
+            .lock()
+            .entry(id)
+            .or_insert_with(|| watch::Sender::new(Signal::default()))
+            .subscribe();
         Subscription { id, receiver, notifier: Arc::clone(self) }
     }
 
@@ -70,7 +75,8 @@ impl JobNotifier {
         self.work.notify_one();
     }
 
-    /// Waits for [`JobNotifier::announce_work`]; one announced while nobody waited counts. For one waiter a process.
+    /// Waits for [`JobNotifier::announce_work`]; one announced while nobody waited counts. For one
+    /// waiter a process.
     pub async fn work(&self) {
         self.work.notified().await;
     }

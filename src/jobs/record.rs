@@ -26,8 +26,9 @@ pub struct NewJob {
     pub submitter: Option<KeyId>,
     /// What makes a repeated submission recognisable.
     pub idempotency: Option<Idempotency>,
-    /// Somebody waits for the answer on an open connection. The job survives the end of the process like any other,
-    /// but is not synced to the disk before it is acknowledged ([`JobStore::sync`](super::JobStore::sync)).
+    /// Somebody waits for the answer on an open connection. The job survives the end of the
+    /// process like any other, but is not synced to the disk before it is acknowledged
+    /// ([`JobStore::sync`](super::JobStore::sync)).
     pub interactive: bool,
     /// Where its end is announced.
     pub callback_url: Option<String>,
@@ -63,8 +64,8 @@ pub struct Idempotency {
     pub digest: [u8; 32],
 }
 
-/// What is known about one job, without the bulky parts (request, history, report), which have doors of their
-/// own in [`JobStore`](super::JobStore).
+/// What is known about one job, without the bulky parts (request, history, report), which have
+/// doors of their own in [`JobStore`](super::JobStore).
 #[derive(Debug, Clone, PartialEq)]
 pub struct JobRecord {
     /// Its name.

@@ -11,7 +11,8 @@ const STEPS: &str = "\"steps\":[]";
 /// The result of one step.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StepResult {
-    /// Its number from 0 on. A step takes the place of one of its number, and those behind that one are given up.
+    /// Its number from 0 on. A step takes the place of one of its number, and those behind that
+    /// one are given up.
     pub number: usize,
     /// The step's report without its fields (JSON).
     pub report: Deflated,
@@ -27,8 +28,10 @@ impl StepResult {
     pub fn encode(number: usize, mut report: StepReport) -> Result<Self, EncodeError> {
         let fields = report.fields.take().map(|fields| encode_fields(&fields));
         let layers = || report.layers.take().map(|layers| encode_layers(&layers));
-        let fields =
-            fields.or_else(layers).transpose().map_err(|error| EncodeError::Altered(error.to_string()))?;
+        let fields = fields
+            .or_else(layers)
+            .transpose()
+            .map_err(|error| EncodeError::Altered(error.to_string()))?;
         let report = Deflated::compress(&encode(&report)?)?;
         Ok(Self { number, report, fields: fields.map(Bytes::from) })
     }
@@ -54,7 +57,8 @@ pub struct FieldsPart {
 /// Everything in a result but its steps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ResultHead {
-    /// The report with an empty list of steps (JSON); of jobs of the first version, the whole report.
+    /// The report with an empty list of steps (JSON); of jobs of the first version, the whole
+    /// report.
     pub report: Bytes,
     /// Steps that are kept apart.
     pub steps: usize,
@@ -65,9 +69,11 @@ pub struct ResultHead {
 }
 
 impl ResultHead {
-    /// The JSON before and behind the steps; `None` of a report of the first version, which has its steps in it.
+    /// The JSON before and behind the steps; `None` of a report of the first version, which has
+    /// its steps in it.
     pub fn around_steps(&self) -> Option<(Bytes, Bytes)> {
-        // Before the steps stand a few words of the service's own: no text of a client can be mistaken for them.
+        // Before the steps stand a few words of the service's own: no text of a client can be
+        // mistaken for them.
         let text = std::str::from_utf8(&self.report).ok()?;
         let begin = text.find(STEPS)? + STEPS.len() - 1;
         Some((self.report.slice(..begin), self.report.slice(begin..)))

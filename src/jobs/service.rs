@@ -16,15 +16,15 @@ use tracing::Instrument;
 
 use super::{
     ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader,
-    Idempotency, JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
-    StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
+    Idempotency, JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob,
+    ResultHead, StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
 
-/// Longest time between two looks at the store while waiting. Changes are announced, so this only matters when
-/// an announcement from another process is lost.
+/// Longest time between two looks at the store while waiting. Changes are announced, so this only
+/// matters when an announcement from another process is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Time between two looks at the key of a request that goes on.
@@ -127,7 +127,8 @@ pub struct JobService {
     pub decoders: Threads,
     /// Where jobs are checked and estimated, one of a key at a time.
     checks: Threads,
-    /// Of submissions, cancels and removals: each takes a connection to the store, and locks the row of its key.
+    /// Of submissions, cancels and removals: each takes a connection to the store, and locks the
+    /// row of its key.
     submissions: Turns,
     /// Damage was found in the file of the store.
     damaged: AtomicBool,
@@ -141,7 +142,8 @@ fn log_queued(enqueued: &Enqueued, key: Option<KeyId>) {
     tracing::info!(target: AUDIT, job = %job.id, key = key.map(display), replayed, "queued");
 }
 
-/// Carries out a change of the store, also where whoever asked for it goes meanwhile: what is committed is announced.
+/// Carries out a change of the store, also where whoever asked for it goes meanwhile: what is
+/// committed is announced.
 async fn to_its_end<T: Send + 'static>(
     change: impl Future<Output = Result<T, StoreError>> + Send + 'static,
 ) -> Result<T, StoreError> {
@@ -226,7 +228,11 @@ impl JobService {
     ///
     /// # Errors
     /// [`Rejection`] with every fault.
-    pub async fn validate(&self, request: Bytes, key: Option<KeyId>) -> Result<JobEstimate, Rejection> {
+    pub async fn validate(
+        &self,
+        request: Bytes,
+        key: Option<KeyId>,
+    ) -> Result<JobEstimate, Rejection> {
         let (solver, limits) = (Arc::clone(&self.solver), self.limits);
         Ok(self.checks.run(key, move || check(solver.as_ref(), limits, &request)).await?.1)
     }
@@ -264,7 +270,11 @@ impl JobService {
     ///
     /// # Errors
     /// [`Rejection`] with every fault, also where the theory does not apply.
-    pub async fn closed_form(&self, request: Bytes, key: Option<KeyId>) -> Result<ClosedForm, Rejection> {
+    pub async fn closed_form(
+        &self,
+        request: Bytes,
+        key: Option<KeyId>,
+    ) -> Result<ClosedForm, Rejection> {
         let closed_form = move || {
             let job = Job::from_json(&request)?;
             Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
@@ -280,8 +290,9 @@ impl JobService {
         Ok(self.submit_with(submission, |_| ()).await?.0)
     }
 
-    /// Checks a job and queues it for a client that waits for its answer: the job is cancelled when what is returned beside it, or this
-    /// future, is dropped. One with an idempotency key is not, for its client means to ask again.
+    /// Checks a job and queues it for a client that waits for its answer: the job is cancelled
+    /// when what is returned beside it, or this future, is dropped. One with an idempotency key is
+    /// not, for its client means to ask again.
     ///
     /// # Errors
     /// [`SubmitError`]; nothing is queued then.
@@ -297,7 +308,8 @@ impl JobService {
         self.submit_with(submission, attend).await
     }
 
-    /// As [`Self::submit`]. What `attend` makes of a job that is queued is dropped if nobody waits for it any more.
+    /// As [`Self::submit`]. What `attend` makes of a job that is queued is dropped if nobody waits
+    /// for it any more.
     async fn submit_with<T: Send + 'static>(
         &self,
         submission: Submission,
@@ -318,7 +330,8 @@ impl JobService {
         Ok(to_its_end(enqueue).await?)
     }
 
-    /// Checks several jobs and queues those that are in order, all in one step; of each, in order, what became of it.
+    /// Checks several jobs and queues those that are in order, all in one step; of each, in order,
+    /// what became of it.
     ///
     /// # Errors
     /// [`SubmitError::Closed`], and what is wrong with the store; nothing is queued then.
@@ -349,7 +362,8 @@ impl JobService {
         let mut taken = to_its_end(enqueue).await?.into_iter();
         let of = |job: Result<NewJob, Rejection>| -> Result<Enqueued, SubmitError> {
             job?;
-            let missing = || StoreError::unavailable("the store told of fewer jobs than it was given");
+            let missing =
+                || StoreError::unavailable("the store told of fewer jobs than it was given");
             Ok(taken.next().unwrap_or_else(|| Err(missing()))?)
         };
         Ok(checked.into_iter().map(of).collect())
@@ -365,13 +379,17 @@ impl JobService {
         self.store.get(id).await
     }
 
-    /// Like [`JobService::get`], once the job has finished, `timeout` has elapsed or waits have been ended ([`JobService::end_waits`]).
+    /// Like [`JobService::get`], once the job has finished, `timeout` has elapsed or waits have
+    /// been ended ([`JobService::end_waits`]).
     pub async fn wait(&self, id: JobId, timeout: Duration) -> Result<JobRecord, StoreError> {
         let mut subscription = self.subscribe(id);
         let deadline = Instant::now() + timeout;
         loop {
             let record = self.store.get(id).await?;
-            if record.state.is_finished() || Instant::now() >= deadline || self.waits_end.is_cancelled() {
+            if record.state.is_finished()
+                || Instant::now() >= deadline
+                || self.waits_end.is_cancelled()
+            {
                 return Ok(record);
             }
             let poll = deadline.min(Instant::now() + POLL_INTERVAL);
@@ -392,7 +410,8 @@ impl JobService {
         self.store.result(id).await
     }
 
-    /// The fields of a step, counted from 0, in double precision; `None` of a job that did not ask for them.
+    /// The fields of a step, counted from 0, in double precision; `None` of a job that did not ask
+    /// for them.
     pub async fn fields(
         &self,
         id: JobId,
@@ -430,7 +449,8 @@ impl JobService {
         .await
     }
 
-    /// Shows that the store can be written to. Anybody may ask, so that the store is written to once a second at most.
+    /// Shows that the store can be written to. Anybody may ask, so that the store is written to
+    /// once a second at most.
     pub async fn ping(&self) -> Result<(), StoreError> {
         if self.damaged.load(Ordering::Relaxed) {
             return Err(StoreError::damaged("the check at the start found damage"));
@@ -444,7 +464,8 @@ impl JobService {
         Ok(())
     }
 
-    /// Looks for damage in the file of the store. Where there is some, the service is not ready from then on.
+    /// Looks for damage in the file of the store. Where there is some, the service is not ready
+    /// from then on.
     pub async fn check_store(&self) {
         match self.store.check(false).await {
             Ok(found) if found.is_empty() => tracing::info!("the store is sound"),
@@ -453,7 +474,10 @@ impl JobService {
                 tracing::error!(?found, "the store is damaged");
             }
             Err(error) => {
-                tracing::error!(error = &error as &dyn std::error::Error, "the store cannot be checked");
+                tracing::error!(
+                    error = &error as &dyn std::error::Error,
+                    "the store cannot be checked"
+                );
             }
         }
     }

@@ -7,7 +7,8 @@ use brinell_solver::job::{FieldError, Job};
 use brinell_solver::report::{self, JobEstimate, Report, RunError, StepReport};
 use brinell_solver::solver::{FactorCache, Observer, Options};
 
-/// Solves jobs. The service uses [`CoreSolver`]; tests put slow, failing and panicking ones in its place.
+/// Solves jobs. The service uses [`CoreSolver`]; tests put slow, failing and panicking ones in its
+/// place.
 pub trait JobSolver: Send + Sync + 'static {
     /// What the job will cost, without solving it.
     ///
@@ -17,11 +18,13 @@ pub trait JobSolver: Send + Sync + 'static {
         report::preflight(job)
     }
 
-    /// Solves the job and hands over each step with its number as [`report::run_each`] does; the report that is returned has no
-    /// steps. Runs on a thread of its own and may take its time, but asks `observer` between phases.
+    /// Solves the job and hands over each step with its number as [`report::run_each`] does; the
+    /// report that is returned has no steps. Runs on a thread of its own and may take its time,
+    /// but asks `observer` between phases.
     ///
     /// # Errors
-    /// [`RunError`] when there is nothing to report. Not converging is a status of the report, not an error.
+    /// [`RunError`] when there is nothing to report. Not converging is a status of the report, not
+    /// an error.
     fn solve(
         &self,
         job: &Job,

@@ -8,7 +8,9 @@ use utoipa::ToSchema;
 use brinell_solver::solver::SolveStatus;
 
 /// Where a job stands. The first two are passed through, the others are final.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, ToSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, ToSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum JobState {
     /// Accepted, waiting for a free solver.

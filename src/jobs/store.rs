@@ -10,35 +10,38 @@ use jiff::Timestamp;
 use thiserror::Error;
 
 use super::{
-    Deflated, FieldsPart, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, ResultHead,
-    StepResult, TraceParent, Turn, WorkerId,
+    Deflated, FieldsPart, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome,
+    ResultHead, StepResult, TraceParent, Turn, WorkerId,
 };
 
 /// Keeps jobs, hands them out and remembers how they ended.
 ///
 /// Every change is one atomic step, and every step that alters a job is announced on the store's
-/// [`JobNotifier`](super::JobNotifier) *after* it can be read. The store stamps all times, so that several processes sharing
-/// one store share one clock. Implementations are checked by one suite, `tests/store_contract`.
+/// [`JobNotifier`](super::JobNotifier) *after* it can be read. The store stamps all times, so that
+/// several processes sharing one store share one clock. Implementations are checked by one suite,
+/// `tests/store_contract`.
 ///
 /// # Errors
 /// Of every method: [`StoreError::Unavailable`] where the storage does not answer,
 /// [`StoreError::NotFound`] of a job that there is not; further ones as each says.
 #[async_trait]
 pub trait JobStore: Send + Sync + 'static {
-    /// Takes in a job, durably as far as the store is durable, and queues it behind those of its priority. A job
-    /// with an idempotency key that is known already is not taken in: the job that came with the key is returned. The turn of its
-    /// key ends when others may be taken in.
+    /// Takes in a job, durably as far as the store is durable, and queues it behind those of its
+    /// priority. A job with an idempotency key that is known already is not taken in: the job that
+    /// came with the key is returned. The turn of its key ends when others may be taken in.
     ///
     /// # Errors
-    /// [`StoreError::QueueFull`], [`StoreError::QuotaExceeded`], [`StoreError::KeyReused`], [`StoreError::KeyEnded`],
-    /// [`StoreError::DiskFull`]; nothing is kept then.
+    /// [`StoreError::QueueFull`], [`StoreError::QuotaExceeded`], [`StoreError::KeyReused`],
+    /// [`StoreError::KeyEnded`], [`StoreError::DiskFull`]; nothing is kept then.
     async fn enqueue(&self, job: NewJob, turn: Turn) -> Result<Enqueued, StoreError>;
 
-    /// Takes in several jobs, each as [`JobStore::enqueue`] does, all in one step: of each, in order, what became of it. One
-    /// that is refused leaves nothing behind and does not touch the others.
+    /// Takes in several jobs, each as [`JobStore::enqueue`] does, all in one step: of each, in
+    /// order, what became of it. One that is refused leaves nothing behind and does not touch the
+    /// others.
     ///
     /// # Errors
-    /// [`StoreError::DiskFull`], [`StoreError::Damaged`], [`StoreError::Unavailable`]; none is kept then.
+    /// [`StoreError::DiskFull`], [`StoreError::Damaged`], [`StoreError::Unavailable`]; none is
+    /// kept then.
     async fn enqueue_all(
         &self,
         jobs: Vec<NewJob>,
@@ -64,12 +67,18 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`] without such a step.
     async fn step(&self, id: JobId, step: usize) -> Result<Deflated, StoreError>;
 
-    /// The part of the fields of a step, counted from 0, that has this byte of them, or else the last before it; `None` of a job
-    /// that did not ask for them. [`FieldsReader`](super::FieldsReader) puts parts together.
+    /// The part of the fields of a step, counted from 0, that has this byte of them, or else the
+    /// last before it; `None` of a job that did not ask for them.
+    /// [`FieldsReader`](super::FieldsReader) puts parts together.
     ///
     /// # Errors
     /// [`StoreError::NotFound`] without such a step.
-    async fn fields(&self, id: JobId, step: usize, at: usize) -> Result<Option<FieldsPart>, StoreError>;
+    async fn fields(
+        &self,
+        id: JobId,
+        step: usize,
+        at: usize,
+    ) -> Result<Option<FieldsPart>, StoreError>;
 
     /// Hands out up to `request.places` jobs, one after the other: the key that holds the fewest
     /// places has the next one, and among equals the key that has spent the least solver time
@@ -81,30 +90,39 @@ pub trait JobStore: Send + Sync + 'static {
     /// memory; the first that does not fit holds up those behind it, so that large jobs are not
     /// overtaken for ever by other large ones.
     ///
-    /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
-    /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
-    /// nothing else ([`ClaimRequest::exclusive`]): no job is given up because of its neighbour's fault.
+    /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked,
+    /// instead of being handed out. One that was lost `max_attempts - 1` times is handed out by
+    /// itself and only to a worker that does nothing else ([`ClaimRequest::exclusive`]): no job is
+    /// given up because of its neighbour's fault.
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
     /// Extends leases of one worker by `lease` from now and tells of each whether it is still
     /// held, in the given order.
-    async fn heartbeat(&self, leases: &[Lease], lease: Duration) -> Result<Vec<LeaseStatus>, StoreError>;
+    async fn heartbeat(
+        &self,
+        leases: &[Lease],
+        lease: Duration,
+    ) -> Result<Vec<LeaseStatus>, StoreError>;
 
     /// Appends iterations to the history of a leased job.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
-    async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError>;
+    async fn record_progress(
+        &self,
+        lease: &Lease,
+        records: &[IterationRecord],
+    ) -> Result<(), StoreError>;
 
-    /// Keeps the results of further steps of a leased job, in order. Where they begin with number 0, those that were kept before
-    /// are removed.
+    /// Keeps the results of further steps of a leased job, in order. Where they begin with number
+    /// 0, those that were kept before are removed.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
     async fn record_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError>;
 
-    /// Ends a leased job; `records` are its last iterations, `steps` its last steps. Steps of a job that ends without a
-    /// report are removed.
+    /// Ends a leased job; `records` are its last iterations, `steps` its last steps. Steps of a
+    /// job that ends without a report are removed.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
@@ -116,12 +134,12 @@ pub trait JobStore: Send + Sync + 'static {
         outcome: Outcome,
     ) -> Result<(), StoreError>;
 
-    /// Gives leased jobs back to the queue, as if they had not been taken up; one that was to stop is cancelled.
-    /// Leases that are lost already are passed over.
+    /// Gives leased jobs back to the queue, as if they had not been taken up; one that was to stop
+    /// is cancelled. Leases that are lost already are passed over.
     async fn release(&self, leases: &[Lease]) -> Result<(), StoreError>;
 
-    /// Asks a job to stop: a queued one is cancelled at once, a running one is marked, a finished one is left.
-    /// Returns the job as it is afterwards.
+    /// Asks a job to stop: a queued one is cancelled at once, a running one is marked, a finished
+    /// one is left. Returns the job as it is afterwards.
     async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
     /// One page of jobs, in the order of their submission.
@@ -136,18 +154,20 @@ pub trait JobStore: Send + Sync + 'static {
     /// How many jobs are in each state; states without jobs may be missing.
     async fn counts(&self) -> Result<Counts, StoreError>;
 
-    /// Removes finished jobs, and forgotten idempotency keys, that are older than allowed, a bounded number at a
-    /// time. Returns how many jobs it removed.
+    /// Removes finished jobs, and forgotten idempotency keys, that are older than allowed, a
+    /// bounded number at a time. Returns how many jobs it removed.
     async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError>;
 
-    /// Returns once everything that was acknowledged survives a loss of power. Jobs that are not interactive need no
-    /// such call.
+    /// Returns once everything that was acknowledged survives a loss of power. Jobs that are not
+    /// interactive need no such call.
     async fn sync(&self) -> Result<(), StoreError>;
 
-    /// Looks for damage in the store's own file, and in every job if `jobs`; returns one line for each damage found.
+    /// Looks for damage in the store's own file, and in every job if `jobs`; returns one line for
+    /// each damage found.
     async fn check(&self, jobs: bool) -> Result<Vec<String>, StoreError>;
 
-    /// Writes a consistent copy of everything to a new file. `false` if the store has means of its own for that.
+    /// Writes a consistent copy of everything to a new file. `false` if the store has means of its
+    /// own for that.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`], [`StoreError::DiskFull`].
@@ -159,7 +179,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::Unavailable`], [`StoreError::DiskFull`].
     async fn ping(&self) -> Result<(), StoreError>;
 
-    /// Ends all connections, so that a store in a file has everything in it; nothing can be asked any more.
+    /// Ends all connections, so that a store in a file has everything in it; nothing can be asked
+    /// any more.
     async fn close(&self);
 }
 
@@ -193,7 +214,11 @@ impl Retention {
 
 impl Default for Retention {
     fn default() -> Self {
-        Self { succeeded: Duration::from_hours(168), failed: Duration::from_hours(72), stored_bytes: None }
+        Self {
+            succeeded: Duration::from_hours(168),
+            failed: Duration::from_hours(72),
+            stored_bytes: None,
+        }
     }
 }
 
@@ -341,7 +366,8 @@ pub enum StoreError {
     /// The job is still queued or running.
     #[error("the job is {0}")]
     Unfinished(JobState),
-    /// The disk is full, or has less room left than is reserved for jobs that are accepted already.
+    /// The disk is full, or has less room left than is reserved for jobs that are accepted
+    /// already.
     #[error("the disk is full")]
     DiskFull,
     /// What is stored cannot be read, now or later.
@@ -363,7 +389,8 @@ pub enum Quota {
     },
     /// Results.
     #[error(
-        "the results of this API key may take {limit} bytes; they take {used}, and that of this job may take {needed} more"
+        "the results of this API key may take {limit} bytes; they take {used}, and that of this \
+         job may take {needed} more"
     )]
     Stored {
         /// How many bytes they may take.

@@ -1,5 +1,5 @@
-//! The trace that a submission belongs to (W3C Trace Context, level 1), carried from the request through the queue to the
-//! worker.
+//! The trace that a submission belongs to (W3C Trace Context, level 1), carried from the request
+//! through the queue to the worker.
 
 use std::fmt;
 use std::str::FromStr;
@@ -40,7 +40,8 @@ impl FromStr for TraceParent {
 
     /// Reads the header. A version that is newer may have more behind the flags.
     fn from_str(text: &str) -> Result<Self, NotATrace> {
-        let is_lower_hex = |part: &str| part.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
+        let is_lower_hex =
+            |part: &str| part.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
         let mut parts = text.split('-');
         let mut next = |length: usize| {
             parts.next().filter(|part| part.len() == length && is_lower_hex(part)).ok_or(NotATrace)

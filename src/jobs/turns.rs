@@ -1,4 +1,5 @@
-//! API keys take turns at something that there is little of: a key that floods waits for itself, where others would wait with it.
+//! API keys take turns at something that there is little of: a key that floods waits for itself,
+//! where others would wait with it.
 
 use std::collections::HashMap;
 use std::panic::resume_unwind;
@@ -23,7 +24,8 @@ impl Turns {
         Self { at_once, keys: Mutex::default() }
     }
 
-    /// Waits for a turn, which ends when what is returned is dropped. Without a key there is none to wait for.
+    /// Waits for a turn, which ends when what is returned is dropped. Without a key there is none
+    /// to wait for.
     pub async fn take(&self, key: Option<KeyId>) -> Turn {
         let permit = match key {
             Some(key) => self.of(key).acquire_owned().await.ok(),
@@ -126,7 +128,8 @@ mod tests {
         let mut third = Box::pin(turns.take(Some(one)));
         assert!((&mut third).now_or_never().is_none());
         assert!(
-            turns.take(Some(other)).now_or_never().is_some() && turns.take(None).now_or_never().is_some()
+            turns.take(Some(other)).now_or_never().is_some()
+                && turns.take(None).now_or_never().is_some()
         );
         drop(first);
         drop(third.await);

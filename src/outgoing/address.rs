@@ -2,8 +2,8 @@
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr};
 
-/// Whether an address is a public one: not this machine's, its network's, or one with a meaning of its own (the registries of
-/// special addresses, RFC 6890).
+/// Whether an address is a public one: not this machine's, its network's, or one with a meaning of
+/// its own (the registries of special addresses, RFC 6890).
 pub fn is_public(address: IpAddr) -> bool {
     match address.to_canonical() {
         IpAddr::V4(address) => is_public_v4(address),
@@ -27,9 +27,11 @@ fn is_public_v4(address: Ipv4Addr) -> bool {
 
 fn is_public_v6(address: Ipv6Addr) -> bool {
     match address.segments() {
-        // Teredo and other protocols, documentation, 6to4, documentation: they hold other addresses, or none.
+        // Teredo and other protocols, documentation, 6to4, documentation: they hold other
+        // addresses, or none.
         [0x2001, 0..=0x01ff | 0x0db8, ..] | [0x2002, ..] | [0x3fff, 0..=0x0fff, ..] => false,
-        // Everything else that is handed out to anybody. Loopback, unique local (ULA), link-local and translated ones are not.
+        // Everything else that is handed out to anybody. Loopback, unique local (ULA), link-local
+        // and translated ones are not.
         [first, ..] => first & 0xe000 == 0x2000,
     }
 }

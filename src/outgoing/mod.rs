@@ -1,8 +1,9 @@
-//! Requests that the service makes itself: one POST, one connection, to an address that has been checked.
+//! Requests that the service makes itself: one POST, one connection, to an address that has been
+//! checked.
 //!
-//! A name is resolved once, every address that it has is checked, and the connection is made to one of these: a name that
-//! points elsewhere a moment later (DNS rebinding) leads nowhere else. Redirects are not followed, no proxy is asked, and of the
-//! answer only the status is read.
+//! A name is resolved once, every address that it has is checked, and the connection is made to
+//! one of these: a name that points elsewhere a moment later (DNS rebinding) leads nowhere else.
+//! Redirects are not followed, no proxy is asked, and of the answer only the status is read.
 
 mod address;
 
@@ -58,7 +59,10 @@ pub struct Destination {
 
 /// Why a text is no address to send requests to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error("must be https://host/path, or http://, of at most {MAX_URL} characters and without a user name")]
+#[error(
+    "must be https://host/path, or http://, of at most {MAX_URL} characters and without a user \
+     name"
+)]
 pub struct NotADestination;
 
 impl FromStr for Destination {
@@ -75,7 +79,8 @@ impl FromStr for Destination {
         let host = authority.host().to_ascii_lowercase();
         let host = host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(&host);
         let is_plain = !authority.as_str().contains('@') && !text.contains('#');
-        let has_wrong_port = authority.port_u16().is_none() && authority.as_str() != authority.host();
+        let has_wrong_port =
+            authority.port_u16().is_none() && authority.as_str() != authority.host();
         if host.is_empty() || text.len() > MAX_URL || !is_plain || has_wrong_port {
             return Err(NotADestination);
         }
@@ -149,8 +154,8 @@ pub struct Client {
 }
 
 impl Client {
-    /// A client that trusts the usual authorities and those in a file (PEM), and asks addresses that are not public if so
-    /// allowed.
+    /// A client that trusts the usual authorities and those in a file (PEM), and asks addresses
+    /// that are not public if so allowed.
     ///
     /// # Errors
     /// [`RootsError`] where the file cannot be used.
@@ -166,10 +171,12 @@ impl Client {
                 roots.add(certificate).map_err(|error| failed(error.to_string()))?;
             }
         }
-        let config = ClientConfig::builder_with_provider(Arc::new(rustls::crypto::ring::default_provider()));
+        let config = ClientConfig::builder_with_provider(Arc::new(
+            rustls::crypto::ring::default_provider(),
+        ));
         let config = config.with_safe_default_protocol_versions();
-        let config =
-            config.map_err(|error| RootsError { path: "TLS".to_owned(), reason: error.to_string() })?;
+        let config = config
+            .map_err(|error| RootsError { path: "TLS".to_owned(), reason: error.to_string() })?;
         let config = config.with_root_certificates(roots).with_no_client_auth();
         Ok(Self { tls: TlsConnector::from(Arc::new(config)), allow_private })
     }
@@ -184,7 +191,8 @@ impl Client {
         headers: HeaderMap,
         body: Bytes,
     ) -> Result<StatusCode, OutgoingError> {
-        let mut request = Request::builder().method(Method::POST).uri(&to.path).header(HOST, &to.authority);
+        let mut request =
+            Request::builder().method(Method::POST).uri(&to.path).header(HOST, &to.authority);
         if let Some(own) = request.headers_mut() {
             own.extend(headers);
         }
@@ -200,7 +208,8 @@ impl Client {
 
     /// A connection to one of the addresses of a host, all of which have been checked.
     async fn connect(&self, to: &Destination) -> Result<TcpStream, OutgoingError> {
-        let found = lookup_host((to.host.as_str(), to.port)).await.map_err(OutgoingError::Resolve)?;
+        let found =
+            lookup_host((to.host.as_str(), to.port)).await.map_err(OutgoingError::Resolve)?;
         let addresses: Vec<SocketAddr> = found.collect();
         if !addresses.iter().all(|address| self.may_ask(address.ip())) {
             return Err(OutgoingError::NotPublic);

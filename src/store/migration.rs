@@ -1,4 +1,5 @@
-//! Brings a database up to date. Steps are applied in order, each once, and are never changed afterwards.
+//! Brings a database up to date. Steps are applied in order, each once, and are never changed
+//! afterwards.
 
 use sqlx::migrate::{Migrate, Migration, MigrationType, Migrator};
 use sqlx::{Acquire, SqlSafeStr};
@@ -15,7 +16,8 @@ macro_rules! steps {
     ($kind:literal) => {
         $crate::store::migration::steps!($kind:
             1 "jobs" "0001_jobs", 2 "requests" "0002_requests", 3 "results" "0003_results",
-            4 "fair share" "0004_fair_share", 5 "quotas" "0005_quotas", 6 "callbacks" "0006_callbacks",
+            4 "fair \
+               share" "0004_fair_share", 5 "quotas" "0005_quotas", 6 "callbacks" "0006_callbacks",
             7 "field parts" "0007_field_parts", 8 "solver time" "0008_solver_time")
     };
     ($kind:literal: $($version:literal $name:literal $file:literal),*) => {
@@ -28,8 +30,8 @@ macro_rules! steps {
 }
 pub(super) use steps;
 
-/// Applies the steps that are missing. Several processes may start at once: on PostgreSQL they take turns by an
-/// advisory lock.
+/// Applies the steps that are missing. Several processes may start at once: on PostgreSQL they
+/// take turns by an advisory lock.
 ///
 /// # Errors
 /// If a step fails (its transaction is rolled back), or the database was made by a newer version.

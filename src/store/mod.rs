@@ -25,8 +25,8 @@ pub struct StoreLimits {
     pub queue_capacity: usize,
     /// What an API key may take that has no bound of its own.
     pub by_key: KeyLimits,
-    /// Room \[bytes\] on the disk below which no job is accepted. Only of a file: the disk of a server is its own
-    /// matter.
+    /// Room \[bytes\] on the disk below which no job is accepted. Only of a file: the disk of a
+    /// server is its own matter.
     pub min_free_bytes: u64,
 }
 

@@ -1,7 +1,7 @@
 //! Jobs in PostgreSQL, shared by any number of processes on any number of machines.
 //!
-//! The database's clock stamps all times, so the machines' own clocks do not matter. Processes tell each other of changes
-//! by `NOTIFY`; whoever waits also looks once a second by himself.
+//! The database's clock stamps all times, so the machines' own clocks do not matter. Processes
+//! tell each other of changes by `NOTIFY`; whoever waits also looks once a second by himself.
 
 mod notifications;
 
@@ -48,8 +48,8 @@ struct PostgresPool {
     listener: AbortHandle,
 }
 
-/// Connects to the store at a `postgres://` address and makes its tables if need be. A `clock` takes the place of
-/// the database's own, for tests.
+/// Connects to the store at a `postgres://` address and makes its tables if need be. A `clock`
+/// takes the place of the database's own, for tests.
 ///
 /// # Errors
 /// [`PostgresError`].
@@ -61,8 +61,8 @@ pub async fn open_postgres(
 ) -> Result<Arc<dyn Store>, PostgresError> {
     let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(ACQUIRE_TIMEOUT);
     let pool = pool.after_connect(|connection, _| {
-        // A claim takes half a millisecond. Of tables without statistics the planner expects so much that it would
-        // be compiled first, each time for fifty.
+        // A claim takes half a millisecond. Of tables without statistics the planner expects so
+        // much that it would be compiled first, each time for fifty.
         Box::pin(async move { connection.execute("SET jit = off").await.map(drop) })
     });
     let pool = pool.connect(url).await.map_err(PostgresError::Connect)?;
@@ -101,7 +101,8 @@ impl Backend for PostgresPool {
         if let Some(clock) = &self.clock {
             return Ok((transaction, clock.now().as_microsecond()));
         }
-        let now = sqlx::query_scalar("SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::bigint");
+        let now =
+            sqlx::query_scalar("SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::bigint");
         let now = now.fetch_one(&mut *transaction).await?;
         Ok((transaction, now))
     }

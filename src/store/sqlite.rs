@@ -1,10 +1,11 @@
-//! Jobs in an embedded SQLite file: nothing to set up, and nothing acknowledged is lost. `:memory:` keeps the same
-//! tables in this process's memory.
+//! Jobs in an embedded SQLite file: nothing to set up, and nothing acknowledged is lost.
+//! `:memory:` keeps the same tables in this process's memory.
 //!
-//! All writing goes through one connection, so that no statement waits for a lock; readers have their own and never
-//! wait for the writer. The file has a write-ahead log with `synchronous = NORMAL`: a commit survives the end of the
-//! process at once, and a loss of power after [`Backend::sync`], which several commits share. One process owns the
-//! directory, by a lock on a file in it; therefore whatever is marked as running at the start was interrupted, and runs
+//! All writing goes through one connection, so that no statement waits for a lock; readers have
+//! their own and never wait for the writer. The file has a write-ahead log with `synchronous =
+//! NORMAL`: a commit survives the end of the process at once, and a loss of power after
+//! [`Backend::sync`], which several commits share. One process owns the directory, by a lock on a
+//! file in it; therefore whatever is marked as running at the start was interrupted, and runs
 //! again at once.
 
 mod own_file;
@@ -21,7 +22,9 @@ use std::time::Duration;
 
 use async_trait::async_trait;
 use sqlx::pool::PoolConnection;
-use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
+use sqlx::sqlite::{
+    SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous,
+};
 use sqlx::{Sqlite, SqliteConnection, SqlitePool};
 use thiserror::Error;
 
@@ -67,8 +70,8 @@ pub enum SqliteError {
     },
     /// Another process owns the directory.
     #[error(
-        "the data directory {} is in use by another process; give each its own, or share PostgreSQL with \
-         --database-url", .0.display()
+        "the data directory {} is in use by another process; give each its own, or share \
+         PostgreSQL with --database-url", .0.display()
     )]
     InUse(PathBuf),
     /// The directory has a database already.
@@ -95,7 +98,8 @@ pub enum SqliteError {
 /// An open database.
 struct SqliteDatabase {
     writer: SqlitePool,
-    /// The writer's pool again where the database is in memory: its one connection is the database.
+    /// The writer's pool again where the database is in memory: its one connection is the
+    /// database.
     readers: SqlitePool,
     clock: Arc<dyn Clock>,
     /// `None` in memory, where nothing survives anyway.
@@ -176,7 +180,8 @@ struct DirectoryLock(File);
 
 impl Drop for DirectoryLock {
     fn drop(&mut self) {
-        // Closing the file is not enough: a child process that another thread is just starting still has it open.
+        // Closing the file is not enough: a child process that another thread is just starting
+        // still has it open.
         drop(self.0.unlock());
     }
 }
@@ -193,8 +198,8 @@ fn lock_directory(directory: &Path) -> Result<DirectoryLock, SqliteError> {
     }
 }
 
-/// What the connections to a file and to memory share. Every statement has its index: one that SQLite makes for it alone would go
-/// through the whole table.
+/// What the connections to a file and to memory share. Every statement has its index: one that
+/// SQLite makes for it alone would go through the whole table.
 fn connect_options() -> SqliteConnectOptions {
     SqliteConnectOptions::new().foreign_keys(true).pragma("automatic_index", "off")
 }
@@ -216,21 +221,33 @@ impl SqliteDatabase {
         let writer = writer_pool().connect_with(options.clone()).await?;
         migration::run(STEPS, &writer).await?;
         if lock.is_some() {
-            sqlx::query("UPDATE jobs SET leased_until = 0 WHERE state = 'running'").execute(&writer).await?;
+            sqlx::query("UPDATE jobs SET leased_until = 0 WHERE state = 'running'")
+                .execute(&writer)
+                .await?;
         }
         let wal = WalSync::open(path).await.map_err(sqlx::Error::Io)?;
         wal.sync().await.map_err(sqlx::Error::Io)?;
-        let readers =
-            pool().max_connections(READERS).connect_with(options.pragma("query_only", "on")).await?;
+        let readers = pool()
+            .max_connections(READERS)
+            .connect_with(options.pragma("query_only", "on"))
+            .await?;
         let disk = FreeSpace::new(path, min_free_bytes);
         let own = |path: &Path| OwnFile::new(path).map_err(sqlx::Error::Io);
         let files = [own(path)?, own(&wal::path(path))?];
-        Ok(Self { writer, readers, clock, wal: Some(wal), space: Space::Disk { disk, files }, _lock: lock })
+        Ok(Self {
+            writer,
+            readers,
+            clock,
+            wal: Some(wal),
+            space: Space::Disk { disk, files },
+            _lock: lock,
+        })
     }
 
     async fn in_memory(bytes: u64, clock: Arc<dyn Clock>) -> Result<Self, sqlx::Error> {
-        let options =
-            connect_options().in_memory(true).pragma("max_page_count", (bytes / PAGE_BYTES).to_string());
+        let options = connect_options()
+            .in_memory(true)
+            .pragma("max_page_count", (bytes / PAGE_BYTES).to_string());
         let writer = writer_pool().connect_with(options).await?;
         migration::run(STEPS, &writer).await?;
         Ok(Self {
@@ -252,8 +269,8 @@ impl SqliteDatabase {
     }
 }
 
-/// One connection, free of transactions whenever it is acquired: whatever an error or a dropped future left open is
-/// rolled back.
+/// One connection, free of transactions whenever it is acquired: whatever an error or a dropped
+/// future left open is rolled back.
 fn writer_pool() -> SqlitePoolOptions {
     pool().min_connections(1).max_connections(1).after_release(|connection, _| {
         Box::pin(async move {
@@ -298,7 +315,8 @@ impl Backend for SqliteDatabase {
                 disk.is_low(0) && disk.is_low(reusable().await?)
             }
             Space::Memory { bytes } => {
-                let used = self.pages("PRAGMA page_count").await?.saturating_sub(reusable().await?);
+                let used =
+                    self.pages("PRAGMA page_count").await?.saturating_sub(reusable().await?);
                 used > bytes - bytes / MEMORY_RESERVE
             }
         };
@@ -306,7 +324,9 @@ impl Backend for SqliteDatabase {
     }
 
     async fn check(&self) -> Result<Vec<String>, StoreError> {
-        let found = sqlx::query_scalar::<_, String>("PRAGMA quick_check(100)").fetch_all(&self.readers).await;
+        let found = sqlx::query_scalar::<_, String>("PRAGMA quick_check(100)")
+            .fetch_all(&self.readers)
+            .await;
         match found.map_err(StoreError::from) {
             Ok(lines) => Ok(lines.into_iter().filter(|line| line != "ok").collect()),
             Err(StoreError::Damaged(source)) => Ok(vec![source.to_string()]),
@@ -315,8 +335,9 @@ impl Backend for SqliteDatabase {
     }
 
     async fn backup(&self, file: &Path) -> Result<bool, StoreError> {
-        let name =
-            file.to_str().ok_or_else(|| StoreError::unavailable("the name of the file is not UTF-8"))?;
+        let name = file
+            .to_str()
+            .ok_or_else(|| StoreError::unavailable("the name of the file is not UTF-8"))?;
         // One read transaction: what is committed meanwhile is not in the copy.
         let mut connection = self.writer.acquire().await?;
         sqlx::query("VACUUM INTO $1").bind(name).execute(&mut *connection).await?;
@@ -336,8 +357,8 @@ impl Backend for SqliteDatabase {
 
 /// A transaction of the writer. The pool rolls back what is not committed, [`writer_pool`].
 ///
-/// sqlx's own type counts transactions and is at a loss where SQLite ends one by itself, which it does when the disk is
-/// full: that connection never begins another.
+/// sqlx's own type counts transactions and is at a loss where SQLite ends one by itself, which it
+/// does when the disk is full: that connection never begins another.
 struct SqliteTransaction(PoolConnection<Sqlite>);
 
 impl Deref for SqliteTransaction {

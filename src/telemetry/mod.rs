@@ -1,4 +1,5 @@
-//! What the program tells of itself: its log, to standard error, for a person or as JSON lines; and its metrics.
+//! What the program tells of itself: its log, to standard error, for a person or as JSON lines;
+//! and its metrics.
 
 mod metrics;
 #[cfg(feature = "otlp")]
@@ -28,10 +29,17 @@ pub struct LogConfig {
     pub log: Option<String>,
 
     /// How to log
-    #[arg(long, env = "BRINELL_LOG_FORMAT", value_name = "FORMAT", default_value = "text", global = true)]
+    #[arg(
+        long,
+        env = "BRINELL_LOG_FORMAT",
+        value_name = "FORMAT",
+        default_value = "text",
+        global = true
+    )]
     pub log_format: LogFormat,
 
-    /// Collector that spans are sent to by OTLP over HTTP, e.g. `http://collector:4318` [default: none]
+    /// Collector that spans are sent to by OTLP over HTTP, e.g. `http://collector:4318` [default:
+    /// none]
     #[cfg(feature = "otlp")]
     #[arg(long, env = "BRINELL_OTLP_ENDPOINT", value_name = "URL", global = true)]
     pub otlp_endpoint: Option<crate::outgoing::Destination>,
@@ -50,8 +58,8 @@ fn log_filter(text: &str) -> Result<String, String> {
     EnvFilter::try_new(text).map(|_| text.to_owned()).map_err(|error| error.to_string())
 }
 
-/// Starts logging; `default` is the filter when none is set. A panic is logged like everything else. A second
-/// call changes nothing.
+/// Starts logging; `default` is the filter when none is set. A panic is logged like everything
+/// else. A second call changes nothing.
 pub fn start(config: &LogConfig, default: &str) {
     let filter = EnvFilter::new(config.log.as_deref().unwrap_or(default));
     let log = fmt::layer().with_writer(io::stderr);
@@ -61,10 +69,11 @@ pub fn start(config: &LogConfig, default: &str) {
     };
     let subscriber = registry().with(log.with_filter(filter));
     #[cfg(feature = "otlp")]
-    let subscriber = subscriber.with(config.otlp_endpoint.as_ref().map(otlp::layer).and_then(|layer| {
-        // The log is not there yet.
-        layer.inspect_err(|error| eprintln!("spans are not sent: {error}")).ok()
-    }));
+    let subscriber =
+        subscriber.with(config.otlp_endpoint.as_ref().map(otlp::layer).and_then(|layer| {
+            // The log is not there yet.
+            layer.inspect_err(|error| eprintln!("spans are not sent: {error}")).ok()
+        }));
     if subscriber.try_init().is_ok() {
         std::panic::set_hook(Box::new(|panic| {
             let place = panic.location().map(ToString::to_string).unwrap_or_default();

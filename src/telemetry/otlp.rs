@@ -1,4 +1,5 @@
-//! Spans, sent to a collector by OTLP over HTTP (protobuf). They are collected and sent by a thread of their own.
+//! Spans, sent to a collector by OTLP over HTTP (protobuf). They are collected and sent by a
+//! thread of their own.
 
 use std::fmt;
 use std::sync::OnceLock;
@@ -29,8 +30,11 @@ const TIMEOUT: Duration = Duration::from_secs(10);
 
 static PROVIDER: OnceLock<SdkTracerProvider> = OnceLock::new();
 
-/// What records the spans of this program for the collector at an address (`http://collector:4318`).
-pub(super) fn layer<S>(collector: &Destination) -> Result<impl Layer<S>, Box<dyn std::error::Error>>
+/// What records the spans of this program for the collector at an address
+/// (`http://collector:4318`).
+pub(super) fn layer<S>(
+    collector: &Destination,
+) -> Result<impl Layer<S>, Box<dyn std::error::Error>>
 where
     S: Subscriber + for<'a> LookupSpan<'a>,
 {
@@ -38,10 +42,14 @@ where
     let endpoint = to.url();
     let runtime = Builder::new_current_thread().enable_all().build()?;
     let sender = Sender { client: Client::new(true, None)?, to, runtime };
-    let exporter =
-        SpanExporter::builder().with_http().with_http_client(sender).with_endpoint(endpoint).build()?;
+    let exporter = SpanExporter::builder()
+        .with_http()
+        .with_http_client(sender)
+        .with_endpoint(endpoint)
+        .build()?;
     let resource = Resource::builder().with_service_name("brinell").build();
-    let provider = SdkTracerProvider::builder().with_batch_exporter(exporter).with_resource(resource).build();
+    let provider =
+        SdkTracerProvider::builder().with_batch_exporter(exporter).with_resource(resource).build();
     let provider = PROVIDER.get_or_init(|| provider);
     let spans = tracing_opentelemetry::layer().with_tracer(provider.tracer("brinell"));
     Ok(spans.with_filter(Targets::new().with_target("brinell", tracing::Level::INFO)))
@@ -90,7 +98,8 @@ impl fmt::Debug for Sender {
 impl HttpClient for Sender {
     async fn send_bytes(&self, request: Request<Bytes>) -> Result<Response<Bytes>, HttpError> {
         let (head, body) = request.into_parts();
-        let sent = async { timeout(TIMEOUT, self.client.post(&self.to, head.headers, body)).await };
+        let sent =
+            async { timeout(TIMEOUT, self.client.post(&self.to, head.headers, body)).await };
         let status = self.runtime.block_on(sent)??;
         Ok(Response::builder().status(status).body(Bytes::new())?)
     }

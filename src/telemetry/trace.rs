@@ -6,8 +6,8 @@ use tracing::Span;
 use super::otlp::follow;
 use crate::jobs::TraceParent;
 
-/// Makes a span, which has an empty field `trace_id`, part of the trace of its caller, and says how what follows from it
-/// refers to it.
+/// Makes a span, which has an empty field `trace_id`, part of the trace of its caller, and says
+/// how what follows from it refers to it.
 pub fn adopt(span: &Span, caller: Option<TraceParent>) -> Option<TraceParent> {
     let trace = follow(span, caller);
     if let Some(trace) = trace {

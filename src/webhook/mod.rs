@@ -1,8 +1,9 @@
 //! Tells receivers that jobs have ended (webhooks).
 //!
-//! What is to be told is in the store, beside its job, from its submission on; it becomes due in the same step that ends the job.
-//! An attempt is claimed for a time: one whose process dies is made again, so that every announcement is delivered at least
-//! once, with the same id. Attempts that fail are repeated with growing pauses for about a day.
+//! What is to be told is in the store, beside its job, from its submission on; it becomes due in
+//! the same step that ends the job. An attempt is claimed for a time: one whose process dies is
+//! made again, so that every announcement is delivered at least once, with the same id. Attempts
+//! that fail are repeated with growing pauses for about a day.
 
 mod notice;
 mod receivers;
@@ -38,7 +39,8 @@ pub const DELIVERIES: &str = "brinell_webhook_deliveries_total";
 const ATTEMPT: Duration = Duration::from_secs(15);
 const LEASE: Duration = Duration::from_mins(1);
 
-/// Time between two looks for what is due: where nothing was, and where there was more than room for it.
+/// Time between two looks for what is due: where nothing was, and where there was more than room
+/// for it.
 const POLL: Duration = Duration::from_secs(1);
 const POLL_SOON: Duration = Duration::from_millis(100);
 
@@ -84,7 +86,8 @@ impl Announcer {
                     _ => Duration::ZERO,
                 };
                 for delivery in due {
-                    let host = self.rules.check(&delivery.url).map(|to| to.host).unwrap_or_default();
+                    let host =
+                        self.rules.check(&delivery.url).map(|to| to.host).unwrap_or_default();
                     if let Some(one) = receivers.offer((host, delivery.submitter), delivery) {
                         postponed.push(one);
                         pause = POLL_SOON;
@@ -112,7 +115,10 @@ impl Announcer {
     /// What is due, so much of it at most.
     async fn due(&self, limit: usize) -> Vec<Delivery> {
         self.deliveries.claim_deliveries(limit, LEASE).await.unwrap_or_else(|error| {
-            tracing::warn!(error = &error as &dyn std::error::Error, "cannot look for announcements");
+            tracing::warn!(
+                error = &error as &dyn std::error::Error,
+                "cannot look for announcements"
+            );
             Vec::new()
         })
     }
@@ -121,14 +127,14 @@ impl Announcer {
         if postponed.is_empty() {
             return;
         }
-        let ends =
-            postponed.into_iter().map(|(delivery, retry)| (delivery, DeliveryEnd::Postponed { retry }));
+        let ends = postponed
+            .into_iter()
+            .map(|(delivery, retry)| (delivery, DeliveryEnd::Postponed { retry }));
         self.end(ends.collect()).await;
     }
 
     async fn deliver(&self, delivery: &Delivery) {
-        let span =
-            tracing::info_span!("webhook", job = %delivery.job, delivery = %delivery.id, trace_id = Empty);
+        let span = tracing::info_span!("webhook", job = %delivery.job, delivery = %delivery.id, trace_id = Empty);
         let trace = telemetry::adopt(&span, delivery.trace);
         let end = self.attempt(delivery, trace).instrument(span.clone()).await;
         let outcome = match &end {
@@ -145,14 +151,22 @@ impl Announcer {
     async fn end(&self, ends: Vec<(Delivery, DeliveryEnd)>) {
         if let Err(error) = self.deliveries.end_deliveries(&ends).await {
             let (error, attempts) = (&error as &dyn std::error::Error, ends.len());
-            tracing::warn!(attempts, error, "the ends of attempts were not written; they will be made again");
+            tracing::warn!(
+                attempts,
+                error,
+                "the ends of attempts were not written; they will be made again"
+            );
         }
     }
 
     async fn attempt(&self, delivery: &Delivery, trace: Option<TraceParent>) -> DeliveryEnd {
         let failed = |status: Option<u16>, error: String| {
             let error = error.chars().take(ERROR).collect();
-            DeliveryEnd::Failed { status, error, retry: pause_behind(delivery.attempt, self.pause) }
+            DeliveryEnd::Failed {
+                status,
+                error,
+                retry: pause_behind(delivery.attempt, self.pause),
+            }
         };
         let to = match self.rules.check(&delivery.url) {
             Ok(to) => to,
@@ -169,12 +183,16 @@ impl Announcer {
         };
         let headers = self.headers(delivery, trace, &body);
         match timeout(ATTEMPT, self.client.post(&to, headers, body.into())).await {
-            Ok(Ok(status)) if status.is_success() => DeliveryEnd::Delivered { status: status.as_u16() },
+            Ok(Ok(status)) if status.is_success() => {
+                DeliveryEnd::Delivered { status: status.as_u16() }
+            }
             Ok(Ok(StatusCode::GONE)) => {
                 let error = "the receiver wants no more".to_owned();
                 DeliveryEnd::Failed { status: Some(StatusCode::GONE.as_u16()), error, retry: None }
             }
-            Ok(Ok(status)) => failed(Some(status.as_u16()), format!("the receiver answered {status}")),
+            Ok(Ok(status)) => {
+                failed(Some(status.as_u16()), format!("the receiver answered {status}"))
+            }
             Ok(Err(error)) => failed(None, error.to_string()),
             Err(_) => failed(None, format!("no answer within {} s", ATTEMPT.as_secs())),
         }
@@ -202,7 +220,8 @@ impl Announcer {
     }
 }
 
-/// The pause behind an attempt, counted from 1, up to a fifth longer so that not all come back at once; `None` behind the last.
+/// The pause behind an attempt, counted from 1, up to a fifth longer so that not all come back at
+/// once; `None` behind the last.
 fn pause_behind(attempt: u32, first: Duration) -> Option<Duration> {
     let index = usize::try_from(attempt.max(1) - 1).ok()?;
     let pause = first * *PAUSES.get(index)?;
@@ -217,7 +236,8 @@ mod tests {
     #[test]
     fn pauses_grow_and_end() {
         let first = Duration::from_secs(5);
-        let pauses: Vec<Duration> = (1..).map_while(|attempt| pause_behind(attempt, first)).collect();
+        let pauses: Vec<Duration> =
+            (1..).map_while(|attempt| pause_behind(attempt, first)).collect();
         assert_eq!(pauses.len(), PAUSES.len());
         for (pause, units) in pauses.iter().zip(PAUSES) {
             assert!((first * units..=first * units * 6 / 5).contains(pause), "{pause:?}");

@@ -101,7 +101,8 @@ impl Receivers {
         Some((receiver.clone(), delivery))
     }
 
-    /// An attempt has ended, after so long. Returns those that cannot wait for a receiver that turned out to be slow.
+    /// An attempt has ended, after so long. Returns those that cannot wait for a receiver that
+    /// turned out to be slow.
     pub(super) fn ended(&mut self, receiver: &Receiver, took: Duration) -> Vec<Postponed> {
         let Some(queue) = self.queues.get_mut(receiver) else { return Vec::new() };
         queue.running = queue.running.saturating_sub(1);
@@ -136,16 +137,20 @@ mod tests {
     #[test]
     fn a_receiver_that_much_is_due_to_leaves_room_for_others() {
         let mut receivers = Receivers::default();
-        let taken = (0..100).filter(|_| receivers.offer(receiver("much"), delivery()).is_none()).count();
+        let taken =
+            (0..100).filter(|_| receivers.offer(receiver("much"), delivery()).is_none()).count();
         assert_eq!((taken, begin(&mut receivers)), (12, 4));
         let other_key = ("much".to_owned(), Some(KeyId::generate()));
         assert!(
-            [receiver("other"), other_key].into_iter().all(|to| receivers.offer(to, delivery()).is_none())
+            [receiver("other"), other_key]
+                .into_iter()
+                .all(|to| receivers.offer(to, delivery()).is_none())
         );
         assert_eq!(begin(&mut receivers), 2, "another host, and the host for another key");
         assert_eq!(receivers.room(), HELD - 14);
         assert_eq!(receivers.offer(receiver("much"), delivery()), None);
-        let (_, pause) = (0..9).find_map(|_| receivers.offer(receiver("much"), delivery())).unwrap();
+        let (_, pause) =
+            (0..9).find_map(|_| receivers.offer(receiver("much"), delivery())).unwrap();
         assert_eq!(pause, SHORTEST_PAUSE, "it has not been slow so far");
     }
 
@@ -155,7 +160,11 @@ mod tests {
         while receivers.offer(slow.clone(), delivery()).is_none() {}
         assert_eq!(begin(&mut receivers), 4);
         let postponed = receivers.ended(&slow, ATTEMPT);
-        assert_eq!(postponed.len(), 5, "of eight that wait three have their turn within the lease");
+        assert_eq!(
+            postponed.len(),
+            5,
+            "of eight that wait three have their turn within the lease"
+        );
         assert!(postponed.iter().all(|(_, pause)| *pause == ATTEMPT));
         assert_eq!(begin(&mut receivers), 0);
         for _ in 0..3 {

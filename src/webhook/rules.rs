@@ -12,8 +12,8 @@ pub struct CallbackRules {
 }
 
 impl CallbackRules {
-    /// These hosts: `hooks.example`, `hooks.example:8443`, `*.example` or `*`; with `allow_private` also where they are not
-    /// public, and without TLS.
+    /// These hosts: `hooks.example`, `hooks.example:8443`, `*.example` or `*`; with
+    /// `allow_private` also where they are not public, and without TLS.
     pub fn new(hosts: &[String], allow_private: bool) -> Self {
         Self { hosts: hosts.iter().map(|host| host.to_ascii_lowercase()).collect(), allow_private }
     }
@@ -94,9 +94,12 @@ mod tests {
         assert!(rules(&[], false).check("https://hooks.example/").is_err());
         let anywhere = rules(&["*"], false);
         assert!(anywhere.check("https://1.1.1.1/").is_ok());
-        for url in
-            ["https://127.0.0.1/", "https://[::1]/", "https://169.254.169.254/", "https://[::ffff:10.0.0.1]/"]
-        {
+        for url in [
+            "https://127.0.0.1/",
+            "https://[::1]/",
+            "https://169.254.169.254/",
+            "https://[::ffff:10.0.0.1]/",
+        ] {
             assert!(anywhere.check(url).is_err(), "{url}");
             assert!(rules(&["*"], true).check(url).is_ok(), "{url}");
         }

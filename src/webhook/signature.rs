@@ -1,4 +1,5 @@
-//! Signatures of announcements, as Standard Webhooks has them: receivers verify them with its libraries.
+//! Signatures of announcements, as Standard Webhooks has them: receivers verify them with its
+//! libraries.
 //!
 //! ```text
 //! webhook-signature: v1,base64(HMAC-SHA256(secret, "{id}.{timestamp}.{body}"))
@@ -31,7 +32,8 @@ impl FromStr for WebhookSecret {
         let bytes = bytes.filter(|bytes| LENGTHS.contains(&bytes.len()));
         bytes.map(Self).ok_or_else(|| {
             format!(
-                "must be {PREFIX} and {} to {} bytes in base64: {PREFIX}$(openssl rand -base64 32)",
+                "must be {PREFIX} and {} to {} bytes in base64: {PREFIX}$(openssl rand -base64 \
+                 32)",
                 LENGTHS.start(),
                 LENGTHS.end()
             )
@@ -45,8 +47,14 @@ impl fmt::Debug for WebhookSecret {
     }
 }
 
-/// The signatures of a message, one with each secret: while a secret is replaced, receivers have either.
-pub(super) fn signatures(secrets: &[WebhookSecret], id: &str, timestamp: i64, body: &[u8]) -> String {
+/// The signatures of a message, one with each secret: while a secret is replaced, receivers have
+/// either.
+pub(super) fn signatures(
+    secrets: &[WebhookSecret],
+    id: &str,
+    timestamp: i64,
+    body: &[u8],
+) -> String {
     let sign = |secret: &WebhookSecret| {
         let mut mac = Hmac::<Sha256>::new_from_slice(&secret.0).ok()?;
         mac.update(format!("{id}.{timestamp}.").as_bytes());
@@ -67,7 +75,12 @@ mod tests {
     fn the_example_of_the_standard_is_signed_as_it_should_be() {
         let secret: WebhookSecret = SECRET.parse().unwrap();
         let sign = |secrets: &[WebhookSecret]| {
-            signatures(secrets, "msg_p5jXN8AQM9LWM0D4loKWxJek", 1_614_265_330, br#"{"test": 2432232314}"#)
+            signatures(
+                secrets,
+                "msg_p5jXN8AQM9LWM0D4loKWxJek",
+                1_614_265_330,
+                br#"{"test": 2432232314}"#,
+            )
         };
         let expected = "v1,g0hM9SsE+OTPJTGt/tmIKtSyZlE3uFJELVlNIOLJ1OE=";
         assert_eq!(sign(std::slice::from_ref(&secret)), expected);
@@ -77,7 +90,9 @@ mod tests {
 
     #[test]
     fn a_secret_is_long_enough() {
-        for text in ["", "secret", "whsec_", "whsec_AAAA", "whsec_!", "MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw"] {
+        for text in
+            ["", "secret", "whsec_", "whsec_AAAA", "whsec_!", "MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw"]
+        {
             assert!(text.parse::<WebhookSecret>().is_err(), "{text}");
         }
     }

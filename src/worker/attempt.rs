@@ -12,8 +12,8 @@ use brinell_solver::report::{RunError, StepReport};
 
 /// Solves a job and catches whatever goes wrong. Never panics.
 ///
-/// Results of steps go into `steps` as they are finished. The channel is short: the solve waits until they are written,
-/// so that its memory does not grow with the number of steps.
+/// Results of steps go into `steps` as they are finished. The channel is short: the solve waits
+/// until they are written, so that its memory does not grow with the number of steps.
 pub(super) fn attempt(
     id: JobId,
     solver: &dyn JobSolver,
@@ -21,11 +21,14 @@ pub(super) fn attempt(
     observer: &mut JobObserver,
     steps: &Sender<StepResult>,
 ) -> Outcome {
-    // Everything the closure touches is thrown away after a panic, save the observer's plain fields.
+    // Everything the closure touches is thrown away after a panic, save the observer's plain
+    // fields.
     let solved = catch_unwind(AssertUnwindSafe(|| solve(solver, request, observer, steps)));
     solved.unwrap_or_else(|panic| {
         tracing::error!(job = %id, panic = panic_message(panic.as_ref()), "the solver panicked");
-        Outcome::Failed(JobFailure::internal("the solver failed unexpectedly; the fault has been logged"))
+        Outcome::Failed(JobFailure::internal(
+            "the solver failed unexpectedly; the fault has been logged",
+        ))
     })
 }
 
@@ -50,14 +53,16 @@ fn solve(
         // A history that begins anew gives up what it has found.
         unusable = unusable.take().filter(|_| number > 0);
         match StepResult::encode(number, report) {
-            // Nobody receives it where the supervisor is gone, and then nobody receives the outcome either.
+            // Nobody receives it where the supervisor is gone, and then nobody receives the
+            // outcome either.
             Ok(step) if unusable.is_none() => drop(steps.blocking_send(step)),
             Ok(_) => {}
             Err(error) => unusable = unusable.take().or(Some(error)),
         }
     };
     let solved = solver.solve(&job, observer, &mut on_step);
-    let encoded = solved.map(|report| (report.status, unusable.map_or_else(|| encode(&report), Err)));
+    let encoded =
+        solved.map(|report| (report.status, unusable.map_or_else(|| encode(&report), Err)));
     if let Some(reason) = observer.out_of_memory() {
         return Outcome::Failed(JobFailure::solver(reason));
     }

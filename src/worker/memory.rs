@@ -34,7 +34,8 @@ impl WorkerMemory {
 }
 
 impl JobMemory {
-    /// Takes note of what a part holds now; what is wrong with it. A job within its estimate never fails for what others hold.
+    /// Takes note of what a part holds now; what is wrong with it. A job within its estimate never
+    /// fails for what others hold.
     pub(super) fn hold(&mut self, part: Held, bytes: u64) -> Result<(), String> {
         let held = match part {
             Held::Bodies => &mut self.bodies,
@@ -48,8 +49,8 @@ impl JobMemory {
         }
         let [held, estimate, limit] = [held, estimate, limit].map(|bytes| bytes >> 20);
         Err(format!(
-            "the job takes {held} MiB for bodies and increments, was estimated to need {estimate}, and the solvers \
-             may take {limit} together"
+            "the job takes {held} MiB for bodies and increments, was estimated to need \
+             {estimate}, and the solvers may take {limit} together"
         ))
     }
 
@@ -73,7 +74,10 @@ mod tests {
         let all = WorkerMemory::new(100);
         let (mut honest, mut other) = (all.of_job(60), all.of_job(40));
         assert!(other.hold(Held::Bodies, 30).is_ok());
-        assert!(other.hold(Held::Increments, 50).is_ok(), "more than estimated, but there is room");
+        assert!(
+            other.hold(Held::Increments, 50).is_ok(),
+            "more than estimated, but there is room"
+        );
         assert!(honest.hold(Held::Bodies, 60).is_ok(), "within its estimate");
         assert!(other.hold(Held::Increments, 60).is_err());
         assert!(other.hold(Held::Increments, 5).is_ok());

@@ -2,8 +2,8 @@
 
 use crate::jobs::{IterationRecord, Outcome};
 
-/// What a solver thread tells its supervisor; `Done` is the last word. Iterations are bounded by the job's own
-/// limit, so the channel need not be.
+/// What a solver thread tells its supervisor; `Done` is the last word. Iterations are bounded by
+/// the job's own limit, so the channel need not be.
 pub(super) enum Message {
     /// Iterations were made.
     Iterations(Vec<IterationRecord>),

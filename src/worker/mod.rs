@@ -1,9 +1,9 @@
 //! Solves queued jobs on threads of their own, never on the async runtime's.
 //!
 //! [`Worker`] claims as many jobs as it has free places. Each job has a supervisor, an async task
-//! that forwards
-//! progress to the store and the wish to stop to the solver; the solver thread itself only ever talks to its
-//! observer, which owns the job's clock. A panic ends one job. One task beats the heart of all leases.
+//! that forwards progress to the store and the wish to stop to the solver; the solver thread
+//! itself only ever talks to its observer, which owns the job's clock. A panic ends one job. One
+//! task beats the heart of all leases.
 
 mod attempt;
 mod memory;
@@ -40,13 +40,16 @@ pub struct WorkerSettings {
     pub memory_of_place: u64,
     /// Longest time a job may be solved for.
     pub job_timeout: Duration,
-    /// How long a job stays with a worker that gives no sign of life. Hearts beat three times as often.
+    /// How long a job stays with a worker that gives no sign of life. Hearts beat three times as
+    /// often.
     pub lease: Duration,
-    /// Longest time between two looks into the queue; new jobs of this process are announced anyway.
+    /// Longest time between two looks into the queue; new jobs of this process are announced
+    /// anyway.
     pub poll: Duration,
     /// How often a job is taken up before it is given up.
     pub max_attempts: u32,
-    /// Whether to solve what is queued before stopping. A store that outlives the process needs no such care.
+    /// Whether to solve what is queued before stopping. A store that outlives the process needs no
+    /// such care.
     pub empties_queue: bool,
 }
 
@@ -100,8 +103,8 @@ impl Worker {
         Self { state, heartbeat }
     }
 
-    /// Finishes what is running, and what is queued if so set, then stops. What is left after `grace` is stopped
-    /// and goes back to the queue. Returns whether everything was finished.
+    /// Finishes what is running, and what is queued if so set, then stops. What is left after
+    /// `grace` is stopped and goes back to the queue. Returns whether everything was finished.
     pub async fn drain(self, grace: Duration) -> bool {
         self.state.drain.cancel();
         self.state.tasks.close();

@@ -1,4 +1,5 @@
-//! The solver's only link to the outside: it owns the job's clock, passes progress on and says when to stop.
+//! The solver's only link to the outside: it owns the job's clock, passes progress on and says
+//! when to stop.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -13,8 +14,9 @@ use super::thread::{LONG, give_way};
 use crate::jobs::{IterationRecord, encode};
 use brinell_solver::solver::{Held, Interrupt, Observer};
 
-/// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
-/// of its iterations; what a job that ends sooner has to tell comes with its outcome.
+/// Shortest time between two messages about progress. Each wakes the supervisor, which costs a
+/// short job as much as some of its iterations; what a job that ends sooner has to tell comes with
+/// its outcome.
 const SEND_INTERVAL: Duration = Duration::from_millis(50);
 
 /// The wish that a solve stop, shared between its supervisor and its thread.
@@ -94,7 +96,8 @@ impl JobObserver {
 
 impl Observer for JobObserver {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        // Progress is for watching: a record that JSON cannot carry is left out, and the report will say why.
+        // Progress is for watching: a record that JSON cannot carry is left out, and the report
+        // will say why.
         if encode(record).is_ok() {
             self.pending.push(record.clone());
         }

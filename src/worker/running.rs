@@ -9,8 +9,8 @@ use super::WorkerState;
 use super::observer::StopFlag;
 use crate::jobs::{Lease, LeaseStatus};
 
-/// Leases in hand, each with the flag that stops its solve; without it, the solve has ended and its outcome is being
-/// written.
+/// Leases in hand, each with the flag that stops its solve; without it, the solve has ended and
+/// its outcome is being written.
 #[derive(Debug, Default)]
 pub(super) struct Running(Mutex<HashMap<Lease, Option<StopFlag>>>);
 
@@ -65,7 +65,10 @@ impl WorkerState {
                     }
                 }
                 Err(error) => {
-                    tracing::error!(error = &error as &dyn std::error::Error, "cannot extend leases");
+                    tracing::error!(
+                        error = &error as &dyn std::error::Error,
+                        "cannot extend leases"
+                    );
                 }
             }
         }

@@ -57,7 +57,8 @@ impl Slots {
 
     /// Waits for a free place and takes all that are free.
     pub(super) async fn take(&self) -> Reservation {
-        let mut permits: Vec<_> = Arc::clone(&self.places).acquire_owned().await.into_iter().collect();
+        let mut permits: Vec<_> =
+            Arc::clone(&self.places).acquire_owned().await.into_iter().collect();
         while let Ok(permit) = Arc::clone(&self.places).try_acquire_owned() {
             permits.push(permit);
         }
@@ -148,7 +149,8 @@ mod tests {
         assert_eq!((reservation.len(), reservation.all, slots.free_memory()), (4, true, 100));
         let first = reservation.assign(&slots, &claim(0)).unwrap();
         assert_eq!(reservation.len(), 3);
-        let exclusive = reservation.assign(&slots, &Claim { exclusive: true, ..claim(0) }).unwrap();
+        let exclusive =
+            reservation.assign(&slots, &Claim { exclusive: true, ..claim(0) }).unwrap();
         assert_eq!(reservation.len(), 0);
         assert!(reservation.assign(&slots, &claim(0)).is_none());
         drop((first, exclusive));

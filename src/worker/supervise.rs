@@ -15,15 +15,16 @@ use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
 use super::thread;
 use crate::jobs::{
-    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StepResult, StoreError, metrics,
+    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StepResult,
+    StoreError, metrics,
 };
 use crate::telemetry;
 
 /// Most messages taken at once.
 const BATCH: usize = 64;
 
-/// Size \[bytes\] from which the result of a step is written at once; a smaller one waits for the next, or for the end of the
-/// job: a job of one step is written once.
+/// Size \[bytes\] from which the result of a step is written at once; a smaller one waits for the
+/// next, or for the end of the job: a job of one step is written once.
 const LARGE_STEP: usize = 256 << 10;
 
 /// Wait before the results of steps are written again to a store that did not take them.
@@ -32,8 +33,8 @@ const STEP_RETRY: Duration = Duration::from_secs(1);
 /// Time between two reports of progress. A job that ends sooner is written once, with its result.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 
-/// Waits between tries to write an outcome to a store that does not answer. Together they are about as long as a
-/// lease: after that the job is taken up again.
+/// Waits between tries to write an outcome to a store that does not answer. Together they are
+/// about as long as a lease: after that the job is taken up again.
 const RETRIES_MS: [u64; 8] = [100, 500, 2000, 5000, 5000, 5000, 5000, 5000];
 
 /// What comes from a solver thread.
@@ -114,8 +115,13 @@ impl WorkerState {
         let memory = self.memory.of_job(claim.memory.max(self.settings.memory_of_place));
         let started = thread::start(job, move || {
             let mut observer = JobObserver::start(timeout, memory, stop, sender.clone());
-            let outcome =
-                attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer, &step_sender);
+            let outcome = attempt(
+                claim.lease.job,
+                solver.as_ref(),
+                &claim.request,
+                &mut observer,
+                &step_sender,
+            );
             let _ = sender.send(Message::Done(observer.take_pending(), outcome));
         });
         if let Err(error) = started {
@@ -194,7 +200,12 @@ impl WorkerState {
     }
 
     /// Writes iterations; those that could not be written are kept for the next time.
-    async fn write_progress(&self, lease: &Lease, records: &mut Vec<IterationRecord>, stop: &StopFlag) {
+    async fn write_progress(
+        &self,
+        lease: &Lease,
+        records: &mut Vec<IterationRecord>,
+        stop: &StopFlag,
+    ) {
         match self.store.record_progress(lease, records).await {
             Ok(()) => records.clear(),
             Err(StoreError::LeaseLost | StoreError::NotFound) => stop.raise(),
@@ -226,7 +237,9 @@ impl WorkerState {
             if is_late || matches!(error, StoreError::LeaseLost | StoreError::NotFound) {
                 steps.clear();
                 stop.raise();
-                return Err(JobFailure::internal(format!("results of steps could not be stored: {error}")));
+                return Err(JobFailure::internal(format!(
+                    "results of steps could not be stored: {error}"
+                )));
             }
             tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "steps not written yet");
             sleep(STEP_RETRY).await;
@@ -237,7 +250,9 @@ impl WorkerState {
     /// Whether the outcome of this attempt is in the store.
     async fn is_written(&self, lease: &Lease, outcome: &Outcome) -> bool {
         let record = self.store.get(lease.job).await;
-        record.is_ok_and(|record| record.attempts == lease.attempt && record.state == outcome.state())
+        record.is_ok_and(|record| {
+            record.attempts == lease.attempt && record.state == outcome.state()
+        })
     }
 
     async fn write_outcome(

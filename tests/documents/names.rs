@@ -13,9 +13,11 @@ const CHANGELOG_BYTES: usize = 8 * 1024;
 
 #[test]
 fn short_documents_stay_short() {
-    for (name, most) in
-        [("README.md", README_BYTES), ("docs/ARCHITECTURE.md", MAP_BYTES), ("CHANGELOG.md", CHANGELOG_BYTES)]
-    {
+    for (name, most) in [
+        ("README.md", README_BYTES),
+        ("docs/ARCHITECTURE.md", MAP_BYTES),
+        ("CHANGELOG.md", CHANGELOG_BYTES),
+    ] {
         let bytes = read(name).len();
         assert!(bytes <= most, "{name} has {bytes} bytes, {most} at most");
     }
@@ -76,8 +78,9 @@ fn in_backticks(text: &str) -> Vec<String> {
 
 /// A path from the root, or the end of the path of a source file or its folder.
 fn is_a_path(name: &str, sources: &[PathBuf]) -> bool {
-    let ends =
-        |source: &PathBuf| source.ends_with(name) || source.parent().is_some_and(|at| at.ends_with(name));
+    let ends = |source: &PathBuf| {
+        source.ends_with(name) || source.parent().is_some_and(|at| at.ends_with(name))
+    };
     path(name).exists() || sources.iter().any(ends)
 }
 
@@ -87,7 +90,9 @@ fn types(sources: &[PathBuf]) -> BTreeSet<String> {
         let text = fs::read_to_string(source).expect("sources can be read");
         for line in text.lines() {
             let mut words = line.split_whitespace().skip_while(|word| word.starts_with("pub"));
-            if let (Some("struct" | "enum" | "trait" | "type"), Some(name)) = (words.next(), words.next()) {
+            if let (Some("struct" | "enum" | "trait" | "type"), Some(name)) =
+                (words.next(), words.next())
+            {
                 let end = name.find(|c: char| !c.is_alphanumeric()).unwrap_or(name.len());
                 types.insert(name[..end].to_owned());
             }
@@ -104,12 +109,16 @@ fn links(text: &str) -> Vec<&str> {
 }
 
 fn rust_sources() -> Vec<PathBuf> {
-    ["src", "crates", "tests", "tools", "fuzz"].iter().flat_map(|folder| files(&path(folder), "rs")).collect()
+    ["src", "crates", "tests", "tools", "fuzz"]
+        .iter()
+        .flat_map(|folder| files(&path(folder), "rs"))
+        .collect()
 }
 
 fn markdown() -> Vec<PathBuf> {
     let beside = fs::read_dir(path("")).expect("the root can be read");
-    let beside = beside.flatten().map(|entry| entry.path()).filter(|path| has_extension(path, "md"));
+    let beside =
+        beside.flatten().map(|entry| entry.path()).filter(|path| has_extension(path, "md"));
     let below = ["docs", "crates", "clients/python/brinell", "deploy"];
     beside.chain(below.iter().flat_map(|folder| files(&path(folder), "md"))).collect()
 }
@@ -119,7 +128,10 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();
         if path.is_dir() {
-            if !matches!(path.file_name().and_then(|name| name.to_str()), Some("target" | "node_modules")) {
+            if !matches!(
+                path.file_name().and_then(|name| name.to_str()),
+                Some("target" | "node_modules")
+            ) {
                 found.extend(files(&path, extension));
             }
         } else if has_extension(&path, extension) {

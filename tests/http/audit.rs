@@ -36,8 +36,10 @@ impl Audited {
     }
 
     fn ask(&self, method: &str, path: &str, body: &Value) -> (u16, Value) {
-        let (header, url) =
-            (format!("Authorization: Bearer {}", self.token), format!("{}{path}", self.server.target.url));
+        let (header, url) = (
+            format!("Authorization: Bearer {}", self.token),
+            format!("{}{path}", self.server.target.url),
+        );
         let args = [
             "-X",
             method,
@@ -60,7 +62,8 @@ impl Audited {
         loop {
             let text = self.server.log();
             let lines = text.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
-            let lines: Vec<Value> = lines.filter(|line| line["target"] == "brinell::audit").collect();
+            let lines: Vec<Value> =
+                lines.filter(|line| line["target"] == "brinell::audit").collect();
             if lines.len() >= after + count {
                 return lines[after..].to_vec();
             }
@@ -72,7 +75,8 @@ impl Audited {
 /// Runs the program on a data directory; standard output and log.
 fn command(data: &Scratch, args: &[&str]) -> (String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_brinell"));
-    let output = command.args(args).args(["--data-dir", data.0.to_str().unwrap()]).output().unwrap();
+    let output =
+        command.args(args).args(["--data-dir", data.0.to_str().unwrap()]).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap().trim().to_owned();
     assert!(output.status.success(), "{}", text(output.stderr));
     (text(output.stdout), text(output.stderr))
@@ -90,7 +94,13 @@ fn every_request_that_changes_something_is_told_with_its_key() {
     let (mut before, mut asked) = (2, BTreeSet::from(["post /v1/jobs".to_owned()]));
     for (method, template, body, message, lines) in [
         ("POST", "/v1/solve", example(), "queued", 1),
-        ("POST", "/v1/batch/submit", json!({"jobs": [{"job": example()}, {"job": example()}]}), "queued", 2),
+        (
+            "POST",
+            "/v1/batch/submit",
+            json!({"jobs": [{"job": example()}, {"job": example()}]}),
+            "queued",
+            2,
+        ),
         ("POST", "/v1/batch/cancel", json!({"ids": [id]}), "asked to stop", 1),
         ("POST", "/v1/jobs/{id}/cancel", Value::Null, "asked to stop", 1),
         ("DELETE", "/v1/jobs/{id}", Value::Null, "removed", 1),
@@ -112,7 +122,8 @@ fn every_request_that_changes_something_is_told_with_its_key() {
     let document = audited.server.target.get("/openapi.json").json();
     for (path, item) in document["paths"].as_object().unwrap() {
         for method in item.as_object().unwrap().keys().filter(|method| *method != "get") {
-            let is_known = HARMLESS.contains(&path.as_str()) || asked.contains(&format!("{method} {path}"));
+            let is_known =
+                HARMLESS.contains(&path.as_str()) || asked.contains(&format!("{method} {path}"));
             assert!(is_known, "{method} {path} changes something, and no line is asked for here");
         }
     }
@@ -133,7 +144,8 @@ fn every_command_that_changes_something_is_told() {
         (vec!["backup", file], "backup written", file),
     ] {
         let (_, log) = command(&audited.data, &args);
-        let is_told = |line: &str| ["brinell::audit", message, named].iter().all(|word| line.contains(word));
+        let is_told =
+            |line: &str| ["brinell::audit", message, named].iter().all(|word| line.contains(word));
         assert!(log.lines().any(is_told), "{args:?}: {log}");
     }
     let elsewhere = Scratch::new();

@@ -43,7 +43,10 @@ fn fields_at_fault(changes: &[(&str, Value)], expected: &[&str]) {
 fn not_json(text: &str) {
     refused_everywhere(text, |answer| {
         let problem = answer.problem(400, "invalid-json");
-        assert!(problem["line"].as_u64().is_some() && problem["column"].as_u64().is_some(), "{problem}");
+        assert!(
+            problem["line"].as_u64().is_some() && problem["column"].as_u64().is_some(),
+            "{problem}"
+        );
     });
 }
 
@@ -81,7 +84,10 @@ fn negative_radius() {
 
 #[test]
 fn poisson_ratio_of_one_half() {
-    fields_at_fault(&[("/lower/material/poisson_ratio", json!(0.5))], &["/lower/material/poisson_ratio"]);
+    fields_at_fault(
+        &[("/lower/material/poisson_ratio", json!(0.5))],
+        &["/lower/material/poisson_ratio"],
+    );
 }
 
 #[test]
@@ -156,7 +162,8 @@ fn a_hundred_megabytes() {
         assert_eq!(answer.problem(413, "body-too-large")["limit_bytes"], 1 << 20);
     };
     let json = "Content-Type: application/json";
-    // Asking first, as curl does with large bodies; not asking; and not even saying how much will come.
+    // Asking first, as curl does with large bodies; not asking; and not even saying how much will
+    // come.
     refused(service.post("/v1/jobs", heap()));
     refused(service.post_with("/v1/solve", heap(), &["-H", json, "-H", "Expect:"]));
     let chunked = ["-H", json, "-H", "Expect:", "-H", "Transfer-Encoding: chunked"];
@@ -167,7 +174,8 @@ fn a_hundred_megabytes() {
 
 /// The most memory the process ever had, where the system tells.
 fn peak_memory_kib(server: &Server) -> u64 {
-    let status = std::fs::read_to_string(format!("/proc/{}/status", server.id())).unwrap_or_default();
+    let status =
+        std::fs::read_to_string(format!("/proc/{}/status", server.id())).unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     line.and_then(|line| line.trim().trim_end_matches(" kB").parse().ok()).unwrap_or(0)
 }
@@ -184,10 +192,13 @@ fn a_body_just_over_the_limit_and_one_just_under() {
 fn other_content_types() {
     let server = Server::start();
     let job = example().to_string();
-    let send = |target: &Target, header: &str| target.post_with("/v1/jobs", job.clone(), &["-H", header]);
-    for header in
-        ["Content-Type: text/plain", "Content-Type:", "Content-Type: application/x-www-form-urlencoded"]
-    {
+    let send =
+        |target: &Target, header: &str| target.post_with("/v1/jobs", job.clone(), &["-H", header]);
+    for header in [
+        "Content-Type: text/plain",
+        "Content-Type:",
+        "Content-Type: application/x-www-form-urlencoded",
+    ] {
         send(&server.target, header).problem(415, "unsupported-media-type");
     }
     assert_eq!(send(&server.target, "Content-Type: application/json; charset=utf-8").status, 202);

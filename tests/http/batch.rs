@@ -10,7 +10,11 @@ use crate::server::{Server, Target, example};
 
 fn submit(target: &Target, jobs: &[Value], header: &str) -> Answer {
     let body = json!({ "jobs": jobs }).to_string();
-    target.post_with("/v1/batch/submit", body, &["-H", "Content-Type: application/json", "-H", header])
+    target.post_with(
+        "/v1/batch/submit",
+        body,
+        &["-H", "Content-Type: application/json", "-H", header],
+    )
 }
 
 /// The items of an answer.
@@ -20,7 +24,10 @@ fn items(answer: &Answer) -> Vec<Value> {
     let answer = answer.json();
     let items = answer["jobs"].as_array().unwrap().clone();
     let refused = items.iter().filter(|item| item["problem"].is_object()).count();
-    assert_eq!((&answer["accepted"], &answer["refused"]), (&json!(items.len() - refused), &json!(refused)));
+    assert_eq!(
+        (&answer["accepted"], &answer["refused"]),
+        (&json!(items.len() - refused), &json!(refused))
+    );
     items
 }
 
@@ -62,13 +69,17 @@ fn each_job_is_answered_as_by_itself() {
 fn a_request_of_the_wrong_form_does_nothing() {
     let service = InProcess::start(|_| ());
     let many = vec![json!({"job": job("quick")}); 101];
-    for (jobs, pointer) in [(many, "/jobs"), (vec![json!({"job": job("quick"), "prio": 1})], "/jobs/0/prio")]
+    for (jobs, pointer) in
+        [(many, "/jobs"), (vec![json!({"job": job("quick"), "prio": 1})], "/jobs/0/prio")]
     {
         let problem = submit(&service.target, &jobs, "Accept: */*").problem(422, "invalid-batch");
         assert_eq!(pointers(&problem), [pointer]);
     }
     for path in ["submit", "cancel", "fetch"] {
-        service.target.post(&format!("/v1/batch/{path}"), "{\"jobs\": [").problem(400, "invalid-json");
+        service
+            .target
+            .post(&format!("/v1/batch/{path}"), "{\"jobs\": [")
+            .problem(400, "invalid-json");
         service.target.post(&format!("/v1/batch/{path}"), "[]").problem(422, "invalid-batch");
     }
     assert_eq!(service.target.get("/v1/jobs").json()["jobs"], json!([]));
@@ -78,7 +89,8 @@ fn a_request_of_the_wrong_form_does_nothing() {
 fn the_same_batch_under_the_same_key_is_the_same_jobs() {
     let service = InProcess::start(|_| ());
     let key = "Idempotency-Key: press-7";
-    let mut jobs = vec![json!({"job": job("quick")}), json!({"job": job("other"), "idempotency_key": "own"})];
+    let mut jobs =
+        vec![json!({"job": job("quick")}), json!({"job": job("other"), "idempotency_key": "own"})];
     let first = items(&submit(&service.target, &jobs, key));
     let again = items(&submit(&service.target, &jobs, key));
     assert_eq!(ids_of(&first), ids_of(&again));
@@ -117,15 +129,19 @@ fn jobs_are_fetched_with_the_parts_of_their_results_that_are_wanted() {
     let mut sweep = example();
     sweep["load"] = json!({"forces": [300.0, 400.0]});
     sweep["output"] = json!({"fields": true, "subsurface": true});
-    let answered =
-        items(&submit(&server.target, &[json!({"job": sweep}), json!({"job": example()})], "Accept: */*"));
+    let answered = items(&submit(
+        &server.target,
+        &[json!({"job": sweep}), json!({"job": example()})],
+        "Accept: */*",
+    ));
     let ids = ids_of(&answered);
     for item in &answered {
         server.target.wait_for(item["job"]["links"]["self"].as_str().unwrap(), &["succeeded"]);
     }
     let asked = json!({"ids": [ids[0], brinell::jobs::JobId::generate(), ids[1]]}).to_string();
     let fetched = items(&server.target.post("/v1/batch/fetch", asked.clone()));
-    let result = server.target.get(&format!("/v1/jobs/{}/result", ids[0].as_str().unwrap())).json();
+    let result =
+        server.target.get(&format!("/v1/jobs/{}/result", ids[0].as_str().unwrap())).json();
     assert_eq!(fetched[0]["job"]["result"], result);
     assert_eq!(fetched[1]["problem"]["type"], "/problems/job-not-found");
     assert_eq!(
@@ -134,8 +150,9 @@ fn jobs_are_fetched_with_the_parts_of_their_results_that_are_wanted() {
     );
 
     let parts = items(&server.target.post("/v1/batch/fetch?step=2&fields=contact", asked));
-    let result =
-        server.target.get(&format!("/v1/jobs/{}/result?step=2&fields=contact", ids[0].as_str().unwrap()));
+    let result = server
+        .target
+        .get(&format!("/v1/jobs/{}/result?step=2&fields=contact", ids[0].as_str().unwrap()));
     assert_eq!(parts[0]["job"]["result"], result.json());
     assert_eq!(parts[2]["problem"]["type"], "/problems/step-not-found");
 }

@@ -100,6 +100,10 @@ pub fn parse(mut text: &[u8]) -> Option<Answer> {
             let (key, value) = line.split_once(':')?;
             Some((key.to_ascii_lowercase(), value.trim().to_owned()))
         };
-        return Some(Answer { status, headers: lines.filter_map(header).collect(), body: body.to_vec() });
+        return Some(Answer {
+            status,
+            headers: lines.filter_map(header).collect(),
+            body: body.to_vec(),
+        });
     }
 }

@@ -9,7 +9,8 @@ use crate::server::{DEADLINE, Server, example};
 
 /// Sends a head as it is and returns the first line of the answer.
 fn status_of(server: &Server, head: &str) -> String {
-    let mut stream = TcpStream::connect(server.target.url.strip_prefix("http://").unwrap()).unwrap();
+    let mut stream =
+        TcpStream::connect(server.target.url.strip_prefix("http://").unwrap()).unwrap();
     stream.write_all(head.as_bytes()).unwrap();
     let mut text = String::new();
     stream.read_to_string(&mut text).unwrap();
@@ -30,12 +31,14 @@ fn other_names_are_not_answered_to() {
         assert!(status.starts_with("HTTP/1.1 400"), "{status}");
     }
     let whole = |host: &str| {
-        let line =
-            format!("GET http://{host}/livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+        let line = format!(
+            "GET http://{host}/livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n"
+        );
         status_of(&server, &line)
     };
     assert!(
-        whole("localhost").starts_with("HTTP/1.1 200") && whole("evil.example").starts_with("HTTP/1.1 421")
+        whole("localhost").starts_with("HTTP/1.1 200")
+            && whole("evil.example").starts_with("HTTP/1.1 421")
     );
     let named = Server::start_with(&["--allowed-host", "brinell.example"]);
     let url = format!("{}/v1/jobs", named.target.url);
@@ -60,12 +63,16 @@ fn names_of_requests_are_short_and_printable() {
 #[test]
 fn every_answer_keeps_browsers_from_guessing() {
     let server = Server::start();
-    for path in ["/", "/livez", "/v1/jobs", "/nowhere", "/docs/", "/openapi.json", "/problems/internal"] {
+    for path in
+        ["/", "/livez", "/v1/jobs", "/nowhere", "/docs/", "/openapi.json", "/problems/internal"]
+    {
         let answer = server.target.get(path);
         assert_eq!(answer.header("x-content-type-options"), Some("nosniff"), "{path}");
         assert!(answer.header("cache-control").is_some(), "{path}");
         assert!(
-            answer.header("content-security-policy").is_some_and(|policy| policy.contains("default-src")),
+            answer
+                .header("content-security-policy")
+                .is_some_and(|policy| policy.contains("default-src")),
             "{path}"
         );
     }
@@ -101,7 +108,9 @@ fn heads_are_read_up_to_the_documented_size() {
         let line = |number| format!("x-{number}: {}", "y".repeat(1012));
         let lines: Vec<String> = (0..kilobytes).map(line).collect();
         let lines = lines.join("\r\n");
-        let head = format!("GET /livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{lines}\r\n\r\n");
+        let head = format!(
+            "GET /livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{lines}\r\n\r\n"
+        );
         let mut stream = connect(&server);
         // The answer may come before everything is sent.
         let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.flush());
@@ -152,7 +161,8 @@ fn connections_leave_files_for_the_store() {
 #[test]
 fn unfinished_bodies_are_bounded_in_sum() {
     let server = Server::start_with(&["--max-body", "2048"]);
-    let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2048\r\n\r\n";
+    let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: \
+                application/json\r\nContent-Length: 2048\r\n\r\n";
     // More than 128 bodies of the largest size, none of which ever ends.
     let hanging: Vec<TcpStream> = (0..140)
         .map(|_| {

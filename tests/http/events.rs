@@ -48,7 +48,10 @@ fn a_finished_job_replays_its_history_and_ends() {
     let count = usize::try_from(finished["progress"]["iterations"].as_u64().unwrap()).unwrap();
     assert_eq!(iterations.len(), count);
     for (number, event) in iterations.iter().enumerate() {
-        assert_eq!((event.name.as_str(), &event.id), ("iteration", &Some(format!("1-{}", number + 1))));
+        assert_eq!(
+            (event.name.as_str(), &event.id),
+            ("iteration", &Some(format!("1-{}", number + 1)))
+        );
     }
     assert_eq!(iterations[count - 1].data, finished["progress"]["latest"]);
     assert_eq!((last.name.as_str(), &last.id), ("state", &Some(format!("1-{count}-end"))));
@@ -65,9 +68,11 @@ fn a_finished_job_replays_its_history_and_ends() {
 #[test]
 fn a_running_job_is_followed_to_its_end() {
     let service = InProcess::start(|_| ());
-    let (running, queued) = (service.target.submit(&job("slow")), service.target.submit(&job("quick")));
+    let (running, queued) =
+        (service.target.submit(&job("slow")), service.target.submit(&job("quick")));
     service.target.wait_for(&running, &["running"]);
-    let mut follower = spawn_curl(&["--no-buffer", &format!("{}{queued}/events", service.target.url)]);
+    let mut follower =
+        spawn_curl(&["--no-buffer", &format!("{}{queued}/events", service.target.url)]);
     let mut stdout = BufReader::new(follower.stdout.take().unwrap());
     let mut seen = String::new();
     while !seen.contains("\"status\":\"queued\"") {
@@ -78,15 +83,20 @@ fn a_running_job_is_followed_to_its_end() {
     stdout.read_to_string(&mut seen).unwrap();
     follower.wait().unwrap();
     let body = parse(seen.as_bytes()).unwrap().body;
-    let states: Vec<Value> = events(&body).into_iter().map(|event| event.data["status"].clone()).collect();
+    let states: Vec<Value> =
+        events(&body).into_iter().map(|event| event.data["status"].clone()).collect();
     assert_eq!(states.first().unwrap(), "queued");
     assert_eq!(states.last().unwrap(), "succeeded");
     let body = parse(&running.wait_with_output().unwrap().stdout).unwrap().body;
     let all = events(&body);
     let iterations = all.iter().filter(|event| event.name == "iteration");
-    let numbers: Vec<u64> = iterations.map(|event| event.data["iteration"].as_u64().unwrap()).collect();
+    let numbers: Vec<u64> =
+        iterations.map(|event| event.data["iteration"].as_u64().unwrap()).collect();
     assert!(!numbers.is_empty());
-    assert!(numbers.iter().zip(1..).all(|(number, expected)| *number == expected), "in order, none lost");
+    assert!(
+        numbers.iter().zip(1..).all(|(number, expected)| *number == expected),
+        "in order, none lost"
+    );
     assert_eq!(all.last().unwrap().data["status"], "succeeded");
 }
 
@@ -100,7 +110,8 @@ fn a_hundred_followers_and_one_that_never_reads() {
     let follow = || {
         let mut stream = TcpStream::connect(address).unwrap();
         stream.set_read_timeout(Some(DEADLINE)).unwrap();
-        write!(stream, "GET {id}/events HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").unwrap();
+        write!(stream, "GET {id}/events HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+            .unwrap();
         stream
     };
     let _deaf = follow();

@@ -20,16 +20,30 @@ fn every_form_of_a_result_is_served_under_its_name() {
     let server = Server::start();
     let job = solved(&server.target, &json!({"force": 600.0}), &json!({"fields": true}));
     for (file, media_type, disposition, beginning) in [
-        ("summary.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,status,force [N/mm],"),
+        (
+            "summary.csv",
+            "text/csv; charset=utf-8; header=present",
+            "attachment",
+            "step,status,force [N/mm],",
+        ),
         ("pressure.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,x [mm],"),
-        ("subsurface.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,body,depth [mm],"),
+        (
+            "subsurface.csv",
+            "text/csv; charset=utf-8; header=present",
+            "attachment",
+            "step,body,depth [mm],",
+        ),
         ("field.vtu", "application/xml", "attachment", "<?xml version"),
         ("pressure.svg", "image/svg+xml", "inline", "<svg "),
         ("depth.svg", "image/svg+xml", "inline", "<svg "),
     ] {
         let answer = server.target.get(&format!("{job}/{file}"));
         let text = String::from_utf8(answer.body.clone()).unwrap();
-        assert_eq!((answer.status, answer.header("content-type")), (200, Some(media_type)), "{text}");
+        assert_eq!(
+            (answer.status, answer.header("content-type")),
+            (200, Some(media_type)),
+            "{text}"
+        );
         assert!(text.starts_with(beginning), "{file}: {}", &text[..80]);
         let id = job.rsplit('/').next().unwrap();
         let expected = format!("{disposition}; filename=\"{id}-{file}\"");
@@ -49,7 +63,8 @@ fn stresses_over_depth_say_at_which_x_or_r_they_lie() {
         asked["analysis"] = json!(analysis);
         let job = server.target.submit(&asked);
         server.target.wait_for(&job, &["succeeded"]);
-        let text = String::from_utf8(server.target.get(&format!("{job}/subsurface.csv")).body).unwrap();
+        let text =
+            String::from_utf8(server.target.get(&format!("{job}/subsurface.csv")).body).unwrap();
         assert!(text.starts_with(&format!("step,body,depth [mm],{stresses},")), "{text}");
         let mut rows = text.lines().map(|line| line.rsplit(',').next().unwrap());
         assert_eq!(rows.next(), Some(place));
@@ -102,7 +117,8 @@ fn a_step_of_a_sweep_is_chosen() {
     let table = server.target.get(&format!("{job}/pressure.csv"));
     let text = String::from_utf8(table.body).unwrap();
     assert!(
-        text.lines().any(|line| line.starts_with("1,")) && text.lines().any(|line| line.starts_with("2,"))
+        text.lines().any(|line| line.starts_with("1,"))
+            && text.lines().any(|line| line.starts_with("2,"))
     );
 }
 

@@ -53,8 +53,10 @@ fn requests_that_can_be_read_in_two_ways() {
         "Transfer-Encoding : chunked\r\n",
         "Content-Length: 0x5\r\n",
     ] {
-        let head = "POST /v1/validate HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
-        let heard = say(&server.target, format!("{head}{lengths}\r\n0\r\n\r\n{hidden}").as_bytes());
+        let head =
+            "POST /v1/validate HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
+        let heard =
+            say(&server.target, format!("{head}{lengths}\r\n0\r\n\r\n{hidden}").as_bytes());
         let statuses = statuses(&heard);
         assert_eq!(statuses, ["400"], "{lengths:?} was answered by\n{heard}");
     }
@@ -76,7 +78,8 @@ fn heads_too_large() {
     // One that never ends.
     let mut stream = connect(&server.target);
     stream.write_all(head.as_bytes()).unwrap();
-    let line = b"X-Endless: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\r\n";
+    let line = b"X-Endless: \
+                 aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\r\n";
     let taken = (0..1_000_000).take_while(|_| stream.write_all(line).is_ok()).count();
     assert!(taken < 1_000_000, "the service read on");
     server.target.assert_alive();
@@ -85,9 +88,11 @@ fn heads_too_large() {
 #[test]
 fn json_nested_without_end() {
     let server = Server::start();
-    for text in
-        ["[".repeat(500_000), "{\"a\":".repeat(200_000), format!("{{\"upper\":{}", "[".repeat(900_000))]
-    {
+    for text in [
+        "[".repeat(500_000),
+        "{\"a\":".repeat(200_000),
+        format!("{{\"upper\":{}", "[".repeat(900_000)),
+    ] {
         server.target.post("/v1/jobs", text).problem(400, "invalid-json");
     }
     server.target.assert_alive();
@@ -120,7 +125,8 @@ fn heads_and_bodies_that_do_not_come() {
         let heard = hear(stream);
         assert!(heard.is_empty() || statuses(&heard) == ["408"], "{heard}");
     }
-    let head = "POST /v1/solve HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 1000\r\n\r\n{";
+    let head = "POST /v1/solve HTTP/1.1\r\nHost: localhost\r\nContent-Type: \
+                application/json\r\nContent-Length: 1000\r\n\r\n{";
     let heard = say(&server.target, head.as_bytes());
     let answer: Answer = parse(heard.as_bytes()).unwrap();
     answer.problem(408, "body-timeout");
@@ -133,7 +139,8 @@ fn sockets(server: &Server) -> usize {
     let files = fs::read_dir(format!("/proc/{}/fd", server.id())).into_iter().flatten().flatten();
     files
         .filter(|file| {
-            fs::read_link(file.path()).is_ok_and(|link| link.to_string_lossy().starts_with("socket:"))
+            fs::read_link(file.path())
+                .is_ok_and(|link| link.to_string_lossy().starts_with("socket:"))
         })
         .count()
 }
@@ -144,7 +151,9 @@ fn clients_that_do_not_read_are_hung_up_on() {
     // Nobody is connected yet.
     let before = sockets(&server);
     let mut deaf = connect(&server.target);
-    let _ = deaf.write_all("GET /openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n".repeat(1000).as_bytes());
+    let _ = deaf.write_all(
+        "GET /openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n".repeat(1000).as_bytes(),
+    );
     let started = Instant::now();
     let until = |is_so: &dyn Fn(usize) -> bool| {
         while !is_so(sockets(&server)) {
@@ -204,7 +213,11 @@ fn event_streams_are_bounded() {
     let refused = service.target.get(&format!("{id}/events"));
     assert_eq!(refused.header("retry-after"), Some("2"));
     refused.problem(503, "too-many-streams");
-    assert_eq!(service.target.get(&id).json()["status"], json!("running"), "questions are still answered");
+    assert_eq!(
+        service.target.get(&id).json()["status"],
+        json!("running"),
+        "questions are still answered"
+    );
     drop(streams);
     let started = Instant::now();
     service.solver.open_gate();

@@ -25,7 +25,8 @@ pub struct InProcess {
 impl InProcess {
     /// One solver slot, and whatever else `adjust` sets.
     pub fn start(adjust: impl FnOnce(&mut ServeConfig)) -> Self {
-        let mut config = ServeConfig { listen: "127.0.0.1:0".to_owned(), ..ServeConfig::default() };
+        let mut config =
+            ServeConfig { listen: "127.0.0.1:0".to_owned(), ..ServeConfig::default() };
         config.work.workers = NonZeroUsize::new(1);
         config.storage.data_dir = ":memory:".into();
         adjust(&mut config);

@@ -31,7 +31,9 @@ fn a_job_is_queued_followed_and_fetched() {
     assert_eq!((result.status, result.header("content-type")), (200, Some("application/json")));
     let report = result.json();
     assert_eq!(report["status"], "converged");
-    assert!(report["steps"][0]["contact"]["peak_pressure"].as_f64().is_some_and(|peak| peak > 1000.0));
+    assert!(
+        report["steps"][0]["contact"]["peak_pressure"].as_f64().is_some_and(|peak| peak > 1000.0)
+    );
     assert!(report["steps"][0]["history"].as_array().is_some_and(|history| !history.is_empty()));
 }
 
@@ -44,7 +46,10 @@ fn solve_answers_with_the_result() {
     let job = answer.json();
     assert_eq!(server.target.get(&format!("{address}?wait=0")).json(), job);
     assert_eq!(server.target.get(job["links"]["result"].as_str().unwrap()).json(), job["result"]);
-    assert_eq!((&job["status"], &job["result"]["status"]), (&"succeeded".into(), &"converged".into()));
+    assert_eq!(
+        (&job["status"], &job["result"]["status"]),
+        (&"succeeded".into(), &"converged".into())
+    );
     assert_eq!((&job["done"], &job["has_result"]), (&true.into(), &true.into()));
     assert!(job["expires_at"].as_str() > job["finished_at"].as_str());
     for (name, link) in job["links"].as_object().unwrap() {
@@ -53,7 +58,8 @@ fn solve_answers_with_the_result() {
     }
 }
 
-/// Links are to what the job has: those of flow theory are on its jobs alone, and all of them answer.
+/// Links are to what the job has: those of flow theory are on its jobs alone, and all of them
+/// answer.
 #[test]
 fn links_are_to_what_there_is() {
     let server = Server::start();

@@ -19,7 +19,8 @@ struct Guarded {
 impl Guarded {
     fn start() -> Self {
         let data = Scratch::new();
-        let server = Server::start_with(&["--require-api-key", "--data-dir", data.0.to_str().unwrap()]);
+        let server =
+            Server::start_with(&["--require-api-key", "--data-dir", data.0.to_str().unwrap()]);
         Self { server, data }
     }
 
@@ -42,7 +43,8 @@ impl Guarded {
 
     fn post(&self, token: &str, path: &str) -> Answer {
         let (header, url) = (format!("Authorization: Bearer {token}"), self.url(path));
-        let args = ["-H", &header, "-H", "Content-Type: application/json", "--data-binary", "@-", &url];
+        let args =
+            ["-H", &header, "-H", "Content-Type: application/json", "--data-binary", "@-", &url];
         curl_with_input(&args, example().to_string().into())
     }
 
@@ -106,7 +108,8 @@ fn jobs_are_visible_to_their_key_and_to_administrators() {
         guarded.ask(token, "GET", &format!("{job}/result")).problem(404, "job-not-found");
         guarded.ask(token, "GET", &format!("{job}/events")).problem(404, "job-not-found");
     }
-    let count = |token| guarded.ask(token, "GET", "/v1/jobs").json()["jobs"].as_array().unwrap().len();
+    let count =
+        |token| guarded.ask(token, "GET", "/v1/jobs").json()["jobs"].as_array().unwrap().len();
     assert_eq!([count(&mine), count(&other), count(&admin)], [1, 0, 1]);
     guarded.post(&reader, "/v1/jobs").problem(403, "forbidden");
     assert_eq!(guarded.post(&reader, "/v1/validate").status, 200);
@@ -162,7 +165,8 @@ fn what_goes_on_under_a_key_ends_with_it() {
         let authority = guarded.server.target.url.strip_prefix("http://").unwrap();
         let mut stream = TcpStream::connect(authority).unwrap();
         let head = format!(
-            "GET {job}/events HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nAuthorization: Bearer {token}\r\n\r\n"
+            "GET {job}/events HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nAuthorization: \
+             Bearer {token}\r\n\r\n"
         );
         stream.write_all(head.as_bytes()).unwrap();
         let mut first = [0; 12];
@@ -188,7 +192,8 @@ fn every_route_asks_for_the_key_that_it_needs() {
     let document = guarded.server.target.get("/openapi.json").json();
     let mut asked = 0;
     for (path, operations) in document["paths"].as_object().unwrap() {
-        let url = path.replace("{id}", "0197e1f0-0000-7000-8000-000000000000").replace("{step}", "1");
+        let url =
+            path.replace("{id}", "0197e1f0-0000-7000-8000-000000000000").replace("{step}", "1");
         for method in operations.as_object().unwrap().keys().filter(|name| *name != "parameters") {
             let method = method.to_uppercase();
             let is_open = OPEN.contains(&path.as_str());
@@ -227,7 +232,8 @@ fn a_key_that_is_sent_counts_where_none_is_required() {
 #[test]
 fn a_head_of_any_size_is_not_read() {
     let server = Server::start();
-    let mut stream = TcpStream::connect(server.target.url.strip_prefix("http://").unwrap()).unwrap();
+    let mut stream =
+        TcpStream::connect(server.target.url.strip_prefix("http://").unwrap()).unwrap();
     stream.set_read_timeout(Some(DEADLINE)).unwrap();
     let head = format!("GET /livez HTTP/1.1\r\nHost: localhost\r\n{}\r\n", "X: y\r\n".repeat(200));
     stream.write_all(head.as_bytes()).unwrap();
@@ -289,7 +295,8 @@ fn forty_keys_that_check_without_end_hold_up_nobody() {
 #[test]
 fn a_key_waits_for_its_own_readers_who_do_not_read_and_others_do_not() {
     let guarded = Guarded::start();
-    let [deaf, other] = ["deaf", "other"].map(|name| guarded.key(&["create", name, "--scope", "admin"]));
+    let [deaf, other] =
+        ["deaf", "other"].map(|name| guarded.key(&["create", name, "--scope", "admin"]));
     let mut job = example();
     job["mesh"] = serde_json::json!({"elements_per_half_width": 40});
     job["output"] = serde_json::json!({"fields": true});
@@ -303,7 +310,8 @@ fn a_key_waits_for_its_own_readers_who_do_not_read_and_others_do_not() {
     let open = |token: &str| {
         let mut stream = TcpStream::connect(host).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(15))).unwrap();
-        let head = format!("GET {path} HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer {token}\r\n");
+        let head =
+            format!("GET {path} HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer {token}\r\n");
         write!(stream, "{head}Connection: close\r\n\r\n").unwrap();
         let mut first = [0; 15];
         stream.read_exact(&mut first).unwrap();
@@ -316,7 +324,11 @@ fn a_key_waits_for_its_own_readers_who_do_not_read_and_others_do_not() {
     let further = open(&deaf);
     further.set_read_timeout(Some(Duration::from_secs(1))).unwrap();
     let mut waiting = Vec::new();
-    assert!((&further).read_to_end(&mut waiting).is_err() && waiting.len() < 1000, "{}", waiting.len());
+    assert!(
+        (&further).read_to_end(&mut waiting).is_err() && waiting.len() < 1000,
+        "{}",
+        waiting.len()
+    );
     drop(held);
     further.set_read_timeout(Some(Duration::from_secs(15))).unwrap();
     assert_eq!(waiting.len() + length(further).unwrap(), whole);

@@ -44,7 +44,10 @@ fn jobs_are_listed_newest_first_page_by_page() {
         page(target, &format!("id={}&id={}", id(&jobs[3]), id(&jobs[1]))).0,
         [jobs[1].clone(), jobs[3].clone()]
     );
-    assert_eq!(page(target, "since=2001-01-01T00:00:00Z&tag=test:slow").0, std::slice::from_ref(&slow));
+    assert_eq!(
+        page(target, "since=2001-01-01T00:00:00Z&tag=test:slow").0,
+        std::slice::from_ref(&slow)
+    );
     assert!(page(target, "until=2001-01-01T00:00:00Z").0.is_empty());
     for query in ["sort=up", "since=now", "until=2001-01-01", "id=x", &"tag=a:b&".repeat(9)] {
         target.get(&format!("/v1/jobs?{query}")).problem(400, "invalid-query");

@@ -1,5 +1,9 @@
 //! The service as its clients see it: the real binary, asked by the real `curl`.
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a test that cannot go on says where"
+)]
 
 mod audit;
 mod bad_input;

@@ -17,12 +17,19 @@ fn a_job_above_the_budget_is_refused_with_its_estimate() {
     large["mesh"] = json!({"elements_per_half_width": 80});
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate"] {
         let problem = server.target.post(path, large.to_string()).problem(422, "job-too-large");
-        assert_eq!(problem["limit_bytes"], 60 << 20, "the budget binds where --max-job-memory would not");
+        assert_eq!(
+            problem["limit_bytes"],
+            60 << 20,
+            "the budget binds where --max-job-memory would not"
+        );
         assert!(problem["estimate"]["bytes"].as_u64().is_some_and(|bytes| bytes > 60 << 20));
     }
     let mut small = example();
     small["mesh"] = json!({"elements_per_half_width": 4});
-    assert_eq!(server.target.post("/v1/solve", small.to_string()).json()["result"]["status"], "converged");
+    assert_eq!(
+        server.target.post("/v1/solve", small.to_string()).json()["result"]["status"],
+        "converged"
+    );
 }
 
 /// Flow theory holds increments to the end of the job, but no steps.
@@ -38,7 +45,8 @@ fn a_history_is_refused_for_what_it_holds() {
     };
     let flow = json!({"theory": "flow"});
     assert_eq!(verdict(300, true, flow).status, 200);
-    verdict(1, false, json!({"theory": "flow", "increments": 10_000})).problem(422, "job-too-large");
+    verdict(1, false, json!({"theory": "flow", "increments": 10_000}))
+        .problem(422, "job-too-large");
 }
 
 /// Six histories of ten thousand increments, which no estimate calls long.
@@ -48,7 +56,8 @@ fn a_key_leaves_a_place_to_others_whatever_it_hands_in() {
     let service = InProcess::start(|config| config.storage.data_dir = data.0.clone());
     let key = |name: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_brinell"));
-        let output = command.args(["key", "create", name, "--data-dir"]).arg(&data.0).output().unwrap();
+        let output =
+            command.args(["key", "create", name, "--data-dir"]).arg(&data.0).output().unwrap();
         format!("Authorization: Bearer {}", String::from_utf8(output.stdout).unwrap().trim())
     };
     let [greedy, modest] = ["greedy", "modest"].map(key);
@@ -79,7 +88,8 @@ fn a_job_that_takes_more_memory_than_there_is_fails_and_says_so() {
     let mut fine = job("understated");
     fine["mesh"] = json!({"elements_per_half_width": 40});
     let mut long = job("understated");
-    (long["mesh"], long["output"]) = (json!({"elements_per_half_width": 4}), json!({"fields": false}));
+    (long["mesh"], long["output"]) =
+        (json!({"elements_per_half_width": 4}), json!({"fields": false}));
     long["load"] = json!({"history": [{"force": 700.0}, {"force": 0.0}]});
     long["solver"] = json!({"theory": "flow", "increments": 10_000});
     let ball = json!({
@@ -129,12 +139,17 @@ fn a_job_waits_until_there_is_memory_for_it() {
     let first = target.submit(&large_job());
     target.wait_for(&first, &["running"]);
     let second = target.submit(&large_job());
-    // A small job that goes before the second. Whoever takes it up has two solvers free, and comes to the second too.
+    // A small job that goes before the second. Whoever takes it up has two solvers free, and comes
+    // to the second too.
     let mut small = job("quick");
     small["mesh"] = json!({"elements_per_half_width": 4});
     let answer = target.post("/v1/jobs?priority=1", small.to_string());
     target.wait_for(answer.header("location").unwrap(), &["succeeded"]);
-    assert_eq!(target.get(&second).json()["status"], "queued", "there is no room beside the first");
+    assert_eq!(
+        target.get(&second).json()["status"],
+        "queued",
+        "there is no room beside the first"
+    );
     service.solver.open_gate();
     target.wait_for(&second, &["succeeded"]);
 }

@@ -37,11 +37,16 @@ fn jobs_and_requests_are_measured() {
     exercise(&server.target);
     let answer = server.target.get("/metrics");
     assert_eq!(answer.status, 200);
-    assert!(answer.header("content-type").is_some_and(|kind| kind.starts_with("text/plain; version=0.0.4")));
+    assert!(
+        answer
+            .header("content-type")
+            .is_some_and(|kind| kind.starts_with("text/plain; version=0.0.4"))
+    );
     let text = String::from_utf8(answer.body).unwrap();
     let value = |name: &str| sample(&text, name).unwrap_or_else(|| panic!("no {name} in\n{text}"));
-    let is =
-        |name: &str, expected: f64| assert!((value(name) - expected).abs() < 1e-9, "{name} {}", value(name));
+    let is = |name: &str, expected: f64| {
+        assert!((value(name) - expected).abs() < 1e-9, "{name} {}", value(name))
+    };
     is("brinell_queue_depth", 0.0);
     is("brinell_jobs_running", 0.0);
     is("brinell_event_streams", 0.0);
@@ -52,14 +57,16 @@ fn jobs_and_requests_are_measured() {
     is("brinell_solver_iterations_count", 2.0);
     assert!(value("brinell_solver_iterations_sum") > 2.0);
     assert!(value("brinell_solve_duration_seconds_sum") > 0.001);
-    let lookups =
-        |outcome: &str| value(&format!("brinell_factor_cache_lookups_total{{outcome=\"{outcome}\"}}"));
+    let lookups = |outcome: &str| {
+        value(&format!("brinell_factor_cache_lookups_total{{outcome=\"{outcome}\"}}"))
+    };
     assert!(
         lookups("hit") >= 1.0 && lookups("hit") >= lookups("miss"),
         "the second job finds what the first left"
     );
     assert!(value("brinell_factor_cache_bytes") > 1e5);
-    let solve = "http_request_method=\"POST\",http_route=\"/v1/solve\",http_response_status_code=\"200\"";
+    let solve =
+        "http_request_method=\"POST\",http_route=\"/v1/solve\",http_response_status_code=\"200\"";
     is(&format!("http_server_request_duration_seconds_count{{{solve}}}"), 1.0);
     assert!(text.contains("http_route=\"/v1/jobs/{id}\""), "routes are told by their template");
     assert!(!text.contains("nowhere") && !text.contains("0000-"), "addresses make no labels");
@@ -107,7 +114,8 @@ fn the_dashboard_shows_what_there_is() {
     let mut asked = BTreeSet::new();
     for expression in targets.map(|target| target["expr"].as_str().unwrap()) {
         let words = expression.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
-        let own = words.filter(|word| word.starts_with("brinell_") || word.starts_with("http_server_"));
+        let own =
+            words.filter(|word| word.starts_with("brinell_") || word.starts_with("http_server_"));
         asked.extend(own.map(|word| {
             let endings = ["_bucket", "_sum", "_count"];
             endings.iter().find_map(|ending| word.strip_suffix(ending)).unwrap_or(word).to_owned()
@@ -136,12 +144,20 @@ fn every_request_leaves_one_line_and_no_secret() {
     server.signal("TERM");
     assert!(server.wait().success());
     let log = server.log();
-    assert!(!log.contains("brinell_secret") && !log.contains("29.125") && !log.contains("young_modulus"));
+    assert!(
+        !log.contains("brinell_secret")
+            && !log.contains("29.125")
+            && !log.contains("young_modulus")
+    );
     let lines: Vec<Value> = log.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-    let answered: Vec<&Value> = lines.iter().filter(|line| line["fields"]["message"] == "answered").collect();
+    let answered: Vec<&Value> =
+        lines.iter().filter(|line| line["fields"]["message"] == "answered").collect();
     let of = |route: &str| {
-        let found: Vec<_> = answered.iter().filter(|line| line["fields"]["route"] == route).collect();
-        found.first().map_or_else(|| panic!("no line of {route} in\n{log}"), |line| (found.len(), **line))
+        let found: Vec<_> =
+            answered.iter().filter(|line| line["fields"]["route"] == route).collect();
+        found
+            .first()
+            .map_or_else(|| panic!("no line of {route} in\n{log}"), |line| (found.len(), **line))
     };
     let (count, solve) = of("/v1/solve");
     assert_eq!(

@@ -28,8 +28,8 @@ impl<'a> Documented<'a> {
         let response = &operation["responses"][&status];
         assert!(response.is_object(), "{method} {template} must not answer {status}");
         for name in response["headers"].as_object().into_iter().flatten().map(|(name, _)| name) {
-            let may_be_missing =
-                ["Idempotency-Replayed", "Preference-Applied", "Retry-After"].contains(&name.as_str());
+            let may_be_missing = ["Idempotency-Replayed", "Preference-Applied", "Retry-After"]
+                .contains(&name.as_str());
             assert!(
                 may_be_missing || answer.header(&name.to_lowercase()).is_some(),
                 "{template} {status} {name}"
@@ -85,7 +85,8 @@ const NOBODY: &str = "/v1/jobs/0197e1f0-0000-7000-8000-000000000000";
 fn answers_are_as_documented() {
     let server = Server::start();
     let service = Documented::new(&server.target);
-    for path in ["/livez", "/readyz", "/openapi.json", "/v1/examples", "/v1/capacity", "/v1/jobs"] {
+    for path in ["/livez", "/readyz", "/openapi.json", "/v1/examples", "/v1/capacity", "/v1/jobs"]
+    {
         assert_eq!(service.get(path, path).status, 200);
     }
     assert_eq!(service.get("/problems/{name}", "/problems/invalid-job").status, 200);
@@ -102,12 +103,20 @@ fn answers_are_as_documented() {
         assert_eq!(service.post(path, path, &"[".repeat(2 << 20), &[JSON]).status, 413);
     }
     let id = "/v1/jobs/{id}";
-    let accepted = service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: press-7"]);
+    let accepted =
+        service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: press-7"]);
     let path = accepted.header("location").unwrap().to_owned();
-    let replayed =
-        service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: press-7", "Prefer: wait=60"]);
+    let replayed = service.post(
+        "/v1/jobs",
+        "/v1/jobs",
+        &text,
+        &[JSON, "Idempotency-Key: press-7", "Prefer: wait=60"],
+    );
     assert_eq!((replayed.status, replayed.header("preference-applied")), (200, Some("wait=60")));
-    assert_eq!(service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: é"]).status, 400);
+    assert_eq!(
+        service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: é"]).status,
+        400
+    );
     assert_eq!(service.get(id, &path).json()["status"], "succeeded");
     assert_eq!(service.get(id, &format!("{path}?wait=soon")).status, 400);
     assert_eq!(service.get(&format!("{id}/result"), &format!("{path}/result")).status, 200);
@@ -117,13 +126,23 @@ fn answers_are_as_documented() {
     for form in ["field.vtu", "surface.svg", "load_approach.svg"] {
         assert_eq!(service.get(&format!("{id}/{form}"), &format!("{path}/{form}")).status, 409);
     }
-    assert_eq!(service.get(&format!("{id}/depth.svg"), &format!("{path}/depth.svg?step=2")).status, 404);
-    let parts = service.get(&format!("{id}/result"), &format!("{path}/result?fields=contact&step=1"));
+    assert_eq!(
+        service.get(&format!("{id}/depth.svg"), &format!("{path}/depth.svg?step=2")).status,
+        404
+    );
+    let parts =
+        service.get(&format!("{id}/result"), &format!("{path}/result?fields=contact&step=1"));
     assert_eq!((parts.status, &parts.json()["steps"][0]["history"]), (200, &json!([])));
     assert_eq!(service.get(&format!("{id}/result"), &format!("{path}/result?step=2")).status, 404);
-    assert_eq!(service.get(&format!("{id}/result"), &format!("{path}/result?fields=all")).status, 400);
+    assert_eq!(
+        service.get(&format!("{id}/result"), &format!("{path}/result?fields=all")).status,
+        400
+    );
     assert_eq!(service.get(&format!("{id}/events"), &format!("{path}/events")).status, 200);
-    assert_eq!(service.post(&format!("{id}/cancel"), &format!("{path}/cancel"), "", &[]).status, 200);
+    assert_eq!(
+        service.post(&format!("{id}/cancel"), &format!("{path}/cancel"), "", &[]).status,
+        200
+    );
     assert_eq!(service.get(&format!("{id}/result"), &format!("{NOBODY}/result")).status, 404);
     for status in [204, 404] {
         let answer = curl(&["-X", "DELETE", &format!("{}{path}", server.target.url)]);
@@ -156,11 +175,17 @@ fn answers_to_those_without_a_key_are_as_documented() {
 fn answers_about_troubled_jobs_are_as_documented() {
     let instance = InProcess::start(|_| ());
     let service = Documented::new(&instance.target);
-    for (behaviour, status) in [("impossible", 422), ("fail", 500), ("panic", 500), ("quick", 200)] {
+    for (behaviour, status) in [("impossible", 422), ("fail", 500), ("panic", 500), ("quick", 200)]
+    {
         let text = job(behaviour).to_string();
-        assert_eq!(service.post("/v1/solve", "/v1/solve", &text, &[JSON]).status, status, "{behaviour}");
+        assert_eq!(
+            service.post("/v1/solve", "/v1/solve", &text, &[JSON]).status,
+            status,
+            "{behaviour}"
+        );
     }
-    let (running, queued) = (instance.target.submit(&job("slow")), instance.target.submit(&job("quick")));
+    let (running, queued) =
+        (instance.target.submit(&job("slow")), instance.target.submit(&job("quick")));
     instance.target.wait_for(&running, &["running"]);
     let id = "/v1/jobs/{id}";
     let started = Instant::now();
@@ -179,7 +204,10 @@ fn the_page_about_the_interface_needs_no_other_server() {
     let server = Server::start();
     let page = server.target.get("/docs/");
     let text = String::from_utf8(page.body.clone()).unwrap();
-    assert_eq!((page.status, page.header("content-type")), (200, Some("text/html; charset=utf-8")));
+    assert_eq!(
+        (page.status, page.header("content-type")),
+        (200, Some("text/html; charset=utf-8"))
+    );
     let policy = page.header("content-security-policy").unwrap();
     assert!(policy.starts_with("default-src 'self';") && !policy.contains("unsafe"), "{policy}");
     let parts: Vec<&str> = text.split('"').collect();

@@ -81,7 +81,9 @@ fn what_has_not_changed_is_not_sent_again() {
 #[test]
 fn nothing_else_is_served() {
     let server = Server::start();
-    for path in ["/web/", "/web/none.js", "/web/..%2fCargo.toml", "/web/%2e%2e/Cargo.toml", "/web/%FF"] {
+    for path in
+        ["/web/", "/web/none.js", "/web/..%2fCargo.toml", "/web/%2e%2e/Cargo.toml", "/web/%FF"]
+    {
         ask(&server, path, &[]).problem(404, "not-found");
     }
 }

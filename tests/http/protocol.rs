@@ -12,7 +12,8 @@ fn unknown_addresses_and_methods_are_problems() {
     for path in ["/v1", "/v1/job", "/v1/jobs/x/y/z", "/%FF"] {
         service.get(path).problem(404, "not-found");
     }
-    for path in ["/v1/jobs/none", "/v1/jobs/%FF", "/v1/jobs/0197e1f0-0000-7000-8000-000000000000"] {
+    for path in ["/v1/jobs/none", "/v1/jobs/%FF", "/v1/jobs/0197e1f0-0000-7000-8000-000000000000"]
+    {
         service.get(path).problem(404, "job-not-found");
         service.get(&format!("{path}/result")).problem(404, "job-not-found");
         service.post(&format!("{path}/cancel"), "").problem(404, "job-not-found");
@@ -73,7 +74,10 @@ fn results_are_compressed_for_those_who_ask() {
 fn the_program_asks_itself_whether_it_is_well() {
     let server = Server::start();
     let listens = server.target.url.strip_prefix("http://").unwrap();
-    for args in [&["healthcheck", "--listen", listens][..], &["healthcheck", "--live", "--listen", listens]] {
+    for args in [
+        &["healthcheck", "--listen", listens][..],
+        &["healthcheck", "--live", "--listen", listens],
+    ] {
         let asked = Command::new(env!("CARGO_BIN_EXE_brinell")).args(args).output().unwrap();
         assert!(asked.status.success(), "{}", String::from_utf8_lossy(&asked.stderr));
     }

@@ -1,8 +1,9 @@
 //! The curl examples of the README, executed, and what it shows of their answers.
 //!
-//! Every fenced block whose info string is `sh curl` is run by `sh -eu` in the package's directory. In it,
-//! `http://127.0.0.1:8080`, where `brinell serve` listens by default, stands for the service under test. The
-//! blocks run in order, in one shell, so that a later one may use the variables of an earlier one.
+//! Every fenced block whose info string is `sh curl` is run by `sh -eu` in the package's
+//! directory. In it, `http://127.0.0.1:8080`, where `brinell serve` listens by default, stands for
+//! the service under test. The blocks run in order, in one shell, so that a later one may use the
+//! variables of an earlier one.
 
 use std::fs;
 use std::process::{Command, Stdio};
@@ -40,7 +41,10 @@ fn every_curl_example_works() {
     let server = Server::start();
     let script = blocks.join("\n");
     let shown = printed(&script, &server);
-    assert!(!shown.contains("/problems/"), "an example is answered by a problem:\n{script}\n{shown}");
+    assert!(
+        !shown.contains("/problems/"),
+        "an example is answered by a problem:\n{script}\n{shown}"
+    );
     server.target.assert_alive();
 }
 
@@ -99,7 +103,10 @@ fn hold(shown: &str, now: &str) {
         return fs::write(README, text).expect("README.md can be written");
     }
     let different = differences(shown, now);
-    assert!(different.is_empty(), "README.md differs; BRINELL_WRITE=1 writes it anew: {different:?}");
+    assert!(
+        different.is_empty(),
+        "README.md differs; BRINELL_WRITE=1 writes it anew: {different:?}"
+    );
 }
 
 /// The words that differ, figures beyond three digits.
@@ -131,6 +138,7 @@ fn figures_are_compared_to_three_digits() {
 
 #[test]
 fn only_marked_blocks_are_taken() {
-    let text = "```sh\ncargo test\n```\n\n```sh curl\ncurl a\ncurl b\n```\ntext\n```sh curl\ncurl c\n```\n";
+    let text = "```sh\ncargo test\n```\n\n```sh curl\ncurl a\ncurl b\n```\ntext\n```sh curl\ncurl \
+                c\n```\n";
     assert_eq!(curl_blocks(text), ["curl a\ncurl b\n", "curl c\n"]);
 }

@@ -60,7 +60,8 @@ fn a_result_is_had_in_parts() {
             solved.get(&format!("/result?step={step}"), args).problem(404, "step-not-found");
         }
     }
-    let faults = solved.get(&format!("/result?{}", "x=1&".repeat(3000)), &[]).problem(400, "invalid-query");
+    let faults =
+        solved.get(&format!("/result?{}", "x=1&".repeat(3000)), &[]).problem(400, "invalid-query");
     assert_eq!(faults["errors"].as_array().unwrap().len(), 50);
 }
 
@@ -79,12 +80,17 @@ fn the_parts_that_are_not_wanted_stay_behind() {
     assert_eq!(step["plasticity"]["upper"]["depth"], expected["plasticity"]["upper"]["depth"]);
 
     let thin = solved.get("/result?fields=subsurface&subsurface_points=5", &[]);
-    let compressed = solved.get("/result?fields=subsurface&subsurface_points=5", &["--compressed"]);
-    assert_eq!((compressed.header("content-encoding"), &compressed.body), (Some("gzip"), &thin.body));
+    let compressed =
+        solved.get("/result?fields=subsurface&subsurface_points=5", &["--compressed"]);
+    assert_eq!(
+        (compressed.header("content-encoding"), &compressed.body),
+        (Some("gzip"), &thin.body)
+    );
     for (step, whole) in
         thin.json()["steps"].as_array().unwrap().iter().zip(whole["steps"].as_array().unwrap())
     {
-        let (depth, all) = (&step["subsurface"]["upper"]["depth"], &whole["subsurface"]["upper"]["depth"]);
+        let (depth, all) =
+            (&step["subsurface"]["upper"]["depth"], &whole["subsurface"]["upper"]["depth"]);
         assert!(
             depth.as_array().unwrap().len() <= 5 && all.as_array().unwrap().len() > 5,
             "{depth} of {all}"
@@ -103,10 +109,16 @@ fn the_parts_that_are_not_wanted_stay_behind() {
     assert_eq!(waited["result"]["steps"][2]["contact"]["nodes"]["pressure"], json!([]));
     solved.get("?wait=0&fields=figures", &[]).problem(400, "invalid-query");
 
-    let tags =
-        ["", "?step=3", "?fields=summary", "?fields=subsurface", "?fields=subsurface&subsurface_points=5"];
-    let mut tags =
-        tags.map(|query| solved.get(&format!("/result{query}"), &[]).header("etag").unwrap().to_owned());
+    let tags = [
+        "",
+        "?step=3",
+        "?fields=summary",
+        "?fields=subsurface",
+        "?fields=subsurface&subsurface_points=5",
+    ];
+    let mut tags = tags.map(|query| {
+        solved.get(&format!("/result{query}"), &[]).header("etag").unwrap().to_owned()
+    });
     tags.sort_unstable();
     assert!(tags.windows(2).all(|pair| pair[0] != pair[1]), "{tags:?}");
 }
@@ -116,7 +128,9 @@ fn the_parts_that_are_not_wanted_stay_behind() {
 fn every_way_to_ask_for_a_coding_has_a_whole_answer() {
     let solved = Solved::new(false);
     let plain = solved.get("/result", &[]);
-    for (accepted, coding) in [("*", Some("gzip")), ("*;q=0", None), ("identity;q=0", None), ("br", None)] {
+    for (accepted, coding) in
+        [("*", Some("gzip")), ("*;q=0", None), ("identity;q=0", None), ("br", None)]
+    {
         let accepted = format!("Accept-Encoding: {accepted}");
         for path in ["/result", "/result?fields=contact", "?wait=0", "/pressure.csv", "/request"] {
             // curl unpacks what it is sent.
@@ -191,7 +205,10 @@ fn bytes_of(answer: &Answer, name: &str) -> Vec<u8> {
 fn fields_are_an_archive_of_arrays() {
     let solved = Solved::new(true);
     let answer = solved.get("/fields/2", &[]);
-    assert_eq!((answer.status, answer.header("content-type")), (200, Some("application/octet-stream")));
+    assert_eq!(
+        (answer.status, answer.header("content-type")),
+        (200, Some("application/octet-stream"))
+    );
     let step = solved.get("/result?step=2", &[]).json()["steps"][0].clone();
     let step: StepReport = serde_json::from_value(step).unwrap();
     let expected = step.fields.unwrap().upper.unwrap();
@@ -210,18 +227,25 @@ fn fields_are_an_archive_of_arrays() {
     let known = format!("If-None-Match: {}", answer.header("etag").unwrap());
     assert_eq!(solved.get("/fields/2", &["-H", &known]).status, 304);
     let compressed = solved.get("/fields/2", &["--compressed"]);
-    assert_eq!((compressed.header("content-encoding"), compressed.body == answer.body), (None, true));
+    assert_eq!(
+        (compressed.header("content-encoding"), compressed.body == answer.body),
+        (None, true)
+    );
 
     let some = solved.get("/fields/2?arrays=von_mises,nodes", &[]);
-    let names = ["upper/nodes.npy", "upper/von_mises.npy", "lower/nodes.npy", "lower/von_mises.npy"];
+    let names =
+        ["upper/nodes.npy", "upper/von_mises.npy", "lower/nodes.npy", "lower/von_mises.npy"];
     assert_eq!(archive(&some).file_names().map(Result::unwrap).collect::<Vec<_>>(), names);
     assert_ne!(some.header("etag"), answer.header("etag"), "other bytes, another tag");
-    let all =
-        "nodes,elements,displacement,sigma_x,sigma_y,sigma_z,tau_xy,von_mises,equivalent_plastic_strain";
+    let all = "nodes,elements,displacement,sigma_x,sigma_y,sigma_z,tau_xy,von_mises,equivalent_plastic_strain";
     assert_eq!(solved.get(&format!("/fields/2?arrays={all}"), &[]).body, answer.body);
-    for wrong in
-        ["arrays=", "arrays=stress", "arrays=nodes,,nodes", "array=nodes", "arrays=nodes&arrays=nodes"]
-    {
+    for wrong in [
+        "arrays=",
+        "arrays=stress",
+        "arrays=nodes,,nodes",
+        "array=nodes",
+        "arrays=nodes&arrays=nodes",
+    ] {
         solved.get(&format!("/fields/2?{wrong}"), &[]).problem(400, "invalid-query");
     }
 
@@ -235,12 +259,20 @@ fn fields_are_an_archive_of_arrays() {
 fn readers_who_do_not_read_hold_up_nobody() {
     let server = Server::start_with(&["--write-timeout", "600"]);
     let mut job = example();
-    (job["mesh"], job["output"]) = (json!({"elements_per_half_width": 40}), json!({"fields": true}));
+    (job["mesh"], job["output"]) =
+        (json!({"elements_per_half_width": 40}), json!({"fields": true}));
     let job = server.target.submit(&job);
     server.target.wait_for(&job, &["succeeded"]);
     let host = server.target.url.strip_prefix("http://").unwrap();
     let mut deaf = Vec::new();
-    let paths = ["/result", "/fields/1", "?wait=1", "/field.vtu", "/pressure.csv", "/result?fields=contact"];
+    let paths = [
+        "/result",
+        "/fields/1",
+        "?wait=1",
+        "/field.vtu",
+        "/pressure.csv",
+        "/result?fields=contact",
+    ];
     for path in paths.iter().cycle().take(60) {
         let mut stream = TcpStream::connect(host).unwrap();
         write!(stream, "GET {job}{path} HTTP/1.1\r\nHost: localhost\r\n\r\n").unwrap();
@@ -261,7 +293,10 @@ fn a_result_too_large_is_refused_with_its_estimate() {
     let mut job = sweep(true);
     job["load"] = json!({"forces": (1..=1000).map(f64::from).collect::<Vec<_>>()});
     let problem = server.target.post("/v1/jobs", job.to_string()).problem(422, "job-too-large");
-    assert!(problem["estimate"]["result_bytes"].as_u64().is_some_and(|bytes| bytes > 100 << 20), "{problem}");
+    assert!(
+        problem["estimate"]["result_bytes"].as_u64().is_some_and(|bytes| bytes > 100 << 20),
+        "{problem}"
+    );
     assert_eq!(problem["limit_bytes"], 1 << 20);
     job["load"] = json!({"force": 600.0});
     assert_eq!(server.target.post("/v1/jobs", job.to_string()).status, 202);

@@ -16,7 +16,8 @@ pub use deadline::DEADLINE;
 
 /// The paper's problem, as a document to be spoilt.
 pub fn example() -> Value {
-    serde_json::from_str(include_str!("../../api/examples/two_cylinders.json")).expect("the example is JSON")
+    serde_json::from_str(include_str!("../../api/examples/two_cylinders.json"))
+        .expect("the example is JSON")
 }
 
 /// Where a service is and how to ask it.
@@ -152,7 +153,8 @@ impl Server {
         let mut stdout = BufReader::new(child.stdout.take().expect("a pipe"));
         let mut line = String::new();
         stdout.read_line(&mut line).expect("the service says where it listens");
-        let url = line.trim().strip_prefix("brinell listening on ").expect("an address").to_owned();
+        let url =
+            line.trim().strip_prefix("brinell listening on ").expect("an address").to_owned();
         Self { target: Target { url }, child, data, _stdout: stdout }
     }
 

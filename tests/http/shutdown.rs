@@ -84,7 +84,11 @@ fn a_job_that_outlasts_the_grace_time_is_queued_again() {
     service.wait();
     let service = start();
     service.solver.open_gate();
-    assert_eq!(service.target.wait_for(&id, &["succeeded"])["attempts"], 2, "its lease was given back");
+    assert_eq!(
+        service.target.wait_for(&id, &["succeeded"])["attempts"],
+        2,
+        "its lease was given back"
+    );
 }
 
 #[test]
@@ -100,7 +104,8 @@ fn clients_that_wait_are_answered_before_connections_close() {
     let waits = spawn_curl(&[&format!("{}{id}?wait=60", target.url)]);
     let solve = job("slow").to_string();
     let json = "Content-Type: application/json";
-    let solves = spawn_curl(&["-H", json, "--data-binary", &solve, &format!("{}/v1/solve", target.url)]);
+    let solves =
+        spawn_curl(&["-H", json, "--data-binary", &solve, &format!("{}/v1/solve", target.url)]);
     while target.get("/v1/jobs").json()["jobs"].as_array().map(Vec::len) != Some(2) {}
     service.stop.cancel();
     let waited = parse(&waits.wait_with_output().unwrap().stdout).expect("an answer");
@@ -117,7 +122,8 @@ fn a_second_signal_stops_at_once() {
     let address = server.target.url.strip_prefix("http://").unwrap().to_owned();
     // A client that never finishes its request holds the shutdown up.
     let mut client = TcpStream::connect(&address).unwrap();
-    let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{";
+    let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: \
+                application/json\r\nContent-Length: 9\r\n\r\n{";
     client.write_all(head.as_bytes()).unwrap();
     server.target.assert_alive();
     server.signal("TERM");

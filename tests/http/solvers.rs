@@ -11,8 +11,9 @@ use brinell_solver::report::{
 };
 use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus};
 
-/// `abort`, `panic`, `nan`, `impossible`, `fail`; `understated` is estimated to need a byte, and solved; `flood` has steps until it is told to stop; `slow` iterates until the gate is opened or it is told to stop; anything
-/// else converges at once.
+/// `abort`, `panic`, `nan`, `impossible`, `fail`; `understated` is estimated to need a byte, and
+/// solved; `flood` has steps until it is told to stop; `slow` iterates until the gate is opened or
+/// it is told to stop; anything else converges at once.
 #[derive(Default)]
 pub struct TestSolver {
     open: Mutex<bool>,
@@ -83,7 +84,9 @@ impl JobSolver for TestSolver {
                     Err(RunError::Interrupted(interrupt))
                 })
             }
-            Some("fail") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
+            Some("fail") => {
+                Err(RunError::Failed("the matrix is not positive definite".to_owned()))
+            }
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
             Some("slow") => Ok(self.iterate(observer)),
             _ => Ok(report(SolveStatus::Converged)),

@@ -42,7 +42,9 @@ fn a_stop_leaves_everything_in_one_file() {
 /// What is written to a file without a name ends with the process.
 #[test]
 fn no_job_is_accepted_once_the_files_are_gone_or_others() {
-    for (file, is_replaced) in [("brinell.db", false), ("brinell.db", true), ("brinell.db-wal", false)] {
+    for (file, is_replaced) in
+        [("brinell.db", false), ("brinell.db", true), ("brinell.db-wal", false)]
+    {
         let data = Scratch::new();
         let server = Server::start_logging(&["--data-dir", data.0.to_str().unwrap()]);
         server.target.submit(&example());
@@ -139,7 +141,8 @@ fn a_damaged_row_is_told_as_such() {
 fn sql(file: &str, statements: &'static str) {
     let runtime = tokio::runtime::Runtime::new().unwrap();
     runtime.block_on(async {
-        let mut database = sqlx::SqliteConnection::connect(&format!("sqlite://{file}")).await.unwrap();
+        let mut database =
+            sqlx::SqliteConnection::connect(&format!("sqlite://{file}")).await.unwrap();
         sqlx::raw_sql(statements).execute(&mut database).await.unwrap();
         database.close().await.unwrap();
     });

@@ -1,6 +1,6 @@
-//! Results that version 0.2.0 has stored: `tests/stored/version_0_2.db` has one, a ball that dents a block and is taken away
-//! (flow theory, 4 elements over the half-width, with fields), as that version left it, but for the year, 2100:
-//! results are kept for a week.
+//! Results that version 0.2.0 has stored: `tests/stored/version_0_2.db` has one, a ball that dents
+//! a block and is taken away (flow theory, 4 elements over the half-width, with fields), as that
+//! version left it, but for the year, 2100: results are kept for a week.
 
 use std::path::Path;
 

@@ -15,12 +15,14 @@ fn submit(target: &Target, path: &str, body: &str, headers: &[&str]) -> Answer {
 #[test]
 fn a_client_may_prefer_to_wait() {
     let service = InProcess::start(|_| ());
-    let answer = submit(&service.target, "/v1/jobs", &job("quick").to_string(), &["Prefer: wait=30"]);
+    let answer =
+        submit(&service.target, "/v1/jobs", &job("quick").to_string(), &["Prefer: wait=30"]);
     assert_eq!((answer.status, answer.header("preference-applied")), (200, Some("wait=30")));
     assert_eq!(answer.json()["result"]["status"], "converged");
     assert_eq!(answer.header("content-location"), answer.json()["links"]["self"].as_str());
 
-    let answer = submit(&service.target, "/v1/jobs", &job("slow").to_string(), &["Prefer: wait=0"]);
+    let answer =
+        submit(&service.target, "/v1/jobs", &job("slow").to_string(), &["Prefer: wait=0"]);
     assert_eq!((answer.status, answer.header("preference-applied")), (202, Some("wait=0")));
     let answer = submit(&service.target, "/v1/jobs", &job("quick").to_string(), &[]);
     assert_eq!((answer.status, answer.header("preference-applied")), (202, None));
@@ -36,7 +38,8 @@ fn a_client_may_prefer_to_wait() {
     }
     let waited = submit(&service.target, "/v1/jobs?wait=30", &job_of("quick"), &[]);
     assert_eq!((waited.status, waited.json()["done"].as_bool()), (200, Some(true)));
-    let failed = submit(&service.target, "/v1/jobs", &job("impossible").to_string(), &["Prefer: wait=30"]);
+    let failed =
+        submit(&service.target, "/v1/jobs", &job("impossible").to_string(), &["Prefer: wait=30"]);
     failed.problem(422, "invalid-job");
 }
 
@@ -61,7 +64,8 @@ fn solve_waits_as_long_as_its_client_prefers() {
 fn every_parameter_at_fault_is_named() {
     let service = InProcess::start(|_| ());
     let path = "/v1/jobs?priority=high&wait=soon&prio=1&priority=2";
-    let problem = submit(&service.target, path, &job_of("quick"), &[]).problem(400, "invalid-query");
+    let problem =
+        submit(&service.target, path, &job_of("quick"), &[]).problem(400, "invalid-query");
     let faults: Vec<_> = problem["errors"].as_array().unwrap().iter().collect();
     let names: Vec<_> = faults.iter().map(|fault| fault["parameter"].as_str().unwrap()).collect();
     assert_eq!(names, ["prio", "priority", "priority", "wait"]);
@@ -72,7 +76,8 @@ fn every_parameter_at_fault_is_named() {
 #[test]
 fn links_are_below_the_path_that_a_proxy_names() {
     let service = InProcess::start(|_| ());
-    let answer = submit(&service.target, "/v1/jobs", &job_of("quick"), &["X-Forwarded-Prefix: /press"]);
+    let answer =
+        submit(&service.target, "/v1/jobs", &job_of("quick"), &["X-Forwarded-Prefix: /press"]);
     let location = answer.header("location").unwrap();
     assert!(location.starts_with("/press/v1/jobs/"), "{location}");
     assert_eq!(answer.json()["links"]["self"], location);
@@ -81,8 +86,9 @@ fn links_are_below_the_path_that_a_proxy_names() {
 #[test]
 fn pages_of_a_named_origin_may_ask() {
     let origin = "Origin: https://design.example";
-    let service =
-        InProcess::start(|config| config.cors_origin = vec!["https://design.example".parse().unwrap()]);
+    let service = InProcess::start(|config| {
+        config.cors_origin = vec!["https://design.example".parse().unwrap()]
+    });
     let url = format!("{}/v1/capacity", service.target.url);
     let allowed = curl(&["-H", origin, &url]);
     assert_eq!(allowed.header("access-control-allow-origin"), Some("https://design.example"));
@@ -90,10 +96,19 @@ fn pages_of_a_named_origin_may_ask() {
     assert_eq!(other.header("access-control-allow-origin"), None);
     let preflight = ["-X", "OPTIONS", "-H", origin, "-H", "Access-Control-Request-Method: POST"];
     let preflight = curl(&[preflight.as_slice(), &[url.as_str()]].concat());
-    assert_eq!((preflight.status, preflight.header("access-control-max-age")), (200, Some("3600")));
+    assert_eq!(
+        (preflight.status, preflight.header("access-control-max-age")),
+        (200, Some("3600"))
+    );
     // `*` does not stand for this one.
-    let wanted =
-        ["-X", "OPTIONS", "-H", origin, "-H", "Access-Control-Request-Headers: authorization,prefer"];
+    let wanted = [
+        "-X",
+        "OPTIONS",
+        "-H",
+        origin,
+        "-H",
+        "Access-Control-Request-Headers: authorization,prefer",
+    ];
     let wanted = curl(&[wanted.as_slice(), &[url.as_str()]].concat());
     assert_eq!(wanted.header("access-control-allow-headers"), Some("authorization,prefer"));
     let closed = InProcess::start(|_| ());
@@ -116,16 +131,22 @@ fn the_same_key_and_body_are_the_same_job() {
     let again = submit(&service.target, "/v1/jobs", &body, &[key]);
     assert_eq!((again.status, again.header("idempotency-replayed")), (202, Some("true")));
     assert_eq!(again.header("location"), Some(address));
-    submit(&service.target, "/v1/jobs", &job_of("quick"), &[key]).problem(422, "idempotency-key-reused");
+    submit(&service.target, "/v1/jobs", &job_of("quick"), &[key])
+        .problem(422, "idempotency-key-reused");
     submit(&service.target, "/v1/jobs", &body, &["Idempotency-Key: two words"])
         .problem(400, "invalid-header");
     assert_eq!(service.target.get("/v1/jobs").json()["jobs"].as_array().unwrap().len(), 1);
 
     service.solver.open_gate();
     service.target.wait_for(address, &["succeeded"]);
-    for (path, has_result) in [("/v1/jobs", false), ("/v1/jobs?wait=0", true), ("/v1/solve", true)] {
+    for (path, has_result) in [("/v1/jobs", false), ("/v1/jobs?wait=0", true), ("/v1/solve", true)]
+    {
         let done = submit(&service.target, path, &body, &[key]);
-        assert_eq!((done.status, done.header("idempotency-replayed")), (200, Some("true")), "{path}");
+        assert_eq!(
+            (done.status, done.header("idempotency-replayed")),
+            (200, Some("true")),
+            "{path}"
+        );
         assert_eq!(
             (done.header("content-location"), done.header("location")),
             (Some(address), None),
@@ -148,7 +169,8 @@ fn urgent_jobs_go_first() {
     assert_eq!((first["queue_position"].as_u64(), first["priority"].as_i64()), (Some(0), Some(5)));
     for query in ["priority=high", "priority=101", "prio=1"] {
         let path = format!("/v1/jobs?{query}");
-        submit(&service.target, &path, &job("quick").to_string(), &[]).problem(400, "invalid-query");
+        submit(&service.target, &path, &job("quick").to_string(), &[])
+            .problem(400, "invalid-query");
     }
     service.solver.open_gate();
     service.target.wait_for(&ordinary, &["succeeded"]);

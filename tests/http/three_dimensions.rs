@@ -21,7 +21,10 @@ fn ball() -> Value {
 }
 
 fn figure(value: &Value, pointer: &str) -> f64 {
-    value.pointer(pointer).and_then(Value::as_f64).unwrap_or_else(|| panic!("{pointer} in {value}"))
+    value
+        .pointer(pointer)
+        .and_then(Value::as_f64)
+        .unwrap_or_else(|| panic!("{pointer} in {value}"))
 }
 
 #[track_caller]
@@ -72,7 +75,11 @@ fn a_raceway_is_kept_and_read_back_in_every_form() {
     // The groove fits the ball: the contact is long across it, along y.
     assert!(figure(whole, "/b") > 4.0 * figure(whole, "/a"));
     assert_near(figure(whole, "/b"), figure(whole, "/hertz/b"), 2e-2);
-    assert_near(figure(step, "/contact/peak_pressure"), figure(step, "/hertz/peak_pressure"), 3e-3);
+    assert_near(
+        figure(step, "/contact/peak_pressure"),
+        figure(step, "/hertz/peak_pressure"),
+        3e-3,
+    );
     let [columns, rows] = ["x", "y"].map(|axis| whole["maps"][axis].as_array().unwrap().len());
     assert_eq!(whole["maps"]["pressure"].as_array().unwrap().len(), columns * rows);
     let layers = &step["layers"]["lower"];
@@ -104,7 +111,10 @@ fn a_raceway_is_kept_and_read_back_in_every_form() {
         let answer = server.target.get(&format!("{job}/{file}"));
         let text = String::from_utf8(answer.body.clone()).unwrap();
         assert_eq!(answer.status, 200, "{file}: {text}");
-        assert!(text.starts_with(beginning) && text.lines().count() >= lines, "{file}: {text:.200}");
+        assert!(
+            text.starts_with(beginning) && text.lines().count() >= lines,
+            "{file}: {text:.200}"
+        );
     }
 }
 
@@ -117,9 +127,13 @@ fn a_sweep_has_a_curve_and_a_fault_has_its_place() {
     sweep["output"] = json!({"fields": true});
     let solved = server.target.post("/v1/solve", sweep.to_string()).json();
     let report = solved["result"].clone();
-    let vtu = server.target.get(&format!("{}?step=2", solved["links"]["field_vtu"].as_str().unwrap())).body;
+    let vtu = server
+        .target
+        .get(&format!("{}?step=2", solved["links"]["field_vtu"].as_str().unwrap()))
+        .body;
     assert!(String::from_utf8(vtu).unwrap().contains("step 2 of 3"));
-    let curve: Vec<f64> = serde_json::from_value(report["load_approach"]["approach"].clone()).unwrap();
+    let curve: Vec<f64> =
+        serde_json::from_value(report["load_approach"]["approach"].clone()).unwrap();
     assert_near(curve[2] / curve[0], 4f64.powf(2.0 / 3.0), 2e-3);
     let mut wrong = ball();
     wrong["lower"]["support"] = json!("clamped");
@@ -162,15 +176,17 @@ impl Random {
 
     fn one_of<T: Clone>(&mut self, all: &[T]) -> T {
         let part = self.next();
-        let last = all.iter().enumerate().rev().find(|(k, _)| *k as f64 <= part * all.len() as f64);
+        let last =
+            all.iter().enumerate().rev().find(|(k, _)| *k as f64 <= part * all.len() as f64);
         last.map_or(&all[0], |(_, one)| one).clone()
     }
 }
 
 /// Bodies that may be anything, sound or not.
 fn any_job(random: &mut Random) -> Value {
-    let radius =
-        |random: &mut Random| random.one_of(&[json!(null), json!(-6), json!(4), json!(12), json!(300)]);
+    let radius = |random: &mut Random| {
+        random.one_of(&[json!(null), json!(-6), json!(4), json!(12), json!(300)])
+    };
     let mut body = |is_upper: bool| {
         let shape = match random.one_of(&[0, 1, 2]) {
             0 => json!({"type": "sphere", "radius": random.one_of(&[0.01, 5.0, 2000.0])}),
@@ -220,7 +236,8 @@ fn any_job(random: &mut Random) -> Value {
 #[ignore = "full"]
 fn any_bodies_are_solved_or_refused() {
     let server = Server::start();
-    let count = std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
+    let count =
+        std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
     let mut solved = 0;
     for seed in 0..count {
         let job = any_job(&mut Random(seed));
@@ -230,7 +247,11 @@ fn any_bodies_are_solved_or_refused() {
         assert!(matches!(answer.status, 200 | 202 | 422), "{seed}: {} {job}", answer.json());
         if answer.status == 200 {
             let status = answer.json()["status"].clone();
-            assert!(status == "succeeded" || status == "not_converged", "{seed}: {} {job}", answer.json());
+            assert!(
+                status == "succeeded" || status == "not_converged",
+                "{seed}: {} {job}",
+                answer.json()
+            );
             solved += 1;
         }
     }

@@ -53,8 +53,15 @@ fn a_client_that_trusts_the_certificate_is_answered() {
     let cacert = file("first.cert.pem");
     let body = example().to_string();
     let url = format!("{}/v1/solve", server.target.url);
-    let args =
-        ["--cacert", cacert.to_str().unwrap(), "-H", "Content-Type: application/json", "-d", &body, &url];
+    let args = [
+        "--cacert",
+        cacert.to_str().unwrap(),
+        "-H",
+        "Content-Type: application/json",
+        "-d",
+        &body,
+        &url,
+    ];
     assert_eq!(curl(&args).json()["result"]["status"], "converged");
 }
 
@@ -104,6 +111,9 @@ fn what_cannot_be_used_is_named() {
             .output()
             .unwrap();
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(!output.status.success() && told.contains(named) && told.contains("--tls-cert"), "{told}");
+        assert!(
+            !output.status.success() && told.contains(named) && told.contains("--tls-cert"),
+            "{told}"
+        );
     }
 }

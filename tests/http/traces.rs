@@ -16,7 +16,9 @@ fn told(server: &Server) -> Vec<String> {
         let spans = line["spans"].as_array().into_iter().flatten();
         spans.chain([&line["span"]]).any(|span| span["trace_id"] == TRACE)
     });
-    of_trace.map(|line| line["fields"]["message"].as_str().unwrap_or_default().to_owned()).collect()
+    of_trace
+        .map(|line| line["fields"]["message"].as_str().unwrap_or_default().to_owned())
+        .collect()
 }
 
 #[test]

@@ -30,7 +30,8 @@ fn a_panic_fails_its_job_alone_and_keeps_its_secrets() {
 #[test]
 fn no_nan_leaves() {
     let service = InProcess::start(|_| ());
-    let problem = service.target.post("/v1/solve", job("nan").to_string()).problem(500, "solve-failed");
+    let problem =
+        service.target.post("/v1/solve", job("nan").to_string()).problem(500, "solve-failed");
     assert!(
         problem["detail"].as_str().unwrap().contains("does not read back as it was written"),
         "{problem}"
@@ -41,7 +42,10 @@ fn no_nan_leaves() {
 #[test]
 fn input_that_turns_out_impossible_is_the_clients_fault() {
     let service = InProcess::start(|_| ());
-    let problem = service.target.post("/v1/solve", job("impossible").to_string()).problem(422, "invalid-job");
+    let problem = service
+        .target
+        .post("/v1/solve", job("impossible").to_string())
+        .problem(422, "invalid-job");
     assert_eq!(pointers(&problem), ["/load/force"]);
     let id = service.target.submit(&job("impossible"));
     let failed = service.target.wait_for(&id, &["failed"]);
@@ -53,7 +57,8 @@ fn input_that_turns_out_impossible_is_the_clients_fault() {
 #[test]
 fn a_solver_that_gives_up_says_why() {
     let service = InProcess::start(|_| ());
-    let problem = service.target.post("/v1/solve", job("fail").to_string()).problem(500, "solve-failed");
+    let problem =
+        service.target.post("/v1/solve", job("fail").to_string()).problem(500, "solve-failed");
     assert_eq!(problem["detail"], "the matrix is not positive definite");
 }
 
@@ -122,7 +127,8 @@ fn a_waiting_client_hears_of_the_end() {
 #[test]
 fn cancelling_stops_running_and_queued_jobs_and_keeps_progress() {
     let service = InProcess::start(|_| ());
-    let (running, queued) = (service.target.submit(&job("slow")), service.target.submit(&job("slow")));
+    let (running, queued) =
+        (service.target.submit(&job("slow")), service.target.submit(&job("slow")));
     service.target.wait_for(&running, &["running"]);
     assert_eq!(service.target.wait_for(&queued, &["queued"])["queue_position"], 0);
     let answer = service.target.post(&format!("{queued}/cancel"), "");
@@ -184,7 +190,10 @@ fn a_job_whose_steps_are_not_taken_ends_at_its_deadline() {
     flood["mesh"] = json!({"elements_per_half_width": 4});
     let id = service.target.submit(&flood);
     let failed = service.target.wait_for(&id, &["failed"]);
-    assert_eq!(failed["error"]["detail"], "results of steps could not be stored: the disk is full");
+    assert_eq!(
+        failed["error"]["detail"],
+        "results of steps could not be stored: the disk is full"
+    );
     service.target.get(&format!("{id}/result")).problem(409, "no-result");
     assert_well(&service.target);
 }
@@ -198,7 +207,9 @@ fn a_full_queue_asks_to_come_back() {
     for path in ["/v1/jobs", "/v1/solve"] {
         let answer = service.target.post(path, job("quick").to_string());
         answer.problem(429, "queue-full");
-        assert!(answer.header("retry-after").is_some_and(|seconds| seconds.parse::<u32>().is_ok()));
+        assert!(
+            answer.header("retry-after").is_some_and(|seconds| seconds.parse::<u32>().is_ok())
+        );
     }
     assert_eq!(
         service.target.get("/readyz").status,

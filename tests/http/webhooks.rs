@@ -36,7 +36,10 @@ impl Told {
     #[track_caller]
     fn verified(&self) -> Value {
         let mut mac = Hmac::<Sha256>::new_from_slice(&STANDARD.decode(SECRET).unwrap()).unwrap();
-        mac.update(format!("{}.{}.", self.header("webhook-id"), self.header("webhook-timestamp")).as_bytes());
+        mac.update(
+            format!("{}.{}.", self.header("webhook-id"), self.header("webhook-timestamp"))
+                .as_bytes(),
+        );
         mac.update(&self.body);
         let signature = format!("v1,{}", STANDARD.encode(mac.finalize().into_bytes()));
         assert_eq!(self.header("webhook-signature"), signature);
@@ -68,8 +71,11 @@ impl Receiver {
                         line => lines.push(line.to_owned()),
                     }
                 }
-                let path =
-                    lines.first().and_then(|line| line.split(' ').nth(1)).unwrap_or_default().to_owned();
+                let path = lines
+                    .first()
+                    .and_then(|line| line.split(' ').nth(1))
+                    .unwrap_or_default()
+                    .to_owned();
                 let pair = |line: &String| {
                     let (name, value) = line.split_once(": ")?;
                     Some((name.to_ascii_lowercase(), value.to_owned()))
@@ -123,7 +129,8 @@ fn callback(target: &Target, job: &str, state: &str) -> Value {
 #[test]
 fn an_announcement_is_signed_and_repeated_until_it_is_taken() {
     let service = InProcess::start(calling);
-    let receiver = Receiver::start(vec!["500 No", "302 Found\r\nLocation: /elsewhere", "204 Good"]);
+    let receiver =
+        Receiver::start(vec!["500 No", "302 Found\r\nLocation: /elsewhere", "204 Good"]);
     let url = format!("http://127.0.0.1:{}/press?x=1", receiver.port);
     let trace = "00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01";
     let answer = service.target.post_with(
@@ -169,8 +176,9 @@ fn every_end_is_announced() {
     for job in [&queued, &running] {
         service.target.post(&format!("{job}/cancel"), "");
     }
-    let mut ends: Vec<String> =
-        (0..3).map(|_| receiver.next().verified()["data"]["status"].as_str().unwrap().to_owned()).collect();
+    let mut ends: Vec<String> = (0..3)
+        .map(|_| receiver.next().verified()["data"]["status"].as_str().unwrap().to_owned())
+        .collect();
     ends.sort();
     assert_eq!(ends, ["cancelled", "cancelled", "failed"]);
     let listed = service.target.get("/v1/jobs").json();
@@ -181,7 +189,8 @@ fn every_end_is_announced() {
 fn a_receiver_that_wants_no_more_is_left_alone() {
     let service = InProcess::start(calling);
     let receiver = Receiver::start(vec!["410 Gone"]);
-    let job = submit(&service.target, &job("quick"), &format!("http://127.0.0.1:{}/", receiver.port));
+    let job =
+        submit(&service.target, &job("quick"), &format!("http://127.0.0.1:{}/", receiver.port));
     receiver.next();
     let callback = callback(&service.target, &job, "failed");
     assert_eq!((&callback["attempts"], &callback["last_status"]), (&json!(1), &json!(410)));
@@ -195,7 +204,8 @@ fn only_hosts_of_the_list_may_be_named() {
         let path = format!("/v1/jobs?priority=x&callback_url={url}");
         let problem = target.post(&path, job("quick").to_string()).problem(400, "invalid-query");
         let errors = problem["errors"].as_array().unwrap();
-        let named: Vec<_> = errors.iter().map(|error| error["parameter"].as_str().unwrap()).collect();
+        let named: Vec<_> =
+            errors.iter().map(|error| error["parameter"].as_str().unwrap()).collect();
         assert_eq!(named, ["priority", "callback_url"]);
         errors[1]["detail"].as_str().unwrap().to_owned()
     };

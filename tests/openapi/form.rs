@@ -29,7 +29,8 @@ pub fn tables() -> String {
 
 /// The ways to give strength over depth, with keys from the hardening law on.
 fn over_depth(text: &mut String) {
-    let name = "/** @type {Record<string, import('./fields.js').Kind>} */\nexport const OVER_DEPTH = {";
+    let name =
+        "/** @type {Record<string, import('./fields.js').Kind>} */\nexport const OVER_DEPTH = {";
     writeln!(text, "{name}").unwrap();
     for (word, label, place, fields) in OverDepth::kinds() {
         writeln!(text, "  {word}: {{\n    label: {},\n    fields: [", json!(label)).unwrap();
@@ -62,13 +63,19 @@ fn initial_stress(text: &mut String) {
         "members": fields.iter().map(|field| field.key).collect::<Vec<_>>(),
         "optional": true,
     });
-    writeln!(text, "/** @type {{import('./fields.js').Field}} */\nexport const INITIAL_STRESS = {entry};")
-        .unwrap();
+    writeln!(
+        text,
+        "/** @type {{import('./fields.js').Field}} */\nexport const INITIAL_STRESS = {entry};"
+    )
+    .unwrap();
 }
 
 fn table(text: &mut String, name: &str, kinds: &[FieldTable]) {
-    writeln!(text, "/** @type {{Record<string, import('./fields.js').Kind>}} */\nexport const {name} = {{")
-        .unwrap();
+    writeln!(
+        text,
+        "/** @type {{Record<string, import('./fields.js').Kind>}} */\nexport const {name} = {{"
+    )
+    .unwrap();
     for kind in kinds {
         let (label, description) = (json!(kind.label), json!(kind.description));
         writeln!(
@@ -102,7 +109,8 @@ fn field(field: &Field) -> Value {
         FieldKind::Whole(_) => entry["quantity"] = json!("number"),
         FieldKind::Choice(_, words) => {
             entry["kind"] = json!("choice");
-            let choices = words().into_iter().map(|word| (word.to_owned(), json!(word.replace('_', " "))));
+            let choices =
+                words().into_iter().map(|word| (word.to_owned(), json!(word.replace('_', " "))));
             entry["choices"] = choices.collect();
         }
     }
@@ -120,11 +128,14 @@ fn field(field: &Field) -> Value {
 /// The page's name of a quantity.
 fn quantity(figure: &Figure) -> &'static str {
     match figure {
-        Figure::Quantity(Quantity::Length | Quantity::Position | Quantity::Depth | Quantity::Approach) => {
-            "length"
-        }
         Figure::Quantity(
-            Quantity::Modulus | Quantity::TangentModulus | Quantity::Stress | Quantity::SignedStress,
+            Quantity::Length | Quantity::Position | Quantity::Depth | Quantity::Approach,
+        ) => "length",
+        Figure::Quantity(
+            Quantity::Modulus
+            | Quantity::TangentModulus
+            | Quantity::Stress
+            | Quantity::SignedStress,
         ) => "stress",
         Figure::Quantity(Quantity::LineForce) => "line_force",
         Figure::Quantity(Quantity::Force) => "force",

@@ -1,4 +1,5 @@
-//! Files of the repository that are written from the program: they have to be what the program would write now.
+//! Files of the repository that are written from the program: they have to be what the program
+//! would write now.
 //!
 //! `BRINELL_WRITE=1 cargo test --test openapi` writes them anew.
 
@@ -22,7 +23,8 @@ fn assert_written(path: &str, text: &str) {
     let is_same = fs::read_to_string(&file).is_ok_and(|written| written == text);
     assert!(
         is_same,
-        "{path} is not what the program says; write it anew: BRINELL_WRITE=1 cargo test --test openapi"
+        "{path} is not what the program says; write it anew: BRINELL_WRITE=1 cargo test --test \
+         openapi"
     );
 }
 

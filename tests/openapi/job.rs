@@ -1,4 +1,5 @@
-//! The schema of a job beside the reader: what the format can say is in it, what is refused by its form is not.
+//! The schema of a job beside the reader: what the format can say is in it, what is refused by its
+//! form is not.
 
 use brinell::http::openapi::document;
 use brinell_solver::job::{Job, strategy};

@@ -27,7 +27,10 @@ fn visit(value: &Value, pointer: &str, see: &mut impl FnMut(&str, &Value)) {
             }
         }
         Value::Array(items) => {
-            items.iter().enumerate().for_each(|(k, item)| visit(item, &format!("{pointer}/{k}"), see));
+            items
+                .iter()
+                .enumerate()
+                .for_each(|(k, item)| visit(item, &format!("{pointer}/{k}"), see));
         }
         _ => {}
     }
@@ -54,7 +57,8 @@ fn references_lead_somewhere_and_schemas_are_schemas() {
 #[test]
 fn everything_says_what_it_is() {
     let document = openapi::document();
-    let is_told = |value: &Value| value["description"].as_str().is_some_and(|text| !text.is_empty());
+    let is_told =
+        |value: &Value| value["description"].as_str().is_some_and(|text| !text.is_empty());
     for (name, schema) in document["components"]["schemas"].as_object().unwrap() {
         assert!(is_told(schema), "{name} has no description");
         for (key, property) in schema["properties"].as_object().into_iter().flatten() {
@@ -67,11 +71,15 @@ fn everything_says_what_it_is() {
             );
             if property["type"] == "number" && !key.ends_with("_seconds") {
                 let text = property["description"].as_str().unwrap();
-                let has_unit = ["Unit: ", "Range: ", "Without unit."].iter().any(|word| text.contains(word));
+                let has_unit =
+                    ["Unit: ", "Range: ", "Without unit."].iter().any(|word| text.contains(word));
                 assert!(has_unit, "{name}.{key} has no unit: {text}");
                 // Objects of a job are closed.
                 let is_answer = schema["additionalProperties"] != json!(false);
-                assert!(is_answer || property["examples"].is_array(), "{name}.{key} has no example");
+                assert!(
+                    is_answer || property["examples"].is_array(),
+                    "{name}.{key} has no example"
+                );
             }
         }
     }
@@ -81,7 +89,11 @@ fn everything_says_what_it_is() {
             assert!(operation["tags"].is_array(), "{method} {path} has no tag");
             let declared = operation["parameters"].as_array().map_or(&[][..], Vec::as_slice);
             let in_path = declared.iter().filter(|parameter| parameter["in"] == "path").count();
-            assert_eq!(in_path, path.matches('{').count(), "{method} {path} does not declare its parameters");
+            assert_eq!(
+                in_path,
+                path.matches('{').count(),
+                "{method} {path} does not declare its parameters"
+            );
             assert!(operation["responses"]["500"].is_object(), "{method} {path} cannot fail");
         }
     }
@@ -104,7 +116,11 @@ fn assert_valid(validator: &jsonschema::Validator, what: &str, value: &Value) {
     let faults: Vec<_> = validator
         .iter_errors(value)
         .map(|fault| {
-            format!("{}: {}", fault.instance_path(), fault.to_string().chars().take(300).collect::<String>())
+            format!(
+                "{}: {}",
+                fault.instance_path(),
+                fault.to_string().chars().take(300).collect::<String>()
+            )
         })
         .collect();
     assert!(faults.is_empty(), "{what}: {faults:#?}");

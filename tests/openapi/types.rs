@@ -15,15 +15,17 @@ const HEAD: &str = "\
 /// The types that a module of the page imports from this one.
 pub fn types(document: &Value, page: &str) -> String {
     let is_letter = |sign: &char| sign.is_ascii_alphanumeric();
-    let named = page.split("wire.js').").skip(1).map(|rest| rest.chars().take_while(is_letter).collect());
+    let named =
+        page.split("wire.js').").skip(1).map(|rest| rest.chars().take_while(is_letter).collect());
     let mut text = HEAD.to_owned();
     for name in reached(document, named.collect()) {
         let schema = &document["components"]["schemas"][&name];
         if let Some(properties) = schema["properties"].as_object() {
             writeln!(text, " * @typedef {{object}} {name}").unwrap();
             for (key, property) in properties {
-                let is_required =
-                    schema["required"].as_array().is_some_and(|all| all.iter().any(|one| one == key));
+                let is_required = schema["required"]
+                    .as_array()
+                    .is_some_and(|all| all.iter().any(|one| one == key));
                 let key = if is_required { key.clone() } else { format!("[{key}]") };
                 writeln!(text, " * @property {{{}}} {key}", type_of(property)).unwrap();
             }
@@ -73,7 +75,8 @@ const SAID: [(&str, &str); 7] = [
     ("volume", "Unit: mm³ (SI: m³)."),
     (
         "energy",
-        "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.",
+        "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three \
+         dimensions.",
     ),
 ];
 
@@ -84,9 +87,14 @@ pub fn figures(document: &Value) -> String {
         let schema = &document["components"]["schemas"][&name];
         for (key, property) in schema["properties"].as_object().into_iter().flatten() {
             let said = property["description"].as_str().unwrap_or_default();
-            let Some((quantity, _)) = SAID.iter().find(|(_, unit)| said.ends_with(unit)) else { continue };
+            let Some((quantity, _)) = SAID.iter().find(|(_, unit)| said.ends_with(unit)) else {
+                continue;
+            };
             let before = found.insert(key, quantity);
-            assert!(before.is_none_or(|before| before == *quantity), "{key} is a {quantity} in {name}");
+            assert!(
+                before.is_none_or(|before| before == *quantity),
+                "{key} is a {quantity} in {name}"
+            );
         }
     }
     let mut text = "\
@@ -114,7 +122,12 @@ fn type_of(schema: &Value) -> String {
         }
     }
     if let Some(words) = schema["enum"].as_array() {
-        return words.iter().map(Value::to_string).collect::<Vec<_>>().join(" | ").replace('"', "'");
+        return words
+            .iter()
+            .map(Value::to_string)
+            .collect::<Vec<_>>()
+            .join(" | ")
+            .replace('"', "'");
     }
     if schema["const"].is_string() || schema["const"].is_boolean() {
         return schema["const"].to_string().replace('"', "'");
@@ -133,9 +146,12 @@ fn type_of(schema: &Value) -> String {
         Some("boolean") => "boolean".to_owned(),
         Some("null") => "null".to_owned(),
         Some("array") => match schema["prefixItems"].as_array() {
-            Some(items) => format!("[{}]", items.iter().map(type_of).collect::<Vec<_>>().join(", ")),
+            Some(items) => {
+                format!("[{}]", items.iter().map(type_of).collect::<Vec<_>>().join(", "))
+            }
             None if schema["minItems"].is_u64() && schema["minItems"] == schema["maxItems"] => {
-                let count = schema["minItems"].as_u64().map_or(0, |count| usize::try_from(count).unwrap());
+                let count =
+                    schema["minItems"].as_u64().map_or(0, |count| usize::try_from(count).unwrap());
                 format!("[{}]", vec![type_of(&schema["items"]); count].join(", "))
             }
             None => format!("({})[]", type_of(&schema["items"])),

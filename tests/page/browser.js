@@ -19,13 +19,17 @@ export const flags = [
   '--no-first-run',
   '--disable-component-update',
   '--disable-sync',
-  // Without a graphics card the page is put together faster by the processor than by a card that it plays.
+  // Without a graphics card the page is put together faster by the processor than by a card that
+  // it plays.
   '--disable-gpu-compositing',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
 ];
 
-/** How long [ms] a step of a test may take, and how many such times the whole test: more on a slow or busy machine. */
+/**
+ * How long [ms] a step of a test may take, and how many such times the whole test: more on a slow
+ * or busy machine.
+ */
 const PATIENCE = 1000 * Number(process.env.BRINELL_PAGE_PATIENCE ?? 60);
 const STEPS = 5;
 
@@ -44,7 +48,11 @@ function found(what, paths, help) {
  * @param {string[]} [args]
  */
 export async function serve(args = []) {
-  const binary = found('the program', [process.env.BRINELL_BIN, join(ROOT, 'target/debug/brinell')], 'cargo build');
+  const binary = found(
+    'the program',
+    [process.env.BRINELL_BIN, join(ROOT, 'target/debug/brinell')],
+    'cargo build',
+  );
   const data = await mkdtemp(join(tmpdir(), 'brinell-page-'));
   /** @param {string} address @returns {Promise<[import('node:child_process').ChildProcess, string]>} the process, and where it listens */
   const start = async (address) => {
@@ -77,12 +85,18 @@ export async function serve(args = []) {
 export const chromiumPath = () =>
   found(
     'Chromium',
-    [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'],
+    [
+      process.env.CHROMIUM,
+      '/usr/bin/chromium',
+      '/usr/bin/chromium-browser',
+      '/usr/bin/google-chrome',
+    ],
     'apt-get install chromium',
   );
 
 /** @returns {Promise<import('playwright-core').Browser>} */
-export const launch = () => chromium.launch({ executablePath: chromiumPath(), headless: true, args: flags });
+export const launch = () =>
+  chromium.launch({ executablePath: chromiumPath(), headless: true, args: flags });
 
 /**
  * A fresh page at the service that notes everything it should not do.
@@ -143,7 +157,8 @@ export function suite(args) {
     /** Another visitor. @param {string} url @param {import('playwright-core').BrowserContextOptions} [options] */
     visit: (url, options) => visit(browser, url, options),
     /**
-     * A test on a fresh page that shows the first example, and at which nothing else goes wrong than what is looked for.
+     * A test on a fresh page that shows the first example, and at which nothing else goes wrong
+     * than what is looked for.
      * @param {string} name
      * @param {(page: import('playwright-core').Page, with_: {server: Server, note: (text: string) => void}) => Promise<void>} work
      * @param {About & import('playwright-core').BrowserContextOptions} [about]

@@ -59,7 +59,9 @@ export const sent = (page, change, wait = false) =>
   page.evaluate(
     async ([change, wait]) => {
       const { examples } = await (await fetch('v1/examples')).json();
-      const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+      const { job } = examples.find(
+        (/** @type {{name: string}} */ { name }) => name === 'two_cylinders',
+      );
       const body = JSON.stringify({ ...job, mesh: { elements_per_half_width: 8 }, ...change });
       const headers = { 'Content-Type': 'application/json' };
       const { id } = await (await fetch('v1/jobs', { method: 'POST', headers, body })).json();
@@ -83,11 +85,14 @@ export async function shown(page, change) {
   const id = await solved(page, change);
   // What is there of a job before is not taken for this one's.
   await page.evaluate(() => {
-    for (const child of document.querySelectorAll('#headline > *')) child.setAttribute('data-before', '');
+    for (const child of document.querySelectorAll('#headline > *'))
+      child.setAttribute('data-before', '');
   });
   await follow(page, `job=${id}`);
   await page.locator('#headline > [data-before]').first().waitFor({ state: 'detached' });
-  await page.locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])').waitFor();
+  await page
+    .locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])')
+    .waitFor();
   await page.locator('#panel-figures tbody tr').first().waitFor();
   return id;
 }
@@ -99,7 +104,9 @@ export const unfold = (page) =>
   });
 
 /** Waits until the field is drawn. @param {Page} page */
-export const drawn = (page) => page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+export const drawn = (page) =>
+  page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
 
 /** The draft as it is kept. @param {Page} page @returns {Promise<any>} */
-export const draft = async (page) => JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');
+export const draft = async (page) =>
+  JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');

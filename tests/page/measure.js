@@ -1,9 +1,11 @@
 /**
- * What the page owes to those who wait, measured: `BRINELL_BIN=target/release/brinell npm run measure`.
+ * What the page owes to those who wait, measured: `BRINELL_BIN=target/release/brinell npm run
+ * measure`.
  *
- * A slider at 10 elements per half-width: answers shown in a second. A sweep of 20 loads with fields on 160 elements per half-width:
- * time from the end of the job to its figures and to its first field, and the most memory of the renderer. The last of these of a ball in
- * its raceway and of heights, too.
+ * A slider at 10 elements per half-width: answers shown in a second. A sweep of 20 loads with
+ * fields on 160 elements per half-width: time from the end of the job to its figures and to its
+ * first field, and the most memory of the renderer. The last of these of a ball in its raceway and
+ * of heights, too.
  */
 
 import { spawn } from 'node:child_process';
@@ -15,37 +17,50 @@ import { chromiumPath, flags, serve } from './browser.js';
 const [ELEMENTS, STEPS] = [Number(process.env.ELEMENTS ?? 160), 20];
 
 /**
- * A browser that is only told to evaluate: Playwright listens to the network, and then the renderer keeps what came by it.
+ * A browser that is only told to evaluate: Playwright listens to the network, and then the
+ * renderer keeps what came by it.
  * @param {string} url
  */
 async function bare(url) {
   const profile = await mkdtemp(join(tmpdir(), 'brinell-measure-'));
   const child = spawn(
     chromiumPath(),
-    ['--headless', '--remote-debugging-pipe', `--user-data-dir=${profile}`, '--window-size=1440,900', ...flags],
+    [
+      '--headless',
+      '--remote-debugging-pipe',
+      `--user-data-dir=${profile}`,
+      '--window-size=1440,900',
+      ...flags,
+    ],
     { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] },
   );
-  const [to, from] = /** @type {[import('node:stream').Writable, import('node:stream').Readable]} */ (
-    child.stdio.slice(3)
-  );
+  const [to, from] =
+    /** @type {[import('node:stream').Writable, import('node:stream').Readable]} */ (
+      child.stdio.slice(3)
+    );
   const waiting = /** @type {Map<number, (message: any) => void>} */ (new Map());
   let rest = '';
   from.on('data', (chunk) => {
     const messages = (rest + chunk).split('\0');
     rest = messages.pop() ?? '';
-    for (const message of messages.map((text) => JSON.parse(text))) waiting.get(message.id)?.(message);
+    for (const message of messages.map((text) => JSON.parse(text)))
+      waiting.get(message.id)?.(message);
   });
   let count = 0;
   /** @param {string} method @param {object} params @param {string} [sessionId] @returns {Promise<any>} */
   const ask = (method, params, sessionId) =>
     new Promise((resolve, reject) => {
       const id = ++count;
-      waiting.set(id, ({ result, error }) => (error ? reject(new Error(error.message)) : resolve(result)));
+      waiting.set(id, ({ result, error }) =>
+        error ? reject(new Error(error.message)) : resolve(result),
+      );
       to.write(`${JSON.stringify({ id, method, params, sessionId })}\0`);
     });
   const { targetId } = await ask('Target.createTarget', { url });
   const { sessionId } = await ask('Target.attachToTarget', { targetId, flatten: true });
-  const there = { expression: `document.readyState === 'complete' && location.href !== 'about:blank'` };
+  const there = {
+    expression: `document.readyState === 'complete' && location.href !== 'about:blank'`,
+  };
   while (!(await ask('Runtime.evaluate', there, sessionId)).result.value)
     await new Promise((resolve) => setTimeout(resolve, 50));
   return {
@@ -53,7 +68,11 @@ async function bare(url) {
     run: async (work, given) => {
       const expression = `(${work})(${JSON.stringify(given)})`;
       const options = { expression, awaitPromise: true, returnByValue: true };
-      const { result, exceptionDetails: fault } = await ask('Runtime.evaluate', options, sessionId);
+      const { result, exceptionDetails: fault } = await ask(
+        'Runtime.evaluate',
+        options,
+        sessionId,
+      );
       if (fault) throw new Error(fault.exception?.description ?? fault.text);
       return result.value;
     },
@@ -143,11 +162,17 @@ try {
 
   browser = await bare(server.url);
   const forces = Array.from({ length: STEPS }, (_, k) => 35 * (k + 1));
-  await browser.run(enter, { load: { forces }, mesh: { elements_per_half_width: ELEMENTS }, output: { fields: true } });
+  await browser.run(enter, {
+    load: { forces },
+    mesh: { elements_per_half_width: ELEMENTS },
+    output: { fields: true },
+  });
   console.log(`renderer before: ${await browser.memory()} MB`);
   const { solved, figures, field } = await browser.run(solve, null);
   const seconds = (/** @type {number} */ ms) => `${(ms / 1000).toFixed(2)} s`;
-  console.log(`${STEPS} loads on ${ELEMENTS} elements per half-width: solved in ${seconds(solved)}`);
+  console.log(
+    `${STEPS} loads on ${ELEMENTS} elements per half-width: solved in ${seconds(solved)}`,
+  );
   console.log(`after its end: figures ${seconds(figures)}, first field ${seconds(field)}`);
   console.log(`renderer at most ${await browser.memory()} MB`);
   await browser.run(play, null);
@@ -159,8 +184,11 @@ try {
     { type: 'sphere', radius: 5 },
   ];
   const waves = (/** @type {number} */ i, /** @type {number} */ j) =>
-    1e-4 * (Math.cos(0.7 * i + 0.2 * j) + Math.cos(0.9 * j - 0.3 * i)) - 3e-7 * ((i - 64) ** 2 + (j - 64) ** 2);
-  const heights = Array.from({ length: 128 }, (_, i) => Array.from({ length: 128 }, (_, j) => waves(i, j)));
+    1e-4 * (Math.cos(0.7 * i + 0.2 * j) + Math.cos(0.9 * j - 0.3 * i)) -
+    3e-7 * ((i - 64) ** 2 + (j - 64) ** 2);
+  const heights = Array.from({ length: 128 }, (_, i) =>
+    Array.from({ length: 128 }, (_, j) => waves(i, j)),
+  );
   const raceway = { shape: { type: 'curved', radius_x: 20, radius_y: -5.2 }, material: elastic };
   const plane = { shape: { type: 'flat' }, material: elastic };
   const rough = { ...plane, surface: { heights, spacing_x: 0.002, spacing_y: 0.002 } };
@@ -177,7 +205,9 @@ try {
     await browser.run(enter, { analysis: 'three_dimensional', output: { fields: true }, ...job });
     const { solved } = await browser.run(solve, null);
     if ('forces' in job.load) await browser.run(play, null);
-    console.log(`${name}: solved in ${seconds(solved)}, renderer at most ${await browser.memory()} MB`);
+    console.log(
+      `${name}: solved in ${seconds(solved)}, renderer at most ${await browser.memory()} MB`,
+    );
     await browser.close();
   }
 } finally {

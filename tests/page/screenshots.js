@@ -1,4 +1,7 @@
-/** Pictures of every view: `npm run shots [folder]`, by default `docs/figures`, which takes those of the documents alone. */
+/**
+ * Pictures of every view: `npm run shots [folder]`, by default `docs/figures`, which takes those
+ * of the documents alone.
+ */
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,7 +13,9 @@ const folder = given ?? fileURLToPath(new URL('../../docs/figures', import.meta.
 
 const [server, browser] = await Promise.all([serve(), launch()]);
 try {
-  for (const [name, options, show, fullPage] of given ? [...OF_DOCUMENTS, ...OTHERS] : OF_DOCUMENTS) {
+  for (const [name, options, show, fullPage] of given
+    ? [...OF_DOCUMENTS, ...OTHERS]
+    : OF_DOCUMENTS) {
     const { page, faults, close } = await visit(browser, server.url, options);
     await page.getByText('1500.0 MPa').waitFor();
     await show(page);

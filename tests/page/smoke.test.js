@@ -1,4 +1,7 @@
-/** Whether the page works at all: first view, a job, a dent, a sweep, a comparison, a refusal. The rest is in `specs/`. */
+/**
+ * Whether the page works at all: first view, a job, a dent, a sweep, a comparison, a refusal. The
+ * rest is in `specs/`.
+ */
 
 import assert from 'node:assert/strict';
 import { suite } from './browser.js';
@@ -13,10 +16,15 @@ service.test('the first view shows the bodies, their set-up and elastic theory',
   const legend = page.locator('#panel-pressure .legend li');
   await legend.getByText('Hertz, elastic').waitFor();
   const { width, height } = (await legend.first().boundingBox()) ?? { width: 0, height: 0 };
-  assert.ok(width > 3 * height, `the legend has words on one line, not letters below each other: ${width} × ${height}`);
+  assert.ok(
+    width > 3 * height,
+    `the legend has words on one line, not letters below each other: ${width} × ${height}`,
+  );
   const chosen = await page.locator('#example').evaluate((select) => {
     const words = /** @type {HTMLSelectElement} */ (select).selectedOptions[0].text;
-    const context = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
+    const context = /** @type {CanvasRenderingContext2D} */ (
+      document.createElement('canvas').getContext('2d')
+    );
     context.font = getComputedStyle(select).font;
     return { words, needs: context.measureText(words).width, has: select.clientWidth };
   });
@@ -33,7 +41,10 @@ service.test('the reference job is solved', async (page) => {
 service.test('a load that is taken away leaves a dent and stresses over depth', async (page) => {
   const history = [{ force: 612.6106 }, { force: 0 }];
   await shown(page, { load: { history }, solver: { theory: 'flow' }, ...COARSE });
-  assert.match((await page.locator('#panel-dent .plot').getAttribute('aria-label')) ?? '', /^Residual height/);
+  assert.match(
+    (await page.locator('#panel-dent .plot').getAttribute('aria-label')) ?? '',
+    /^Residual height/,
+  );
   await page.locator('#panel-depth .plot canvas').waitFor();
 });
 
@@ -44,7 +55,10 @@ service.test('a sweep has a row for every load', async (page) => {
 });
 
 service.test('two jobs are compared', async (page) => {
-  const [one, other] = [await solved(page, COARSE), await solved(page, { load: { force: 400 }, ...COARSE })];
+  const [one, other] = [
+    await solved(page, COARSE),
+    await solved(page, { load: { force: 400 }, ...COARSE }),
+  ];
   await follow(page, `job=${one}&with=${other}`);
   await page.locator('#panel-differences tbody tr').first().waitFor();
   assert.deepEqual(await page.locator('#panel-differences tbody td').allTextContents(), [

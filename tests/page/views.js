@@ -11,9 +11,12 @@ const DARK = { ...WIDE, colorScheme: /** @type {const} */ ('dark') };
 const drawn = async (page) => {
   await page.waitForFunction(
     () =>
-      performance.getEntriesByName('field-drawn').length > 0 && !document.querySelector('.stage')?.matches('.stale'),
+      performance.getEntriesByName('field-drawn').length > 0 &&
+      !document.querySelector('.stage')?.matches('.stale'),
   );
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
 };
 
 /** @param {Page} page */
@@ -38,7 +41,9 @@ const made = (page, change) =>
 
 /** @param {Page} page */
 async function sweep(page) {
-  await page.locator('#example').selectOption({ label: 'Bearing ball pressed into a steel plate, ten loads' });
+  await page
+    .locator('#example')
+    .selectOption({ label: 'Bearing ball pressed into a steel plate, ten loads' });
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.locator('[data-status=succeeded]').waitFor();
   await drawn(page);
@@ -83,7 +88,9 @@ const part = (example) => async (page) => {
 /** @param {Page} page */
 async function first(page) {
   await page.locator('#panel-pressure .plot canvas').waitFor();
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
 }
 
 /** @param {Page} page @param {object} change of the reference problem, which is unloaded */
@@ -104,7 +111,8 @@ async function unloaded(page, change) {
 const dent = (page) => unloaded(page, {});
 
 /** @param {Page} page */
-const ball = (page) => unloaded(page, { analysis: 'axisymmetric', load: { history: [{ force: 5000 }, { force: 0 }] } });
+const ball = (page) =>
+  unloaded(page, { analysis: 'axisymmetric', load: { history: [{ force: 5000 }, { force: 0 }] } });
 
 /** @param {Page} page */
 async function jobs(page) {
@@ -148,7 +156,12 @@ export const OTHERS = [
   ['ball', WIDE, ball, true],
   ['raceway', WIDE, part('Ball in a raceway, in three dimensions'), true],
   ['roller', WIDE, part('Tilted roller with a logarithmic profile, in three dimensions'), true],
-  ['roller-phone', PHONE, part('Tilted roller with a logarithmic profile, in three dimensions'), true],
+  [
+    'roller-phone',
+    PHONE,
+    part('Tilted roller with a logarithmic profile, in three dimensions'),
+    true,
+  ],
   ['ellipse', WIDE, part('Dent of an ellipsoid, in three dimensions'), true],
   ['rough', WIDE, part('Rough patch pressed flat, in three dimensions'), true],
   ['case', WIDE, part('Case-hardened roller on a hardened block'), true],

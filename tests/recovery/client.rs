@@ -34,18 +34,22 @@ impl Client {
         receipt["id"].as_str().unwrap().to_owned()
     }
 
-    /// Queues small jobs, a hundred in one request, and returns their ids. One by one they may be solved as fast as they come.
+    /// Queues small jobs, a hundred in one request, and returns their ids. One by one they may be
+    /// solved as fast as they come.
     #[track_caller]
     pub fn submit_small_jobs(&mut self, count: usize) -> Vec<String> {
         let mut ids = Vec::new();
         while ids.len() < count {
             let hundred = ids.len()..count.min(ids.len() + 100);
-            let jobs: Vec<Value> = hundred.map(|number| json!({"job": small_job(number)})).collect();
+            let jobs: Vec<Value> =
+                hundred.map(|number| json!({"job": small_job(number)})).collect();
             let (status, answer) =
                 self.ask("POST", "/v1/batch/submit", "", &json!({"jobs": jobs}).to_string());
             assert_eq!(status, 200, "{answer}");
             let receipts = answer["jobs"].as_array().unwrap();
-            ids.extend(receipts.iter().map(|receipt| receipt["job"]["id"].as_str().unwrap().to_owned()));
+            ids.extend(
+                receipts.iter().map(|receipt| receipt["job"]["id"].as_str().unwrap().to_owned()),
+            );
         }
         ids
     }
@@ -65,7 +69,8 @@ impl Client {
     pub fn ask(&mut self, method: &str, path: &str, headers: &str, body: &str) -> (u16, Value) {
         let length = body.len();
         let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
+            "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: \
+             application/json\r\nContent-Length: {length}\r\n\
              {headers}\r\n"
         );
         self.stream.get_mut().write_all((head + body).as_bytes()).unwrap();
@@ -128,7 +133,8 @@ impl Client {
         }
     }
 
-    /// Asserts that exactly these jobs are known, that all have succeeded, and that each has its result.
+    /// Asserts that exactly these jobs are known, that all have succeeded, and that each has its
+    /// result.
     #[track_caller]
     pub fn assert_all_succeeded(&mut self, ids: &[String]) {
         let jobs = self.all_jobs();
@@ -137,9 +143,15 @@ impl Client {
             let job = &jobs[id];
             assert_eq!(job["status"], "succeeded", "{job}");
             let (status, report) = self.get(&format!("/v1/jobs/{id}/result"));
-            assert_eq!((status, report["tags"]["number"].as_str()), (200, job["tags"]["number"].as_str()));
+            assert_eq!(
+                (status, report["tags"]["number"].as_str()),
+                (200, job["tags"]["number"].as_str())
+            );
             let iterations = report["steps"][0]["history"].as_array().unwrap().len();
-            assert_eq!(job["progress"]["iterations"], iterations, "the history is that of one attempt");
+            assert_eq!(
+                job["progress"]["iterations"], iterations,
+                "the history is that of one attempt"
+            );
         }
     }
 }

@@ -19,7 +19,8 @@ use crate::solvers::TestSolver;
 const DATA: &str = "BRINELL_TEST_CRASH_DATA";
 const SOLVERS: usize = 3;
 
-/// Not a test: the service with solvers that crash on demand, run as a process of its own by the test below.
+/// Not a test: the service with solvers that crash on demand, run as a process of its own by the
+/// test below.
 #[test]
 #[ignore = "a part of a_crash_looping_job_ends_as_failed_and_does_not_stop_the_others"]
 fn crashing_service() {
@@ -28,7 +29,8 @@ fn crashing_service() {
     config.storage.data_dir = data.into();
     config.work.workers = NonZeroUsize::new(SOLVERS);
     let runtime = Runtime::new().unwrap();
-    let service = runtime.block_on(Service::bind(&config, Arc::new(TestSolver::default()))).unwrap();
+    let service =
+        runtime.block_on(Service::bind(&config, Arc::new(TestSolver::default()))).unwrap();
     println!("\nbrinell listening on http://{}", service.address());
     runtime.block_on(service.run(CancellationToken::new())).unwrap();
 }
@@ -80,8 +82,9 @@ fn a_crash_looping_job_ends_as_failed_and_does_not_stop_the_others() {
     let data = Scratch::new();
     let (mut process, url) = Crashing::start(&data.0);
     let mut client = Client::connect(&url.unwrap());
-    // Two that run beside the first crash, the culprit, and some that come after. All are in one transaction's
-    // reach of the first claim, so hand them in while the solvers are busy with slow jobs.
+    // Two that run beside the first crash, the culprit, and some that come after. All are in one
+    // transaction's reach of the first claim, so hand them in while the solvers are busy with slow
+    // jobs.
     let slow: Vec<String> = (0..SOLVERS).map(|_| client.submit(&job("slow"))).collect();
     let mut others: Vec<String> = (0..5).map(|_| client.submit(&job("quick"))).collect();
     let culprit = client.submit(&job("abort"));
@@ -98,7 +101,8 @@ fn a_crash_looping_job_ends_as_failed_and_does_not_stop_the_others() {
         let idle = url.and_then(|url| {
             std::panic::catch_unwind(|| {
                 let mut client = Client::connect(&url);
-                // The first of them to end makes room for the culprit, perhaps before the last of them was cancelled.
+                // The first of them to end makes room for the culprit, perhaps before the last of
+                // them was cancelled.
                 for id in &slow {
                     client.ask("POST", &format!("/v1/jobs/{id}/cancel"), "", "");
                 }
@@ -115,7 +119,10 @@ fn a_crash_looping_job_ends_as_failed_and_does_not_stop_the_others() {
     };
     assert_eq!(crashes, 3, "as many attempts as allowed");
     let failed = &jobs[&culprit];
-    assert_eq!((failed["status"].as_str(), failed["attempts"].as_u64()), (Some("failed"), Some(3)));
+    assert_eq!(
+        (failed["status"].as_str(), failed["attempts"].as_u64()),
+        (Some("failed"), Some(3))
+    );
     assert!(
         failed["error"]["detail"].as_str().is_some_and(|detail| detail.contains("lost 3 times")),
         "{failed}"

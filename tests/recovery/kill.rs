@@ -24,7 +24,9 @@ fn five_hundred_queued_jobs_survive_kill_9() {
     let jobs = client.all_jobs();
     let again = jobs.values().filter(|job| job["attempts"] == 2).count();
     assert!((1..=4).contains(&again), "{again} jobs ran twice; {queue} at the kill");
-    assert!(jobs.values().all(|job| job["attempts"].as_u64().is_some_and(|attempts| attempts <= 2)));
+    assert!(
+        jobs.values().all(|job| job["attempts"].as_u64().is_some_and(|attempts| attempts <= 2))
+    );
 }
 
 #[test]

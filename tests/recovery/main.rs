@@ -1,5 +1,9 @@
 //! Nothing acknowledged is lost: processes are killed, databases restarted, workers crash.
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a test that cannot go on says where"
+)]
 
 mod client;
 #[path = "../support/cluster.rs"]

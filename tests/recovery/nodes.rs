@@ -44,7 +44,8 @@ impl Drop for WorkerProcess {
 #[test]
 fn a_job_is_the_same_on_every_node() {
     let database = database(Cluster::shared());
-    let (here, there) = (service(&database, &["--no-workers"]), service(&database, &["--no-workers"]));
+    let (here, there) =
+        (service(&database, &["--no-workers"]), service(&database, &["--no-workers"]));
     let id = here.target.submit(&example());
     assert_eq!(there.target.get(&id).json()["status"], "queued");
     let follower = spawn_curl(&[&format!("{}{id}/events", there.target.url)]);
@@ -67,7 +68,8 @@ fn a_job_is_the_same_on_every_node() {
 #[test]
 fn a_running_job_is_cancelled_from_another_node() {
     let database = database(Cluster::shared());
-    let (solving, asking) = (service(&database, &["--workers", "1"]), service(&database, &["--no-workers"]));
+    let (solving, asking) =
+        (service(&database, &["--workers", "1"]), service(&database, &["--no-workers"]));
     let mut long = example();
     long["mesh"]["elements_per_half_width"] = 160.into();
     let id = asking.target.submit(&long);
@@ -139,9 +141,11 @@ fn a_job_that_was_taken_in_is_not_refused_when_the_database_goes_away() {
     let api = service(&database, &["--no-workers"]);
     let (job, url) = (example().to_string(), format!("{}/v1/jobs?wait=50", api.target.url));
     let as_json = ["-H", "Content-Type: application/json", "--data-binary", &job];
-    let waiting = spawn_curl(&[&as_json[..], &["-w", " %{http_code} %header{location}", &url]].concat());
-    let is_taken_in =
-        || api.target.get("/v1/jobs").json()["jobs"].as_array().is_some_and(|jobs| !jobs.is_empty());
+    let waiting =
+        spawn_curl(&[&as_json[..], &["-w", " %{http_code} %header{location}", &url]].concat());
+    let is_taken_in = || {
+        api.target.get("/v1/jobs").json()["jobs"].as_array().is_some_and(|jobs| !jobs.is_empty())
+    };
     let started = Instant::now();
     while !is_taken_in() {
         assert!(started.elapsed() < DEADLINE, "the job is not taken in");

@@ -38,7 +38,8 @@ async fn damaged_rows_are_told(subject: &Subject) {
     let [text, tags, sound] =
         [subject.enqueue("a").await, subject.enqueue("b").await, subject.enqueue("c").await];
     assert_eq!(store.check(true).await.unwrap(), Vec::<String>::new());
-    execute(&subject.place, "UPDATE requests SET body = substr(body, 1, 9) WHERE job = $1", text).await;
+    execute(&subject.place, "UPDATE requests SET body = substr(body, 1, 9) WHERE job = $1", text)
+        .await;
     execute(&subject.place, "UPDATE jobs SET tags = '{' WHERE id = $1", tags).await;
     assert!(matches!(store.request(text).await, Err(StoreError::Damaged(_))));
     assert!(matches!(store.get(tags).await, Err(StoreError::Damaged(_))));
@@ -75,14 +76,24 @@ async fn damage_in_every_table_of_postgres_is_found() {
 /// A job with everything that a job can have.
 async fn rich_job(subject: &Subject) -> JobId {
     let callback_url = Some("https://hooks.example/".to_owned());
-    let id = subject.store.enqueue(NewJob { callback_url, ..job("x") }, Turn::free()).await.unwrap().job.id;
+    let id = subject
+        .store
+        .enqueue(NewJob { callback_url, ..job("x") }, Turn::free())
+        .await
+        .unwrap()
+        .job
+        .id;
     let lease = subject.claim_one().await;
     let fields = FieldsReport { nodes: vec![[0.0; 2]; 40_000], ..FieldsReport::default() };
     let fields = encode_fields(&PerBody { upper: Some(fields), lower: None }).unwrap();
     assert!(fields.len() > 2 * FIELDS_PART);
     let report = brinell::jobs::Deflated::compress(b"{}").unwrap();
     let steps = [StepResult { number: 0, report, fields: Some(fields.into()) }];
-    subject.store.finish(&lease, &[iteration(1)], &steps, reported(SolveStatus::Converged)).await.unwrap();
+    subject
+        .store
+        .finish(&lease, &[iteration(1)], &steps, reported(SolveStatus::Converged))
+        .await
+        .unwrap();
     id
 }
 
@@ -115,7 +126,10 @@ async fn damage_in_every_table_is_found(subject: &Subject) {
     assert!(matches!(store.ping().await, Err(StoreError::Damaged(_))));
     let found = store.check(true).await.unwrap();
     let line = "table health: 2 rows instead of one";
-    assert!(found.len() == 2 && found[0] == line && found[1].contains(&waiting.to_string()), "{found:?}");
+    assert!(
+        found.len() == 2 && found[0] == line && found[1].contains(&waiting.to_string()),
+        "{found:?}"
+    );
 }
 
 #[tokio::test]
@@ -130,7 +144,8 @@ async fn a_damaged_file_is_found() {
     drop(store);
     let Place::Directory(directory) = &place else { panic!("a directory") };
     let file = directory.0.join("brinell.db");
-    // The last connection empties the log into the database and removes it, on a thread of its own.
+    // The last connection empties the log into the database and removes it, on a thread of its
+    // own.
     let log = directory.0.join("brinell.db-wal");
     let removed = async {
         while log.exists() {

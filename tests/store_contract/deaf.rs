@@ -59,7 +59,10 @@ pub async fn a_file_breaks_off_where_its_result_does(subject: &Subject) {
         ("result", false),
     ] {
         let request = Request::get(format!("/v1/jobs/{id}/{file}")).header(HOST, "localhost");
-        let answer = timeout(SOON, asked.call(request.body(Body::empty()).unwrap())).await.unwrap().unwrap();
+        let answer = timeout(SOON, asked.call(request.body(Body::empty()).unwrap()))
+            .await
+            .unwrap()
+            .unwrap();
         assert_eq!(answer.status(), 200, "{file}");
         let body = timeout(SOON, answer.into_body().collect()).await.expect("an end");
         assert_eq!(body.is_ok(), is_whole, "{file}");

@@ -126,7 +126,8 @@ pub async fn many_at_once_never_get_the_same_announcement(subject: &Subject) {
 }
 
 pub async fn the_trace_of_a_submission_goes_with_its_job(subject: &Subject) {
-    let trace: TraceParent = "00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01".parse().unwrap();
+    let trace: TraceParent =
+        "00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01".parse().unwrap();
     let new = NewJob { callback_url: Some(URL.to_owned()), trace: Some(trace), ..job("x") };
     subject.submit(new).await.unwrap();
     subject.enqueue("y").await;

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use brinell::jobs::{
-    CoreSolver, Idempotency, JobFilter, JobService, KeyLimits, NewJob, Submission, SubmissionLimits,
-    SubmitError, Turn,
+    CoreSolver, Idempotency, JobFilter, JobService, KeyLimits, NewJob, Submission,
+    SubmissionLimits, SubmitError, Turn,
 };
 use futures_util::FutureExt;
 use tokio::time::{Instant, sleep, timeout};
@@ -21,7 +21,14 @@ pub fn service(subject: &Subject) -> Arc<JobService> {
     let limits = SubmissionLimits { job_bytes: u64::MAX, result_bytes: u64::MAX };
     let (store, notifier) = (&subject.store, Arc::clone(&subject.notifier));
     let solver = Arc::new(CoreSolver::with_cache(0));
-    Arc::new(JobService::new(store.clone(), notifier, solver, store.clone(), store.clone(), limits))
+    Arc::new(JobService::new(
+        store.clone(),
+        notifier,
+        solver,
+        store.clone(),
+        store.clone(),
+        limits,
+    ))
 }
 
 /// Polls a request some times and drops it; `true` if it came to its end.
@@ -55,11 +62,13 @@ async fn over<T: ?Sized>(held: &Arc<T>, holders: usize) {
 pub async fn a_client_that_goes_leaves_no_job_behind(subject: &Subject) {
     let jobs = service(subject);
     for polls in 0..POLLS {
-        let submission = Submission { request: JOB.into(), interactive: true, ..Submission::default() };
+        let submission =
+            Submission { request: JOB.into(), interactive: true, ..Submission::default() };
         // What came to its end is dropped too.
         dropped_after(polls, jobs.submit_attended(submission)).await;
         over(&jobs, 1).await;
-        let page = jobs.store().list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+        let page =
+            jobs.store().list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
         let all_ended = page.jobs.iter().all(|job| job.state.is_finished());
         assert!(all_ended, "a job goes on after {polls} polls");
     }
@@ -90,7 +99,9 @@ pub async fn what_is_changed_is_announced_although_its_client_has_gone(subject: 
         dropped_after(polls, jobs.cancel(id, None)).await;
         over(&subject.store, holders).await;
         if subject.get(id).await.cancel_requested {
-            let told = timeout(DEADLINE, async { while !subscription.changed().await.cancel_requested {} });
+            let told = timeout(DEADLINE, async {
+                while !subscription.changed().await.cancel_requested {}
+            });
             told.await.unwrap_or_else(|_| panic!("a job is not told to stop after {polls} polls"));
         }
         subject.store.release(&[lease]).await.unwrap();
@@ -119,7 +130,8 @@ pub async fn names_in_any_order_are_taken_in_together(subject: &Subject) {
         }
         assert_eq!(fresh, 3);
         assert!(begin.elapsed() < DEADLINE);
-        let page = subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+        let page =
+            subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
         for record in page.jobs {
             subject.store.cancel(record.id).await.unwrap();
         }
@@ -133,7 +145,8 @@ pub async fn who_waits_for_his_turn_is_told_that_the_service_closes(subject: &Su
     let submissions: Vec<_> = (0..50)
         .map(|_| {
             let jobs = Arc::clone(&jobs);
-            let submission = Submission { request: JOB.into(), submitter, ..Submission::default() };
+            let submission =
+                Submission { request: JOB.into(), submitter, ..Submission::default() };
             tokio::spawn(async move { jobs.submit(submission).await })
         })
         .collect();
@@ -146,7 +159,8 @@ pub async fn who_waits_for_his_turn_is_told_that_the_service_closes(subject: &Su
             Err(error) => panic!("{error:?}"),
         }
     }
-    let page = subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+    let page =
+        subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
     assert_eq!(page.jobs.len(), accepted);
     assert!(refused >= 45, "{refused} of 50 were told");
 }
@@ -157,7 +171,8 @@ async fn checks_leave_the_runtime_to_others() {
     let jobs = service(&Subject::memory(crate::subject::MEMORY_STORE).await);
     let loads: Vec<String> = (400..1400).map(|force| force.to_string()).collect();
     let mut sweep: serde_json::Value = serde_json::from_str(JOB).unwrap();
-    sweep["load"] = serde_json::from_str(&format!("{{\"forces\": [{}]}}", loads.join(", "))).unwrap();
+    sweep["load"] =
+        serde_json::from_str(&format!("{{\"forces\": [{}]}}", loads.join(", "))).unwrap();
     let mut check = Box::pin(jobs.validate(sweep.to_string().into(), None));
     let mut turns_of_others = 0;
     let estimate = loop {

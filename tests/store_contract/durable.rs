@@ -13,11 +13,18 @@ use crate::subject::{DEADLINE, HEAD, LIMITS, Place, Subject, iteration, reported
 #[tokio::test]
 async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
     let subject = Subject::sqlite().await;
-    let (done, running, queued) =
-        (subject.enqueue("done").await, subject.enqueue("running").await, subject.enqueue("queued").await);
+    let (done, running, queued) = (
+        subject.enqueue("done").await,
+        subject.enqueue("running").await,
+        subject.enqueue("queued").await,
+    );
     let claims = subject.claim(2).await;
     let records = [iteration(1), iteration(2)];
-    subject.store.finish(&claims[0].lease, &records, &[], reported(SolveStatus::Converged)).await.unwrap();
+    subject
+        .store
+        .finish(&claims[0].lease, &records, &[], reported(SolveStatus::Converged))
+        .await
+        .unwrap();
     let Subject { store, clock, place, .. } = subject;
     drop(store);
 
@@ -40,7 +47,8 @@ async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
 async fn a_data_directory_has_one_owner() {
     let subject = Subject::sqlite().await;
     let Place::Directory(directory) = &subject.place else { panic!("a directory") };
-    let second = open_sqlite(&directory.0, LIMITS, JobNotifier::new(), Arc::new(SystemClock)).await;
+    let second =
+        open_sqlite(&directory.0, LIMITS, JobNotifier::new(), Arc::new(SystemClock)).await;
     assert!(matches!(second.err(), Some(SqliteError::InUse(_))));
 }
 
@@ -50,7 +58,8 @@ async fn what_one_process_does_another_hears() {
     let there = Subject::again(here.place.clone(), Arc::clone(&here.clock)).await;
     let id = here.enqueue("x").await;
     timeout(DEADLINE, there.notifier.work()).await.expect("work is heard of");
-    let (mut at_worker, mut at_client) = (there.notifier.subscribe(id), here.notifier.subscribe(id));
+    let (mut at_worker, mut at_client) =
+        (there.notifier.subscribe(id), here.notifier.subscribe(id));
     let lease = there.claim_one().await;
     // The listener may have started only now; then every waiter is woken.
     while here.get(id).await.state != JobState::Running {
@@ -75,7 +84,10 @@ async fn a_lost_worker_s_job_is_run_by_another_process() {
     assert!(alive.claim(1).await.is_empty());
     dead.clock.advance(SignedDuration::from_secs(31));
     let lease = alive.claim_one().await;
-    assert!(matches!(dead.finish(&lost, SolveStatus::Converged).await, Err(StoreError::LeaseLost)));
+    assert!(matches!(
+        dead.finish(&lost, SolveStatus::Converged).await,
+        Err(StoreError::LeaseLost)
+    ));
     alive.finish(&lease, SolveStatus::NotConverged).await.unwrap();
     assert_eq!(dead.get(id).await.state, JobState::NotConverged);
 }
@@ -87,7 +99,8 @@ async fn several_processes_may_start_at_once_on_an_empty_database() {
     let empty = crate::cluster::Cluster::shared().database().await;
     assert_ne!(url, &empty);
     let place = Place::Database(empty);
-    let starts = (0..4).map(|_| tokio::spawn(Subject::again(place.clone(), Arc::clone(&first.clock))));
+    let starts =
+        (0..4).map(|_| tokio::spawn(Subject::again(place.clone(), Arc::clone(&first.clock))));
     let mut nodes = Vec::new();
     for start in starts.collect::<Vec<_>>() {
         nodes.push(start.await.unwrap());

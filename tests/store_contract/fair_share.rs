@@ -74,7 +74,11 @@ pub async fn what_was_spent_is_forgotten_within_a_minute(subject: &Subject) {
     subject.clock.advance(SignedDuration::from_secs(60));
     let early = submit(subject, busy, 0).await;
     submit(subject, idle, 0).await;
-    assert_eq!(solve_next(subject, |_| SignedDuration::ZERO).await, early, "the oldest among equals");
+    assert_eq!(
+        solve_next(subject, |_| SignedDuration::ZERO).await,
+        early,
+        "the oldest among equals"
+    );
 }
 
 pub async fn a_small_job_does_not_wait_for_memory(subject: &Subject) {
@@ -103,6 +107,9 @@ pub async fn a_key_has_its_places_in_the_queue_and_no_more(subject: &Subject) {
         submit(subject, greedy, 0).await;
     }
     let refused = subject.submit(NewJob { submitter: Some(greedy), ..job("x") }).await;
-    assert!(matches!(refused, Err(StoreError::QuotaExceeded { quota: Quota::Queued { limit: 3 } })));
+    assert!(matches!(
+        refused,
+        Err(StoreError::QuotaExceeded { quota: Quota::Queued { limit: 3 } })
+    ));
     submit(subject, modest, 0).await;
 }

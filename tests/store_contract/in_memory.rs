@@ -19,7 +19,8 @@ fn noise(bytes: usize) -> Bytes {
 #[tokio::test]
 async fn a_full_memory_refuses_jobs_and_recovers_when_there_is_room() {
     let subject = Subject::memory(2 << 20).await;
-    let first = subject.store.enqueue(NewJob::new(noise(700_000)), Turn::free()).await.unwrap().job.id;
+    let first =
+        subject.store.enqueue(NewJob::new(noise(700_000)), Turn::free()).await.unwrap().job.id;
     let mut refused = 0;
     for _ in 1..QUEUE_CAPACITY {
         match subject.store.enqueue(NewJob::new(noise(700_000)), Turn::free()).await {
@@ -33,6 +34,10 @@ async fn a_full_memory_refuses_jobs_and_recovers_when_there_is_room() {
     assert_eq!(lease.job, first);
     subject.finish(&lease, SolveStatus::Converged).await.unwrap();
     subject.store.delete(first).await.unwrap();
-    subject.store.enqueue(NewJob::new(noise(400_000)), Turn::free()).await.expect("there is room again");
+    subject
+        .store
+        .enqueue(NewJob::new(noise(400_000)), Turn::free())
+        .await
+        .expect("there is room again");
     subject.store.ping().await.expect("the store is well");
 }

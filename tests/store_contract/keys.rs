@@ -25,7 +25,8 @@ pub async fn api_keys_are_kept_and_revoked(subject: &Subject) {
 
 pub async fn a_secret_is_replaced_and_limits_are_changed(subject: &Subject) {
     let store: &dyn KeyStore = subject.store.as_ref();
-    let limits = KeyLimits { queued: Some(1), running: Some(2), stored_bytes: Some(3), priority: Some(-4) };
+    let limits =
+        KeyLimits { queued: Some(1), running: Some(2), stored_bytes: Some(3), priority: Some(-4) };
     let (key, old) = ApiKey::generate("press".to_owned(), Scope::Write, Timestamp::UNIX_EPOCH);
     let key = ApiKey { limits, expires_at: Some("2030-01-01T00:00:00Z".parse().unwrap()), ..key };
     store.add_key(key.clone()).await.unwrap();
@@ -37,7 +38,10 @@ pub async fn a_secret_is_replaced_and_limits_are_changed(subject: &Subject) {
     let start = brinell::jobs::Clock::now(subject.clock.as_ref());
     for (after, good) in [(59, [true, true]), (61, [false, true])] {
         let now = start + Duration::from_secs(after);
-        assert_eq!([&old, &new].map(|token| rotated.accepts(read_token(token).unwrap().1, now)), good);
+        assert_eq!(
+            [&old, &new].map(|token| rotated.accepts(read_token(token).unwrap().1, now)),
+            good
+        );
     }
     let less = KeyLimits { running: Some(1), ..KeyLimits::default() };
     assert!(store.limit_key(key.id, less, None).await.unwrap());

@@ -1,8 +1,8 @@
 //! Whose job it is.
 
 use brinell::jobs::{
-    ClaimRequest, Deflated, FailureKind, JobId, JobState, Lease, LeaseStatus, StepResult, StoreError,
-    WorkerId,
+    ClaimRequest, Deflated, FailureKind, JobId, JobState, Lease, LeaseStatus, StepResult,
+    StoreError, WorkerId,
 };
 use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
@@ -39,7 +39,10 @@ pub async fn an_expired_job_is_handed_out_again_and_given_up_at_last(subject: &S
     subject.clock.advance(SignedDuration::from_secs(31));
     let second = subject.claim_one().await;
     assert_eq!((second.job, second.attempt), (id, 2));
-    assert!(matches!(store.record_progress(&first, &[iteration(2)]).await, Err(StoreError::LeaseLost)));
+    assert!(matches!(
+        store.record_progress(&first, &[iteration(2)]).await,
+        Err(StoreError::LeaseLost)
+    ));
     assert!(store.history(id, 0).await.unwrap().is_empty(), "a new attempt has a new history");
 
     subject.clock.advance(SignedDuration::from_secs(31));
@@ -75,7 +78,8 @@ pub async fn an_expired_job_that_was_to_stop_is_cancelled(subject: &Subject) {
 }
 
 pub async fn the_last_attempt_runs_alone(subject: &Subject) {
-    let (guilty, neighbour) = (subject.enqueue("guilty").await, subject.enqueue("neighbour").await);
+    let (guilty, neighbour) =
+        (subject.enqueue("guilty").await, subject.enqueue("neighbour").await);
     assert_eq!(subject.claim(2).await.len(), 2);
     subject.clock.advance(SignedDuration::from_secs(31));
     let fresh = subject.enqueue("fresh").await;
@@ -103,7 +107,10 @@ pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
         let released = subject.get(id).await;
         assert_eq!((released.state, released.queue_position), (JobState::Queued, Some(0)));
         assert_eq!((released.iterations, released.started_at), (0, None));
-        assert!(matches!(subject.finish(&lease, SolveStatus::Converged).await, Err(StoreError::LeaseLost)));
+        assert!(matches!(
+            subject.finish(&lease, SolveStatus::Converged).await,
+            Err(StoreError::LeaseLost)
+        ));
     }
     let lease = subject.claim_one().await;
     store.record_progress(&lease, &[iteration(1)]).await.unwrap();
@@ -113,6 +120,9 @@ pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
     store.release(&[lease]).await.unwrap();
     let cancelled = subject.get(id).await;
     assert_eq!((cancelled.state, cancelled.iterations), (JobState::Cancelled, 1));
-    assert!(matches!(store.step(id, 0).await, Err(StoreError::NotFound)), "a result that nobody can read");
+    assert!(
+        matches!(store.step(id, 0).await, Err(StoreError::NotFound)),
+        "a result that nobody can read"
+    );
     store.release(&[lease]).await.unwrap();
 }

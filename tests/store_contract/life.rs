@@ -12,7 +12,10 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     let store = &subject.store;
     let id = subject.enqueue("one").await;
     let queued = subject.get(id).await;
-    assert_eq!((queued.state, queued.queue_position, queued.attempts), (JobState::Queued, Some(0), 0));
+    assert_eq!(
+        (queued.state, queued.queue_position, queued.attempts),
+        (JobState::Queued, Some(0), 0)
+    );
     assert_eq!(queued.tags["name"], "one");
 
     subject.clock.advance(SignedDuration::from_secs(5));
@@ -22,7 +25,10 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     assert_eq!(store.request(id).await.unwrap(), claims[0].request);
     let lease = claims[0].lease;
     let running = subject.get(id).await;
-    assert_eq!((running.state, running.queue_position, running.attempts), (JobState::Running, None, 1));
+    assert_eq!(
+        (running.state, running.queue_position, running.attempts),
+        (JobState::Running, None, 1)
+    );
     let waited = running.created_at.duration_until(running.started_at.unwrap());
     assert_eq!(waited, SignedDuration::from_secs(5));
 
@@ -59,7 +65,11 @@ pub async fn a_queued_job_is_cancelled_at_once(subject: &Subject) {
     let cancelled = store.cancel(id).await.unwrap();
     assert_eq!((cancelled.state, cancelled.queue_position), (JobState::Cancelled, None));
     assert_eq!(subject.claim_one().await.job, other);
-    assert_eq!(store.cancel(id).await.unwrap().state, JobState::Cancelled, "asking twice is no error");
+    assert_eq!(
+        store.cancel(id).await.unwrap().state,
+        JobState::Cancelled,
+        "asking twice is no error"
+    );
 }
 
 pub async fn a_running_job_is_asked_to_stop(subject: &Subject) {
@@ -78,7 +88,10 @@ pub async fn failures_are_kept(subject: &Subject) {
     let failure = JobFailure::solver("the stiffness matrix is not positive definite");
     store.finish(&lease, &[], &[], Outcome::Failed(failure.clone())).await.unwrap();
     let failed = subject.get(id).await;
-    assert_eq!((failed.state, failed.failure, failed.has_report), (JobState::Failed, Some(failure), false));
+    assert_eq!(
+        (failed.state, failed.failure, failed.has_report),
+        (JobState::Failed, Some(failure), false)
+    );
 }
 
 pub async fn only_finished_jobs_are_deleted(subject: &Subject) {
@@ -98,8 +111,9 @@ pub async fn changes_are_announced_after_they_can_be_read(subject: &Subject) {
     let lease = subject.claim_one().await;
     tokio::time::timeout(DEADLINE, subscription.changed()).await.expect("the start is announced");
     store.cancel(id).await.unwrap();
-    let signal =
-        tokio::time::timeout(DEADLINE, subscription.changed()).await.expect("the wish to stop is announced");
+    let signal = tokio::time::timeout(DEADLINE, subscription.changed())
+        .await
+        .expect("the wish to stop is announced");
     assert!(signal.cancel_requested && subject.get(id).await.cancel_requested);
     subject.finish(&lease, SolveStatus::Cancelled).await.unwrap();
     tokio::time::timeout(DEADLINE, subscription.finished()).await.expect("the end is announced");
@@ -107,8 +121,11 @@ pub async fn changes_are_announced_after_they_can_be_read(subject: &Subject) {
 }
 
 pub async fn old_jobs_are_swept_each_in_its_time(subject: &Subject) {
-    let retention =
-        Retention { succeeded: Duration::from_hours(2), failed: Duration::from_hours(1), stored_bytes: None };
+    let retention = Retention {
+        succeeded: Duration::from_hours(2),
+        failed: Duration::from_hours(1),
+        stored_bytes: None,
+    };
     let mut ids = Vec::new();
     for status in [SolveStatus::Converged, SolveStatus::Cancelled] {
         ids.push(subject.enqueue("x").await);

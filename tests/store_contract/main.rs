@@ -1,5 +1,9 @@
 //! What every `JobStore` promises. Each backend runs the whole suite.
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a test that cannot go on says where"
+)]
 
 #[path = "../support/cluster.rs"]
 mod cluster;

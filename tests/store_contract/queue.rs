@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use brinell::jobs::{
-    ApiKey, ClaimRequest, Clock, JobFilter, JobId, JobState, KeyId, NewJob, Scope, StoreError, Turn,
+    ApiKey, ClaimRequest, Clock, JobFilter, JobId, JobState, KeyId, NewJob, Scope, StoreError,
+    Turn,
 };
 use jiff::SignedDuration;
 
@@ -42,7 +43,8 @@ pub async fn those_who_come_at_once_do_not_overfill_the_queue(subject: &Subject)
         subject.store.add_key(key).await.unwrap();
     }
     let batches = (0..9).map(|k| {
-        let jobs = ["a", "b", "c"].map(|tag| NewJob { submitter: keys[k % 3], ..job(tag) }).to_vec();
+        let jobs =
+            ["a", "b", "c"].map(|tag| NewJob { submitter: keys[k % 3], ..job(tag) }).to_vec();
         let store = Arc::clone(&subject.store);
         tokio::spawn(async move { store.enqueue_all(jobs, Turn::free()).await.unwrap() })
     });
@@ -62,17 +64,27 @@ pub async fn pages_are_newest_first_and_filtered(subject: &Subject) {
     assert_eq!(subject.page(ALL).await, (ids.clone(), None));
     let (first, next) = subject.page(JobFilter { limit: 2, ..ALL }).await;
     assert_eq!((first.as_slice(), next), (&ids[..2], Some(ids[1])));
-    assert_eq!(subject.page(JobFilter { limit: 2, cursor: next, ..ALL }).await, (vec![ids[2]], None));
+    assert_eq!(
+        subject.page(JobFilter { limit: 2, cursor: next, ..ALL }).await,
+        (vec![ids[2]], None)
+    );
     let tagged = JobFilter { tags: vec![("name".to_owned(), "a".to_owned())], ..ALL };
     assert_eq!(subject.page(tagged).await.0, [ids[0], ids[2]]);
     subject.claim_one().await;
     let running = JobFilter { states: vec![JobState::Running], ..ALL };
     assert_eq!(subject.page(running).await.0, [ids[2]]);
 
-    let both =
-        JobFilter { states: vec![JobState::Running, JobState::Queued], oldest_first: true, limit: 2, ..ALL };
+    let both = JobFilter {
+        states: vec![JobState::Running, JobState::Queued],
+        oldest_first: true,
+        limit: 2,
+        ..ALL
+    };
     assert_eq!(subject.page(both.clone()).await, (vec![ids[2], ids[1]], Some(ids[1])));
-    assert_eq!(subject.page(JobFilter { cursor: Some(ids[1]), ..both }).await, (vec![ids[0]], None));
+    assert_eq!(
+        subject.page(JobFilter { cursor: Some(ids[1]), ..both }).await,
+        (vec![ids[0]], None)
+    );
     let no_job = vec![("name".to_owned(), "a".to_owned()), ("name".to_owned(), "b".to_owned())];
     assert!(subject.page(JobFilter { tags: no_job, ..ALL }).await.0.is_empty());
     let some = JobFilter { ids: vec![ids[2], ids[0], JobId::generate()], ..ALL };
@@ -114,7 +126,8 @@ pub async fn jobs_are_handed_out_within_the_memory(subject: &Subject) {
     assert!(subject.claims(rest).await.jobs.is_empty());
     assert_eq!(ids_of(&subject.claim(4).await), [ids[2], ids[3]]);
     assert!(subject.claim(4).await.is_empty(), "what never fits is left to others");
-    let larger = ClaimRequest { free_memory: 2 * MEMORY, memory: 2 * MEMORY, ..Subject::request(1) };
+    let larger =
+        ClaimRequest { free_memory: 2 * MEMORY, memory: 2 * MEMORY, ..Subject::request(1) };
     assert_eq!(ids_of(&subject.claims(larger).await.jobs), [ids[0]]);
 }
 
@@ -143,5 +156,8 @@ pub async fn jobs_are_listed_by_submitter(subject: &Subject) {
     subject.submit(NewJob { submitter: Some(other), ..job("a") }).await.unwrap();
     subject.enqueue("a").await;
     assert_eq!(subject.get(mine.id).await.submitter, Some(one));
-    assert_eq!(subject.page(JobFilter { submitter: Some(one), ..ALL }).await, (vec![mine.id], None));
+    assert_eq!(
+        subject.page(JobFilter { submitter: Some(one), ..ALL }).await,
+        (vec![mine.id], None)
+    );
 }

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use brinell::jobs::{ApiKey, Clock, KeyId, KeyLimits, NewJob, Quota, Scope, StepResult, StoreError, Turn};
+use brinell::jobs::{
+    ApiKey, Clock, KeyId, KeyLimits, NewJob, Quota, Scope, StepResult, StoreError, Turn,
+};
 use brinell_solver::solver::SolveStatus;
 use jiff::Timestamp;
 
@@ -40,7 +42,8 @@ pub async fn a_key_has_as_many_jobs_running_as_it_may(subject: &Subject) {
 }
 
 pub async fn a_key_stores_as_much_as_it_may(subject: &Subject) {
-    let greedy = key(subject, KeyLimits { stored_bytes: Some(5000), ..KeyLimits::default() }).await;
+    let greedy =
+        key(subject, KeyLimits { stored_bytes: Some(5000), ..KeyLimits::default() }).await;
     let large = |key| NewJob { result_bytes: 3000, ..job_of(key) };
     subject.submit(large(greedy)).await.unwrap();
     let refused = subject.submit(large(greedy)).await;
@@ -66,7 +69,9 @@ pub async fn a_key_stores_as_much_as_it_may(subject: &Subject) {
     subject.store.cancel(second).await.unwrap();
     subject.submit(large(greedy)).await.unwrap();
     subject
-        .submit(large(key(subject, KeyLimits { stored_bytes: Some(3000), ..KeyLimits::default() }).await))
+        .submit(large(
+            key(subject, KeyLimits { stored_bytes: Some(3000), ..KeyLimits::default() }).await,
+        ))
         .await
         .unwrap();
 }
@@ -74,13 +79,19 @@ pub async fn a_key_stores_as_much_as_it_may(subject: &Subject) {
 pub async fn a_key_asks_for_the_priority_that_it_may(subject: &Subject) {
     let modest = key(subject, KeyLimits { priority: Some(-1), ..KeyLimits::default() }).await;
     let refused = subject.submit(job_of(modest)).await;
-    assert!(matches!(refused, Err(StoreError::QuotaExceeded { quota: Quota::Priority { limit: -1 } })));
+    assert!(matches!(
+        refused,
+        Err(StoreError::QuotaExceeded { quota: Quota::Priority { limit: -1 } })
+    ));
     subject.submit(NewJob { priority: -1, ..job_of(modest) }).await.unwrap();
     // The order among those that somebody waits for is the service's own matter.
     subject.submit(NewJob { priority: 1, interactive: true, ..job_of(modest) }).await.unwrap();
     let others = KeyId::generate();
     let refused = subject.submit(NewJob { priority: 101, ..job_of(others) }).await;
-    assert!(matches!(refused, Err(StoreError::QuotaExceeded { quota: Quota::Priority { limit: 100 } })));
+    assert!(matches!(
+        refused,
+        Err(StoreError::QuotaExceeded { quota: Quota::Priority { limit: 100 } })
+    ));
 }
 
 pub async fn submissions_at_the_same_instant_are_counted(subject: &Subject) {

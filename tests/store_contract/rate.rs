@@ -23,7 +23,12 @@ const BEFORE: &str = "CREATE INDEX jobs_running ON jobs (leased_until) WHERE sta
 const fn unbounded() -> StoreLimits {
     StoreLimits {
         queue_capacity: 0,
-        by_key: brinell::jobs::KeyLimits { queued: None, running: None, stored_bytes: None, priority: None },
+        by_key: brinell::jobs::KeyLimits {
+            queued: None,
+            running: None,
+            stored_bytes: None,
+            priority: None,
+        },
         min_free_bytes: 0,
     }
 }
@@ -44,7 +49,10 @@ async fn work(store: Arc<dyn Store>) -> usize {
             store.record_progress(&claim.lease, &[iteration(number)]).await.unwrap();
         }
         store.heartbeat(&[claim.lease], LEASE).await.unwrap();
-        store.finish(&claim.lease, &[iteration(4)], &[], reported(SolveStatus::Converged)).await.unwrap();
+        store
+            .finish(&claim.lease, &[iteration(4)], &[], reported(SolveStatus::Converged))
+            .await
+            .unwrap();
         done += 1;
     }
 }
@@ -72,16 +80,19 @@ async fn measure(workers: usize, before: bool) {
     }
     let seconds = begin.elapsed().as_secs_f64();
     assert_eq!(done, JOBS);
-    let changes = "SELECT n_tup_upd, n_tup_hot_upd FROM pg_stat_user_tables WHERE relname = 'jobs'";
+    let changes =
+        "SELECT n_tup_upd, n_tup_hot_upd FROM pg_stat_user_tables WHERE relname = 'jobs'";
     let hot = loop {
-        let (all, hot): (i64, i64) = sqlx::query_as(changes).fetch_one(&mut database).await.unwrap();
+        let (all, hot): (i64, i64) =
+            sqlx::query_as(changes).fetch_one(&mut database).await.unwrap();
         // Other sessions tell of theirs when they have nothing to do.
         if all >= i64::try_from(6 * JOBS).unwrap() {
             break hot as f64 / all as f64;
         }
     };
     println!(
-        "{workers} workers, {}: {:.0} claims a second, each with six further changes; {:.0} % of the changes of `jobs` are HOT",
+        "{workers} workers, {}: {:.0} claims a second, each with six further changes; {:.0} % of \
+         the changes of `jobs` are HOT",
         if before { "before migration 8" } else { "now" },
         done as f64 / seconds,
         100.0 * hot

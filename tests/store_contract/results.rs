@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use brinell::jobs::{
-    Deflated, FIELDS_PART, FieldsReader, JobFailure, KeyLimits, NewJob, Outcome, Retention, StepResult,
-    StoreError,
+    Deflated, FIELDS_PART, FieldsReader, JobFailure, KeyLimits, NewJob, Outcome, Retention,
+    StepResult, StoreError,
 };
 use brinell_solver::report::{FieldsReport, PerBody, encode_fields};
 use brinell_solver::solver::SolveStatus;
@@ -29,7 +29,10 @@ pub async fn steps_are_kept_as_they_are_finished(subject: &Subject) {
     store.record_steps(&lease, &[step(0, "a", Some(b"A"))]).await.unwrap();
     store.record_steps(&lease, &[step(1, "b", Some(b"B")), step(2, "c", None)]).await.unwrap();
     assert_eq!(store.result(id).await.unwrap(), None, "a running job has no result");
-    store.finish(&lease, &[], &[step(3, "d", None)], reported(SolveStatus::Converged)).await.unwrap();
+    store
+        .finish(&lease, &[], &[step(3, "d", None)], reported(SolveStatus::Converged))
+        .await
+        .unwrap();
 
     let head = store.result(id).await.unwrap().unwrap();
     assert_eq!((&head.report[..], head.steps, head.has_fields, head.attempt), (HEAD, 4, true, 1));
@@ -55,8 +58,11 @@ pub async fn fields_are_read_part_by_part(subject: &Subject) {
     assert!(bytes.len() > 4 * FIELDS_PART);
     let id = subject.enqueue("x").await;
     let lease = subject.claim_one().await;
-    let step =
-        StepResult { number: 0, report: Deflated::compress(b"a").unwrap(), fields: Some(bytes.clone()) };
+    let step = StepResult {
+        number: 0,
+        report: Deflated::compress(b"a").unwrap(),
+        fields: Some(bytes.clone()),
+    };
     subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
 
     for at in [0, 1, FIELDS_PART - 1, FIELDS_PART, 3 * FIELDS_PART + 5, bytes.len() - 1] {
@@ -65,7 +71,9 @@ pub async fn fields_are_read_part_by_part(subject: &Subject) {
         assert_eq!(part.bytes, bytes[part.first..bytes.len().min(part.first + FIELDS_PART)]);
     }
     let mut reader = FieldsReader::open(Arc::clone(&subject.store), id, 0).await.unwrap().unwrap();
-    for range in [0..1, 10..10, FIELDS_PART - 3..2 * FIELDS_PART + 7, 5..FIELDS_PART, 0..bytes.len()] {
+    for range in
+        [0..1, 10..10, FIELDS_PART - 3..2 * FIELDS_PART + 7, 5..FIELDS_PART, 0..bytes.len()]
+    {
         assert_eq!(reader.bytes(range.clone()).await.unwrap(), bytes[range]);
     }
     let end = bytes.len();
@@ -82,11 +90,20 @@ pub async fn a_later_attempt_begins_without_steps(subject: &Subject) {
     let store = &subject.store;
     let id = subject.enqueue("x").await;
     let lost = subject.claim_one().await;
-    store.record_steps(&lost, &[step(0, "a", Some(b"A")), step(1, "b", Some(b"B"))]).await.unwrap();
+    store
+        .record_steps(&lost, &[step(0, "a", Some(b"A")), step(1, "b", Some(b"B"))])
+        .await
+        .unwrap();
     store.release(&[lost]).await.unwrap();
-    assert!(matches!(store.record_steps(&lost, &[step(2, "c", None)]).await, Err(StoreError::LeaseLost)));
+    assert!(matches!(
+        store.record_steps(&lost, &[step(2, "c", None)]).await,
+        Err(StoreError::LeaseLost)
+    ));
     let lease = subject.claim_one().await;
-    store.finish(&lease, &[], &[step(0, "d", None)], reported(SolveStatus::Converged)).await.unwrap();
+    store
+        .finish(&lease, &[], &[step(0, "d", None)], reported(SolveStatus::Converged))
+        .await
+        .unwrap();
     let head = store.result(id).await.unwrap().unwrap();
     assert_eq!((head.steps, head.has_fields, head.attempt), (1, false, 2));
     assert_eq!(store.step(id, 0).await.unwrap().text().unwrap(), "d");
@@ -97,7 +114,10 @@ pub async fn steps_that_begin_anew_take_the_place_of_others(subject: &Subject) {
     for anew in [vec![step(0, "c", None)], vec![step(0, "c", None), step(1, "d", Some(b"D"))]] {
         let id = subject.enqueue("x").await;
         let lease = subject.claim_one().await;
-        store.record_steps(&lease, &[step(0, "a", Some(b"A")), step(1, "b", Some(b"B"))]).await.unwrap();
+        store
+            .record_steps(&lease, &[step(0, "a", Some(b"A")), step(1, "b", Some(b"B"))])
+            .await
+            .unwrap();
         // A write whose answer was lost is made again.
         for _ in 0..2 {
             store.record_steps(&lease, &[step(2, "b", Some(b"B"))]).await.unwrap();
@@ -140,7 +160,11 @@ pub async fn the_oldest_results_make_room(subject: &Subject) {
         ids.push(subject.enqueue("x").await);
         let lease = subject.claim_one().await;
         let report = Deflated::compress(b"{}").unwrap();
-        let step = |number| StepResult { number, report: report.clone(), fields: Some(vec![0; 500].into()) };
+        let step = |number| StepResult {
+            number,
+            report: report.clone(),
+            fields: Some(vec![0; 500].into()),
+        };
         // A write whose answer was lost is made again, and counts once.
         for number in [0, 1, 1] {
             subject.store.record_steps(&lease, &[step(number)]).await.unwrap();
@@ -167,10 +191,18 @@ pub async fn a_key_makes_room_for_itself_alone(subject: &Subject) {
         let lease = subject.claim_one().await;
         let report = Deflated::compress(b"{}").unwrap();
         let step = StepResult { number: 0, report, fields: Some(vec![0; 1000].into()) };
-        subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
+        subject
+            .store
+            .finish(&lease, &[], &[step], reported(SolveStatus::Converged))
+            .await
+            .unwrap();
         subject.clock.advance(SignedDuration::from_secs(1));
     }
     let retention = Retention { stored_bytes: Some(2500), ..Retention::default() };
     assert_eq!(subject.store.sweep(&retention).await.unwrap(), 2);
-    assert_eq!(subject.page(ALL).await.0, [ids[3], ids[0]], "the oldest of the key that has the most");
+    assert_eq!(
+        subject.page(ALL).await.0,
+        [ids[3], ids[0]],
+        "the oldest of the key that has the most"
+    );
 }

@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use brinell::jobs::{
-    Claim, ClaimRequest, Claims, Clock, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobRecord,
-    KeyLimits, Lease, NewJob, Outcome, StoreError, Turn, WorkerId,
+    Claim, ClaimRequest, Claims, Clock, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier,
+    JobRecord, KeyLimits, Lease, NewJob, Outcome, StoreError, Turn, WorkerId,
 };
 use brinell::store::{Store, StoreLimits, open_postgres, open_sqlite, open_sqlite_in_memory};
 use brinell_solver::solver::SolveStatus;
@@ -20,7 +20,12 @@ use crate::cluster::Cluster;
 pub const QUEUE_CAPACITY: usize = 4;
 pub const LIMITS: StoreLimits = StoreLimits {
     queue_capacity: QUEUE_CAPACITY,
-    by_key: KeyLimits { queued: Some(3), running: None, stored_bytes: Some(1000), priority: Some(100) },
+    by_key: KeyLimits {
+        queued: Some(3),
+        running: None,
+        stored_bytes: Some(1000),
+        priority: Some(100),
+    },
     min_free_bytes: 0,
 };
 /// Bytes that a store in memory may take.
@@ -93,7 +98,8 @@ impl Subject {
     pub async fn memory(bytes: u64) -> Self {
         let (notifier, clock) = (JobNotifier::new(), clock());
         let time = Arc::clone(&clock) as Arc<dyn Clock>;
-        let store = open_sqlite_in_memory(bytes, LIMITS, Arc::clone(&notifier), time).await.unwrap();
+        let store =
+            open_sqlite_in_memory(bytes, LIMITS, Arc::clone(&notifier), time).await.unwrap();
         Self { store, notifier, clock, place: Place::Memory }
     }
 
@@ -122,7 +128,9 @@ impl Subject {
         let store = match &place {
             Place::Memory => panic!("memory is not shared"),
             Place::Directory(path) => open_sqlite(&path.0, LIMITS, announced, time).await.unwrap(),
-            Place::Database(url) => open_postgres(url, LIMITS, announced, Some(time)).await.unwrap(),
+            Place::Database(url) => {
+                open_postgres(url, LIMITS, announced, Some(time)).await.unwrap()
+            }
         };
         Self { store, notifier, clock, place }
     }

@@ -31,7 +31,10 @@ async fn sqlite_of_the_first_version_opens() {
         ..Subject::request(1)
     });
     let lease = next.await.jobs[0].lease;
-    assert_eq!((subject.get(lease.job).await.tags["place"].as_str(), lease.attempt), ("running", 2));
+    assert_eq!(
+        (subject.get(lease.job).await.tags["place"].as_str(), lease.attempt),
+        ("running", 2)
+    );
     subject.finish(&lease, SolveStatus::Converged).await.unwrap();
 }
 
@@ -70,8 +73,12 @@ async fn everything_is_there(subject: &Subject) {
     let request = store.request(done).await.unwrap();
     brinell_solver::job::Job::from_json(&request).expect("what was a job is a job");
 
-    let digest = sha2::Digest::finalize(<sha2::Sha256 as sha2::Digest>::new_with_prefix(&request)).into();
-    let again = NewJob { idempotency: Some(Idempotency { key: "press-7".to_owned(), digest }), ..job("x") };
+    let digest =
+        sha2::Digest::finalize(<sha2::Sha256 as sha2::Digest>::new_with_prefix(&request)).into();
+    let again = NewJob {
+        idempotency: Some(Idempotency { key: "press-7".to_owned(), digest }),
+        ..job("x")
+    };
     let replayed = store.enqueue(again, Turn::free()).await.unwrap();
     assert_eq!((replayed.replayed, replayed.job.id), (true, done));
 

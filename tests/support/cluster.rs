@@ -1,5 +1,5 @@
-//! A PostgreSQL for tests: the one at `BRINELL_TEST_DATABASE_URL`, or a throw-away cluster from the machine's own
-//! `initdb` and `postgres`. It ends with the test's process, however that ends.
+//! A PostgreSQL for tests: the one at `BRINELL_TEST_DATABASE_URL`, or a throw-away cluster from
+//! the machine's own `initdb` and `postgres`. It ends with the test's process, however that ends.
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -9,8 +9,8 @@ use std::sync::OnceLock;
 use brinell::jobs::JobId;
 use sqlx::{AssertSqlSafe, Connection, PgConnection};
 
-/// Makes a cluster in directory $1 with the programs in $2, as user $3 if that is not empty, and runs it until standard
-/// input is closed. A line on standard input restarts it as after a crash.
+/// Makes a cluster in directory $1 with the programs in $2, as user $3 if that is not empty, and
+/// runs it until standard input is closed. A line on standard input restarts it as after a crash.
 const SCRIPT: &str = r#"
 trap '' INT TERM HUP
 dir=$1 bin=$2 user=$3
@@ -102,11 +102,14 @@ impl Cluster {
         let create = AssertSqlSafe(format!("CREATE DATABASE {name}"));
         sqlx::query(create).execute(&mut connection).await.expect("a database can be made");
         let (server, rest) =
-            self.url.rsplit_once('/').filter(|_| !self.url.contains("?host=/")).unwrap_or_else(|| {
-                let at = self.url.find("/postgres?").expect("our own address");
-                (&self.url[..at], &self.url[at + 1..])
-            });
-        let options = rest.split_once('?').map(|(_, options)| format!("?{options}")).unwrap_or_default();
+            self.url.rsplit_once('/').filter(|_| !self.url.contains("?host=/")).unwrap_or_else(
+                || {
+                    let at = self.url.find("/postgres?").expect("our own address");
+                    (&self.url[..at], &self.url[at + 1..])
+                },
+            );
+        let options =
+            rest.split_once('?').map(|(_, options)| format!("?{options}")).unwrap_or_default();
         format!("{server}/{name}{options}")
     }
 }
@@ -115,20 +118,24 @@ impl Cluster {
 fn programs() -> PathBuf {
     let on_path = std::env::var_os("PATH").unwrap_or_default();
     let installed = std::fs::read_dir("/usr/lib/postgresql").into_iter().flatten().flatten();
-    let mut installed: Vec<PathBuf> = installed.map(|version| version.path().join("bin")).collect();
+    let mut installed: Vec<PathBuf> =
+        installed.map(|version| version.path().join("bin")).collect();
     installed.sort();
     let mut places = std::env::split_paths(&on_path).chain(installed.into_iter().rev());
-    let whole =
-        |place: &PathBuf| ["initdb", "postgres", "pg_isready"].iter().all(|name| place.join(name).exists());
+    let whole = |place: &PathBuf| {
+        ["initdb", "postgres", "pg_isready"].iter().all(|name| place.join(name).exists())
+    };
     places.find(whole).expect(
-        "this test needs PostgreSQL: install it (initdb on PATH) or set BRINELL_TEST_DATABASE_URL=postgres://...",
+        "this test needs PostgreSQL: install it (initdb on PATH) or set \
+         BRINELL_TEST_DATABASE_URL=postgres://...",
     )
 }
 
 /// PostgreSQL does not run as root: whom to run it as, or nobody if we are not root.
 fn unprivileged_user() -> &'static str {
-    let is_root =
-        Path::new("/proc/self").metadata().is_ok_and(|own| std::os::unix::fs::MetadataExt::uid(&own) == 0);
+    let is_root = Path::new("/proc/self")
+        .metadata()
+        .is_ok_and(|own| std::os::unix::fs::MetadataExt::uid(&own) == 0);
     let users = std::fs::read_to_string("/etc/passwd").unwrap_or_default();
     match is_root {
         false => "",

@@ -5,6 +5,7 @@ reader, which is ParaView's.
 usage: tests/vtu/read_back.py [path to brinell]
 Needs tests/vtu/requirements.txt. Ends with 1 at the first thing that is not as it must be.
 """
+
 import json
 import subprocess
 import sys
@@ -41,7 +42,10 @@ def solve_layers(job, folder):
     reader.Update()
     grid = reader.GetOutput()
     assert reader.GetErrorCode() == 0
-    faces = [vtk_to_numpy(along) for along in (grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates())]
+    faces = [
+        vtk_to_numpy(along)
+        for along in (grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates())
+    ]
     shape = [len(along) - 1 for along in reversed(faces)]
     data = grid.GetCellData()
     cells = {}
@@ -62,7 +66,10 @@ def check_shapes(grid):
     n, m = len(grid.points), len(grid.cells_dict["quad"])
     shapes = {name: values.shape for name, values in grid.point_data.items()}
     assert shapes == {
-        "displacement": (n, 3), "stress": (n, 6), "von_mises": (n,), "equivalent_plastic_strain": (n,),
+        "displacement": (n, 3),
+        "stress": (n, 6),
+        "von_mises": (n,),
+        "equivalent_plastic_strain": (n,),
     }, shapes
     (body,) = grid.cell_data["body"]
     assert body.shape == (m,) and set(body) <= {0, 1}
@@ -84,9 +91,13 @@ def check_cylinders(report, grid):
     assert np.allclose(-yy[at_origin], step["contact"]["peak_pressure"], rtol=0.03)
     assert not yz.any() and not xz.any()
     deviator = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-    assert np.allclose(grid.point_data["von_mises"], np.sqrt(0.5 * deviator + 3 * xy**2), rtol=1e-9)
+    assert np.allclose(
+        grid.point_data["von_mises"], np.sqrt(0.5 * deviator + 3 * xy**2), rtol=1e-9
+    )
     _, u_y, _ = grid.point_data["displacement"].T
-    assert np.allclose(u_y[y > 20 - 1e-9], -step["approach"]) and np.allclose(u_y[y < -20 + 1e-9], 0)
+    assert np.allclose(u_y[y > 20 - 1e-9], -step["approach"]) and np.allclose(
+        u_y[y < -20 + 1e-9], 0
+    )
     strain = grid.point_data["equivalent_plastic_strain"]
     largest = step["plasticity"]["lower"]["max_equivalent_plastic_strain"]
     assert 0.8 * largest < strain.max() < 1.1 * largest, (strain.max(), largest)
@@ -106,10 +117,12 @@ def check_layers(step, faces, cells, bodies):
     above = -depths[:0:-1] if bodies == 2 else []
     assert np.array_equal(faces[2], np.concatenate([above, depths])), faces[2]
     for axis, along in zip("xy", faces):
-        assert np.allclose(0.5 * (along[1:] + along[:-1]), step["layers"]["lower"][axis], rtol=1e-12, atol=1e-12)
+        assert np.allclose(
+            0.5 * (along[1:] + along[:-1]), step["layers"]["lower"][axis], rtol=1e-12, atol=1e-12
+        )
     layers = len(depths) - 1
     assert list(cells["body"][:, 0, 0]) == [1] * (layers * (bodies - 1)) + [0] * layers
-    for name in ("upper", "lower")[2 - bodies:]:
+    for name in ("upper", "lower")[2 - bodies :]:
         body = step["layers"][name]
         shape = [len(body[axis]) for axis in "zxy"]
         # The report has y fastest, VTK has x fastest.
@@ -119,7 +132,11 @@ def check_layers(step, faces, cells, bodies):
         for prefix, file in (("sigma", "stress"), ("plastic_strain", "plastic_strain")):
             found = of_body(cells[file])
             for k, key in enumerate(STRESSES):
-                assert np.array_equal(sign[k] * found[..., k], array(f"{prefix}_{key}")), (name, file, key)
+                assert np.array_equal(sign[k] * found[..., k], array(f"{prefix}_{key}")), (
+                    name,
+                    file,
+                    key,
+                )
         for key in ("von_mises", "equivalent_plastic_strain"):
             assert np.array_equal(of_body(cells[key]), array(key)), (name, key)
     largest = step["plasticity"]["lower"]["max_equivalent_plastic_strain"]
@@ -136,7 +153,10 @@ def main():
         dent["mesh"] = {"elements_per_half_width": 5}
         check_layers(*solve_layers(dent, folder), bodies=1)
         ball = dent["lower"]["material"]
-        dent["upper"]["material"] = {**ball, "plasticity": {**ball["plasticity"], "yield_stress": 600.0}}
+        dent["upper"]["material"] = {
+            **ball,
+            "plasticity": {**ball["plasticity"], "yield_stress": 600.0},
+        }
         check_layers(*solve_layers(dent, folder), bodies=2)
     print("field.vtu is read by meshio", meshio.__version__, "and field.vtr by VTK")
 

@@ -29,6 +29,8 @@ export function wordsOf(status) {
     case 503:
       return 'the service is not ready';
     default:
-      return status >= 500 ? 'the service is at fault, not what you asked' : 'the service does not take this';
+      return status >= 500
+        ? 'the service is at fault, not what you asked'
+        : 'the service does not take this';
   }
 }

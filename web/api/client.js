@@ -80,7 +80,8 @@ export function authorization() {
  * @throws {Problem} and what `fetch` throws where the signal of the options says stop
  */
 export async function request(path, { json, headers, signal, limit = LIMIT, ...options }, read) {
-  const body = json === undefined ? undefined : typeof json === 'string' ? json : JSON.stringify(json);
+  const body =
+    json === undefined ? undefined : typeof json === 'string' ? json : JSON.stringify(json);
   const type = json === undefined ? undefined : { 'Content-Type': 'application/json' };
   const controller = new AbortController();
   const stop = () => controller.abort();

@@ -1,6 +1,6 @@
 /**
- * Whether the service answers. While it does not, it is asked again and again, and who waits is told when it is back. What takes
- * long is said before it counts as lost.
+ * Whether the service answers. While it does not, it is asked again and again, and who waits is
+ * told when it is back. What takes long is said before it counts as lost.
  */
 
 import { byId } from '../lib/dom.js';
@@ -49,7 +49,8 @@ export function awaited() {
 }
 
 /** @returns {Promise<void>} kept when the service answers */
-export const reconnected = () => (lost ? new Promise((resolve) => waiting.add(resolve)) : Promise.resolve());
+export const reconnected = () =>
+  lost ? new Promise((resolve) => waiting.add(resolve)) : Promise.resolve();
 
 /** To be called when all that is shown may be asked for again. */
 export function announce() {

@@ -1,6 +1,6 @@
 /**
- * Server-sent events over fetch, because EventSource sends no Authorization header. Comes back with Last-Event-ID
- * until the stream has ended or the signal says stop.
+ * Server-sent events over fetch, because EventSource sends no Authorization header. Comes back
+ * with Last-Event-ID until the stream has ended or the signal says stop.
  */
 
 import { Problem, request } from './client.js';
@@ -8,7 +8,10 @@ import { reconnected } from './connection.js';
 
 /** Time [ms] before the stream is asked for again. */
 const AGAIN = 1000;
-/** Time [ms] without a word, of which the service says one every 15 s, after which it counts as gone. */
+/**
+ * Time [ms] without a word, of which the service says one every 15 s, after which it counts as
+ * gone.
+ */
 const SILENT = 40_000;
 
 /**
@@ -23,7 +26,9 @@ export async function follow(path, take, signal, failed) {
     let pause = AGAIN;
     try {
       const headers = { Accept: 'text/event-stream', ...(last && { 'Last-Event-ID': last }) };
-      const stream = await request(path, { signal, headers }, ({ status, body }) => (status === 204 ? null : body));
+      const stream = await request(path, { signal, headers }, ({ status, body }) =>
+        status === 204 ? null : body,
+      );
       if (!stream) return;
       for await (const { id, event, data } of messages(stream)) {
         if (id) last = id;

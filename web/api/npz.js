@@ -1,4 +1,7 @@
-/** Reads the archives that the service sends fields in: `.npz`, a zip of arrays of numpy that are not compressed. */
+/**
+ * Reads the archives that the service sends fields in: `.npz`, a zip of arrays of numpy that are
+ * not compressed.
+ */
 
 /** @typedef {{upper: any, lower: any}} Arrays as {@link import('../types.js').Mesh}; `null` for a rigid body */
 
@@ -21,7 +24,8 @@ const KINDS = /** @type {Record<string, any>} */ ({
 function files(view) {
   // The service writes no comment behind the end.
   const end = view.byteLength - END_BYTES;
-  if (end < 0 || view.getUint32(end, true) !== END) throw new Error('the fields are cut short, or these are none');
+  if (end < 0 || view.getUint32(end, true) !== END)
+    throw new Error('the fields are cut short, or these are none');
   const count = view.getUint16(end + 10, true);
   let at = view.getUint32(end + 16, true);
   return Array.from({ length: count }, () => {
@@ -29,7 +33,8 @@ function files(view) {
     const local = view.getUint32(at + 42, true);
     const name = new TextDecoder().decode(new Uint8Array(view.buffer, at + ENTRY_BYTES, length));
     at += ENTRY_BYTES + length + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
-    const data = local + LOCAL_BYTES + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
+    const data =
+      local + LOCAL_BYTES + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
     return { name, at: data, size };
   });
 }
@@ -55,7 +60,9 @@ export function readGrid(file) {
   const values = numbers(view, 0, file.byteLength);
   if (values.length !== rows * columns) throw new Error('the array is cut short');
   const [i, j] = /'fortran_order': True/.test(header) ? [1, rows] : [columns, 1];
-  return Array.from({ length: rows }, (_, x) => Array.from({ length: columns }, (_, y) => values[x * i + y * j]));
+  return Array.from({ length: rows }, (_, x) =>
+    Array.from({ length: columns }, (_, y) => values[x * i + y * j]),
+  );
 }
 
 /** @param {ArrayBuffer} archive @param {ArrayBuffer[]} buffers takes those of the arrays, to be handed over @returns {Arrays} */

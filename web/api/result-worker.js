@@ -1,10 +1,20 @@
-/** Fetches results and fields, packs mesh fields into typed arrays and hands them over without copying. */
+/**
+ * Fetches results and fields, packs mesh fields into typed arrays and hands them over without
+ * copying.
+ */
 
 import { NOTHING, UNREADABLE } from './answers.js';
 import { readFields } from './npz.js';
 
 /** Nodal fields that are shown. */
-const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
+const SCALARS = [
+  'von_mises',
+  'equivalent_plastic_strain',
+  'sigma_x',
+  'sigma_y',
+  'sigma_z',
+  'tau_xy',
+];
 /** Bytes between two reports of how far it is. */
 const REPORTED = 1 << 20;
 

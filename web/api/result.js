@@ -21,7 +21,8 @@ const waiting =
 const DEPTHS = 120;
 
 /**
- * The figures of a job, without the fields on the mesh: those come by {@link fetchFields}, a step at a time.
+ * The figures of a job, without the fields on the mesh: those come by {@link fetchFields}, a step
+ * at a time.
  * @param {string} id of a job
  * @param {(received: number, total: number) => void} [progress] in bytes; the total is 0 while it is not known
  * @returns {Promise<Report>}
@@ -30,7 +31,11 @@ const DEPTHS = 120;
 export function fetchResult(id, progress) {
   const parts = 'contact,subsurface,plasticity,history';
   // Fields may be wanted next.
-  return ask(`v1/jobs/${id}/result?fields=${parts}&subsurface_points=${DEPTHS}`, {}, { progress }).finally(prepare);
+  return ask(
+    `v1/jobs/${id}/result?fields=${parts}&subsurface_points=${DEPTHS}`,
+    {},
+    { progress },
+  ).finally(prepare);
 }
 
 /**
@@ -42,7 +47,11 @@ export function fetchResult(id, progress) {
  * @throws {Problem}
  */
 export const fetchFields = (id, step, arrays, about) =>
-  ask(`v1/jobs/${id}/fields/${step + 1}${arrays.length ? `?arrays=${arrays.join()}` : ''}`, {}, about);
+  ask(
+    `v1/jobs/${id}/fields/${step + 1}${arrays.length ? `?arrays=${arrays.join()}` : ''}`,
+    {},
+    about,
+  );
 
 /** Starts the worker, so that what is asked soon need not wait for it. */
 export function prepare() {
@@ -74,9 +83,9 @@ const [LOOK, LOOKS] = [500, 20];
 async function takeAway(slider) {
   for (let k = 0; k < LOOKS; k++) {
     await new Promise((resolve) => setTimeout(resolve, LOOK));
-    const found = await request(`v1/jobs?tag=slider:${slider}`, {}, (response) => response.json()).catch(
-      () => undefined,
-    );
+    const found = await request(`v1/jobs?tag=slider:${slider}`, {}, (response) =>
+      response.json(),
+    ).catch(() => undefined);
     for (const { id, status } of found?.jobs ?? [])
       if (status !== 'queued' && status !== 'running')
         return request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {}).catch(() => {});
@@ -92,15 +101,27 @@ async function takeAway(slider) {
 function ask(path, options, { signal, progress }) {
   worker ??= start();
   const number = ++count;
-  signal?.addEventListener('abort', () => worker?.postMessage({ number, abort: true }), { once: true });
+  signal?.addEventListener('abort', () => worker?.postMessage({ number, abort: true }), {
+    once: true,
+  });
   return new Promise((resolve, reject) => {
     waiting.set(number, { resolve, reject, progress });
-    const headers = { ...authorization(), ...(options.body && { 'Content-Type': 'application/json' }) };
-    worker?.postMessage({ number, url: new URL(path, document.baseURI).href, options: { ...options, headers } });
+    const headers = {
+      ...authorization(),
+      ...(options.body && { 'Content-Type': 'application/json' }),
+    };
+    worker?.postMessage({
+      number,
+      url: new URL(path, document.baseURI).href,
+      options: { ...options, headers },
+    });
   });
 }
 
-/** Ends a worker that has nothing to do: what is left of megabytes goes with it, which it would collect some day. */
+/**
+ * Ends a worker that has nothing to do: what is left of megabytes goes with it, which it would
+ * collect some day.
+ */
 function rest() {
   if (waiting.size || !filled) return;
   filled = false;
@@ -121,7 +142,9 @@ function start() {
     if (data.answer) return asker?.resolve(data.answer);
     if ([NOTHING, 502, 504].includes(data.status) && !data.aborted) reportLost();
     if (data.status === 401) keyWanted();
-    asker?.reject(new Problem(data.status, data.problem?.detail ?? wordsOf(data.status), data.problem ?? {}));
+    asker?.reject(
+      new Problem(data.status, data.problem?.detail ?? wordsOf(data.status), data.problem ?? {}),
+    );
   });
   // Its program did not come: the next question starts another.
   started.addEventListener('error', () => {

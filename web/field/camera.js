@@ -1,6 +1,9 @@
 /** What part of the section is seen: its middle, and how many pixels a unit of length takes. */
 
-/** How far one can go from where the whole contact is seen, before there is one point or one colour left. */
+/**
+ * How far one can go from where the whole contact is seen, before there is one point or one colour
+ * left.
+ */
 const [FARTHEST, CLOSEST] = [1e-3, 1e3];
 
 export class Camera {
@@ -20,12 +23,18 @@ export class Camera {
 
   /** @param {number} px @param {number} py @returns {[number, number]} in the section */
   toWorld(px, py) {
-    return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale];
+    return [
+      this.x + (px - this.width / 2) / this.scale,
+      this.y - (py - this.height / 2) / this.scale,
+    ];
   }
 
   /** @param {number} x @param {number} y @returns {[number, number]} in pixels */
   toScreen(x, y) {
-    return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale];
+    return [
+      this.width / 2 + (x - this.x) * this.scale,
+      this.height / 2 - (y - this.y) * this.scale,
+    ];
   }
 
   /** @param {number} dx pixels to the right @param {number} dy pixels down */
@@ -37,7 +46,10 @@ export class Camera {
   /** @param {number} factor @param {number} px what stays where it is @param {number} py */
   zoom(factor, px = this.width / 2, py = this.height / 2) {
     const [x, y] = this.toWorld(px, py);
-    this.scale = Math.min(CLOSEST * this.#whole, Math.max(FARTHEST * this.#whole, this.scale * factor));
+    this.scale = Math.min(
+      CLOSEST * this.#whole,
+      Math.max(FARTHEST * this.#whole, this.scale * factor),
+    );
     const [nx, ny] = this.toWorld(px, py);
     this.x += x - nx;
     this.y += y - ny;

@@ -1,4 +1,7 @@
-/** Which values the colours of a field stand for: those of the step, those of all steps, or limits that are held. */
+/**
+ * Which values the colours of a field stand for: those of the step, those of all steps, or limits
+ * that are held.
+ */
 
 import { h } from '../lib/dom.js';
 import { readShown } from '../lib/number.js';
@@ -34,7 +37,9 @@ export class ColourRange {
           changed();
         },
       },
-      Object.entries(RANGES).map(([value, text]) => h('option', { value, selected: value === this.#of }, text)),
+      Object.entries(RANGES).map(([value, text]) =>
+        h('option', { value, selected: value === this.#of }, text),
+      ),
     );
     const limit = (/** @type {0 | 1} */ end, /** @type {string} */ name) => {
       const box = h('input', {
@@ -71,7 +76,9 @@ export class ColourRange {
     }
     const { kind, units, factor } = this.#measure;
     const reading = readShown(box.value, kind, units, factor);
-    const limits = /** @type {Limits} */ (this.#fixed.map((limit, k) => this.#waiting[k] ?? limit));
+    const limits = /** @type {Limits} */ (
+      this.#fixed.map((limit, k) => this.#waiting[k] ?? limit)
+    );
     if ('value' in reading) limits[end] = reading.value;
     const [low, high] = limits.map((limit) => limit * factor);
     const problem =
@@ -129,8 +136,11 @@ export class ColourRange {
    * @returns {import('./palette.js').Bands}
    */
   bands({ quantity, steps, limits, own, signed, factor, unit, kind, units, whole }) {
-    /** @type {HTMLOptionElement} */ (this.choice.options[1]).text = whole ? RANGES.steps : 'the steps seen';
-    const all = this.#of === 'steps' && !this.#single ? this.#overAll(quantity, steps, limits) : own;
+    /** @type {HTMLOptionElement} */ (this.choice.options[1]).text = whole
+      ? RANGES.steps
+      : 'the steps seen';
+    const all =
+      this.#of === 'steps' && !this.#single ? this.#overAll(quantity, steps, limits) : own;
     const held = this.#of === 'fixed';
     if (held && units !== this.#measure.units) {
       // Held for another job, they are the same stresses in the units of this one.
@@ -138,7 +148,9 @@ export class ColourRange {
       this.#fixed = /** @type {Limits} */ (this.#fixed.map((limit) => limit * times));
     }
     const [low, high] = (held ? this.#fixed : all).map((value) => value * factor);
-    const made = held ? bandsWithin(low, high) : bands(signed ? low : 0, high > low ? high : low + 1);
+    const made = held
+      ? bandsWithin(low, high)
+      : bands(signed ? low : 0, high > low ? high : low + 1);
     const ends = held ? [low, high] : [made.low, made.low + made.step * made.colours.length];
     this.#measure = { kind, units, factor };
     this.#fixed = /** @type {Limits} */ (ends.map((end) => end / factor));

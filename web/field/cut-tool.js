@@ -29,7 +29,13 @@ export class CutTool {
     this.changed = changed;
     this.chart = new Chart(180);
     const box = (/** @type {number} */ k, /** @type {string} */ name) =>
-      h('input', { type: 'text', inputmode: 'decimal', size: 7, 'aria-label': name, onchange: () => this.#typed() });
+      h('input', {
+        type: 'text',
+        inputmode: 'decimal',
+        size: 7,
+        'aria-label': name,
+        onchange: () => this.#typed(),
+      });
     this.boxes = ['from x', 'from y', 'to x', 'to y'].map((name, k) => box(k, `Cut ${name}`));
     this.unit = h('span', { class: 'unit' });
     this.words = h('p', { class: 'quiet', role: 'status' });
@@ -76,7 +82,9 @@ export class CutTool {
     if (!this.#scales) return;
     const { own, length } = this.#scales;
     const readings = this.boxes.map(({ value }) => readShown(value, 'length', own, length));
-    readings.forEach((reading, k) => this.boxes[k].setAttribute('aria-invalid', String('problem' in reading)));
+    readings.forEach((reading, k) =>
+      this.boxes[k].setAttribute('aria-invalid', String('problem' in reading)),
+    );
     const fault = readings.find((reading) => 'problem' in reading);
     if (fault && 'problem' in fault) {
       this.#say(`${fault.problem}. The cut stays where it was.`);
@@ -142,7 +150,9 @@ export class CutTool {
       x: `distance from ${scales.analysis === 'axisymmetric' ? 'r, z' : 'x, y'} = ${place(from)} to ${place(to)}  [${unit('length', scales.units)}]`,
       y: `${nameOf(quantity, scales.analysis)}${name ? `  [${name}]` : ''}`,
       curves: there,
-      words: none || `${nameOf(quantity, scales.analysis)} along the cut, at most ${figure(highest, 4)} ${name}.`,
+      words:
+        none ||
+        `${nameOf(quantity, scales.analysis)} along the cut, at most ${figure(highest, 4)} ${name}.`,
     });
   }
 }

@@ -11,8 +11,8 @@ import { corner, locate, vectorAt } from './locate.js';
 const HAIR = 1e-7;
 
 /**
- * The field along a line across a body without load, exact for what is drawn: one piece of every triangle that the line crosses.
- * One look at every triangle.
+ * The field along a line across a body without load, exact for what is drawn: one piece of every
+ * triangle that the line crosses. One look at every triangle.
  * @param {Drawn} body
  * @param {Float32Array} values one for each node
  * @param {number} deformation of the picture
@@ -22,7 +22,15 @@ const HAIR = 1e-7;
  * @param {Point} to
  * @returns {Piece[]}
  */
-export function cut({ mesh: { nodes, displacement, elements }, lift }, values, deformation, side, parity, from, to) {
+export function cut(
+  { mesh: { nodes, displacement, elements }, lift },
+  values,
+  deformation,
+  side,
+  parity,
+  from,
+  to,
+) {
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
   if (!(length > 0)) return [];
   const [ex, ey] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
@@ -39,10 +47,14 @@ export function cut({ mesh: { nodes, displacement, elements }, lift }, values, d
     side * (nodes[2 * n] + deformation * displacement[2 * n]),
     nodes[2 * n + 1] + deformation * displacement[2 * n + 1] + lift,
   ];
-  /** Where the line crosses the edges of a triangle: two nodes, and the share of the way from one to the other. */
+  /**
+   * Where the line crosses the edges of a triangle: two nodes, and the share of the way from one
+   * to the other.
+   */
   const crossings = /** @type {[number, number, number][]} */ ([]);
   const edge = (/** @type {number} */ a, /** @type {number} */ b) => {
-    if (across[a] > 0 !== across[b] > 0) crossings.push([a, b, across[a] / (across[a] - across[b])]);
+    if (across[a] > 0 !== across[b] > 0)
+      crossings.push([a, b, across[a] / (across[a] - across[b])]);
   };
   const pieces = /** @type {Piece[]} */ ([]);
   for (let k = 0; k < 2 * elements.length; k += 4) {
@@ -54,13 +66,18 @@ export function cut({ mesh: { nodes, displacement, elements }, lift }, values, d
     edge(a, b);
     edge(b, c);
     edge(c, a);
-    const at = (/** @type {typeof crossings[0]} */ [a, b, t]) => along[a] + t * (along[b] - along[a]);
-    const [first, last] = at(crossings[0]) <= at(crossings[1]) ? crossings : [crossings[1], crossings[0]];
+    const at = (/** @type {typeof crossings[0]} */ [a, b, t]) =>
+      along[a] + t * (along[b] - along[a]);
+    const [first, last] =
+      at(crossings[0]) <= at(crossings[1]) ? crossings : [crossings[1], crossings[0]];
     const [near, far] = [at(first), at(last)];
     const [begin, end] = [Math.max(0, near), Math.min(length, far)];
     if (!(end > begin)) continue;
     // What the line has of the triangle between its ends.
-    const within = (/** @type {number} */ place, /** @type {(node: number) => number} */ value) => {
+    const within = (
+      /** @type {number} */ place,
+      /** @type {(node: number) => number} */ value,
+    ) => {
       const [one, other] = [first, last].map(([a, b, t]) => value(a) + t * (value(b) - value(a)));
       return one + ((place - near) / (far - near)) * (other - one);
     };

@@ -1,6 +1,7 @@
 /**
- * How results describe places in a body, and where these are in the section: positions along the surface and depths below it. Along
- * a pin and the hole around it positions are arc lengths, each on its own circle, and depths are along the radius.
+ * How results describe places in a body, and where these are in the section: positions along the
+ * surface and depths below it. Along a pin and the hole around it positions are arc lengths, each
+ * on its own circle, and depths are along the radius.
  */
 
 import { outline } from '../setup/outline.js';
@@ -35,7 +36,9 @@ function raised(shape, { nodes }) {
   for (let k = 1; k < nodes.length; k += 2) top = Math.max(top, nodes[k]);
   // Heights of results count from the highest place of a profile.
   const highest =
-    shape.type === 'profile' ? Math.max(...shape.points.map((/** @type {Point} */ [, height]) => height)) : 0;
+    shape.type === 'profile'
+      ? Math.max(...shape.points.map((/** @type {Point} */ [, height]) => height))
+      : 0;
   return top + (outline(shape)?.base ?? -top) - highest;
 }
 

@@ -88,7 +88,9 @@ export class Renderer {
       'plain',
       'line',
     ];
-    this.at = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(this.program, name)]));
+    this.at = Object.fromEntries(
+      names.map((name) => [name, gl.getUniformLocation(this.program, name)]),
+    );
   }
 
   /** @param {import('./read.js').Body[]} bodies */
@@ -101,7 +103,9 @@ export class Renderer {
   #upload(body) {
     const { mesh } = body;
     const { gl } = this;
-    const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
+    const buffers = [mesh.nodes, mesh.displacement].map((data) =>
+      this.#buffer(gl.ARRAY_BUFFER, data),
+    );
     // Its values come by choose().
     buffers.push(gl.createBuffer());
     const triangles = this.#indices(mesh.elements, TRIANGLES);
@@ -182,7 +186,8 @@ export class Renderer {
     for (let begin = 0; begin < elements.length; begin += PIECE) {
       const end = Math.min(begin + PIECE, elements.length);
       let count = 0;
-      for (let k = begin; k < end; k += 4) for (const corner of order) piece[count++] = elements[k + corner];
+      for (let k = begin; k < end; k += 4)
+        for (const corner of order) piece[count++] = elements[k + corner];
       gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, begin * order.length, piece, 0, count);
       this.#arrived();
     }
@@ -214,7 +219,10 @@ export class Renderer {
     }
   }
 
-  /** Waits until a piece has been taken over, which no answer says but that to a question: `finish` does not wait in Chromium. */
+  /**
+   * Waits until a piece has been taken over, which no answer says but that to a question: `finish`
+   * does not wait in Chromium.
+   */
   #arrived() {
     this.gl.getError();
   }
@@ -242,6 +250,7 @@ function program(gl) {
     gl.attachShader(made, shader);
   }
   gl.linkProgram(made);
-  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made) ?? 'no shader');
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS))
+    throw new Error(gl.getProgramInfoLog(made) ?? 'no shader');
   return made;
 }

@@ -1,6 +1,7 @@
 /**
- * Sections through the layers of half-spaces, as meshes: the planes y = 0 and x = 0 of a contact in three dimensions are looked at
- * with the tools of plane ones. Layers are fetched whole, a step at a time, and only both planes of them are kept.
+ * Sections through the layers of half-spaces, as meshes: the planes y = 0 and x = 0 of a contact
+ * in three dimensions are looked at with the tools of plane ones. Layers are fetched whole, a step
+ * at a time, and only both planes of them are kept.
  */
 
 import { fetchFields } from '../api/result.js';
@@ -92,7 +93,8 @@ function section({ x, y, z, ...arrays }, axis, up) {
   const nodes = new Float32Array(2 * many * rows);
   const elements = new Uint32Array(4 * (many - 1) * (rows - 1));
   for (let row = 0; row < rows; row++)
-    for (let k = 0; k < many; k++) nodes.set([along[k], row ? up * z[row - 1] : 0], 2 * (row * many + k));
+    for (let k = 0; k < many; k++)
+      nodes.set([along[k], row ? up * z[row - 1] : 0], 2 * (row * many + k));
   let at = 0;
   for (let row = 0; row + 1 < rows; row++)
     for (let k = 0; k + 1 < many; k++) {
@@ -104,7 +106,11 @@ function section({ x, y, z, ...arrays }, axis, up) {
   const values = (/** @type {ArrayLike<number>} */ of, sign = 1) => {
     const made = new Float32Array(many * rows);
     const cell = (/** @type {number} */ layer, /** @type {number} */ k, /** @type {number} */ l) =>
-      of[axis === 'x' ? (layer * many + k) * across.length + l : (layer * across.length + l) * many + k];
+      of[
+        axis === 'x'
+          ? (layer * many + k) * across.length + l
+          : (layer * across.length + l) * many + k
+      ];
     for (let row = 0; row < rows; row++)
       for (let k = 0; k < many; k++) {
         const layer = Math.max(0, row - 1);
@@ -112,10 +118,15 @@ function section({ x, y, z, ...arrays }, axis, up) {
       }
     return made;
   };
-  const mesh = /** @type {any} */ ({ nodes, elements, displacement: new Float32Array(2 * many * rows) });
+  const mesh = /** @type {any} */ ({
+    nodes,
+    elements,
+    displacement: new Float32Array(2 * many * rows),
+  });
   for (const name of SAME) mesh[name] = values(arrays[name]);
   // z points into each body; shear is that of the section, upward.
-  for (const [name, own] of Object.entries(NAMES[axis])) mesh[name] = values(arrays[own], name === 'tau_xy' ? up : 1);
+  for (const [name, own] of Object.entries(NAMES[axis]))
+    mesh[name] = values(arrays[own], name === 'tau_xy' ? up : 1);
   return mesh;
 }
 
@@ -132,7 +143,9 @@ export const reportOf = (report, axis) => ({
     if (axis === 'x' || !ellipse) return { ...still, fields };
     const { y, pressure } = ellipse.section;
     const touching = y.filter((_, k) => pressure[k] > 0);
-    const patches = touching.length ? [{ left: touching[0], right: touching[touching.length - 1] }] : [];
+    const patches = touching.length
+      ? [{ left: touching[0], right: touching[touching.length - 1] }]
+      : [];
     return {
       ...still,
       fields,

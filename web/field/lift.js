@@ -1,6 +1,7 @@
 /**
- * How far each body is raised in the picture. Displacements are exaggerated about the middle of the contact, and the upper body
- * is raised by what the exaggeration would push it into the lower one: bodies that touch are drawn side by side, never overlapping.
+ * How far each body is raised in the picture. Displacements are exaggerated about the middle of
+ * the contact, and the upper body is raised by what the exaggeration would push it into the lower
+ * one: bodies that touch are drawn side by side, never overlapping.
  */
 
 /** @typedef {import('../types.js').Mesh} Mesh */
@@ -65,7 +66,9 @@ function movedAt(body, surface, k) {
  */
 export function surfaceOf(body, places) {
   const found = surfaceNodes(body, places);
-  const points = places.flatMap((place, k) => (found[k] >= 0 ? [{ place, ...movedAt(body, found, k) }] : []));
+  const points = places.flatMap((place, k) =>
+    found[k] >= 0 ? [{ place, ...movedAt(body, found, k) }] : [],
+  );
   return (along) => {
     const beyond = points.findIndex(({ place }) => place >= along);
     const next = beyond < 0 ? points.length - 1 : Math.max(1, beyond);
@@ -85,7 +88,9 @@ export function surfaceOf(body, places) {
  */
 export function lifts(upper, lower, { approach, contact: { nodes, peak_position: peak } }) {
   const [above, below] = [upper, lower].map((body) => body && surfaceNodes(body, nodes.x));
-  const there = nodes.x.map((_, k) => k).filter((k) => [above, below].every((surface) => !surface || surface[k] >= 0));
+  const there = nodes.x
+    .map((_, k) => k)
+    .filter((k) => [above, below].every((surface) => !surface || surface[k] >= 0));
   const fromPeak = (/** @type {number} */ k) => Math.abs(nodes.x[k] - peak);
   const middle = there.reduce((a, b) => (fromPeak(b) < fromPeak(a) ? b : a), there[0] ?? -1);
   const [up, low] = [movedAt(upper, above, middle), movedAt(lower, below, middle)];

@@ -4,16 +4,19 @@
 /** @typedef {{nodes: [number, number, number], weights: [number, number, number]}} Place */
 
 /**
- * A corner of one of the two triangles of each element. A million of them are gone through, so that no list is made of three.
+ * A corner of one of the two triangles of each element. A million of them are gone through, so
+ * that no list is made of three.
  * @param {Uint32Array} elements
  * @param {number} k four times the number of the triangle
  * @param {0 | 1 | 2} which
  * @returns {number} node
  */
-export const corner = (elements, k, which) => elements[4 * (k >> 3) + (which && k & 4 ? which + 1 : which)];
+export const corner = (elements, k, which) =>
+  elements[4 * (k >> 3) + (which && k & 4 ? which + 1 : which)];
 
 /**
- * The triangle under a point of the deformed mesh. One look at every triangle: a millisecond for a hundred thousand.
+ * The triangle under a point of the deformed mesh. One look at every triangle: a millisecond for a
+ * hundred thousand.
  * @param {Mesh} mesh
  * @param {number} deformation
  * @param {number} lift of the body in the picture
@@ -23,7 +26,8 @@ export const corner = (elements, k, which) => elements[4 * (k >> 3) + (which && 
  */
 export function locate({ nodes, displacement, elements }, deformation, lift, x, y) {
   const px = (/** @type {number} */ n) => nodes[2 * n] + deformation * displacement[2 * n];
-  const py = (/** @type {number} */ n) => nodes[2 * n + 1] + deformation * displacement[2 * n + 1] + lift;
+  const py = (/** @type {number} */ n) =>
+    nodes[2 * n + 1] + deformation * displacement[2 * n + 1] + lift;
   for (let k = 0; k < 2 * elements.length; k += 4) {
     const a = corner(elements, k, 0);
     const b = corner(elements, k, 1);
@@ -39,7 +43,8 @@ export function locate({ nodes, displacement, elements }, deformation, lift, x, 
     const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
     const wb = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area;
     const wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
-    if (wb >= -1e-6 && wc >= -1e-6 && wb + wc <= 1 + 1e-6) return { nodes: [a, b, c], weights: [1 - wb - wc, wb, wc] };
+    if (wb >= -1e-6 && wc >= -1e-6 && wb + wc <= 1 + 1e-6)
+      return { nodes: [a, b, c], weights: [1 - wb - wc, wb, wc] };
   }
   return null;
 }
@@ -51,12 +56,14 @@ export const valueAt = ({ nodes, weights }, value) =>
 /** @param {Place} place @param {Float32Array} vectors two for each node @returns {[number, number]} */
 export const vectorAt = ({ nodes, weights }, vectors) =>
   /** @type {[number, number]} */ (
-    [0, 1].map((axis) => weights.reduce((sum, weight, k) => sum + weight * vectors[2 * nodes[k] + axis], 0))
+    [0, 1].map((axis) =>
+      weights.reduce((sum, weight, k) => sum + weight * vectors[2 * nodes[k] + axis], 0),
+    )
   );
 
 /**
- * The triangles under many points of the undeformed mesh, in one look at every triangle: those whose corners all lie on one side of
- * all points are known by a bit of each corner.
+ * The triangles under many points of the undeformed mesh, in one look at every triangle: those
+ * whose corners all lie on one side of all points are known by a bit of each corner.
  * @param {Mesh} mesh
  * @param {[number, number][]} points
  * @returns {(Place | null)[]}
@@ -95,12 +102,16 @@ export function locateAll({ nodes, elements }, points) {
 /** On which sides of all points each node lies, a bit for each side. @param {Float32Array} nodes @param {[number, number][]} points */
 function sidesOf(nodes, points) {
   const limits = [0, 1].map((axis) => points.map((point) => point[axis]));
-  const [[left, bottom], [right, top]] = [limits.map((all) => Math.min(...all)), limits.map((all) => Math.max(...all))];
+  const [[left, bottom], [right, top]] = [
+    limits.map((all) => Math.min(...all)),
+    limits.map((all) => Math.max(...all)),
+  ];
   const beyond = new Uint8Array(nodes.length / 2);
   for (let n = 0; n < beyond.length; n++) {
     const x = nodes[2 * n];
     const y = nodes[2 * n + 1];
-    beyond[n] = (x < left ? 1 : 0) | (x > right ? 2 : 0) | (y < bottom ? 4 : 0) | (y > top ? 8 : 0);
+    beyond[n] =
+      (x < left ? 1 : 0) | (x > right ? 2 : 0) | (y < bottom ? 4 : 0) | (y > top ? 8 : 0);
   }
   return beyond;
 }
@@ -117,14 +128,17 @@ function firstFrom(list, x) {
 }
 
 /**
- * Polygons of the plastic zone with the displacement of every corner, to be drawn at any deformation.
+ * Polygons of the plastic zone with the displacement of every corner, to be drawn at any
+ * deformation.
  * @param {[number, number][][]} outline places along the surface, and depths
  * @param {import('./lift.js').Framed} body
  * @param {boolean} mirrored whether the mesh is the right half
  * @returns {{x: number, y: number, u: number, v: number}[][]}
  */
 export function carried(outline, { mesh, frame }, mirrored) {
-  const points = outline.map((polygon) => polygon.map(([along, depth]) => frame.point(along, depth)));
+  const points = outline.map((polygon) =>
+    polygon.map(([along, depth]) => frame.point(along, depth)),
+  );
   const sideOf = (/** @type {number} */ x) => (mirrored && x < 0 ? -1 : 1);
   const places = locateAll(
     mesh,

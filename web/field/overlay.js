@@ -1,4 +1,7 @@
-/** What lies over the field: outline of the plastic zones, ends of the contact, a scale, the cross of the probe. */
+/**
+ * What lies over the field: outline of the plastic zones, ends of the contact, a scale, the cross
+ * of the probe.
+ */
 
 import { plain } from '../lib/units.js';
 
@@ -24,7 +27,10 @@ const EDGE = 14;
 const ROW = 14;
 
 /** @param {HTMLCanvasElement} canvas @param {Over} over */
-export function drawOverlay(canvas, { camera, deformation, zones, edges, ends, path, cross, colours, length, factor }) {
+export function drawOverlay(
+  canvas,
+  { camera, deformation, zones, edges, ends, path, cross, colours, length, factor },
+) {
   const context = canvas.getContext('2d');
   if (!context) return;
   const ratio = canvas.width / camera.width;

@@ -36,7 +36,8 @@ const DIVERGING = [
 export const MOST_BANDS = 16;
 
 /** @param {string} hex @returns {Rgb} */
-export const rgb = (hex) => /** @type {Rgb} */ ([1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255));
+export const rgb = (hex) =>
+  /** @type {Rgb} */ ([1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255));
 
 /**
  * @typedef {object} Bands
@@ -60,7 +61,11 @@ export function bands(low, high) {
   const place = (/** @type {number} */ k) =>
     signed ? 0.5 + (first + k + 0.5) / (2 * most) : count > 1 ? k / (count - 1) : 0.5;
   const stops = (signed ? DIVERGING : SEQUENTIAL).map(rgb);
-  return { low: first * step, step, colours: Array.from({ length: count }, (_, k) => between(stops, place(k))) };
+  return {
+    low: first * step,
+    step,
+    colours: Array.from({ length: count }, (_, k) => between(stops, place(k))),
+  };
 }
 
 /**

@@ -27,7 +27,9 @@ export class FieldPanel {
   #wanted;
   /** Of the shown step. @type {Fields | undefined} */
   #fields;
-  /** How often something was asked for: an answer to what is not the last question is not shown. */
+  /**
+   * How often something was asked for: an answer to what is not the last question is not shown.
+   */
   #turn = 0;
   /** Whether somebody has chosen what is shown. */
   #touched = false;
@@ -66,7 +68,8 @@ export class FieldPanel {
       lost: () => {
         this.stage.classList.add('stale');
         this.waiting.hidden = false;
-        this.waiting.textContent = 'The browser has stopped the graphics. The field is drawn again when they work.';
+        this.waiting.textContent =
+          'The browser has stopped the graphics. The field is drawn again when they work.';
       },
       restored: () => {
         this.stage.classList.remove('stale');
@@ -206,7 +209,8 @@ export class FieldPanel {
     this.#showParts(Boolean(fields) || (this.busy && this.scene.shown !== undefined));
     this.stage.classList.toggle('stale', this.busy);
     if (fields) this.#present(asked, fields);
-    else if (this.busy && source) this.settled = this.#await(asked, source, () => turn === this.#turn);
+    else if (this.busy && source)
+      this.settled = this.#await(asked, source, () => turn === this.#turn);
   }
 
   /** @param {Asked} asked @param {FieldSource} source @param {() => boolean} still whether this is what is wanted */
@@ -301,7 +305,8 @@ export class FieldPanel {
 
   #load() {
     if (this.scene.load()) this.#choose();
-    else this.readout.textContent = 'This browser has no WebGL2. The field can be downloaded as VTU.';
+    else
+      this.readout.textContent = 'This browser has no WebGL2. The field can be downloaded as VTU.';
   }
 
   /** Puts the values of the chosen quantity on the meshes. */

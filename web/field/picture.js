@@ -1,4 +1,7 @@
-/** The field as a picture by itself: title, quantity with its unit, and the scale of colours beside it. */
+/**
+ * The field as a picture by itself: title, quantity with its unit, and the scale of colours beside
+ * it.
+ */
 
 import { h } from '../lib/dom.js';
 import { limitOf } from './palette.js';

@@ -22,7 +22,8 @@ export function steer(element, camera, on) {
     begin = element.classList.contains('cutting') ? at(event) : undefined;
     down.set(event.pointerId, at(event));
     element.setPointerCapture(event.pointerId);
-    // A finger that taps reads; it moves the field only from a second one on, for the page scrolls under it.
+    // A finger that taps reads; it moves the field only from a second one on, for the page scrolls
+    // under it.
     if (event.pointerType === 'touch') on.probe(at(event));
   });
   element.addEventListener('pointermove', (event) => {
@@ -60,7 +61,8 @@ export function steer(element, camera, on) {
 function drag(camera, down, before, now, id) {
   const other = [...down].find(([one]) => one !== id)?.[1];
   if (other) {
-    const distance = (/** @type {[number, number]} */ [x, y]) => Math.hypot(x - other[0], y - other[1]);
+    const distance = (/** @type {[number, number]} */ [x, y]) =>
+      Math.hypot(x - other[0], y - other[1]);
     camera.zoom(distance(now) / (distance(before) || 1), ...other);
   } else {
     camera.pan(now[0] - before[0], now[1] - before[1]);

@@ -18,8 +18,19 @@ export const QUANTITIES = {
   sigma_y: { name: 'σy', round: 'σz', kind: 'stress', signed: true },
   sigma_z: { name: 'σz', round: 'σθ', kind: 'stress', signed: true },
   tau_xy: { name: 'τxy', round: 'τrz', kind: 'stress', signed: true, odd: true },
-  displacement_x: { name: 'displacement ux', round: 'displacement ur', kind: 'length', signed: true, odd: true },
-  displacement_y: { name: 'displacement uy', round: 'displacement uz', kind: 'length', signed: true },
+  displacement_x: {
+    name: 'displacement ux',
+    round: 'displacement ur',
+    kind: 'length',
+    signed: true,
+    odd: true,
+  },
+  displacement_y: {
+    name: 'displacement uy',
+    round: 'displacement uz',
+    kind: 'length',
+    signed: true,
+  },
 };
 
 /** @param {Quantity} quantity @param {string} analysis @returns {string} */
@@ -51,8 +62,8 @@ export const quantitiesOf = (analysis) =>
   );
 
 /**
- * What a value on the right is to be taken by on this side: across the plane of symmetry shear and lateral displacement change their
- * sign; in axisymmetry r points outward on both sides.
+ * What a value on the right is to be taken by on this side: across the plane of symmetry shear and
+ * lateral displacement change their sign; in axisymmetry r points outward on both sides.
  * @param {Quantity} quantity @param {string} analysis @param {1 | -1} side @returns {1 | -1}
  */
 export const parityOf = (quantity, analysis, side) =>
@@ -84,7 +95,9 @@ const STRESSES = ['sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
 /** @param {Quantity} quantity @returns {Scalar[]} arrays that it is made of, besides displacements */
 export function arraysOf(quantity) {
   if (quantity in OF_STRESSES) return STRESSES;
-  return quantity === 'displacement_x' || quantity === 'displacement_y' ? [] : [/** @type {Scalar} */ (quantity)];
+  return quantity === 'displacement_x' || quantity === 'displacement_y'
+    ? []
+    : [/** @type {Scalar} */ (quantity)];
 }
 
 /**
@@ -98,14 +111,19 @@ export function valueOf(mesh, quantity, moved) {
   if (quantity === 'displacement_x') return (node) => displacement[2 * node];
   if (quantity === 'displacement_y') return (node) => displacement[2 * node + 1] + moved;
   const arrays = arraysOf(quantity).map((name) => mesh[name]);
-  if (!arrays.every((array) => array !== undefined)) throw new Error(`${quantity} has not been fetched`);
+  if (!arrays.every((array) => array !== undefined))
+    throw new Error(`${quantity} has not been fetched`);
   const of = OF_STRESSES[quantity];
   const [first, second, third, last] = arrays;
-  return of ? (node) => of(first[node], second[node], third[node], last[node]) : (node) => first[node];
+  return of
+    ? (node) => of(first[node], second[node], third[node], last[node])
+    : (node) => first[node];
 }
 
 /** What was made last of a mesh: more of it would be as large as the mesh itself. */
-const made = /** @type {WeakMap<Mesh, {quantity: Quantity, values: Float32Array}>} */ (new WeakMap());
+const made = /** @type {WeakMap<Mesh, {quantity: Quantity, values: Float32Array}>} */ (
+  new WeakMap()
+);
 
 /**
  * @param {Mesh} mesh with the arrays that the quantity is made of

@@ -4,7 +4,15 @@ import { h } from '../lib/dom.js';
 import { figure, unit } from '../lib/units.js';
 import { locate, valueAt, vectorAt } from './locate.js';
 import { limitOf } from './palette.js';
-import { QUANTITIES, arraysOf, nameOf, parityOf, sectionOf, valueOf, valuesOf } from './quantities.js';
+import {
+  QUANTITIES,
+  arraysOf,
+  nameOf,
+  parityOf,
+  sectionOf,
+  valueOf,
+  valuesOf,
+} from './quantities.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('./quantities.js').Quantity} Quantity */
@@ -33,8 +41,16 @@ export function extremes(bodies, quantity, { analysis, mesh: { symmetric } }) {
   /** @param {Extreme['end']} end @param {typeof most} found @param {1 | -1} side @returns {Extreme[]} */
   const at = (end, { value, node, body }, side) => {
     if (node < 0) return [];
-    const [{ nodes, displacement: moved }, parity] = [body.mesh, parityOf(quantity, analysis, side)];
-    const [x, y, u, v] = [nodes[2 * node], nodes[2 * node + 1], moved[2 * node], moved[2 * node + 1]];
+    const [{ nodes, displacement: moved }, parity] = [
+      body.mesh,
+      parityOf(quantity, analysis, side),
+    ];
+    const [x, y, u, v] = [
+      nodes[2 * node],
+      nodes[2 * node + 1],
+      moved[2 * node],
+      moved[2 * node + 1],
+    ];
     return [{ end, value: parity * value, name: body.name, x: side * x, y, u: side * u, v }];
   };
   if (symmetric && parityOf(quantity, analysis, -1) < 0) {
@@ -43,7 +59,11 @@ export function extremes(bodies, quantity, { analysis, mesh: { symmetric } }) {
     const largest = mirrors ? least : most;
     const size = Math.abs(largest.value);
     const [high, low] = /** @type {[1 | -1, 1 | -1]} */ (mirrors ? [-1, 1] : [1, -1]);
-    return { low: -size, high: size, ends: [...at('max', largest, high), ...at('min', largest, low)] };
+    return {
+      low: -size,
+      high: size,
+      ends: [...at('max', largest, high), ...at('min', largest, low)],
+    };
   }
   return {
     low: least.value,
@@ -86,12 +106,14 @@ const rounded = (values) => {
 };
 /** Arrays that a reading is made of. */
 export const READ = [
-  ...new Set([...STRESSES, /** @type {Quantity} */ ('equivalent_plastic_strain')].flatMap(arraysOf)),
+  ...new Set(
+    [...STRESSES, /** @type {Quantity} */ ('equivalent_plastic_strain')].flatMap(arraysOf),
+  ),
 ];
 
 /**
- * What is at a point of the picture, in words: the place is that of the undeformed body. Of quantities whose arrays have not been
- * fetched nothing is said.
+ * What is at a point of the picture, in words: the place is that of the undeformed body. Of
+ * quantities whose arrays have not been fetched nothing is said.
  * @param {Body[]} bodies
  * @param {Quantity} shown
  * @param {Scales} scales
@@ -102,19 +124,29 @@ export const READ = [
 export function readout(bodies, shown, scales, deformation, [x, y]) {
   const side = scales.symmetric && x < 0 ? -1 : 1;
   const section = sectionOf(scales.analysis);
-  const [across, up] = section ? [section.x, 'z'] : scales.analysis === 'axisymmetric' ? ['r', 'z'] : ['x', 'y'];
+  const [across, up] = section
+    ? [section.x, 'z']
+    : scales.analysis === 'axisymmetric'
+      ? ['r', 'z']
+      : ['x', 'y'];
   for (const { name, mesh, lift, moved } of bodies) {
     const place = locate(mesh, deformation, lift, side * x, y);
     if (!place) continue;
     const [px, py] = rounded(vectorAt(place, mesh.nodes).map((value) => value * scales.length));
-    const there = (/** @type {Quantity} */ quantity) => arraysOf(quantity).every((name) => mesh[name]);
+    const there = (/** @type {Quantity} */ quantity) =>
+      arraysOf(quantity).every((name) => mesh[name]);
     const valueOfThis = (/** @type {Quantity} */ quantity) =>
       valueAt(place, valueOf(mesh, quantity, moved)) * parityOf(quantity, scales.analysis, side);
-    const size = Math.max(0, ...STRESSES.filter(there).map((quantity) => Math.abs(valueOfThis(quantity))));
+    const size = Math.max(
+      0,
+      ...STRESSES.filter(there).map((quantity) => Math.abs(valueOfThis(quantity))),
+    );
     const say = (/** @type {Quantity} */ quantity) => {
       const { factor } = scaleOf(quantity, scales);
       const [value] =
-        QUANTITIES[quantity].kind === 'stress' ? rounded([valueOfThis(quantity), size]) : [valueOfThis(quantity)];
+        QUANTITIES[quantity].kind === 'stress'
+          ? rounded([valueOfThis(quantity), size])
+          : [valueOfThis(quantity)];
       return `${nameOf(quantity, scales.analysis)
         .replace(' stress', '')
         .replace(/^.* (?=[στ])/, '')} ${figure(factor * value, 4)}`;

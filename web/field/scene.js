@@ -1,4 +1,7 @@
-/** Both bodies as they are drawn: meshes in colours, what lies over them, and the cut-out that is seen. */
+/**
+ * Both bodies as they are drawn: meshes in colours, what lies over them, and the cut-out that is
+ * seen.
+ */
 
 import { h } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
@@ -25,7 +28,10 @@ import { scaleOf } from './read.js';
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {{job: Job, report: Report, at: number, units: import('../lib/units.js').UnitSet}} Asked a step, in the units of its job, and the units that are shown */
 
-/** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
+/**
+ * Plastic strain below this part of the scale has no colour: nodes beside the zone take a little
+ * from its elements.
+ */
 const PLAIN = 0.02;
 
 export class Scene {
@@ -96,8 +102,13 @@ export class Scene {
     const step = this.#step();
     if (!this.shown || !step) return;
     const { job, report } = this.shown;
-    const framed = bodiesOf(step, fields).map((body) => ({ ...body, frame: frameOf(job, body.name, body.mesh) }));
-    const [upper, lower] = ['upper', 'lower'].map((name) => framed.find((body) => body.name === name) ?? null);
+    const framed = bodiesOf(step, fields).map((body) => ({
+      ...body,
+      frame: frameOf(job, body.name, body.mesh),
+    }));
+    const [upper, lower] = ['upper', 'lower'].map(
+      (name) => framed.find((body) => body.name === name) ?? null,
+    );
     this.#lifts = lifts(upper, lower, step);
     const body = lower ?? upper;
     if (body) this.#surface = surfaceOf(body, step.contact.nodes.x);
@@ -156,12 +167,14 @@ export class Scene {
   }
 
   /**
-   * Where the contact is, and half of its width; where the load is taken away, those of the widest one, whose traces are to be seen.
-   * `drawn`: its height in the picture; `unloaded`: in the bodies without load.
+   * Where the contact is, and half of its width; where the load is taken away, those of the widest
+   * one, whose traces are to be seen. `drawn`: its height in the picture; `unloaded`: in the
+   * bodies without load.
    */
   contact() {
     const { contact: drawn, unloaded } = this.#lifts(this.deformation);
-    const extent = this.shown && extentSeen(this.shown.report.steps, this.shown.at, this.#isRound());
+    const extent =
+      this.shown && extentSeen(this.shown.report.steps, this.shown.at, this.#isRound());
     const { left, right } = extent ?? { left: -1 / 1.9, right: 1 / 1.9 };
     return { x: (left + right) / 2, half: (right - left) / 2, drawn, unloaded };
   }
@@ -196,7 +209,8 @@ export class Scene {
     if (first) this.home();
     if (this.surface.width === pixels && this.surface.height === lines) return;
     // A canvas that is given its size is made anew, and empty.
-    for (const canvas of [this.surface, this.over]) Object.assign(canvas, { width: pixels, height: lines });
+    for (const canvas of [this.surface, this.over])
+      Object.assign(canvas, { width: pixels, height: lines });
     if (!first) this.#draw();
   }
 
@@ -211,7 +225,13 @@ export class Scene {
 
   /** @param {string} title @param {(name: string) => string} colours of the page, or of paper @returns {HTMLCanvasElement | null} the field with its scale of colours */
   picture(title, colours) {
-    if (!this.#renderer || !this.#step() || this.stage.hidden || this.stage.classList.contains('stale')) return null;
+    if (
+      !this.#renderer ||
+      !this.#step() ||
+      this.stage.hidden ||
+      this.stage.classList.contains('stale')
+    )
+      return null;
     this.#draw(true, colours);
     // The page has its own colours again.
     this.later();
@@ -227,7 +247,8 @@ export class Scene {
 
   #draw(meshes = true, colours = colour) {
     const step = this.#step();
-    if (!this.#renderer || !step || !this.shown || !this.bodies.length || this.stage.hidden) return;
+    if (!this.#renderer || !step || !this.shown || !this.bodies.length || this.stage.hidden)
+      return;
     const { report } = this.shown;
     const scales = this.scales();
     const { factor: times, unit: name } = this.scale();
@@ -262,7 +283,9 @@ export class Scene {
   #edges({ contact: { patches } }) {
     const [{ frame, lift }] = this.bodies.slice(-1);
     const halved = this.shown?.report.mesh.symmetric;
-    const ends = patches.flatMap(({ left, right }) => (this.#isRound() ? [left, right, -left, -right] : [left, right]));
+    const ends = patches.flatMap(({ left, right }) =>
+      this.#isRound() ? [left, right, -left, -right] : [left, right],
+    );
     return ends.flatMap((along) => {
       const side = halved && along < 0 ? -1 : 1;
       const end = along === 0 ? undefined : this.#surface(side * along);

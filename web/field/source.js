@@ -1,7 +1,8 @@
 /**
- * The fields of a job, fetched as they are looked at. Where those of all steps can be kept, every step is fetched whole, once. Else
- * one step is kept, of it the arrays that something on the page is made of, and its room is given back before that of another is
- * taken: a step on a fine mesh is tens of megabytes.
+ * The fields of a job, fetched as they are looked at. Where those of all steps can be kept, every
+ * step is fetched whole, once. Else one step is kept, of it the arrays that something on the page
+ * is made of, and its room is given back before that of another is taken: a step on a fine mesh is
+ * tens of megabytes.
  */
 
 import { fetchFields } from '../api/result.js';
@@ -16,7 +17,14 @@ const KEPT = 24e6;
 /** Arrays without which there is no picture. */
 const SHAPE = ['nodes', 'elements', 'displacement'];
 /** @type {Scalar[]} */
-const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
+const SCALARS = [
+  'von_mises',
+  'equivalent_plastic_strain',
+  'sigma_x',
+  'sigma_y',
+  'sigma_z',
+  'tau_xy',
+];
 /** Bytes of a node: two pairs, a number of each scalar, and the four corners of an element. */
 const PER_NODE = 4 * (4 + SCALARS.length + 4);
 
@@ -48,7 +56,9 @@ export class FieldSource {
     const kept = this.#steps.get(step) ?? { last: Promise.resolve(), stop: new AbortController() };
     this.#steps.set(step, kept);
     // One after the other: what comes for one may be what the next one wants.
-    const next = kept.last.catch(() => {}).then(() => this.#fetch(step, kept, this.whole ? SCALARS : names, progress));
+    const next = kept.last
+      .catch(() => {})
+      .then(() => this.#fetch(step, kept, this.whole ? SCALARS : names, progress));
     kept.last = next;
     return next;
   }
@@ -59,7 +69,9 @@ export class FieldSource {
     signal.throwIfAborted();
     const wanted = kept.fields ? missing(kept.fields, names) : [...SHAPE, ...names];
     if (kept.fields && wanted.length === 0) return kept.fields;
-    const came = /** @type {Fields} */ (await fetchFields(this.id, step, wanted, { signal, progress }));
+    const came = /** @type {Fields} */ (
+      await fetchFields(this.id, step, wanted, { signal, progress })
+    );
     if (signal.aborted) free(came);
     signal.throwIfAborted();
     if (!kept.fields) kept.fields = came;
@@ -84,11 +96,12 @@ export class FieldSource {
 const BODIES = /** @type {const} */ (['upper', 'lower']);
 
 /** @param {Fields} fields @param {Scalar[]} names @returns {Scalar[]} those of them that are not in every body */
-const missing = (fields, names) => names.filter((name) => BODIES.some((body) => fields[body] && !fields[body][name]));
+const missing = (fields, names) =>
+  names.filter((name) => BODIES.some((body) => fields[body] && !fields[body][name]));
 
 /**
- * Gives back the room of arrays at once, where a collector lets hundreds of megabytes pass before it looks for some: they are sent
- * to where nobody takes them.
+ * Gives back the room of arrays at once, where a collector lets hundreds of megabytes pass before
+ * it looks for some: they are sent to where nobody takes them.
  * @param {Fields} fields
  */
 function free(fields) {

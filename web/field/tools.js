@@ -27,8 +27,16 @@ export function fieldTools(on, range) {
     const box = h('input', { type: 'checkbox', onchange: () => set(box.checked) });
     return h('label', {}, box, ` ${text}`);
   };
-  const button = (/** @type {string} */ sign, /** @type {string} */ name, /** @type {() => void} */ work) =>
-    h('button', { type: 'button', class: 'plain', 'aria-label': name, title: name, onclick: work }, sign);
+  const button = (
+    /** @type {string} */ sign,
+    /** @type {string} */ name,
+    /** @type {() => void} */ work,
+  ) =>
+    h(
+      'button',
+      { type: 'button', class: 'plain', 'aria-label': name, title: name, onclick: work },
+      sign,
+    );
   const displacement = h('label', {}, 'Displacement ', loupe);
   const element = h(
     'div',

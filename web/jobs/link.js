@@ -1,6 +1,6 @@
 /**
- * What the address says: `#job=ID` shows a job of this service, `&with=ID,ID` lays others over it, `#draft=…` carries a
- * definition (deflated, base64url), which works on any service.
+ * What the address says: `#job=ID` shows a job of this service, `&with=ID,ID` lays others over it,
+ * `#draft=…` carries a definition (deflated, base64url), which works on any service.
  */
 
 /** What may be the id of a job; it becomes part of addresses. */
@@ -24,14 +24,18 @@ export function read() {
 }
 
 /** @param {string} id @param {string[]} [compared] jobs laid over it @returns {string} */
-export const jobFragment = (id, compared = []) => `#job=${id}${compared.length ? `&with=${compared.join(',')}` : ''}`;
+export const jobFragment = (id, compared = []) =>
+  `#job=${id}${compared.length ? `&with=${compared.join(',')}` : ''}`;
 
 /** @returns {string} the link to what is shown: job and those compared with it */
 export const jobLink = () => location.href;
 
 /** @param {unknown} job @returns {Promise<string>} */
 export async function draftLink(job) {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify(job)), new CompressionStream('deflate-raw'));
+  const bytes = await through(
+    new TextEncoder().encode(JSON.stringify(job)),
+    new CompressionStream('deflate-raw'),
+  );
   const text = btoa(String.fromCharCode(...bytes))
     .replaceAll('+', '-')
     .replaceAll('/', '_')

@@ -1,4 +1,7 @@
-/** The jobs of the service: state, tags, search, and which of them are laid over the one that is shown. */
+/**
+ * The jobs of the service: state, tags, search, and which of them are laid over the one that is
+ * shown.
+ */
 
 import { Problem, ask, post, request } from '../api/client.js';
 import { dialogue } from '../lib/dialogue.js';
@@ -91,10 +94,18 @@ export class JobList {
     }
   }
 
-  /** Fetches older jobs until some match the word that is looked for, or many have been looked through. */
+  /**
+   * Fetches older jobs until some match the word that is looked for, or many have been looked
+   * through.
+   */
   async #lookThrough() {
     const wanted = this.search.value;
-    while (this.#word && this.#next && this.#jobs.length < this.#through && this.#matching().length < PAGE) {
+    while (
+      this.#word &&
+      this.#next &&
+      this.#jobs.length < this.#through &&
+      this.#matching().length < PAGE
+    ) {
       const { jobs, next_cursor: next } = await this.#fetch(this.#next, WIDE);
       if (this.search.value !== wanted) return;
       this.#jobs.push(...jobs);
@@ -103,7 +114,9 @@ export class JobList {
     }
   }
 
-  /** What is looked for in ids and tags here; a tag with its value is looked for by the service. */
+  /**
+   * What is looked for in ids and tags here; a tag with its value is looked for by the service.
+   */
   get #word() {
     const text = this.search.value.trim();
     return isTag(text) ? '' : text.replace(/:$/, '').toLowerCase();
@@ -143,7 +156,9 @@ export class JobList {
   show() {
     const jobs = this.#matching();
     const among = this.#next ? ` among the ${this.#jobs.length} newest` : '';
-    byId('jobs-state').textContent = jobs.length ? `${jobs.length} shown${this.#word ? among : ''}` : '';
+    byId('jobs-state').textContent = jobs.length
+      ? `${jobs.length} shown${this.#word ? among : ''}`
+      : '';
     const nothing =
       this.status.value || this.search.value
         ? this.#word && this.#next
@@ -152,7 +167,9 @@ export class JobList {
         : 'No jobs yet. Solve one and it appears here.';
     keepFocus(byId('jobs'), () => {
       byId('jobs-list').replaceChildren(
-        ...(jobs.length ? jobs.map((job) => this.#row(job)) : [h('li', { class: 'empty' }, nothing)]),
+        ...(jobs.length
+          ? jobs.map((job) => this.#row(job))
+          : [h('li', { class: 'empty' }, nothing)]),
       );
       byId('jobs-more').hidden = !this.#next;
     });
@@ -185,16 +202,24 @@ export class JobList {
       onchange: () => this.on.compare(job.id, box.checked),
     });
     if (colour) box.style.setProperty('accent-color', `var(${colour})`);
-    const tags = Object.entries(job.tags ?? {}).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`));
+    const tags = Object.entries(job.tags ?? {}).map(([name, text]) =>
+      h('span', { class: 'tag' }, `${name}: ${text}`),
+    );
     const open = h(
       'button',
-      { type: 'button', class: 'open', 'aria-current': current ? 'true' : null, onclick: () => this.on.open(job.id) },
+      {
+        type: 'button',
+        class: 'open',
+        'aria-current': current ? 'true' : null,
+        onclick: () => this.on.open(job.id),
+      },
       h('span', { class: `dot ${job.status}` }),
       h('span', {}, NAMES[job.status]),
       h('span', { class: 'load' }, this.#words(job)),
       h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
       h('code', { class: 'quiet' }, job.id.slice(-8)),
-      request && h('span', { class: 'quiet bodies' }, `${pairOf(request)}, ${materialNames(request)}`),
+      request &&
+        h('span', { class: 'quiet bodies' }, `${pairOf(request)}, ${materialNames(request)}`),
       tags,
     );
     return h(
@@ -210,7 +235,10 @@ export class JobList {
   #ending(job, label) {
     const [word, work] = finished(job)
       ? [`Delete ${label}`, () => this.#askToDelete(job, label)]
-      : [`Cancel ${label}`, () => this.#do(() => post(`v1/jobs/${job.id}/cancel`, ''), `${label} is asked to stop`)];
+      : [
+          `Cancel ${label}`,
+          () => this.#do(() => post(`v1/jobs/${job.id}/cancel`, ''), `${label} is asked to stop`),
+        ];
     const stopping = job.cancel_requested && !finished(job);
     return h(
       'button',
@@ -255,7 +283,8 @@ export class JobList {
 const isTag = (text) => /^[^:]+:./.test(text);
 
 /** @param {{id: string, tags?: Record<string, string>}} job */
-export const labelOf = ({ id, tags }) => Object.values(tags ?? {})[0]?.slice(0, 24) ?? id.slice(-8);
+export const labelOf = ({ id, tags }) =>
+  Object.values(tags ?? {})[0]?.slice(0, 24) ?? id.slice(-8);
 
 /** @param {string} time */
 function age(time) {

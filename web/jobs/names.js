@@ -13,7 +13,9 @@ import { loadWords } from './load.js';
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {{pointer: string, label: string, symbol: string, unit: string, values: unknown[], texts: string[]}} Difference `texts`: the values as they are written, whole where they would look alike */
 
-const FIELDS = new Map(allFields().map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]));
+const FIELDS = new Map(
+  allFields().map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]),
+);
 const BODIES = /** @type {Record<string, string>} */ ({ upper: 'upper', lower: 'lower' });
 /** What holds where a job says nothing. */
 const USUAL = /** @type {Record<string, unknown>} */ (DEFAULTS);
@@ -35,7 +37,8 @@ export function differences(jobs) {
   const alike = jobs.map((job) => (unitsOf(job) === units ? job : jobIn(job, units)));
   const maps = alike.map((job) => new Map(leaves(job)));
   const all = [...new Set(maps.flatMap((map) => [...map.keys()]))];
-  // A force and a sweep of forces are both the load of their job; a history has loads of two kinds.
+  // A force and a sweep of forces are both the load of their job; a history has loads of two
+  // kinds.
   const loads = all.filter((pointer) => pointer.startsWith('/load/'));
   const pointers =
     loads.length > 1 || loads.includes('/load/history')
@@ -60,7 +63,8 @@ export function differences(jobs) {
 /** What is in contact with what. @param {Job} job */
 export function pairOf({ analysis, upper, lower }) {
   const [above, below] = [upper, lower].map((body) => body?.shape?.type);
-  if (above === 'hole' || below === 'hole') return analysis === 'axisymmetric' ? 'ball in socket' : 'pin in hole';
+  if (above === 'hole' || below === 'hole')
+    return analysis === 'axisymmetric' ? 'ball in socket' : 'pin in hole';
   return `${shapeLabel(above, analysis)} on ${shapeLabel(below, analysis)}`.toLowerCase();
 }
 
@@ -80,11 +84,18 @@ export function materialNames(job) {
 }
 
 /** How many of them are not the same JSON. @param {unknown[]} values */
-const distinct = (values) => values.filter((value, k) => values.findIndex((one) => same(one, value)) === k).length;
+const distinct = (values) =>
+  values.filter((value, k) => values.findIndex((one) => same(one, value)) === k).length;
 
 /** Loads tell most, then what bodies are, their shapes before all; settings of the solver least. @param {string} pointer */
 const rank = (pointer) =>
-  pointer.startsWith('/load') ? 0 : /shape\/type$/.test(pointer) ? 1 : /^\/(upper|lower)/.test(pointer) ? 2 : 3;
+  pointer.startsWith('/load')
+    ? 0
+    : /shape\/type$/.test(pointer)
+      ? 1
+      : /^\/(upper|lower)/.test(pointer)
+        ? 2
+        : 3;
 
 /** @param {string} text */
 const sentence = (text) => text[0].toUpperCase() + text.slice(1);
@@ -114,7 +125,9 @@ export function writeValue(value) {
   if (!Array.isArray(value)) return String(value).replaceAll('_', ' ');
   if (value.every(isNumber)) return sweepWords(value);
   if (isGrid(value)) return `${value.length} × ${value[0].length} heights`;
-  return isTerms(value) ? writeWhole(value) : `${value.length} ${isHistory(value) ? 'loads' : 'points'}`;
+  return isTerms(value)
+    ? writeWhole(value)
+    : `${value.length} ${isHistory(value) ? 'loads' : 'points'}`;
 }
 
 /** Numbers, loads or rows that are written out in a report. */
@@ -124,7 +137,9 @@ const MOST = 60;
 export function writeWhole(value) {
   if (!Array.isArray(value) || isGrid(value)) return writeValue(value);
   if (value.length > MOST)
-    return value.every(isNumber) ? `${writeValue(value)}, ${value.length} in all` : writeValue(value);
+    return value.every(isNumber)
+      ? `${writeValue(value)}, ${value.length} in all`
+      : writeValue(value);
   if (value.every(isNumber)) return value.map(exact).join(' ');
   if (isHistory(value)) return historyFigures(value);
   const members = MEMBERS.find(([first]) => value[0]?.[first] !== undefined);
@@ -154,7 +169,8 @@ const isTerms = ([first]) => first?.modulus !== undefined;
 const isHistory = ([first]) => first?.force !== undefined || first?.approach !== undefined;
 
 /**
- * A short name for each of the jobs: by its tag if tags tell them apart, else by what they differ in.
+ * A short name for each of the jobs: by its tag if tags tell them apart, else by what they differ
+ * in.
  * @param {{id: string, job: Job}[]} jobs
  * @returns {string[]}
  */

@@ -3,7 +3,8 @@
 /** @typedef {Node | string | number | null | undefined | false} Child */
 
 /**
- * An element: `on…` properties are listeners, booleans are present or absent, the rest are attributes.
+ * An element: `on…` properties are listeners, booleans are present or absent, the rest are
+ * attributes.
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} name
  * @param {Record<string, any>} [properties]
@@ -51,8 +52,8 @@ function fill(element, properties, children) {
 }
 
 /**
- * Gives an element these children. Those that it has already stay where they are, with the focus and with what the browser knows of
- * what is being typed into them.
+ * Gives an element these children. Those that it has already stay where they are, with the focus
+ * and with what the browser knows of what is being typed into them.
  * @param {Element} parent
  * @param {(Node | null | undefined | false)[]} children
  */
@@ -100,7 +101,8 @@ export function toast(text) {
 const fade = debounce((/** @type {HTMLElement} */ place) => place.classList.remove('shown'), 3000);
 
 /**
- * Puts a text on the clipboard, also where the page does not come by https and browsers keep theirs shut.
+ * Puts a text on the clipboard, also where the page does not come by https and browsers keep
+ * theirs shut.
  * @param {string} text
  * @param {string} name of it
  */

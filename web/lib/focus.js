@@ -1,4 +1,7 @@
-/** A part of the page that is built anew keeps the focus: on what had it, on what stands for it, or on what is in its place. */
+/**
+ * A part of the page that is built anew keeps the focus: on what had it, on what stands for it, or
+ * on what is in its place.
+ */
 
 const FOCUSABLE = 'a[href], button, input, select, textarea, summary, [tabindex]';
 
@@ -14,7 +17,9 @@ function keyOf(one) {
   const words = one.matches('button, summary, a') && !part?.dataset.key ? one.textContent : '';
   // The id of an entry of the form is new with the entry.
   const own = part?.dataset.place ? one.tagName : one.id || one.tagName;
-  return [part?.dataset.place, part?.dataset.key, own, one.getAttribute('aria-label'), words].join('|');
+  return [part?.dataset.place, part?.dataset.key, own, one.getAttribute('aria-label'), words].join(
+    '|',
+  );
 }
 
 /**
@@ -43,7 +48,8 @@ export function keepFocus(root, build) {
 }
 
 /**
- * For a field that is gone: the last button before it that is still there. In another field the next key would change another figure.
+ * For a field that is gone: the last button before it that is still there. In another field the
+ * next key would change another figure.
  * @param {HTMLElement} had
  * @param {HTMLElement[]} before those before it
  * @param {HTMLElement[]} now

@@ -1,6 +1,7 @@
 /**
- * What is kept in this browser, which may be damaged, or of another version of the page. A browser that keeps nothing, because its
- * storage is full or blocked, is a page without memory: everything works until it is closed.
+ * What is kept in this browser, which may be damaged, or of another version of the page. A browser
+ * that keeps nothing, because its storage is full or blocked, is a page without memory: everything
+ * works until it is closed.
  */
 
 /** @typedef {{get: (key: string) => string | null, set: (key: string, value: string) => boolean, remove: (key: string) => void}} Store `set` answers whether it is kept */
@@ -51,7 +52,9 @@ export const tab = store(() => sessionStorage);
  * @param {(value: any) => T | undefined} read what is kept, if it is good
  * @returns {T | undefined}
  */
-export const kept = (place, key, read) => attempt(() => read(JSON.parse(place.get(key) ?? 'null')));
+export const kept = (place, key, read) =>
+  attempt(() => read(JSON.parse(place.get(key) ?? 'null')));
 
 /** @param {unknown} value @returns {value is Record<string, any>} */
-export const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+export const isObject = (value) =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);

@@ -1,4 +1,7 @@
-/** Numbers as people write them: a decimal point or comma, digits in groups of three, a power of ten, a unit behind. */
+/**
+ * Numbers as people write them: a decimal point or comma, digits in groups of three, a power of
+ * ten, a unit behind.
+ */
 
 import { inJobUnits } from './units.js';
 
@@ -28,9 +31,13 @@ export function readNumber(text, commas = false) {
   if (commas && NUMBER.test(plain) && plain.includes('.'))
     return refuse('has a decimal point, and others have a decimal comma: write one of them');
   if (!commas && AMBIGUOUS.test(plain))
-    return refuse(`can be read as ${plain.replace(',', '.')} or as ${plain.replace(',', '')}: write one of these`);
+    return refuse(
+      `can be read as ${plain.replace(',', '.')} or as ${plain.replace(',', '')}: write one of these`,
+    );
   const point = COMMA.test(plain) ? plain.replace(',', '.') : plain;
-  const thousands = /^[+-]?\d+[.,]\d+[.,]/.test(plain) ? ': write its thousands without a sign between them' : '';
+  const thousands = /^[+-]?\d+[.,]\d+[.,]/.test(plain)
+    ? ': write its thousands without a sign between them'
+    : '';
   if (!NUMBER.test(point)) return refuse(`is not a number${thousands}`);
   const value = Number(point);
   if (!Number.isFinite(value)) return refuse('is too large for a number');
@@ -62,11 +69,14 @@ export function readQuantity(text, quantity, units, { unit = '', commas } = {}) 
   const reading = readNumber(digits, commas);
   if ('problem' in reading) return reading;
   const value = inJobUnits(reading.value, name || unit, quantity, units);
-  return value === undefined ? { problem: `${quoted(name || unit)} is no unit known here for this figure` } : { value };
+  return value === undefined
+    ? { problem: `${quoted(name || unit)} is no unit known here for this figure` }
+    : { value };
 }
 
 /**
- * A figure of what is shown, in the units of the job: with a unit of its own behind it, or else in those that are shown.
+ * A figure of what is shown, in the units of the job: with a unit of its own behind it, or else in
+ * those that are shown.
  * @param {string} text
  * @param {Quantity} quantity
  * @param {Units} units of the job
@@ -82,7 +92,10 @@ export function readShown(text, quantity, units, times) {
 /** A figure of a job that is one: what is typed and is no number stands in the job as text. @param {unknown} value @returns {number} */
 export const numberOf = (value) => (typeof value === 'number' ? value : NaN);
 
-/** Dashes that stand for a minus where a keyboard has none, or a program has put them: hyphens, short dashes, the sign itself. */
+/**
+ * Dashes that stand for a minus where a keyboard has none, or a program has put them: hyphens,
+ * short dashes, the sign itself.
+ */
 const MINUS = /[\u2010-\u2013\u2212\ufe63\uff0d]/g;
 
 /** The same with plain minus signs. @param {string} text */
@@ -95,7 +108,9 @@ const RAISED = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 /** The same with powers of ten as exponents. @param {string} text */
 const withExponents = (text) =>
   withMinus(text).replace(POWER, (_, digit = '1', level, raised = '') => {
-    const lowered = [...raised].map((sign) => (sign === '⁻' ? '-' : sign === '⁺' ? '' : RAISED.indexOf(sign))).join('');
+    const lowered = [...raised]
+      .map((sign) => (sign === '⁻' ? '-' : sign === '⁺' ? '' : RAISED.indexOf(sign)))
+      .join('');
     return `${digit}e${level ?? lowered}`;
   });
 
@@ -118,4 +133,5 @@ export function quoted(text) {
 }
 
 /** @param {number} columns */
-export const columnsInWords = (columns) => ['no', 'one', 'two', 'three'][columns] ?? String(columns);
+export const columnsInWords = (columns) =>
+  ['no', 'one', 'two', 'three'][columns] ?? String(columns);

@@ -1,4 +1,7 @@
-/** Tables of points as spreadsheets and instruments write them. What stands above the figures is known word for word, or refused. */
+/**
+ * Tables of points as spreadsheets and instruments write them. What stands above the figures is
+ * known word for word, or refused.
+ */
 
 import { columnsInWords, hasDecimalComma, quoted, readNumber, withMinus } from './number.js';
 import { inJobUnits, isUnit, unit } from './units.js';
@@ -12,8 +15,8 @@ import { inJobUnits, isUnit, unit } from './units.js';
 const [MOST, LONGEST] = [10_000, 1000];
 
 /**
- * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or commas. Lines above the first
- * numbers name columns and their units.
+ * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or
+ * commas. Lines above the first numbers name columns and their units.
  * @param {string} text
  * @param {Quantity[]} quantities of the columns
  * @param {Units} units of the job
@@ -24,18 +27,22 @@ export function readTable(text, quantities, units, symbols) {
   const lines = withMinus(text).split(/\r\n?|\n/);
   const long = lines.findIndex((line) => line.length > LONGEST);
   if (long >= 0)
-    return { problem: `line ${long + 1} has ${lines[long].length} letters: a point has a line of its own` };
+    return {
+      problem: `line ${long + 1} has ${lines[long].length} letters: a point has a line of its own`,
+    };
   const separator = separatorOf(lines);
   const rows = lines
     .map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) }))
     .filter(({ cells }) => cells.length);
-  // Whatever sign stands before a digit, it is no word: a line of figures that cannot be read is said to be one.
+  // Whatever sign stands before a digit, it is no word: a line of figures that cannot be read is
+  // said to be one.
   const first = rows.findIndex(
     ({ comment, cells }) => !comment && cells.some((one) => /^[^\p{L}\p{N}([]*\d/u.test(one)),
   );
   const headers = rows.slice(0, Math.max(0, first));
   const body = rows.slice(headers.length).filter(({ comment }) => !comment);
-  if (body.length > MOST) return { problem: `${body.length} lines of figures: at most ${MOST} are taken` };
+  if (body.length > MOST)
+    return { problem: `${body.length} lines of figures: at most ${MOST} are taken` };
   const header = namedBy(headers, quantities, units, symbols);
   if ('problem' in header) return header;
   const { order, named } = header;
@@ -46,7 +53,9 @@ export function readTable(text, quantities, units, symbols) {
     const fault = readings.find((reading) => 'problem' in reading);
     if (fault && 'problem' in fault) problems.push(`line ${number}: ${fault.problem}`);
     else if (cells.length !== quantities.length)
-      problems.push(`line ${number} has ${counted(cells.length, 'column')}, not ${columnsInWords(quantities.length)}`);
+      problems.push(
+        `line ${number} has ${counted(cells.length, 'column')}, not ${columnsInWords(quantities.length)}`,
+      );
     return order.map((k, axis) => {
       const reading = readings[k];
       const value = reading && 'value' in reading ? reading.value : NaN;
@@ -54,7 +63,10 @@ export function readTable(text, quantities, units, symbols) {
     });
   });
   const [fault, ...more] = problems;
-  if (fault) return { problem: more.length ? `${fault} (and ${counted(more.length, 'more line')})` : fault };
+  if (fault)
+    return {
+      problem: more.length ? `${fault} (and ${counted(more.length, 'more line')})` : fault,
+    };
   const notes = headers.length ? [`${counted(headers.length, 'header line')} read`] : [];
   if (order.some((k, axis) => k !== axis)) notes.push('columns taken by their names');
   if (commas) notes.push('decimal commas read');
@@ -69,7 +81,8 @@ const counted = (count, what) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
 /** @param {string[]} lines @returns {RegExp} */
 function separatorOf(lines) {
-  for (const one of ['\t', ';']) if (lines.some((line) => line.includes(one))) return new RegExp(one);
+  for (const one of ['\t', ';'])
+    if (lines.some((line) => line.includes(one))) return new RegExp(one);
   const spaced = lines.some((line) => /\d[.,]?\s+[+-]?[.,]?\d/.test(line));
   if (!spaced) return /,\s*|\s+/;
   return lines.some((line) => /\d,\s+[+-]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
@@ -104,7 +117,8 @@ const CALLED = {
 };
 
 /** Other scales of hardness than that of Vickers, whose figures look alike. */
-const OTHER_SCALE = /(?<![a-z])(HR\s?[A-Z]?|HBW?S?|BHN|HK|KHN|HLD?|rockwell|brinell|knoop|shore|leeb)(?![a-z])/i;
+const OTHER_SCALE =
+  /(?<![a-z])(HR\s?[A-Z]?|HBW?S?|BHN|HK|KHN|HLD?|rockwell|brinell|knoop|shore|leeb)(?![a-z])/i;
 
 /** Strain and stress as a tensile test gives them, which a button beside the table converts. */
 const OF_A_TEST = /^(eng|engineering|nominal|total)(?![a-z])|^(engineering|nominal|total)/i;
@@ -121,7 +135,8 @@ function partsOf(header) {
 }
 
 /** Whether a line has plain words alone, none of them a unit. @param {string} line */
-const isTitle = (line) => /^[\p{L}\s.,:;()-]+$/u.test(line) && !line.split(/[^\p{L}]+/u).some(isUnit);
+const isTitle = (line) =>
+  /^[\p{L}\s.,:;()-]+$/u.test(line) && !line.split(/[^\p{L}]+/u).some(isUnit);
 
 /**
  * What the lines above the figures say: for each wanted column the one of the text, and its unit.
@@ -132,7 +147,8 @@ function namedBy(headers, quantities, units, symbols) {
   let order = quantities.map((_, axis) => axis);
   const named = quantities.map(() => '');
   const example = quantities.map(
-    (one, axis) => `${symbols[axis].replace('_', '')}${unit(one, units) && ` [${unit(one, units)}]`}`,
+    (one, axis) =>
+      `${symbols[axis].replace('_', '')}${unit(one, units) && ` [${unit(one, units)}]`}`,
   );
   for (const { number, cells } of headers) {
     const refuse = (/** @type {string} */ text, /** @type {string} */ words) => ({
@@ -150,7 +166,9 @@ function namedBy(headers, quantities, units, symbols) {
     const axes = parts.map(([name], k) => {
       const plain = name.toLowerCase().replace(/[\s_.:-]/g, '');
       const isCalled = (/** @type {number} */ axis) => CALLED[symbols[axis]]?.test(plain);
-      return !plain || isCalled(order[k]) ? order[k] : symbols.findIndex((_, axis) => isCalled(axis));
+      return !plain || isCalled(order[k])
+        ? order[k]
+        : symbols.findIndex((_, axis) => isCalled(axis));
     });
     const strange = axes.findIndex((axis, k) => axis < 0 || axes.indexOf(axis) < k);
     if (strange >= 0) return refuse(cells[strange], 'is not known here');

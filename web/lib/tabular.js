@@ -5,7 +5,8 @@
 /** @typedef {{columns: Column[], rows: Cell[][], write: (value: Cell, column: number) => string}} Table `write`: as people read it */
 
 /** @param {Column} column */
-const heading = ({ title, unit, of }) => `${of ? `${of} ` : ''}${title}${unit ? ` [${unit}]` : ''}`;
+const heading = ({ title, unit, of }) =>
+  `${of ? `${of} ` : ''}${title}${unit ? ` [${unit}]` : ''}`;
 
 /** What a spreadsheet would take for a formula. */
 const FORMULA = /^[=+@-]/;
@@ -15,12 +16,16 @@ const raw = (cell, separator) => {
   // Beyond twelve digits stands the noise of conversions.
   if (typeof cell === 'number') return String(Number(cell.toPrecision(12)));
   const text = `${FORMULA.test(cell ?? '') ? "'" : ''}${cell ?? ''}`;
-  return text.includes(separator) || /["\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  return text.includes(separator) || /["\r\n]/.test(text)
+    ? `"${text.replaceAll('"', '""')}"`
+    : text;
 };
 
 /** @param {Table} table @param {string} separator */
 const separated = ({ columns, rows }, separator) =>
-  [columns.map(heading), ...rows].map((row) => `${row.map((cell) => raw(cell, separator)).join(separator)}\n`).join('');
+  [columns.map(heading), ...rows]
+    .map((row) => `${row.map((cell) => raw(cell, separator)).join(separator)}\n`)
+    .join('');
 
 /** For a spreadsheet. @param {Table} table */
 export const toTsv = (table) => separated(table, '\t');
@@ -32,13 +37,19 @@ export const toCsv = (table) => separated(table, ',');
 export function toMarkdown({ columns, rows, write }) {
   const line = (/** @type {string[]} */ cells) =>
     `| ${cells.map((cell) => cell.replace(/\s+/g, ' ').replace(/[\\|<*_`]/g, '\\$&')).join(' | ')} |\n`;
-  const rule = columns.map((_, k) => (rows.every((row) => typeof row[k] !== 'string') ? '--:' : '---'));
-  return line(columns.map(heading)) + line(rule) + rows.map((row) => line(row.map(write))).join('');
+  const rule = columns.map((_, k) =>
+    rows.every((row) => typeof row[k] !== 'string') ? '--:' : '---',
+  );
+  return (
+    line(columns.map(heading)) + line(rule) + rows.map((row) => line(row.map(write))).join('')
+  );
 }
 
 /** With the rules of `booktabs`. @param {Table} table */
 export function toLatex({ columns, rows, write }) {
-  const align = columns.map((_, k) => (rows.every((row) => typeof row[k] !== 'string') ? 'r' : 'l')).join('');
+  const align = columns
+    .map((_, k) => (rows.every((row) => typeof row[k] !== 'string') ? 'r' : 'l'))
+    .join('');
   const line = (/** @type {string[]} */ cells) => {
     const row = cells.map(escape).join(' & ');
     // Behind the end of a row, a bracket or a star would belong to it.
@@ -89,7 +100,8 @@ for (const [letter, ...name] of GREEK.split(' ')) LATEX[letter] = `$\\${name.joi
 const SUBSCRIPT = '₋₀₁₂₃₄₅₆₇₈₉';
 
 /** Digits that are raised or lowered, on the line. @param {string} text @param {string} signs minus and ten digits */
-const levelled = (text, signs) => [...text].map((sign) => '-0123456789'[signs.indexOf(sign)]).join('');
+const levelled = (text, signs) =>
+  [...text].map((sign) => '-0123456789'[signs.indexOf(sign)]).join('');
 
 /** @param {string} text */
 const escape = (text) =>

@@ -12,13 +12,19 @@ export async function textOf(file) {
   if (file.size > MOST) return { problem: `“${file.name}” is too large for a table of points` };
   const bytes = new Uint8Array(await file.arrayBuffer());
   const text = decoded(bytes);
-  return text.includes('\0') ? { problem: `“${file.name}” is no text: save the table as CSV` } : { text };
+  return text.includes('\0')
+    ? { problem: `“${file.name}” is no text: save the table as CSV` }
+    : { text };
 }
 
 /** @param {Uint8Array} bytes */
 function decoded(bytes) {
   const mark =
-    bytes[0] === 0xff && bytes[1] === 0xfe ? 'utf-16le' : bytes[0] === 0xfe && bytes[1] === 0xff ? 'utf-16be' : '';
+    bytes[0] === 0xff && bytes[1] === 0xfe
+      ? 'utf-16le'
+      : bytes[0] === 0xfe && bytes[1] === 0xff
+        ? 'utf-16be'
+        : '';
   if (mark) return new TextDecoder(mark).decode(bytes);
   try {
     return new TextDecoder('utf-8', { fatal: true }).decode(bytes);

@@ -12,7 +12,8 @@ const listeners = /** @type {Set<() => void>} */ (new Set());
 export const onTheme = (listener) => listeners.add(listener);
 
 /** @param {string} name of a custom property @returns {string} a colour */
-export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const colour = (name) =>
+  getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** @param {string} name of a custom property @returns {string} the colour it has on paper, which is light */
 export const paper = (name) => getComputedStyle(byId('paper')).getPropertyValue(name).trim();

@@ -14,7 +14,12 @@ export function toolbar(bar, name) {
   bar.addEventListener('keydown', (event) => {
     const shown = all().filter((button) => button.checkVisibility());
     const [at, last] = [shown.findIndex((button) => button === event.target), shown.length - 1];
-    const places = { ArrowRight: at < last ? at + 1 : 0, ArrowLeft: at > 0 ? at - 1 : last, Home: 0, End: last };
+    const places = {
+      ArrowRight: at < last ? at + 1 : 0,
+      ArrowLeft: at > 0 ? at - 1 : last,
+      Home: 0,
+      End: last,
+    };
     const next = places[/** @type {keyof typeof places} */ (event.key)];
     if (next === undefined) return;
     event.preventDefault();

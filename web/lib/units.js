@@ -46,7 +46,13 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
     ksi: 6894757.293168,
   },
   force: { N: 1, mN: 1e-3, kN: 1e3, MN: 1e6, kgf: 9.80665, lbf: 4.4482216152605 },
-  line_force: { 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3, 'kN/mm': 1e6, 'lbf/in': 4.4482216152605 / 0.0254 },
+  line_force: {
+    'N/m': 1,
+    'N/mm': 1e3,
+    'kN/m': 1e3,
+    'kN/mm': 1e6,
+    'lbf/in': 4.4482216152605 / 0.0254,
+  },
   strain: {
     '%': 1e-2,
     '‰': 1e-3,
@@ -63,18 +69,25 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
 });
 
 /** @param {string} name as people write it: with spaces, another µ, or a square as a 2 */
-const unitName = (name) => name.replace(/\s/g, '').replace('μ', 'µ').replace(/[–—]/, '-').replace(/\^?2$/, '²');
+const unitName = (name) =>
+  name.replace(/\s/g, '').replace('μ', 'µ').replace(/[–—]/, '-').replace(/\^?2$/, '²');
 
 /** Vickers hardness by its names, the load of the test [kgf] behind it. */
 const VICKERS = /^(HV|VHN|DPH|DPN)\s?[\d.,/]*$/i;
 
 /** @param {string} name @returns {boolean} whether a unit of any quantity has this name */
-export const isUnit = (name) => Object.values(NAMES).some((names) => Object.hasOwn(names, unitName(name)));
+export const isUnit = (name) =>
+  Object.values(NAMES).some((names) => Object.hasOwn(names, unitName(name)));
 
 /** @param {Quantity} quantity @param {UnitSet} set @returns {number} one of its units in SI */
 function inSi(quantity, set) {
-  const one = (/** @type {Quantity} */ kind, /** @type {string} */ name) => NAMES[kind]?.[name] ?? NaN;
-  const [length, per, force] = [one('length', set.length), one('length', set.per), one('force', set.force)];
+  const one = (/** @type {Quantity} */ kind, /** @type {string} */ name) =>
+    NAMES[kind]?.[name] ?? NaN;
+  const [length, per, force] = [
+    one('length', set.length),
+    one('length', set.per),
+    one('force', set.force),
+  ];
   switch (quantity) {
     case 'length':
       return length;
@@ -107,7 +120,9 @@ export const setOf = (units) => (typeof units === 'string' ? SETS[units] : units
 /** @param {Quantity} quantity @param {Units | UnitSet} from @param {Units | UnitSet} to @returns {number} */
 export function factor(quantity, from, to) {
   const [a, b] = [setOf(from), setOf(to)];
-  return unit(quantity, a) === unit(quantity, b) ? 1 : Number((inSi(quantity, a) / inSi(quantity, b)).toPrecision(15));
+  return unit(quantity, a) === unit(quantity, b)
+    ? 1
+    : Number((inSi(quantity, a) / inSi(quantity, b)).toPrecision(15));
 }
 
 /**
@@ -216,18 +231,21 @@ export function plain(value, digits = 6) {
 }
 
 /**
- * A figure that was put in, as it was: of a clearance between two radii the last digits are all there is. Beyond twelve stands the
- * noise of conversions.
+ * A figure that was put in, as it was: of a clearance between two radii the last digits are all
+ * there is. Beyond twelve stands the noise of conversions.
  * @param {number} value
  */
 export const exact = (value) => plain(value, 12);
 
 /** @param {number} exponent */
 const superscript = (exponent) =>
-  String(Number(exponent)).replace(/./g, (sign) => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)]));
+  String(Number(exponent)).replace(/./g, (sign) =>
+    sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)],
+  );
 
 /** @param {number | null | undefined} ratio */
-export const percent = (ratio, digits = 2) => (ratio == null ? '—' : `${figure(100 * ratio, digits)} %`);
+export const percent = (ratio, digits = 2) =>
+  ratio == null ? '—' : `${figure(100 * ratio, digits)} %`;
 
 /** @param {number} bytes */
 export const megabytes = (bytes) => `${figure(bytes / 1e6, bytes < 1e7 ? 2 : 3)} MB`;
@@ -241,4 +259,8 @@ export const grouped = (count) => String(Math.round(count)).replace(/\B(?=(\d{3}
 
 /** @param {number} ms */
 export const duration = (ms) =>
-  ms < 1000 ? `${figure(ms, 3)} ms` : ms < 120e3 ? `${figure(ms / 1000, 3)} s` : `${Math.round(ms / 60e3)} min`;
+  ms < 1000
+    ? `${figure(ms, 3)} ms`
+    : ms < 120e3
+      ? `${figure(ms / 1000, 3)} s`
+      : `${Math.round(ms / 60e3)} min`;

@@ -1,4 +1,7 @@
-/** The figures that answer a job at one step, with error bar and elastic theory: for the cards of the page and for the report. */
+/**
+ * The figures that answer a job at one step, with error bar and elastic theory: for the cards of
+ * the page and for the report.
+ */
 
 import { nameOf } from '../field/quantities.js';
 import { exact, factor, figure, forceOf, percent, unit, unitsOf } from '../lib/units.js';
@@ -24,8 +27,9 @@ import { STEP_FIGURES, barOf, strainOf, titleOf } from './step-figures.js';
  */
 
 /**
- * The figures of a step in the order of what was asked: the force that was looked for, the onset of yield, what a load has left that is
- * taken away, the strength that is used up; then those of the contact, of which the ones that are 0 come last.
+ * The figures of a step in the order of what was asked: the force that was looked for, the onset
+ * of yield, what a load has left that is taken away, the strength that is used up; then those of
+ * the contact, of which the ones that are 0 come last.
  * @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]}
  */
 export function answersOf(job, report, step) {
@@ -54,7 +58,11 @@ const MEAN_STRAIN = {
   title: 'mean plastic strain',
   unit: () => '%',
   value: ({ plasticity: { upper, lower } }) =>
-    100 * Math.max(upper?.mean_equivalent_plastic_strain ?? 0, lower?.mean_equivalent_plastic_strain ?? 0),
+    100 *
+    Math.max(
+      upper?.mean_equivalent_plastic_strain ?? 0,
+      lower?.mean_equivalent_plastic_strain ?? 0,
+    ),
 };
 
 /** Figures of the contact. @param {Report} report @param {Step} step @returns {Answer[]} */
@@ -74,7 +82,14 @@ function contactFigures(report, step) {
     // Heights touch here and there up to the rim.
     ...(step.three_dimensional?.surface
       ? []
-      : [{ ...described(wide, report, step), elastic: elastic?.half_width, undented, note: width }]),
+      : [
+          {
+            ...described(wide, report, step),
+            elastic: elastic?.half_width,
+            undented,
+            note: width,
+          },
+        ]),
     ...ofRoller(report, step),
     ...ofHeights(report, step),
     ...(step.three_dimensional?.surface ? [] : longerAxis(report, step)),
@@ -82,7 +97,9 @@ function contactFigures(report, step) {
     ...(isUnloaded(step) ? [] : [approach(report, step)]),
     {
       ...described(force, report, step),
-      note: onset ? `${figure(contact.force / onset, 3)} × ${first} by elastic theory, ${figure(onset, 4)}` : '',
+      note: onset
+        ? `${figure(contact.force / onset, 3)} × ${first} by elastic theory, ${figure(onset, 4)}`
+        : '',
     },
     {
       ...described(average, report, step),
@@ -90,7 +107,10 @@ function contactFigures(report, step) {
       undented,
       note: mean,
     },
-    { ...described(strainOf(step) === undefined ? MEAN_STRAIN : strain, report, step), note: zone },
+    {
+      ...described(strainOf(step) === undefined ? MEAN_STRAIN : strain, report, step),
+      note: zone,
+    },
     ...(typeof stiffness.value(step) !== 'number'
       ? []
       : [{ ...described(stiffness, report, step), note: 'dP/dα, slope of load over approach' }]),
@@ -142,10 +162,22 @@ function ofHeights(report, { three_dimensional: ellipse }) {
   if (!rough) return [];
   const plastic = rough.plastic_part;
   return [
-    { name: 'Real contact area', value: 100 * rough.contact_ratio, unit: '%', note: 'of the area of the heights' },
+    {
+      name: 'Real contact area',
+      value: 100 * rough.contact_ratio,
+      unit: '%',
+      note: 'of the area of the heights',
+    },
     ...(plastic === undefined
       ? []
-      : [{ name: 'Area that yields', value: 100 * plastic, unit: '%', note: 'below which a body has yielded' }]),
+      : [
+          {
+            name: 'Area that yields',
+            value: 100 * plastic,
+            unit: '%',
+            note: 'below which a body has yielded',
+          },
+        ]),
     {
       name: 'Nominal pressure',
       value: rough.nominal_pressure,
@@ -237,14 +269,15 @@ function shakedown(report, { hertz }) {
 
 /** Bodies that have a profile over depth, two alike as one. @param {Job} job @param {Step} step */
 const profilesOf = (job, { subsurface, subsurface_below_peak: beside }) =>
-  (same(job.upper, job.lower) ? /** @type {const} */ (['lower']) : /** @type {const} */ (['upper', 'lower'])).flatMap(
-    (body) => {
-      const profiles = [subsurface?.[body], beside?.[body]].filter(
-        (profile) => profile !== undefined && profile !== null,
-      );
-      return profiles.length > 0 ? [{ body, profiles }] : [];
-    },
-  );
+  (same(job.upper, job.lower)
+    ? /** @type {const} */ (['lower'])
+    : /** @type {const} */ (['upper', 'lower'])
+  ).flatMap((body) => {
+    const profiles = [subsurface?.[body], beside?.[body]].filter(
+      (profile) => profile !== undefined && profile !== null,
+    );
+    return profiles.length > 0 ? [{ body, profiles }] : [];
+  });
 
 /** @param {Job} job @param {string} body */
 const bodyWords = (job, body) => (same(job.upper, job.lower) ? 'both bodies' : `${body} body`);
@@ -261,7 +294,10 @@ function utilizations(job, report, step) {
     );
     if (places.length === 0) return [];
     const most = (/** @type {number} */ from) =>
-      places.reduce((best, { used, depth }, k) => (depth >= from && !(used <= places[best]?.used) ? k : best), -1);
+      places.reduce(
+        (best, { used, depth }, k) => (depth >= from && !(used <= places[best]?.used) ? k : best),
+        -1,
+      );
     const [case_, whole] = [caseDepth(job, body, report.units) ?? Infinity, most(0)];
     const core = most(case_);
     const alike = same(job.upper, job.lower);
@@ -293,7 +329,13 @@ function residualStress(job, report, step) {
     profiles.flatMap((profile) =>
       /** @type {const} */ (['sigma_x', 'sigma_z']).map((component) => {
         const value = Math.max(...profile[component]);
-        return { body, component, profile, value, depth: profile.depth[profile[component].indexOf(value)] };
+        return {
+          body,
+          component,
+          profile,
+          value,
+          depth: profile.depth[profile[component].indexOf(value)],
+        };
       }),
     ),
   );
@@ -347,14 +389,19 @@ export function leftBehind(job, report, step) {
       note: `above the undeformed surface, at a distance of ${figure(surface.pile_up_position, 3)} ${length}`,
     })),
     ...(loaded ? [] : [approach(report, step)]),
-    ...(put > 0 ? [{ name: 'Work dissipated', value, unit: '%', note: 'of the work that the loads put in' }] : []),
+    ...(put > 0
+      ? [{ name: 'Work dissipated', value, unit: '%', note: 'of the work that the loads put in' }]
+      : []),
   ];
 }
 
 /** What widths and means are of, where that is not a plain half-chord. @param {Step['contact']} contact */
 function widthWords({ half_angle: angle, patches }) {
   if (angle !== undefined)
-    return { width: `along the arc, ${figure(angle, 3)}° to each side`, mean: 'over the chord of the contact' };
+    return {
+      width: `along the arc, ${figure(angle, 3)}° to each side`,
+      mean: 'over the chord of the contact',
+    };
   if (patches.length < 2) return { width: '', mean: '' };
   return {
     width: `half of the distance from end to end: ${patches.length} parts touch`,
@@ -376,14 +423,17 @@ export function targetWords({ target, units }) {
 }
 
 /** @param {{peak_pressure: number}} hertz @param {boolean} round */
-const meanOf = ({ peak_pressure }, round) => (round ? (2 / 3) * peak_pressure : (Math.PI / 4) * peak_pressure);
+const meanOf = ({ peak_pressure }, round) =>
+  round ? (2 / 3) * peak_pressure : (Math.PI / 4) * peak_pressure;
 
 /** @param {Step} step @param {string} length */
 function zoneWords({ plasticity }, length) {
   const zones = Object.entries(plasticity).filter(([, zone]) => zone?.yielded);
   if (zones.length === 0) return 'neither body yields';
   const [name, zone] = zones.reduce((a, b) =>
-    (b[1]?.max_equivalent_plastic_strain ?? 0) > (a[1]?.max_equivalent_plastic_strain ?? 0) ? b : a,
+    (b[1]?.max_equivalent_plastic_strain ?? 0) > (a[1]?.max_equivalent_plastic_strain ?? 0)
+      ? b
+      : a,
   );
   const where = zones.length === 2 ? 'both bodies' : `${name} body`;
   return `${where}, most at ${figure(zone?.depth, 3)} ${length} deep, ${zone?.reached_surface ? 'up to the surface' : 'below the surface'}`;

@@ -1,4 +1,7 @@
-/** A chart that is drawn as SVG as a PNG. The page may load no pictures but its own files, so that it is painted part by part. */
+/**
+ * A chart that is drawn as SVG as a PNG. The page may load no pictures but its own files, so that
+ * it is painted part by part.
+ */
 
 import { h } from '../lib/dom.js';
 
@@ -9,7 +12,10 @@ import { h } from '../lib/dom.js';
  */
 export function chartPng(drawing, ratio) {
   const [width, height] = ['width', 'height'].map((name) => Number(drawing.getAttribute(name)));
-  const canvas = h('canvas', { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+  const canvas = h('canvas', {
+    width: Math.round(width * ratio),
+    height: Math.round(height * ratio),
+  });
   const context = canvas.getContext('2d');
   if (!context) return Promise.resolve(null);
   context.scale(ratio, ratio);
@@ -55,7 +61,9 @@ function paint(context, of, width, height) {
 function clip(context, root, address) {
   const box = root.querySelector(`[id="${address.slice(5, -1)}"] rect`);
   if (!box) return;
-  const [x, y, width, height] = ['x', 'y', 'width', 'height'].map((name) => Number(box.getAttribute(name)));
+  const [x, y, width, height] = ['x', 'y', 'width', 'height'].map((name) =>
+    Number(box.getAttribute(name)),
+  );
   context.beginPath();
   context.rect(x, y, width, height);
   context.clip();
@@ -71,9 +79,16 @@ function write(context, part) {
   }
   context.font = `${text('font-weight')} ${text('font-size') || 11}px system-ui, sans-serif`;
   context.textAlign =
-    { middle: /** @type {const} */ ('center'), end: /** @type {const} */ ('right') }[text('text-anchor')] ?? 'left';
+    { middle: /** @type {const} */ ('center'), end: /** @type {const} */ ('right') }[
+      text('text-anchor')
+    ] ?? 'left';
   const room = Number(text('textLength')) || undefined;
-  const place = /** @type {const} */ ([part.textContent ?? '', Number(text('x')), Number(text('y')), room]);
+  const place = /** @type {const} */ ([
+    part.textContent ?? '',
+    Number(text('x')),
+    Number(text('y')),
+    room,
+  ]);
   if (text('stroke')) context.strokeText(...place);
   context.fillText(...place);
 }

@@ -42,14 +42,17 @@ function drawing(plot, title, width, height, colours) {
   const right = plot.curves.filter((curve) => curve.right);
   const [x0, x1] = plot.range ?? extent(plot.curves.flatMap(({ x }) => x));
   const seen = (/** @type {Curve[]} */ curves) =>
-    curves.flatMap(({ x, y }) => y.filter((value, k) => value !== null && x[k] >= x0 && x[k] <= x1));
+    curves.flatMap(({ x, y }) =>
+      y.filter((value, k) => value !== null && x[k] >= x0 && x[k] <= x1),
+    );
   const yRange = grown(
     seen(left),
     plot.log,
     (plot.marks ?? []).filter(({ across }) => across === 'y').map(({ at }) => at),
   );
   const rightRange = grown(seen(right), false, []);
-  const labels = (/** @type {number[]} */ ticks) => Math.max(0, ...ticks.map((tick) => plain(tick).length)) * LETTER;
+  const labels = (/** @type {number[]} */ ticks) =>
+    Math.max(0, ...ticks.map((tick) => plain(tick).length)) * LETTER;
   const box = { left: 0, right: width - 10, top: head + 6, bottom: head + height - 38 };
   const yTicks = ticksOf(yRange, 5, plot.log);
   box.left = labels(yTicks) + 30;
@@ -83,15 +86,29 @@ function drawing(plot, title, width, height, colours) {
       svg(
         'clipPath',
         { id: clip },
-        svg('rect', { x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top }),
+        svg('rect', {
+          x: box.left,
+          y: box.top,
+          width: box.right - box.left,
+          height: box.bottom - box.top,
+        }),
       ),
     ),
     svg(
       'text',
-      { x: 4, y: 14, 'font-weight': 'bold', 'font-size': 12, fill: ink('--ink'), ...squeezed(title, width - 8) },
+      {
+        x: 4,
+        y: 14,
+        'font-weight': 'bold',
+        'font-size': 12,
+        fill: ink('--ink'),
+        ...squeezed(title, width - 8),
+      },
       title,
     ),
-    ...legend.flatMap((row, k) => row.map(({ curve, at }) => legendItem(curve, at, 30 + LINE * k))),
+    ...legend.flatMap((row, k) =>
+      row.map(({ curve, at }) => legendItem(curve, at, 30 + LINE * k)),
+    ),
     ...grid(plot, x, y, yr, box),
     svg(
       'g',
@@ -99,7 +116,9 @@ function drawing(plot, title, width, height, colours) {
       plot.curves.map((curve) => path(curve, x, curve.right ? yr : y)),
     ),
     // Whole where they lie on the frame.
-    ...plot.curves.flatMap((curve) => (curve.points ? dots(curve, x, curve.right ? yr : y, box) : [])),
+    ...plot.curves.flatMap((curve) =>
+      curve.points ? dots(curve, x, curve.right ? yr : y, box) : [],
+    ),
     ...marksOf(plot, x, y, yr, box),
   );
   return root;
@@ -124,21 +143,38 @@ function grid(plot, x, y, yr, box) {
     svg('path', { d, stroke: ink(stroke), fill: 'none' });
   const turned = (/** @type {number} */ at, /** @type {string} */ words) =>
     text(
-      { x: 0, y: 0, 'text-anchor': 'middle', transform: `translate(${at} ${(box.top + box.bottom) / 2}) rotate(-90)` },
+      {
+        x: 0,
+        y: 0,
+        'text-anchor': 'middle',
+        transform: `translate(${at} ${(box.top + box.bottom) / 2}) rotate(-90)`,
+      },
       words,
     );
   return [
     ...y.ticks.map((tick) => line(`M${box.left} ${y.at(tick).toFixed(1)}H${box.right}`, '--rule')),
-    line(`M${box.left} ${box.top}V${box.bottom}H${box.right}${plot.right ? `V${box.top}` : ''}`, '--edge'),
-    ...y.ticks.map((tick) => text({ x: box.left - 5, y: y.at(tick) + 4, 'text-anchor': 'end' }, plain(tick))),
+    line(
+      `M${box.left} ${box.top}V${box.bottom}H${box.right}${plot.right ? `V${box.top}` : ''}`,
+      '--edge',
+    ),
+    ...y.ticks.map((tick) =>
+      text({ x: box.left - 5, y: y.at(tick) + 4, 'text-anchor': 'end' }, plain(tick)),
+    ),
     ...x.ticks.map((tick) => line(`M${x.at(tick).toFixed(1)} ${box.bottom}v4`, '--edge')),
-    ...x.ticks.map((tick) => text({ x: x.at(tick), y: box.bottom + 16, 'text-anchor': 'middle' }, plain(tick))),
-    ...(plot.right ? yr.ticks.map((tick) => text({ x: box.right + 5, y: yr.at(tick) + 4 }, plain(tick))) : []),
+    ...x.ticks.map((tick) =>
+      text({ x: x.at(tick), y: box.bottom + 16, 'text-anchor': 'middle' }, plain(tick)),
+    ),
+    ...(plot.right
+      ? yr.ticks.map((tick) => text({ x: box.right + 5, y: yr.at(tick) + 4 }, plain(tick)))
+      : []),
     text({ x: (box.left + box.right) / 2, y: box.bottom + 32, 'text-anchor': 'middle' }, plot.x),
     turned(11, plot.y),
     plot.right
       ? turned(
-          box.right + (box.right > 0 ? Math.max(0, ...yr.ticks.map((tick) => plain(tick).length)) * LETTER + 20 : 0),
+          box.right +
+            (box.right > 0
+              ? Math.max(0, ...yr.ticks.map((tick) => plain(tick).length)) * LETTER + 20
+              : 0),
           plot.right,
         )
       : svg('g'),
@@ -169,7 +205,11 @@ function path(curve, x, y) {
 const dots = (curve, x, y, box) =>
   curve.x.flatMap((value, k) => {
     const [cx, cy] = [x.at(value), y.at(curve.y[k] ?? NaN)];
-    const isSeen = cx >= box.left - 0.5 && cx <= box.right + 0.5 && cy >= box.top - 0.5 && cy <= box.bottom + 0.5;
+    const isSeen =
+      cx >= box.left - 0.5 &&
+      cx <= box.right + 0.5 &&
+      cy >= box.top - 0.5 &&
+      cy <= box.bottom + 0.5;
     const of = { 'data-x': value, 'data-y': curve.y[k], 'data-label': curve.label };
     return isSeen ? [svg('circle', { cx, cy, r: 2.2, fill: ink(curve.colour), ...of })] : [];
   });
@@ -182,7 +222,9 @@ function marksOf(plot, x, y, yr, box) {
   const seen = (plot.marks ?? []).flatMap((mark) => {
     const at = mark.across === 'x' ? x.at(mark.at) : y.at(mark.at);
     const [from, to] = mark.across === 'x' ? [box.left, box.right] : [box.top, box.bottom];
-    return at >= from - 0.5 && at <= to + 0.5 ? [{ ...mark, at, width: mark.text.length * LETTER }] : [];
+    return at >= from - 0.5 && at <= to + 0.5
+      ? [{ ...mark, at, width: mark.text.length * LETTER }]
+      : [];
   });
   const curves = plot.curves.map((curve) =>
     curve.x.flatMap((value, k) => {
@@ -243,7 +285,11 @@ const legendItem = (curve, x, y) =>
       'stroke-width': curve.width ?? 1.8,
       'stroke-dasharray': dashOf(curve)?.join(' '),
     }),
-    svg('text', { x: x + 30, y, fill: ink('--ink') }, curve.label + (curve.right ? ' (right)' : '')),
+    svg(
+      'text',
+      { x: x + 30, y, fill: ink('--ink') },
+      curve.label + (curve.right ? ' (right)' : ''),
+    ),
   );
 
 /** @param {number[]} values @returns {[number, number]} */
@@ -253,12 +299,16 @@ function extent(values) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  return low < high ? [low, high] : [Number.isFinite(low) ? low : 0, (Number.isFinite(low) ? low : 0) + 1];
+  return low < high
+    ? [low, high]
+    : [Number.isFinite(low) ? low : 0, (Number.isFinite(low) ? low : 0) + 1];
 }
 
 /** Range of an ordinate, from zero where nothing is negative. @param {(number | null)[]} values @param {boolean | undefined} log @param {number[]} marks @returns {[number, number]} */
 function grown(values, log, marks) {
-  const given = /** @type {number[]} */ (values.filter((value) => value !== null && Number.isFinite(value)));
+  const given = /** @type {number[]} */ (
+    values.filter((value) => value !== null && Number.isFinite(value))
+  );
   if (log) {
     const [low, high] = extent(given.filter((value) => value > 0));
     return [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
@@ -279,12 +329,19 @@ function ticksOf([from, to], many, log) {
   const step = power * ([1, 2, 2.5, 5].find((one) => one * power >= rough) ?? 10);
   const first = Math.ceil(from / step - 1e-9);
   const last = Math.floor(to / step + 1e-9);
-  return Array.from({ length: Math.max(0, last - first + 1) }, (_, k) => Number(((first + k) * step).toPrecision(12)));
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, k) =>
+    Number(((first + k) * step).toPrecision(12)),
+  );
 }
 
 /** @param {[number, number]} range @param {[number, number]} pixels @param {number[]} ticks @param {boolean} [log] @returns {Axis} */
 function axis([from, to], [low, high], ticks, log) {
   const place = log ? Math.log10 : (/** @type {number} */ value) => value;
   const [a, b] = [place(from), place(to)];
-  return { from, to, ticks, at: (value) => low + ((place(value) - a) / (b - a || 1)) * (high - low) };
+  return {
+    from,
+    to,
+    ticks,
+    at: (value) => low + ((place(value) - a) / (b - a || 1)) * (high - low),
+  };
 }

@@ -1,4 +1,7 @@
-/** Curves by uPlot: the page's colours and type, a legend with units that reads out the point under the cursor, a picture to save. */
+/**
+ * Curves by uPlot: the page's colours and type, a legend with units that reads out the point under
+ * the cursor, a picture to save.
+ */
 
 import { h, svg } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
@@ -77,7 +80,8 @@ export class Chart {
 
   /** @param {Plot} plot */
   show(plot) {
-    const kept = this.#uplot && this.#drawn?.x === plot.x && !this.#whole ? this.#zoom() : undefined;
+    const kept =
+      this.#uplot && this.#drawn?.x === plot.x && !this.#whole ? this.#zoom() : undefined;
     if (this.#whole && this.#uplot) this.#made = '';
     this.#whole = false;
     this.#plot = plot;
@@ -88,7 +92,10 @@ export class Chart {
   /** @param {string} title @returns {Promise<Blob | null>} a PNG with title and legend, on the page's ground */
   async picture(title) {
     if (this.#plot?.turns)
-      return chartPng(chartSvg(this.#plot, title, this.canvas.clientWidth, this.height, colour), devicePixelRatio);
+      return chartPng(
+        chartSvg(this.#plot, title, this.canvas.clientWidth, this.height, colour),
+        devicePixelRatio,
+      );
     if (!this.#uplot || !this.#plot) return null;
     const { canvas } = this.#uplot.ctx;
     const ratio = devicePixelRatio;
@@ -105,7 +112,9 @@ export class Chart {
     context.font = `bold 12px system-ui, sans-serif`;
     context.fillText(title, 8, 16, copy.width / ratio - 16);
     context.font = FONT;
-    rows.forEach((row, k) => row.forEach(({ curve, at }) => drawEntry(context, curve, at, 34 + 16 * k)));
+    rows.forEach((row, k) =>
+      row.forEach(({ curve, at }) => drawEntry(context, curve, at, 34 + 16 * k)),
+    );
     return new Promise((resolve) => copy.toBlob(resolve));
   }
 
@@ -145,7 +154,8 @@ export class Chart {
   #fit() {
     const width = this.canvas.clientWidth;
     if (!width) return;
-    if (this.#drawn === this.#plot && this.#uplot) this.#uplot.setSize({ width, height: this.height });
+    if (this.#drawn === this.#plot && this.#uplot)
+      this.#uplot.setSize({ width, height: this.height });
     else this.#draw();
   }
 
@@ -210,7 +220,17 @@ export class Chart {
           ...(plot.log && { filter: decades, ticks: { ...rule, size: 4, filter: decades } }),
         },
         ...(plot.right
-          ? [{ ...axis, label: plot.right, size: room, scale: 'right', side: 1, grid: { show: false }, values }]
+          ? [
+              {
+                ...axis,
+                label: plot.right,
+                size: room,
+                scale: 'right',
+                side: 1,
+                grid: { show: false },
+                values,
+              },
+            ]
           : []),
       ],
       series: [
@@ -248,7 +268,9 @@ export class Chart {
     });
     if (dots.length === 0) return;
     const { dataset } = dots.reduce((a, b) => (b.far < a.far ? b : a)).dot;
-    this.#write(Number(dataset.x), ({ label }) => (label === dataset.label ? Number(dataset.y) : null));
+    this.#write(Number(dataset.x), ({ label }) =>
+      label === dataset.label ? Number(dataset.y) : null,
+    );
   }
 
   /** Writes the legend, with figures if the cursor is somewhere. @param {number | null | undefined} index */
@@ -285,14 +307,20 @@ function apart(u, _, from, to) {
 function room(u, values) {
   u.ctx.save();
   u.ctx.font = FONT;
-  const widest = Math.max(24, ...(values ?? []).map((value) => u.ctx.measureText(value ?? '').width));
+  const widest = Math.max(
+    24,
+    ...(values ?? []).map((value) => u.ctx.measureText(value ?? '').width),
+  );
   u.ctx.restore();
   return Math.ceil(widest) + 14;
 }
 
 /** The whole abscissa. @param {Plot} plot @returns {[number, number]} */
 const home = ({ range, curves }) =>
-  range ?? [Math.min(...curves.map(({ x }) => x[0])), Math.max(...curves.map(({ x }) => x[x.length - 1]))];
+  range ?? [
+    Math.min(...curves.map(({ x }) => x[0])),
+    Math.max(...curves.map(({ x }) => x[x.length - 1])),
+  ];
 
 /** What a plotter is made for beside the figures. @param {Plot} plot @param {number} width */
 const kindOf = ({ x, y, right, log, turns, range, curves, words }, width) =>
@@ -349,21 +377,29 @@ function swatch(curve) {
 }
 
 /** @param {number | null} value */
-const isDecade = (value) => value !== null && Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
+const isDecade = (value) =>
+  value !== null && Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
 
 /** Only powers of ten are worth a line. @param {any} _ @param {(number | null)[]} splits */
 const decades = (_, splits) => {
   const powers = splits.filter(isDecade).length;
   // Of many there is room for some.
   const every = Math.ceil(powers / 9);
-  return splits.map((value) => (isDecade(value) && Math.round(Math.log10(value ?? 1)) % every === 0 ? value : null));
+  return splits.map((value) =>
+    isDecade(value) && Math.round(Math.log10(value ?? 1)) % every === 0 ? value : null,
+  );
 };
 
 /** @param {uPlot} u @param {Plot | undefined} plot */
 function drawMarks(u, plot) {
   const { ctx, bbox } = u;
   const ratio = devicePixelRatio;
-  const box = { left: bbox.left, right: bbox.left + bbox.width, top: bbox.top, bottom: bbox.top + bbox.height };
+  const box = {
+    left: bbox.left,
+    right: bbox.left + bbox.width,
+    top: bbox.top,
+    bottom: bbox.top + bbox.height,
+  };
   ctx.save();
   ctx.lineWidth = ratio;
   ctx.textAlign = 'left';
@@ -373,13 +409,23 @@ function drawMarks(u, plot) {
   const seen = (plot?.marks ?? []).flatMap((mark) => {
     const at = Math.round(u.valToPos(mark.at, mark.across, true));
     const [from, to] = mark.across === 'x' ? [box.left, box.right] : [box.top, box.bottom];
-    return at >= from && at <= to ? [{ ...mark, at, width: ctx.measureText(mark.text).width }] : [];
+    return at >= from && at <= to
+      ? [{ ...mark, at, width: ctx.measureText(mark.text).width }]
+      : [];
   });
   for (const { across, at, colour: name } of seen) {
     ctx.strokeStyle = colour(name ?? '--quiet');
     ctx.beginPath();
-    ctx.moveTo(...(across === 'x' ? /** @type {const} */ ([at, box.top]) : /** @type {const} */ ([box.left, at])));
-    ctx.lineTo(...(across === 'x' ? /** @type {const} */ ([at, box.bottom]) : /** @type {const} */ ([box.right, at])));
+    ctx.moveTo(
+      ...(across === 'x'
+        ? /** @type {const} */ ([at, box.top])
+        : /** @type {const} */ ([box.left, at])),
+    );
+    ctx.lineTo(
+      ...(across === 'x'
+        ? /** @type {const} */ ([at, box.bottom])
+        : /** @type {const} */ ([box.right, at])),
+    );
     ctx.stroke();
   }
   const curves = (plot?.curves ?? []).map(({ x, y, right }) =>

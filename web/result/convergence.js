@@ -1,4 +1,7 @@
-/** The iteration as it runs: what is left to do on a log axis, approach and peak pressure as they settle. */
+/**
+ * The iteration as it runs: what is left to do on a log axis, approach and peak pressure as they
+ * settle.
+ */
 
 import { h, svg } from '../lib/dom.js';
 import { figure, unit } from '../lib/units.js';
@@ -19,12 +22,18 @@ function stackedDrawing(drawings) {
     height += Number(part.getAttribute('height'));
   }
   const width = Number(parts[0].getAttribute('width'));
-  return svg('svg', { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height }, parts);
+  return svg(
+    'svg',
+    { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height },
+    parts,
+  );
 }
 
 /** @param {(Blob | null)[]} pictures @returns {Promise<Blob | null>} */
 async function stackedPicture(pictures) {
-  const parts = await Promise.all(pictures.filter((one) => one !== null).map((one) => createImageBitmap(one)));
+  const parts = await Promise.all(
+    pictures.filter((one) => one !== null).map((one) => createImageBitmap(one)),
+  );
   const width = Math.max(...parts.map((part) => part.width));
   const canvas = h('canvas', { width, height: parts.reduce((sum, part) => sum + part.height, 0) });
   const context = canvas.getContext('2d');
@@ -41,11 +50,20 @@ export class ConvergencePanel {
   constructor() {
     this.residual = new Chart(200);
     this.settling = new Chart(140);
-    this.panel = new Panel('convergence', 'Convergence', [this.residual.element, this.settling.element], {
-      picture: async (title) =>
-        stackedPicture([await this.residual.picture(title), await this.settling.picture(SETTLING)]),
-      drawing: (title) => stackedDrawing([this.residual.drawing(title), this.settling.drawing(SETTLING)]),
-    });
+    this.panel = new Panel(
+      'convergence',
+      'Convergence',
+      [this.residual.element, this.settling.element],
+      {
+        picture: async (title) =>
+          stackedPicture([
+            await this.residual.picture(title),
+            await this.settling.picture(SETTLING),
+          ]),
+        drawing: (title) =>
+          stackedDrawing([this.residual.drawing(title), this.settling.drawing(SETTLING)]),
+      },
+    );
   }
 
   /** @param {Iteration[]} history of all steps, one after the other @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {number} tolerance */
@@ -53,7 +71,8 @@ export class ConvergencePanel {
     this.panel.show(history.length > 0);
     if (history.length === 0) return;
     const x = history.map((_, k) => k + 1);
-    const column = (/** @type {import('../types.js').IterationFigure} */ key) => history.map((record) => record[key]);
+    const column = (/** @type {import('../types.js').IterationFigure} */ key) =>
+      history.map((record) => record[key]);
     const positive = (/** @type {import('../types.js').IterationFigure} */ key) =>
       column(key).map((value) => (value > 0 ? value : null));
     const last = history[history.length - 1];
@@ -64,8 +83,20 @@ export class ConvergencePanel {
       y: 'relative',
       log: true,
       curves: [
-        { label: 'out-of-balance force', colour: '--curve-1', x, y: positive('equilibrium_residual'), points },
-        { label: 'displacement change', colour: '--hertz', x, y: positive('displacement_change'), points },
+        {
+          label: 'out-of-balance force',
+          colour: '--curve-1',
+          x,
+          y: positive('equilibrium_residual'),
+          points,
+        },
+        {
+          label: 'displacement change',
+          colour: '--hertz',
+          x,
+          y: positive('displacement_change'),
+          points,
+        },
         // 0 has no place on the axis.
       ].filter(({ y }) => y.some((value) => value !== null)),
       marks: [{ across: 'y', at: tolerance, text: 'tolerance', left: true }],
@@ -77,7 +108,14 @@ export class ConvergencePanel {
       right: `peak p  [${unit('stress', units)}]`,
       curves: [
         { label: 'approach', colour: '--curve-2', x, y: column('approach'), points },
-        { label: 'peak pressure', colour: '--curve-1', x, y: column('peak_pressure'), right: true, points },
+        {
+          label: 'peak pressure',
+          colour: '--curve-1',
+          x,
+          y: column('peak_pressure'),
+          right: true,
+          points,
+        },
       ],
       words: `Approach ${figure(last.approach)} ${unit('length', units)}, peak pressure ${figure(last.peak_pressure)} ${unit('stress', units)} after the last iteration.`,
     });

@@ -1,4 +1,7 @@
-/** A result in other units: what each of its figures is, and the same figure in the units that are shown. */
+/**
+ * A result in other units: what each of its figures is, and the same figure in the units that are
+ * shown.
+ */
 
 import { energyOf, factor, forceOf, setOf, stiffnessOf } from '../lib/units.js';
 import { FIGURES } from '../setup/tables.js';
@@ -13,7 +16,10 @@ export const QUANTITIES = Object.fromEntries(
     keys.map((key) => [key, /** @type {Quantity | OfAnalysis} */ (quantity)]),
   ),
 );
-/** Parts without units: relative errors, times, meshes whose figures are converted where they are read. */
+/**
+ * Parts without units: relative errors, times, meshes whose figures are converted where they are
+ * read.
+ */
 export const LEFT = new Set(['estimated_error', 'timings_ms', 'fields', 'tags', 'validity']);
 
 /**
@@ -42,7 +48,9 @@ export function inUnits(value, of, set) {
     if (part === null || typeof part !== 'object') return part;
     // The figure that a force was looked for: its name says what it is.
     if (key === 'target') {
-      const [wanted, reached] = [part.wanted, part.reached].map((value) => value * times(part.figure));
+      const [wanted, reached] = [part.wanted, part.reached].map(
+        (value) => value * times(part.figure),
+      );
       return { ...part, wanted, reached, force: part.force * times('force') };
     }
     return Object.fromEntries(
@@ -50,7 +58,9 @@ export function inUnits(value, of, set) {
     );
   };
   return ['length', 'stress', 'force', 'per'].every(
-    (key) => setOf(of.units)[/** @type {keyof UnitSet} */ (key)] === set[/** @type {keyof UnitSet} */ (key)],
+    (key) =>
+      setOf(of.units)[/** @type {keyof UnitSet} */ (key)] ===
+      set[/** @type {keyof UnitSet} */ (key)],
   )
     ? value
     : walk(value, '');

@@ -58,7 +58,9 @@ export class DentPanel {
             surface.yielded_in_reverse ? ', yielded in reverse' : ''
           }`,
       ),
-      put > 0 ? `${percent(flow.energy.dissipated / put, 3)} of the work that the loads put in is dissipated` : '',
+      put > 0
+        ? `${percent(flow.energy.dissipated / put, 3)} of the work that the loads put in is dissipated`
+        : '',
     ]
       .filter(Boolean)
       .join('\n');

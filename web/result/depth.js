@@ -1,4 +1,7 @@
-/** Stresses over depth below the middle of the contact or below the peak pressure, of the components one chooses, with the yield stress marked. */
+/**
+ * Stresses over depth below the middle of the contact or below the peak pressure, of the
+ * components one chooses, with the yield stress marked.
+ */
 
 import { h } from '../lib/dom.js';
 import { nameOf as nameOfQuantity } from '../field/quantities.js';
@@ -45,7 +48,8 @@ const nameOf = (component, analysis) =>
   nameOfQuantity(/** @type {import('../field/quantities.js').Quantity} */ (component), analysis);
 
 /** The same with its index below the line. @param {Component} component @param {string} analysis */
-const labelOf = (component, analysis) => symbol(nameOf(component, analysis).replace(/^([στ])(\w+)$/u, '$1_$2'));
+const labelOf = (component, analysis) =>
+  symbol(nameOf(component, analysis).replace(/^([στ])(\w+)$/u, '$1_$2'));
 
 export class DepthPanel {
   /** @type {'upper' | 'lower'} */
@@ -64,10 +68,14 @@ export class DepthPanel {
       this.#body = /** @type {'upper' | 'lower'} */ (body);
       this.#again();
     });
-    this.lines = segments('Line', { subsurface: 'Middle', subsurface_below_peak: 'Peak' }, (line) => {
-      this.#line = /** @type {'subsurface' | 'subsurface_below_peak'} */ (line);
-      this.#again();
-    });
+    this.lines = segments(
+      'Line',
+      { subsurface: 'Middle', subsurface_below_peak: 'Peak' },
+      (line) => {
+        this.#line = /** @type {'subsurface' | 'subsurface_below_peak'} */ (line);
+        this.#again();
+      },
+    );
     this.chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Components' });
     this.panel = new Panel('depth', 'Stress over depth', [this.chips, this.chart.element], {
       controls: [this.lines, bodies],
@@ -78,11 +86,15 @@ export class DepthPanel {
 
   /** @param {string} analysis @param {boolean} graded */
   #offer(analysis, graded) {
-    const all = /** @type {Component[]} */ (Object.keys(COMPONENTS)).filter((one) => graded || one !== 'utilization');
+    const all = /** @type {Component[]} */ (Object.keys(COMPONENTS)).filter(
+      (one) => graded || one !== 'utilization',
+    );
     const made = `${analysis} ${graded} ${[...this.#chosen].sort()}`;
     if (this.chips.dataset.made === made) return;
     this.chips.dataset.made = made;
-    const had = document.activeElement?.closest('[data-component]')?.getAttribute('data-component');
+    const had = document.activeElement
+      ?.closest('[data-component]')
+      ?.getAttribute('data-component');
     this.chips.replaceChildren(
       ...all.map((component) =>
         h(
@@ -97,7 +109,9 @@ export class DepthPanel {
         ),
       ),
     );
-    /** @type {HTMLElement | null} */ (this.chips.querySelector(`[data-component="${had}"] input`))?.focus();
+    /** @type {HTMLElement | null} */ (
+      this.chips.querySelector(`[data-component="${had}"] input`)
+    )?.focus();
   }
 
   /** @param {Component} component */
@@ -133,10 +147,14 @@ export class DepthPanel {
     const profile = this.#profile(step);
     this.lines.hidden = step.subsurface_below_peak === undefined;
     const graded = shown.some(({ report }) =>
-      report.steps.some(({ subsurface }) => subsurface?.upper?.utilization || subsurface?.lower?.utilization),
+      report.steps.some(
+        ({ subsurface }) => subsurface?.upper?.utilization || subsurface?.lower?.utilization,
+      ),
     );
-    if (!this.#touched) this.#chosen = new Set(USUAL[isUnloaded(step) ? 'unloaded' : graded ? 'graded' : 'loaded']);
-    if (!graded && this.#chosen.delete('utilization')) this.#chosen.add('equivalent_plastic_strain');
+    if (!this.#touched)
+      this.#chosen = new Set(USUAL[isUnloaded(step) ? 'unloaded' : graded ? 'graded' : 'loaded']);
+    if (!graded && this.#chosen.delete('utilization'))
+      this.#chosen.add('equivalent_plastic_strain');
     this.#offer(first.report.analysis, graded);
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
@@ -183,7 +201,10 @@ export class DepthPanel {
       curves,
       // Where the load is taken away, the zone is as wide as under the largest one.
       range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
-      marks: [...this.#strengths(shown), ...(shown.length === 1 ? this.#case(first, profile) : [])],
+      marks: [
+        ...this.#strengths(shown),
+        ...(shown.length === 1 ? this.#case(first, profile) : []),
+      ],
       words: profile
         ? `In the ${this.#body} body, ${below}: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
             profile.depth[profile.von_mises.indexOf(Math.max(...profile.von_mises))],
@@ -194,8 +215,8 @@ export class DepthPanel {
   }
 
   /**
-   * The yield stress of the body in every job, each once; where it is not that of all, in the colours of the jobs. One that varies over depth
-   * is a curve of its own.
+   * The yield stress of the body in every job, each once; where it is not that of all, in the
+   * colours of the jobs. One that varies over depth is a curve of its own.
    * @param {Shown[]} shown @returns {import('./chart.js').Mark[]}
    */
   #strengths(shown) {
@@ -217,7 +238,9 @@ export class DepthPanel {
     const [at, used] = [caseDepth(job, this.#body, report.units), profile?.utilization];
     const most = used ? Math.max(...used) : 0;
     return [
-      ...(at === undefined ? [] : [{ across: /** @type {const} */ ('x'), at, text: 'case depth' }]),
+      ...(at === undefined
+        ? []
+        : [{ across: /** @type {const} */ ('x'), at, text: 'case depth' }]),
       ...(profile && used && this.#chosen.has('utilization')
         ? [
             {

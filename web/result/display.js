@@ -15,7 +15,9 @@ const CHOICES = {
 /** @param {any} given @returns {Partial<Record<'length' | 'stress' | 'force', string>>} those of it that there are */
 const chosen = (given) =>
   Object.fromEntries(
-    Object.entries(CHOICES).flatMap(([key, names]) => (names.includes(given?.[key]) ? [[key, given[key]]] : [])),
+    Object.entries(CHOICES).flatMap(([key, names]) =>
+      names.includes(given?.[key]) ? [[key, given[key]]] : [],
+    ),
   );
 
 /** The choice of units: what is not chosen is as in the job. */
@@ -25,7 +27,10 @@ export class DisplayUnits {
 
   /** @param {() => void} changed */
   constructor(changed) {
-    const choice = (/** @type {'length' | 'stress' | 'force'} */ key, /** @type {string} */ label) => {
+    const choice = (
+      /** @type {'length' | 'stress' | 'force'} */ key,
+      /** @type {string} */ label,
+    ) => {
       const select = h(
         'select',
         {

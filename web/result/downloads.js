@@ -63,7 +63,8 @@ export function downloads(id, report, fields, shown) {
           class: 'plain',
           disabled: !there,
           title,
-          onclick: () => take(id, path, file, report.steps.length > 1 && OF_STEP.test(path) ? shown() + 1 : 0),
+          onclick: () =>
+            take(id, path, file, report.steps.length > 1 && OF_STEP.test(path) ? shown() + 1 : 0),
         },
         name,
       ),

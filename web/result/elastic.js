@@ -1,10 +1,14 @@
-/** Stresses of elastic bodies under the middle of Hertz's contact, over depth: closed forms to lay beside an answer. */
+/**
+ * Stresses of elastic bodies under the middle of Hertz's contact, over depth: closed forms to lay
+ * beside an answer.
+ */
 
 /** @typedef {{sigma_x: number[], sigma_y: number[], sigma_z: number[], tau_max: number[], von_mises: number[]}} Stresses */
 
 /**
- * Line contact (McEwen; Johnson, Contact Mechanics, 4.45) or circular contact (Johnson 3.45), tension positive: `sigma_x` along
- * the surface, `sigma_y` normal to it, `sigma_z` out of the plane (the hoop stress in axisymmetry).
+ * Line contact (McEwen; Johnson, Contact Mechanics, 4.45) or circular contact (Johnson 3.45),
+ * tension positive: `sigma_x` along the surface, `sigma_y` normal to it, `sigma_z` out of the
+ * plane (the hoop stress in axisymmetry).
  * @param {number[]} depths
  * @param {{half_width: number, peak_pressure: number}} hertz
  * @param {number} ratio Poisson's
@@ -23,7 +27,9 @@ export function elasticStresses(depths, { half_width: a, peak_pressure: p }, rat
     const normal = (-p * a) / root;
     return [along, normal, analysis === 'plane_strain' ? ratio * (along + normal) : 0];
   });
-  const mises = all.map(([x, y, z]) => Math.sqrt(((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2));
+  const mises = all.map(([x, y, z]) =>
+    Math.sqrt(((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2),
+  );
   return {
     sigma_x: all.map(([x]) => x),
     sigma_y: all.map(([, y]) => y),

@@ -19,12 +19,15 @@ export function extentOf({ contact: { patches } }, round) {
 const widthOf = ({ left, right }) => right - left;
 
 /**
- * Of one of the steps; where its load is taken away, that of the widest contact, whose traces are to be seen.
+ * Of one of the steps; where its load is taken away, that of the widest contact, whose traces are
+ * to be seen.
  * @param {Pick<Step, 'contact'>[]} steps @param {number} at @param {boolean} round
  * @returns {Extent | undefined}
  */
 export function extentSeen(steps, at, round) {
-  const [own, ...all] = [steps[at], ...steps].map((step) => extentOf(step, round) ?? { left: 0, right: 0 });
+  const [own, ...all] = [steps[at], ...steps].map(
+    (step) => extentOf(step, round) ?? { left: 0, right: 0 },
+  );
   const seen = widthOf(own) > 0 ? own : all.reduce((a, b) => (widthOf(b) > widthOf(a) ? b : a));
   return widthOf(seen) > 0 ? seen : undefined;
 }
@@ -35,7 +38,10 @@ export function extentSeen(steps, at, round) {
  * @returns {[number, number] | undefined}
  */
 export function rangeAround(extents, round) {
-  const [left, right] = [Math.min(...extents.map(({ left }) => left)), Math.max(...extents.map(({ right }) => right))];
+  const [left, right] = [
+    Math.min(...extents.map(({ left }) => left)),
+    Math.max(...extents.map(({ right }) => right)),
+  ];
   if (!(right > left)) return undefined;
   const room = 0.15 * (right - left);
   return [round ? 0 : left - room, right + room];

@@ -20,9 +20,14 @@ export function figuresTable(shown) {
   const [{ report }] = shown;
   const several = shown.length > 1;
   const all = shown.flatMap(({ report }) => report.steps);
-  const figures = /** @type {import('./step-figures.js').StepFigure[]} */ (Object.values(STEP_FIGURES))
+  const figures = /** @type {import('./step-figures.js').StepFigure[]} */ (
+    Object.values(STEP_FIGURES)
+  )
     .filter(({ value }) => all.some((step) => value(step) != null))
-    .map(({ bar, ...one }) => ({ ...one, bar: bar && all.some((step) => barOf(step, bar)) ? bar : undefined }));
+    .map(({ bar, ...one }) => ({
+      ...one,
+      bar: bar && all.some((step) => barOf(step, bar)) ? bar : undefined,
+    }));
   // A state that is not the usual one stands where it is seen.
   const amiss = all.some(({ status }) => status !== 'converged');
   const columns = [
@@ -31,7 +36,10 @@ export function figuresTable(shown) {
     ...(amiss ? [{ title: 'state' }] : []),
     ...figures.flatMap((one) => {
       const title = one.short ?? titleOf(one, report);
-      return [{ title, unit: one.unit(report) }, ...(one.bar ? [{ title: '±', of: title, unit: '%' }] : [])];
+      return [
+        { title, unit: one.unit(report) },
+        ...(one.bar ? [{ title: '±', of: title, unit: '%' }] : []),
+      ];
     }),
     ...(amiss ? [] : [{ title: 'state' }]),
   ];
@@ -67,13 +75,23 @@ const MARK = '\ufeff';
  * @param {() => import('../lib/tabular.js').Table} [whole] with what only a file has
  */
 export function takeAlong(table, of, name, whole = table) {
-  const button = (/** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ work) =>
-    h('button', { type: 'button', class: 'plain', title, 'aria-label': `${text}: ${of}`, onclick: work }, text);
+  const button = (
+    /** @type {string} */ text,
+    /** @type {string} */ title,
+    /** @type {() => void} */ work,
+  ) =>
+    h(
+      'button',
+      { type: 'button', class: 'plain', title, 'aria-label': `${text}: ${of}`, onclick: work },
+      text,
+    );
   return [
     button('Copy', 'Copy for a spreadsheet (tab-separated)', () => copy(toTsv(table()), 'Table')),
     button('Markdown', 'Copy as a Markdown table', () => copy(toMarkdown(table()), 'Markdown')),
     button('LaTeX', 'Copy as a LaTeX table (booktabs)', () => copy(toLatex(table()), 'LaTeX')),
-    button('CSV', 'Save as a file', () => save(new Blob([MARK, toCsv(whole())], { type: 'text/csv' }), name())),
+    button('CSV', 'Save as a file', () =>
+      save(new Blob([MARK, toCsv(whole())], { type: 'text/csv' }), name()),
+    ),
   ];
 }
 
@@ -102,7 +120,9 @@ export const tableElements = ({ columns, rows, write }, properties = () => ({}))
       h(
         'tr',
         properties(k),
-        row.map((cell, j) => h('td', { class: typeof cell === 'string' ? 'text' : null }, write(cell, j))),
+        row.map((cell, j) =>
+          h('td', { class: typeof cell === 'string' ? 'text' : null }, write(cell, j)),
+        ),
       ),
     ),
   ),
@@ -110,7 +130,11 @@ export const tableElements = ({ columns, rows, write }, properties = () => ({}))
 
 /** A table that scrolls within its panel, and says so where columns are out of sight. @param {HTMLTableElement} table @param {string} id of the panel */
 export function scrolled(table, id) {
-  const region = h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Table of ${id}` }, table);
+  const region = h(
+    'div',
+    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Table of ${id}` },
+    table,
+  );
   const more = h('p', { class: 'quiet more' }, 'more columns →');
   const look = () => {
     more.hidden = region.scrollLeft + region.clientWidth >= region.scrollWidth - 1;
@@ -152,6 +176,7 @@ export class FiguresPanel {
       );
     this.#shown = shown;
     this.table.querySelector('[aria-current]')?.removeAttribute('aria-current');
-    if (steps > 1 || shown.length > 1) this.table.tBodies[0].rows[at].setAttribute('aria-current', 'step');
+    if (steps > 1 || shown.length > 1)
+      this.table.tBodies[0].rows[at].setAttribute('aria-current', 'step');
   }
 }

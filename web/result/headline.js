@@ -1,4 +1,7 @@
-/** The answer in a few figures, each with its error bar and Hertz's beside it, and what to keep in mind about it. */
+/**
+ * The answer in a few figures, each with its error bar and Hertz's beside it, and what to keep in
+ * mind about it.
+ */
 
 import { byId, h } from '../lib/dom.js';
 import { symbol } from '../setup/entry.js';
@@ -49,7 +52,9 @@ function card({ name, value, unit, error, elastic, undented, note, long = '' }) 
           help('error_bar', 'Error bar', `bar-of-${key}`),
         );
   const words = [
-    elastic ? `Hertz${undented ? ', undented' : ''} ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}` : '',
+    elastic
+      ? `Hertz${undented ? ', undented' : ''} ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}`
+      : '',
     note,
   ]
     .filter(Boolean)
@@ -61,7 +66,12 @@ function card({ name, value, unit, error, elastic, undented, note, long = '' }) 
     h(
       'dd',
       {},
-      h('span', { class: `figure${text.length > SHORT ? ' long' : ''}` }, text, h('span', { class: 'unit' }, unit)),
+      h(
+        'span',
+        { class: `figure${text.length > SHORT ? ' long' : ''}` },
+        text,
+        h('span', { class: 'unit' }, unit),
+      ),
       bar,
       long ? h('details', {}, h('summary', {}, long), note) : h('small', {}, words),
     ),
@@ -73,7 +83,11 @@ function known(step) {
   const names = /** @type {const} */ (['peak_pressure', 'half_width', 'approach', 'force']);
   const bars = names.flatMap((name) => {
     const bar = barOf(step, name);
-    return bar ? [`${percent(bar)} for the ${name === 'half_width' ? 'half-width' : name.replace('_', ' ')}`] : [];
+    return bar
+      ? [
+          `${percent(bar)} for the ${name === 'half_width' ? 'half-width' : name.replace('_', ' ')}`,
+        ]
+      : [];
   });
   return bars.join(', ');
 }
@@ -81,7 +95,9 @@ function known(step) {
 /** @param {import('../types.js').Job} job @param {import('../types.js').Report} report @param {Step} step */
 function remarks(job, report, step) {
   const ended = endedEarly(job, report);
-  const early = ended ? h('li', { 'data-code': 'ended_early' }, h('b', {}, 'Ended early'), ` ${ended}`) : null;
+  const early = ended
+    ? h('li', { 'data-code': 'ended_early' }, h('b', {}, 'Ended early'), ` ${ended}`)
+    : null;
   const notes = step.validity.map((note) => {
     const [short, ...rest] = remarkOf(job, report, step, note);
     return h(
@@ -114,7 +130,10 @@ function remarks(job, report, step) {
   const many = step.validity.length + (early ? 1 : 0);
   return h(
     'details',
-    { class: 'remarks', open: Boolean(early) || step.validity.some(({ code }) => code !== 'deformation_theory') },
+    {
+      class: 'remarks',
+      open: Boolean(early) || step.validity.some(({ code }) => code !== 'deformation_theory'),
+    },
     h(
       'summary',
       {},

@@ -1,4 +1,7 @@
-/** Where the words beside lines across a chart stand: clear of its curves and of each other, as far as there is room. */
+/**
+ * Where the words beside lines across a chart stand: clear of its curves and of each other, as far
+ * as there is room.
+ */
 
 /** @typedef {{left: number, right: number, top: number, bottom: number}} Box */
 /** @typedef {[number, number]} Point */
@@ -27,18 +30,23 @@ const ROWS = [0, 1, 2, 3, 4, 5, 6, 7];
 export function placeWords(lines, curves, box, ratio = 1) {
   const taken = /** @type {Box[]} */ ([]);
   return lines.map((line) => {
-    const tried = (line.across === 'y' ? besideLevel : besideUpright)(line, box, ratio).map((place) => {
-      const around = {
-        left: place.x - 2 * ratio,
-        right: place.x + line.width + 2 * ratio,
-        top: place.y - SIZE * ratio,
-        bottom: place.y + 3 * ratio,
-      };
-      const crossings = curves.reduce((count, curve) => count + crossed(curve, around), 0);
-      const outside = around.left < box.left || around.right > box.right + 4 * ratio || around.bottom > box.bottom;
-      const covered = taken.filter((other) => overlap(other, around)).length;
-      return { place, around, faults: crossings + 1000 * covered + (outside ? 100 : 0) };
-    });
+    const tried = (line.across === 'y' ? besideLevel : besideUpright)(line, box, ratio).map(
+      (place) => {
+        const around = {
+          left: place.x - 2 * ratio,
+          right: place.x + line.width + 2 * ratio,
+          top: place.y - SIZE * ratio,
+          bottom: place.y + 3 * ratio,
+        };
+        const crossings = curves.reduce((count, curve) => count + crossed(curve, around), 0);
+        const outside =
+          around.left < box.left ||
+          around.right > box.right + 4 * ratio ||
+          around.bottom > box.bottom;
+        const covered = taken.filter((other) => overlap(other, around)).length;
+        return { place, around, faults: crossings + 1000 * covered + (outside ? 100 : 0) };
+      },
+    );
     const best = tried.reduce((a, b) => (b.faults < a.faults ? b : a));
     taken.push(best.around);
     return best.place;
@@ -50,19 +58,26 @@ function besideLevel({ at, width, left }, box, ratio) {
   const [from, to] = [box.left + 4 * ratio, box.right - 4 * ratio - width];
   const [first, last] = left ? [from, to] : [to, from];
   return ALONG.flatMap((share) =>
-    [at - 5 * ratio, at + (SIZE + 3) * ratio].map((y) => ({ x: first + share * (last - first), y })),
+    [at - 5 * ratio, at + (SIZE + 3) * ratio].map((y) => ({
+      x: first + share * (last - first),
+      y,
+    })),
   );
 }
 
 /** @param {Line} line @param {Box} box @param {number} ratio @returns {Place[]} */
 function besideUpright({ at, width }, box, ratio) {
   return ROWS.flatMap((row) =>
-    [at + 4 * ratio, at - 4 * ratio - width].map((x) => ({ x, y: box.top + (12 + 16 * row) * ratio })),
+    [at + 4 * ratio, at - 4 * ratio - width].map((x) => ({
+      x,
+      y: box.top + (12 + 16 * row) * ratio,
+    })),
   );
 }
 
 /** @param {Box} a @param {Box} b */
-const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+const overlap = (a, b) =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 /** @param {Point[]} curve @param {Box} box @returns {number} pieces of the curve that touch the box */
 function crossed(curve, box) {
@@ -72,8 +87,8 @@ function crossed(curve, box) {
 }
 
 /**
- * Whether a straight piece touches the box: neither lies beside the other, nor are all corners on one side of the piece. Asked tens of
- * thousands of times for a chart, so that no list is made.
+ * Whether a straight piece touches the box: neither lies beside the other, nor are all corners on
+ * one side of the piece. Asked tens of thousands of times for a chart, so that no list is made.
  * @param {Point} a @param {Point} b @param {Box} box
  */
 function touches(a, b, { left, right, top, bottom }) {

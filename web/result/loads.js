@@ -1,4 +1,7 @@
-/** Which loads a job asked for and which of them are solved, and which steps of compared jobs belong beside each other. */
+/**
+ * Which loads a job asked for and which of them are solved, and which steps of compared jobs
+ * belong beside each other.
+ */
 
 import { figure, forceOf, unit } from '../lib/units.js';
 
@@ -31,14 +34,17 @@ export function solvedWords(job, { steps }) {
 
 /** What is to be said of a job that ended before its last load. @param {Job} job @param {Report} report @returns {string} nothing where it came to its end */
 export const endedEarly = (job, report) =>
-  report.steps.length < asked(job) ? `The job ended before its last load: ${solvedWords(job, report)}.` : '';
+  report.steps.length < asked(job)
+    ? `The job ended before its last load: ${solvedWords(job, report)}.`
+    : '';
 
 /** Load of a step with its unit. @param {Report} report @param {number} at */
 export const loadWords = (report, at) =>
   `${figure(report.steps[at].contact.force, 4)} ${unit(forceOf(report), report.units)}`;
 
 /**
- * Whether a load before this one, at least as large, has dented the bodies: Hertz's theory tells of bodies without a dent.
+ * Whether a load before this one, at least as large, has dented the bodies: Hertz's theory tells
+ * of bodies without a dent.
  * @param {Report} report @param {number} at
  */
 export const isDented = ({ steps }, at) =>
@@ -46,11 +52,13 @@ export const isDented = ({ steps }, at) =>
     .slice(0, at)
     .some(
       ({ contact, plasticity }) =>
-        contact.force >= steps[at].contact.force && (plasticity.upper?.yielded || plasticity.lower?.yielded),
+        contact.force >= steps[at].contact.force &&
+        (plasticity.upper?.yielded || plasticity.lower?.yielded),
     );
 
 /**
- * The work that the loads up to a step have put in, without what came back as they fell: `energy.work` is the difference of both.
+ * The work that the loads up to a step have put in, without what came back as they fell:
+ * `energy.work` is the difference of both.
  * @param {Report} report @param {number} at
  */
 export function workPutIn({ steps }, at) {
@@ -59,11 +67,13 @@ export function workPutIn({ steps }, at) {
 }
 
 /** What figures by Hertz's theory are of. @param {Report} report @param {number} at */
-export const hertzName = (report, at) => (isDented(report, at) ? 'Hertz, undented bodies' : 'Hertz, elastic');
+export const hertzName = (report, at) =>
+  isDented(report, at) ? 'Hertz, undented bodies' : 'Hertz, elastic';
 
 /**
- * The step of every job that is laid beside a step of the first: that under the same force, or else that of the same number, or
- * else the last one. Where there are several to choose from, the label says which it is.
+ * The step of every job that is laid beside a step of the first: that under the same force, or
+ * else that of the same number, or else the last one. Where there are several to choose from, the
+ * label says which it is.
  * @param {Shown[]} shown @param {number} at step of the first
  * @returns {Beside[]}
  */
@@ -78,6 +88,10 @@ export function beside(shown, at) {
     const found = alike(at) ? at : steps.findIndex((_, step) => alike(step));
     const step = k === 0 ? at : found >= 0 ? found : Math.min(at, steps.length - 1);
     const which = steps.length > 1 ? `, step ${step + 1} of ${steps.length}` : '';
-    return { one, at: step, label: several ? `${one.label}${which}, ${loadWords(one.report, step)}` : one.label };
+    return {
+      one,
+      at: step,
+      label: several ? `${one.label}${which}, ${loadWords(one.report, step)}` : one.label,
+    };
   });
 }

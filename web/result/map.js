@@ -1,4 +1,7 @@
-/** Pressure and gap over the surface of a contact in three dimensions: a map in bands of colour, read out under the pointer. */
+/**
+ * Pressure and gap over the surface of a contact in three dimensions: a map in bands of colour,
+ * read out under the pointer.
+ */
 
 import { ask } from '../api/client.js';
 import { bands, limitOf, roundStep } from '../field/palette.js';
@@ -65,7 +68,8 @@ export class MapPanel {
       class: 'map',
       role: 'img',
       tabindex: 0,
-      'aria-description': 'Arrows move the place of the cuts; Home puts it back to the largest value.',
+      'aria-description':
+        'Arrows move the place of the cuts; Home puts it back to the largest value.',
     });
     this.bar = h('ol', { class: 'colours', 'aria-hidden': 'true' });
     this.stage = h('div', { class: 'stage' }, this.canvas, this.bar);
@@ -77,7 +81,9 @@ export class MapPanel {
       h('p', {}, 'This job did not ask for the maps of its contact.'),
       h('button', { type: 'button', onclick: wanted }, 'Solve again with them'),
     );
-    const names = Object.fromEntries(Object.entries(QUANTITIES).map(([key, { name }]) => [key, name]));
+    const names = Object.fromEntries(
+      Object.entries(QUANTITIES).map(([key, { name }]) => [key, name]),
+    );
     this.choice = segments('Shown on the map', names, (value) => {
       this.#quantity = /** @type {Quantity} */ (value);
       this.#again();
@@ -96,7 +102,12 @@ export class MapPanel {
         this.#again();
       },
     });
-    this.tools = h('div', { class: 'bar tools' }, this.jobs, h('label', {}, lines, ' Lines between colours'));
+    this.tools = h(
+      'div',
+      { class: 'bar tools' },
+      this.jobs,
+      h('label', {}, lines, ' Lines between colours'),
+    );
     const content = [this.tools, this.stage, this.readout, this.chart.element, this.empty];
     this.panel = new Panel('map', 'Map of the contact', content, {
       controls: [this.choice],
@@ -105,7 +116,9 @@ export class MapPanel {
         return canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : null;
       },
     });
-    this.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => this.#read(offsetX, offsetY));
+    this.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) =>
+      this.#read(offsetX, offsetY),
+    );
     this.canvas.addEventListener('pointerleave', () => this.#read());
     this.canvas.addEventListener('click', ({ offsetX, offsetY }) => {
       const picture = this.#picture;
@@ -113,7 +126,9 @@ export class MapPanel {
     });
     this.canvas.addEventListener('keydown', (event) => {
       const picture = this.#picture;
-      const step = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1] }[event.key];
+      const step = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1] }[
+        event.key
+      ];
       if (!picture || !(step || event.key === 'Home')) return;
       event.preventDefault();
       const { x, y } = picture.maps;
@@ -135,7 +150,11 @@ export class MapPanel {
     const ellipse = report.steps[at].three_dimensional;
     this.panel.show(ellipse !== undefined);
     const asked = Boolean(ellipse?.maps ?? job.output?.fields);
-    this.tools.hidden = this.stage.hidden = this.readout.hidden = this.chart.element.hidden = !asked;
+    this.tools.hidden =
+      this.stage.hidden =
+      this.readout.hidden =
+      this.chart.element.hidden =
+        !asked;
     this.empty.hidden = asked;
     this.#pictures = [];
     if (!ellipse || !asked) return;
@@ -152,7 +171,8 @@ export class MapPanel {
         this.#again();
       },
       (error) => {
-        if (turn === this.#turn) this.readout.textContent = `Could not load the map: ${error.message}`;
+        if (turn === this.#turn)
+          this.readout.textContent = `Could not load the map: ${error.message}`;
       },
     );
   }
@@ -163,7 +183,9 @@ export class MapPanel {
     this.jobs.replaceChildren(...this.#pictures.map(({ label }) => h('option', {}, label)));
     this.jobs.selectedIndex = this.#which;
     const dented = this.#pictures.some(({ maps }) => maps.depth);
-    const boxes = /** @type {NodeListOf<HTMLInputElement>} */ (this.choice.querySelectorAll('input'));
+    const boxes = /** @type {NodeListOf<HTMLInputElement>} */ (
+      this.choice.querySelectorAll('input')
+    );
     /** @type {HTMLElement} */ (boxes[2].parentElement).hidden = !dented;
     // What a load has left is what one looks for when it is gone.
     if (dented !== (this.#quantity === 'depth')) {
@@ -269,7 +291,8 @@ export class MapPanel {
     if (!picture) return;
     const { ellipse, maps, units } = picture;
     const [length, stress] = [unit('length', units), unit('stress', units)];
-    const [x, y] = left === undefined || top === undefined ? [NaN, NaN] : this.#frame.place(left, top);
+    const [x, y] =
+      left === undefined || top === undefined ? [NaN, NaN] : this.#frame.place(left, top);
     const at = (/** @type {Quantity} */ quantity) => valueAt(maps, quantity, x, y);
     const dent = maps.depth ? ` · dent ${figure(at('depth'), 3)} ${length}` : '';
     const scales = ellipse.surface ? '' : ' The axes have scales of their own.';
@@ -284,7 +307,8 @@ export class MapPanel {
   /** Maps of all jobs, for the report. @returns {HTMLCanvasElement[]} */
   allOnPaper() {
     return this.#pictures.flatMap(
-      (picture) => this.onPaper(`${QUANTITIES[this.#quantity].name}, ${picture.label}`, picture) ?? [],
+      (picture) =>
+        this.onPaper(`${QUANTITIES[this.#quantity].name}, ${picture.label}`, picture) ?? [],
     );
   }
 
@@ -356,26 +380,33 @@ async function pictureOf({ id, job, report, raw = report, colour, dash }, at, la
     (await ask(`v1/jobs/${id}/result?fields=maps&step=${at + 1}`)).steps[0].three_dimensional.maps;
   const own = /** @type {import('../lib/units.js').Units} */ (raw.units);
   const depth = dentOf(job, step, maps);
-  const converted = inUnits({ ...maps, depth }, { analysis: raw.analysis, units: own }, setOf(report.units));
+  const converted = inUnits(
+    { ...maps, depth },
+    { analysis: raw.analysis, units: own },
+    setOf(report.units),
+  );
   const ellipse = /** @type {Ellipse} */ (report.steps[at].three_dimensional);
   return { ellipse, maps: converted, units: report.units, label, colour, dash };
 }
 
 /**
- * What a load has left of both surfaces: the gap without load, less that of the bodies as they were, and the permanent approach.
+ * What a load has left of both surfaces: the gap without load, less that of the bodies as they
+ * were, and the permanent approach.
  * @param {import('../types.js').Job} job @param {import('../types.js').Step} step @param {Maps} maps
  * @returns {number[] | undefined} nothing under load, and of shapes that are not given by their radii
  */
 function dentOf(job, { contact, flow, approach, three_dimensional: ellipse }, { x, y, gap }) {
   const bodies = [job.upper, job.lower];
-  const plain = bodies.every(({ shape, surface }) => ['sphere', 'curved', 'flat'].includes(shape?.type) && !surface);
+  const plain = bodies.every(
+    ({ shape, surface }) => ['sphere', 'curved', 'flat'].includes(shape?.type) && !surface,
+  );
   if (contact.force !== 0 || !flow || !ellipse || !plain) return undefined;
   const sum = { xx: 0, yy: 0, xy: 0 };
   for (const { shape } of bodies) {
     const turn = (((Number(shape.rotation) || 0) - ellipse.orientation) * Math.PI) / 180;
     const [c, s] = [Math.cos(turn), Math.sin(turn)];
-    const [kx, ky] = [shape.radius_x ?? shape.radius, shape.radius_y ?? shape.radius].map((radius) =>
-      radius == null ? 0 : 1 / numberOf(radius),
+    const [kx, ky] = [shape.radius_x ?? shape.radius, shape.radius_y ?? shape.radius].map(
+      (radius) => (radius == null ? 0 : 1 / numberOf(radius)),
     );
     sum.xx += kx * c * c + ky * s * s;
     sum.yy += kx * s * s + ky * c * c;
@@ -401,8 +432,14 @@ class Frame {
     const rows = maps.x.map((_, i) =>
       maps.pressure.slice(i * maps.y.length, (i + 1) * maps.y.length).some((p) => p > 0),
     );
-    const columns = maps.y.map((_, j) => maps.x.some((_, i) => maps.pressure[i * maps.y.length + j] > 0));
-    const room = (/** @type {number[]} */ cells, /** @type {boolean[]} */ touching, /** @type {number} */ axis = 0) => {
+    const columns = maps.y.map((_, j) =>
+      maps.x.some((_, i) => maps.pressure[i * maps.y.length + j] > 0),
+    );
+    const room = (
+      /** @type {number[]} */ cells,
+      /** @type {boolean[]} */ touching,
+      /** @type {number} */ axis = 0,
+    ) => {
       const [first, last] = [cells[0], cells[cells.length - 1]];
       // Of heights, and without a contact, all cells are shown.
       if (ellipse.surface || !touching.includes(true)) return [first, last];
@@ -411,7 +448,10 @@ class Frame {
       const [middle, half] = [(low + high) / 2, Math.max((high - low) / 2, cells[1] - cells[0])];
       return [Math.max(first, middle - SHOWN * half), Math.min(last, middle + SHOWN * half)];
     };
-    this.shown = { x: room(maps.x, rows, ellipse.hertz?.a), y: room(maps.y, columns, ellipse.hertz?.b) };
+    this.shown = {
+      x: room(maps.x, rows, ellipse.hertz?.a),
+      y: room(maps.y, columns, ellipse.hertz?.b),
+    };
     this.width = width - LEFT - RIGHT;
     this.height = height - TOP - BOTTOM;
     // Heights are seen as they are, others as wide as there is room.
@@ -503,7 +543,10 @@ function valueAt(maps, quantity, x, y) {
   const values = valuesOf(maps, quantity);
   const at = (/** @type {number} */ k, /** @type {number} */ l) => values[k * maps.y.length + l];
   if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return NaN;
-  return (1 - s) * ((1 - t) * at(i, j) + t * at(i, j + 1)) + s * ((1 - t) * at(i + 1, j) + t * at(i + 1, j + 1));
+  return (
+    (1 - s) * ((1 - t) * at(i, j) + t * at(i, j + 1)) +
+    s * ((1 - t) * at(i + 1, j) + t * at(i + 1, j + 1))
+  );
 }
 
 /** Whether the cell here carries pressure. @param {Maps} maps @param {number} x @param {number} y */

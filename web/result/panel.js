@@ -1,4 +1,6 @@
-/** A framed part of the result: title, controls, content, and a picture to save where there is one. */
+/**
+ * A framed part of the result: title, controls, content, and a picture to save where there is one.
+ */
 
 import { h, toast } from '../lib/dom.js';
 import { svgFile } from './chart-svg.js';
@@ -14,7 +16,10 @@ export class Panel {
   constructor(id, title, content, { controls = [], picture, drawing } = {}) {
     this.title = title;
     this.id = id;
-    const button = (/** @type {'PNG' | 'SVG'} */ kind, /** @type {(words: string) => Promise<Blob | null>} */ make) =>
+    const button = (
+      /** @type {'PNG' | 'SVG'} */ kind,
+      /** @type {(words: string) => Promise<Blob | null>} */ make,
+    ) =>
       h(
         'button',
         {
@@ -85,7 +90,13 @@ export class Panel {
 export function segments(label, choices, change) {
   const name = `segments-${Math.random().toString(36).slice(2)}`;
   const inputs = Object.entries(choices).map(([value, text], k) => {
-    const input = h('input', { type: 'radio', name, value, checked: k === 0, onchange: () => change(value) });
+    const input = h('input', {
+      type: 'radio',
+      name,
+      value,
+      checked: k === 0,
+      onchange: () => change(value),
+    });
     return h('label', {}, input, h('span', {}, text));
   });
   return h('fieldset', { class: 'segments', 'aria-label': label }, inputs);

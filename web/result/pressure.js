@@ -38,7 +38,8 @@ export class PressurePanel {
     const step = first.report.steps[at];
     const sides = beside(shown, at);
     // Where every load is taken away there is no pressure to be seen.
-    if (!sides.some(({ one, at }) => one.report.steps[at].contact.peak_pressure > 0)) return this.panel.show(false);
+    if (!sides.some(({ one, at }) => one.report.steps[at].contact.peak_pressure > 0))
+      return this.panel.show(false);
     const { units } = first.report;
     const round = first.report.analysis === 'axisymmetric';
     /** @type {import('./chart.js').Curve[]} */
@@ -65,7 +66,10 @@ export class PressurePanel {
     if (hertz) curves.push({ ...hertzCurve(hertz, round, name), filled: false });
     const last = contact.patches[contact.patches.length - 1];
     const marks = contact.patches
-      .flatMap((patch) => [mark(patch.left, ''), mark(patch.right, patch === last ? widthWords(contact, units) : '')])
+      .flatMap((patch) => [
+        mark(patch.left, ''),
+        mark(patch.right, patch === last ? widthWords(contact, units) : ''),
+      ])
       .filter(({ at }) => at !== 0 || !round);
     const extents = sides.flatMap(({ one, at }) => extentOf(one.report.steps[at], round) ?? []);
     if (hertz) extents.push(hertzExtent(hertz));
@@ -87,14 +91,17 @@ export class PressurePanel {
 const mark = (at, text) => ({ across: 'x', at, text });
 
 /** @param {{half_width: number}} contact @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units */
-const widthWords = ({ half_width }, units) => `a ${figure(half_width, 4)} ${unit('length', units)}`;
+const widthWords = ({ half_width }, units) =>
+  `a ${figure(half_width, 4)} ${unit('length', units)}`;
 
 /** @param {{half_width: number}} hertz @returns {import('./extent.js').Extent} */
 const hertzExtent = ({ half_width }) => ({ left: -half_width, right: half_width });
 
 /** p = p_0 √(1 − (x/a)²). @param {{half_width: number, peak_pressure: number}} hertz @param {boolean} round over the radius only @param {string} [label] */
 function hertzCurve({ half_width, peak_pressure }, round, label = 'Hertz, elastic') {
-  const angles = Array.from({ length: 121 }, (_, k) => (round ? (Math.PI * k) / 240 : Math.PI * (k / 120 - 0.5)));
+  const angles = Array.from({ length: 121 }, (_, k) =>
+    round ? (Math.PI * k) / 240 : Math.PI * (k / 120 - 0.5),
+  );
   return {
     label,
     colour: '--hertz',

@@ -5,8 +5,8 @@ import { duration, figure } from '../lib/units.js';
 /** @typedef {import('../types.js').Iteration} Iteration */
 
 /**
- * Iterations are counted anew from 1 in every step of a sweep. The time left is that of the steps that are done, times those that
- * are not.
+ * Iterations are counted anew from 1 in every step of a sweep. The time left is that of the steps
+ * that are done, times those that are not.
  * @param {Iteration[]} history of the job as far as it is
  * @param {import('../types.js').Job} job
  */

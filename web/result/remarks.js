@@ -9,8 +9,8 @@ import { inWords } from '../setup/words.js';
 /** @typedef {import('../types.js').Step} Step */
 
 /**
- * Elastic peak over yield stress, and by how many per cent the peak pressure of deformation theory is then above that of flow theory: for
- * steel cylinders and spheres, docs/validity.md.
+ * Elastic peak over yield stress, and by how many per cent the peak pressure of deformation theory
+ * is then above that of flow theory: for steel cylinders and spheres, docs/validity.md.
  */
 const ABOVE = { line: [[3, 3], [4, 7], [5, 12]], round: [[3, 5], [4, 10], [5, 13]] }; // prettier-ignore
 
@@ -19,7 +19,10 @@ export function remarkOf(job, report, step, { code, message }) {
   const sentences = inWords(message).split(/(?<=[a-z)%]\.)\s+(?=\p{Lu})/u);
   if (code !== 'deformation_theory') return sentences;
   // Of the figures for all ratios, those for this one.
-  return [deformationWords(job, report, step), ...sentences.filter((one) => !/elastic peak/.test(one))];
+  return [
+    deformationWords(job, report, step),
+    ...sentences.filter((one) => !/elastic peak/.test(one)),
+  ];
 }
 
 /** What deformation theory does at this ratio of pressure to strength. @param {Job} job @param {Report} report @param {Step} step */
@@ -27,7 +30,8 @@ function deformationWords(job, report, { hertz }) {
   const strengths = [job.upper, job.lower].flatMap((body) => yieldStress(body?.material) ?? []);
   const least = Math.min(...strengths) * factor('stress', unitsOf(job), report.units);
   const ratio = hertz ? hertz.peak_pressure / least : NaN;
-  if (!Number.isFinite(ratio)) return 'Stresses grow in proportion here by assumption; flow theory follows the load.';
+  if (!Number.isFinite(ratio))
+    return 'Stresses grow in proportion here by assumption; flow theory follows the load.';
   const round = report.analysis === 'axisymmetric';
   const rows = round ? ABOVE.round : ABOVE.line;
   const [name, pair] = [

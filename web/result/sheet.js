@@ -1,4 +1,7 @@
-/** One sheet for a report: inputs, sketch, figures with error bars, charts, remarks, and where it all comes from. */
+/**
+ * One sheet for a report: inputs, sketch, figures with error bars, charts, remarks, and where it
+ * all comes from.
+ */
 
 import { byId, h } from '../lib/dom.js';
 import * as pointer from '../lib/pointer.js';
@@ -60,7 +63,14 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       step.hertz && {
         effective_radius: 0,
         yield_onset_force: null,
-        steps: [{ ...step.hertz, force: 0, yields: false, half_width: inJob(step.hertz.half_width, shown[0]) }],
+        steps: [
+          {
+            ...step.hertz,
+            force: 0,
+            yields: false,
+            half_width: inJob(step.hertz.half_width, shown[0]),
+          },
+        ],
       },
     ),
   );
@@ -84,7 +94,9 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
           {},
           `Force found: ${figure(report.target.force)} ${unit(forceOf(report), report.units)} ${targetWords(report)}.`,
         ),
-      step.validity.map((note) => h('li', {}, symbol(remarkOf(job, report, step, note).join(' ')))),
+      step.validity.map((note) =>
+        h('li', {}, symbol(remarkOf(job, report, step, note).join(' '))),
+      ),
       h(
         'li',
         {},
@@ -96,7 +108,11 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
     h(
       'div',
       { class: 'bar sheet-tools' },
-      h('button', { type: 'button', class: 'primary', onclick: () => print() }, 'Print or save as PDF'),
+      h(
+        'button',
+        { type: 'button', class: 'primary', onclick: () => print() },
+        'Print or save as PDF',
+      ),
       h('button', { type: 'button', onclick: close }, 'Back'),
     ),
     h(
@@ -121,8 +137,16 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       h('section', {}, h('h2', {}, shown.length > 1 ? `Set-up: ${label}` : 'Set-up'), inputs(job)),
       sketch,
     ),
-    h('h2', {}, `Figures${step.status === 'converged' ? '' : `: ${step.status.replaceAll('_', ' ')}, not an answer`}`),
-    h('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures' }, answers(shown[0], at)),
+    h(
+      'h2',
+      {},
+      `Figures${step.status === 'converged' ? '' : `: ${step.status.replaceAll('_', ' ')}, not an answer`}`,
+    ),
+    h(
+      'div',
+      { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures' },
+      answers(shown[0], at),
+    ),
     h(
       'div',
       { class: 'sheet-drawings' },
@@ -151,7 +175,11 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
           h(
             'div',
             { class: 'sheet-setups' },
-            shown.slice(1).map(({ job, label }) => h('section', {}, h('h2', {}, `Set-up: ${label}`), inputs(job))),
+            shown
+              .slice(1)
+              .map(({ job, label }) =>
+                h('section', {}, h('h2', {}, `Set-up: ${label}`), inputs(job)),
+              ),
           ),
         ]
       : []),
@@ -163,13 +191,20 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
         'div',
         { class: 'sheet-foot' },
         `Brinell ${report.version}, ${id ? `job ${id}` : 'solved beside a slider and kept as no job'}${label && label !== (id.slice(-8) || 'live') ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
-        removed ? 'The service no longer has it.' : id ? h('span', { class: 'link' }, location.href) : null,
+        removed
+          ? 'The service no longer has it.'
+          : id
+            ? h('span', { class: 'link' }, location.href)
+            : null,
       ),
     ),
   );
 }
 
-/** What a report is headed with: tags of the job where it has them, else what is typed and kept by the browser. */
+/**
+ * What a report is headed with: tags of the job where it has them, else what is typed and kept by
+ * the browser.
+ */
 const HEADINGS = /** @type {const} */ (['title', 'part', 'author']);
 const KEPT = 'report-headings';
 /** Reports whose headings the browser keeps. */
@@ -177,7 +212,8 @@ const MANY = 50;
 
 /** Fields to head the report with. @param {Shown} shown */
 function headings({ id, job }) {
-  const all = kept(browser, KEPT, (one) => (Array.isArray(one) ? one.filter(isObject) : undefined)) ?? [];
+  const all =
+    kept(browser, KEPT, (one) => (Array.isArray(one) ? one.filter(isObject) : undefined)) ?? [];
   const own = /** @type {Record<string, string>} */ ({ id, ...all.find((one) => one.id === id) });
   const keep = (/** @type {string} */ name, /** @type {string} */ text) => {
     own[name] = text;
@@ -217,7 +253,10 @@ function unitOfLoad(job, { quantity = 'number' }) {
   const own = unit(quantity === 'load' ? forceOf(job) : quantity, units);
   const loads = /** @type {any[]} */ (Array.isArray(job.load?.history) ? job.load.history : []);
   const far = loads.filter((one) => one?.approach !== undefined).length;
-  return [...(far === 0 || far < loads.length ? [own] : []), ...(far ? [`α ${unit('length', units)}`] : [])].join(', ');
+  return [
+    ...(far === 0 || far < loads.length ? [own] : []),
+    ...(far ? [`α ${unit('length', units)}`] : []),
+  ].join(', ');
 }
 
 /** What was asked, in the units of the job. @param {Job} job */
@@ -241,7 +280,9 @@ function inputs(job) {
     /** @type {(body: any) => import('../setup/fields.js').Field[]} */ pick,
     /** @type {(body: any) => any} */ place,
   ) => {
-    const fields = new Map(bodies.flatMap((body) => pick(body).map((field) => [field.key, field])));
+    const fields = new Map(
+      bodies.flatMap((body) => pick(body).map((field) => [field.key, field])),
+    );
     return [...fields.values()].flatMap((field) => {
       const values = bodies.map((body) => pointer.get(place(body), `/${field.key}`) ?? undefined);
       const of = field.unit
@@ -251,21 +292,36 @@ function inputs(job) {
           : field.quantity && field.quantity !== 'load'
             ? unit(field.quantity, units)
             : '';
-      return values.every((value) => value === undefined) ? [] : [row(field.label, field.symbol ?? '', values, of)];
+      return values.every((value) => value === undefined)
+        ? []
+        : [row(field.label, field.symbol ?? '', values, of)];
     });
   };
   const kind = loadOf(job.load);
   const load = kind === 'target' ? TARGETS[targetOf(job.load)] : LOADS[kind].field;
   const elements = job.mesh?.elements_per_half_width ?? usualElements(job);
   const whole = (/** @type {any} */ name, /** @type {string} */ value, /** @type {string} */ of) =>
-    h('tr', {}, h('th', { scope: 'row' }, name), h('td', { colspan: 2 }, value), h('td', { class: 'unit' }, of));
+    h(
+      'tr',
+      {},
+      h('th', { scope: 'row' }, name),
+      h('td', { colspan: 2 }, value),
+      h('td', { class: 'unit' }, of),
+    );
   return h(
     'table',
     { class: 'inputs' },
     h(
       'thead',
       {},
-      h('tr', {}, h('td'), h('th', { scope: 'col' }, 'upper'), h('th', { scope: 'col' }, 'lower'), h('td')),
+      h(
+        'tr',
+        {},
+        h('td'),
+        h('th', { scope: 'col' }, 'upper'),
+        h('th', { scope: 'col' }, 'lower'),
+        h('td'),
+      ),
     ),
     h(
       'tbody',
@@ -300,7 +356,10 @@ function inputs(job) {
         (body) =>
           body?.material?.rigid
             ? []
-            : [...ELASTIC, ...(hasInitialStress(body?.material) ? [initialStressOf(job.analysis)] : [])],
+            : [
+                ...ELASTIC,
+                ...(hasInitialStress(body?.material) ? [initialStressOf(job.analysis)] : []),
+              ],
         (body) => body?.material,
       ),
       row(
@@ -320,11 +379,17 @@ function inputs(job) {
       whole(
         load ? [`${load.label} `, h('i', {}, symbol(load.symbol ?? ''))] : 'Load',
         load
-          ? writeWhole(kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind])
+          ? writeWhole(
+              kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind],
+            )
           : 'onset of yield',
         load ? unitOfLoad(job, load) : '',
       ),
-      whole('Theory', THEORIES[job.solver?.theory ?? DEFAULTS['/solver/theory']]?.toLowerCase() ?? '', ''),
+      whole(
+        'Theory',
+        THEORIES[job.solver?.theory ?? DEFAULTS['/solver/theory']]?.toLowerCase() ?? '',
+        '',
+      ),
       whole('Elements per half-width', writeValue(elements), ''),
       // Of the settings, those that are not as they are without a word.
       SETTINGS.filter(({ key }) => key.startsWith('solver/')).flatMap(({ key, label }) => {

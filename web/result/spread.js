@@ -1,4 +1,7 @@
-/** What is special to a contact in three dimensions: load along a roller, or how the pressure of a rough contact is distributed. */
+/**
+ * What is special to a contact in three dimensions: load along a roller, or how the pressure of a
+ * rough contact is distributed.
+ */
 
 import { figure, stiffnessOf, unit } from '../lib/units.js';
 import { h } from '../lib/dom.js';
@@ -66,7 +69,11 @@ export class SpreadPanel {
   }
 
   /** @param {Shown[]} shown @param {number} at @param {import('../wire.js').RoughContact} rough */
-  #distribution(shown, at, { contact_ratio: ratio, nominal_pressure: nominal, plastic_part: plastic }) {
+  #distribution(
+    shown,
+    at,
+    { contact_ratio: ratio, nominal_pressure: nominal, plastic_part: plastic },
+  ) {
     const { units } = shown[0].report;
     const stress = unit('stress', units);
     const curves = beside(shown, at).flatMap(({ one, at, label }) => {

@@ -1,4 +1,7 @@
-/** Figures of a step, each described once: for tiles, the table, curves over the load and the report. */
+/**
+ * Figures of a step, each described once: for tiles, the table, curves over the load and the
+ * report.
+ */
 
 import { forceOf, stiffnessOf, unit } from '../lib/units.js';
 
@@ -17,16 +20,21 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
  */
 
 /**
- * The bound of the error of a figure: none of what the job prescribes, and none of a state that is not the answer.
+ * The bound of the error of a figure: none of what the job prescribes, and none of a state that is
+ * not the answer.
  * @param {Step} step @param {Barred} name
  */
-export const barOf = ({ status, estimated_error: bars }, name) => (status === 'converged' && bars?.[name]) || undefined;
+export const barOf = ({ status, estimated_error: bars }, name) =>
+  (status === 'converged' && bars?.[name]) || undefined;
 
 /** Largest equivalent plastic strain of both bodies; none where one of them does not harden. @param {Step} step */
 export const strainOf = ({ plasticity: { upper, lower } }) =>
   upper?.max_equivalent_plastic_strain === null || lower?.max_equivalent_plastic_strain === null
     ? undefined
-    : Math.max(upper?.max_equivalent_plastic_strain ?? 0, lower?.max_equivalent_plastic_strain ?? 0);
+    : Math.max(
+        upper?.max_equivalent_plastic_strain ?? 0,
+        lower?.max_equivalent_plastic_strain ?? 0,
+      );
 
 const length = (/** @type {Report} */ { units }) => unit('length', units);
 const stress = (/** @type {Report} */ { units }) => unit('stress', units);

@@ -11,7 +11,8 @@ import { STEP_FIGURES, strainOf, titleOf } from './step-figures.js';
 /** @typedef {import('../types.js').Report} Report */
 
 /**
- * What is shown over the load. `along`: the same at every increment of a step, where results have it.
+ * What is shown over the load. `along`: the same at every increment of a step, where results have
+ * it.
  * @typedef {object} OverLoad
  * @property {string} text
  * @property {import('./step-figures.js').StepFigure} of
@@ -21,8 +22,18 @@ import { STEP_FIGURES, strainOf, titleOf } from './step-figures.js';
 
 /** @type {Record<string, OverLoad>} */
 const OVER_LOAD = {
-  peak: { text: 'Peak', of: STEP_FIGURES.peak, along: ({ flow }) => flow?.increments.peak_pressure, rest: 0 },
-  width: { text: 'Half-width', of: STEP_FIGURES.width, along: ({ flow }) => flow?.increments.half_width, rest: 0 },
+  peak: {
+    text: 'Peak',
+    of: STEP_FIGURES.peak,
+    along: ({ flow }) => flow?.increments.peak_pressure,
+    rest: 0,
+  },
+  width: {
+    text: 'Half-width',
+    of: STEP_FIGURES.width,
+    along: ({ flow }) => flow?.increments.half_width,
+    rest: 0,
+  },
   strain: { text: 'Strain', of: STEP_FIGURES.strain, rest: 0 },
   stiffness: { text: 'dP/dα', of: STEP_FIGURES.stiffness, along: slopesAlong },
 };
@@ -71,7 +82,9 @@ export class SweepPanel {
     if (swept.length === 0) return;
     this.words.textContent = leftOut(swept);
     this.chart.show(
-      this.#kind === 'approach' ? overApproach(swept, shown, at) : overLoad(swept, shown, at, OVER_LOAD[this.#kind]),
+      this.#kind === 'approach'
+        ? overApproach(swept, shown, at)
+        : overLoad(swept, shown, at, OVER_LOAD[this.#kind]),
     );
   }
 }
@@ -82,22 +95,26 @@ const turnsBack = ({ job, report: { steps } }) =>
   steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach) &&
   steps.some((step) => (strainOf(step) ?? 1) > 0);
 
-/** Part of the range of forces from which on a piece of a loop has nothing solved that is worth the name. */
+/**
+ * Part of the range of forces from which on a piece of a loop has nothing solved that is worth the
+ * name.
+ */
 const FAR = 0.25;
 
 /** Dots, farther apart than those of any job's curve. */
 const BETWEEN = { points: false, dash: [1, 6], width: 1.2 };
 
 /**
- * A loop without its long pieces, and these by themselves: unloading is often one increment, and a straight line between its ends is
- * no answer.
+ * A loop without its long pieces, and these by themselves: unloading is often one increment, and a
+ * straight line between its ends is no answer.
  * @param {import('./chart.js').Curve} curve @param {number[]} forces of its points
  * @param {string} why the long pieces are no answers
  * @returns {import('./chart.js').Curve[]}
  */
 function apart(curve, forces, why = 'straight between solved loads') {
   const range = Math.max(...forces) - Math.min(...forces);
-  const isFar = (/** @type {number} */ k) => k > 0 && Math.abs(forces[k] - forces[k - 1]) > FAR * range;
+  const isFar = (/** @type {number} */ k) =>
+    k > 0 && Math.abs(forces[k] - forces[k - 1]) > FAR * range;
   const [near, far] = [0, 1].map(() => ({
     x: /** @type {number[]} */ ([]),
     y: /** @type {(number | null)[]} */ ([]),
@@ -127,7 +144,8 @@ const answered = ({ steps }) => steps.filter(({ status }) => status === 'converg
 /** What is left out of the curves, in words. @param {Shown[]} swept */
 const leftOut = (swept) => {
   const many = swept.reduce(
-    (sum, { report: { steps } }) => sum + steps.filter(({ status }) => status !== 'converged').length,
+    (sum, { report: { steps } }) =>
+      sum + steps.filter(({ status }) => status !== 'converged').length,
     0,
   );
   return many
@@ -136,7 +154,8 @@ const leftOut = (swept) => {
 };
 
 /**
- * Where the jobs begin to yield, each once; where that is not the same for all, in the colours of the jobs.
+ * Where the jobs begin to yield, each once; where that is not the same for all, in the colours of
+ * the jobs.
  * @param {Shown[]} swept @param {'x' | 'y'} across @param {string} words of the mark @returns {import('./chart.js').Mark[]}
  */
 function onsets(swept, across, words) {
@@ -145,12 +164,17 @@ function onsets(swept, across, words) {
     const at = steps[0].hertz?.yield_onset_force;
     return at ? [{ at, colour, figure: figure(at, 4) }] : [];
   });
-  const distinct = all.filter(({ figure }, k) => all.findIndex((one) => one.figure === figure) === k);
+  const distinct = all.filter(
+    ({ figure }, k) => all.findIndex((one) => one.figure === figure) === k,
+  );
   const common = distinct.length === 1 && all.length === swept.length;
   return distinct.map(({ at, colour, figure }) => ({
     across,
     at,
-    text: across === 'y' || !common ? `${words} ${figure} ${unit(forceOf(report), report.units)}` : words,
+    text:
+      across === 'y' || !common
+        ? `${words} ${figure} ${unit(forceOf(report), report.units)}`
+        : words,
     colour: common ? '--yield' : colour,
   }));
 }
@@ -160,7 +184,8 @@ function overApproach(swept, shown, at) {
   const [{ report }] = shown;
   const force = unit(forceOf(report), report.units);
   const turns = swept.some(turnsBack);
-  const rising = (/** @type {Report} */ report) => answered(report).sort((a, b) => a.approach - b.approach);
+  const rising = (/** @type {Report} */ report) =>
+    answered(report).sort((a, b) => a.approach - b.approach);
   return {
     turns,
     x: `α  [${unit('length', report.units)}]`,
@@ -188,7 +213,8 @@ function overApproach(swept, shown, at) {
 }
 
 /**
- * A figure over the force: of a history at every increment, from the bodies at rest on; else at its loads.
+ * A figure over the force: of a history at every increment, from the bodies at rest on; else at
+ * its loads.
  * @param {Report} report @param {OverLoad} figures @param {boolean} inTurn whether loads have an order
  * @returns {{x: number[], y: number[]}}
  */
@@ -204,7 +230,9 @@ function overForce(report, figures, inTurn) {
     const between = along?.(step, report)?.slice(0, -1) ?? [];
     const forces = step.flow?.increments.force ?? [];
     return [
-      ...between.flatMap((figure, k) => (figure === undefined ? [] : [{ x: forces[k], y: figure }])),
+      ...between.flatMap((figure, k) =>
+        figure === undefined ? [] : [{ x: forces[k], y: figure }],
+      ),
       { x: step.contact.force, y: value(step) },
     ];
   });
@@ -233,9 +261,14 @@ function overLoad(swept, shown, at, figures) {
         points: true,
         ...overForce(one.report, figures, turns),
       };
-      return turns ? apart(curve, curve.x, along ? undefined : 'known at the ends of loads alone') : [curve];
+      return turns
+        ? apart(curve, curve.x, along ? undefined : 'known at the ends of loads alone')
+        : [curve];
     }),
-    marks: [...onsets(swept, 'x', 'first yield'), { across: 'x', at: report.steps[at].contact.force, text: 'shown' }],
+    marks: [
+      ...onsets(swept, 'x', 'first yield'),
+      { across: 'x', at: report.steps[at].contact.force, text: 'shown' },
+    ],
     words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(valueAt(figures, report.steps[at], report))} ${name}.`,
   };
 }

@@ -1,4 +1,7 @@
-/** All that is shown of solved jobs: the first in figures and pictures, the others laid over its curves. */
+/**
+ * All that is shown of solved jobs: the first in figures and pictures, the others laid over its
+ * curves.
+ */
 
 import { byId, h } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
@@ -60,8 +63,18 @@ export class View {
       () => !this.field.busy,
     );
     this.units = new DisplayUnits(() => this.#again());
-    const report = h('button', { type: 'button', id: 'report', onclick: () => this.report() }, 'Report');
-    this.tools = h('div', { class: 'bar view-tools', hidden: true }, this.steps.element, report, this.units.element);
+    const report = h(
+      'button',
+      { type: 'button', id: 'report', onclick: () => this.report() },
+      'Report',
+    );
+    this.tools = h(
+      'div',
+      { class: 'bar view-tools', hidden: true },
+      this.steps.element,
+      report,
+      this.units.element,
+    );
     const column = (/** @type {{panel: import('./panel.js').Panel}[]} */ ...parts) =>
       h(
         'div',
@@ -134,7 +147,15 @@ export class View {
     this.#anew ||= anew;
     // A part of a chart that was dragged up is a part of that job's.
     if (anew)
-      for (const { chart } of [this.pressure, this.spread, this.map, this.depth, this.sweep, this.dent]) chart.whole();
+      for (const { chart } of [
+        this.pressure,
+        this.spread,
+        this.map,
+        this.depth,
+        this.sweep,
+        this.dent,
+      ])
+        chart.whole();
     this.#again();
   }
 
@@ -166,8 +187,9 @@ export class View {
     showSheet({
       shown: this.#shown,
       at: this.#at,
-      drawings: [this.pressure, this.spread, this.dent, this.depth, this.sweep].flatMap(({ panel, chart }) =>
-        panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
+      drawings: [this.pressure, this.spread, this.dent, this.depth, this.sweep].flatMap(
+        ({ panel, chart }) =>
+          panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
       fields: this.#maps(),
       cutDrawing: this.field.cutDrawing(),
@@ -177,7 +199,9 @@ export class View {
   /** Of half-spaces their maps, of other bodies the field: there is one page. */
   #maps() {
     const maps = this.map.allOnPaper();
-    return maps.length ? maps : [this.field.canvas(undefined, paper)].filter((one) => one !== null);
+    return maps.length
+      ? maps
+      : [this.field.canvas(undefined, paper)].filter((one) => one !== null);
   }
 
   /** @param {number} step */
@@ -189,7 +213,9 @@ export class View {
 
   #again() {
     if (this.#given.length === 0) return;
-    const set = this.units.set(/** @type {import('../lib/units.js').Units} */ (this.#given[0].report.units));
+    const set = this.units.set(
+      /** @type {import('../lib/units.js').Units} */ (this.#given[0].report.units),
+    );
     this.#shown = this.#given.map((one) => {
       const { analysis, units } = one.report;
       const of = { analysis, units: /** @type {import('../lib/units.js').Units} */ (units) };
@@ -216,11 +242,13 @@ export class View {
       this.convergence,
       this.history,
     ]) {
-      panel.of = many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
+      panel.of =
+        many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
       panel.stem = many > 1 ? `${stem}-step-${this.#at + 1}` : stem;
     }
     // Curves of several jobs have the step of each in the legend.
-    if (shown.length > 1) for (const { panel } of [this.pressure, this.spread, this.depth]) panel.of = '';
+    if (shown.length > 1)
+      for (const { panel } of [this.pressure, this.spread, this.depth]) panel.of = '';
     // So have those of sweeps, among which the first job need not be.
     this.sweep.panel.of = shown.length > 1 ? '' : label;
     for (const { panel } of [this.sweep, this.figures, this.differences]) panel.stem = stem;
@@ -258,12 +286,14 @@ export class View {
 }
 
 /**
- * The units of figures that are shown in others than those of their job, as a part of the names of files: those that the service
- * writes are in the job's.
+ * The units of figures that are shown in others than those of their job, as a part of the names of
+ * files: those that the service writes are in the job's.
  * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} own
  * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} shown
  */
 const otherUnits = (own, shown) =>
   /** @type {const} */ (['length', 'stress', 'force'])
-    .flatMap((quantity) => (unit(quantity, own) === unit(quantity, shown) ? [] : [`-${unit(quantity, shown)}`]))
+    .flatMap((quantity) =>
+      unit(quantity, own) === unit(quantity, shown) ? [] : [`-${unit(quantity, shown)}`],
+    )
     .join('');

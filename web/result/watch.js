@@ -65,7 +65,10 @@ export class Watch {
     if (!id) return;
     const gone = await ask(`v1/jobs/${id}`).then(() => false, isGone);
     if (gone && this.#shown === id)
-      this.#removed(id, 'Links to it no longer work. Its figures stay here until another job is shown.');
+      this.#removed(
+        id,
+        'Links to it no longer work. Its figures stay here until another job is shown.',
+      );
   }
 
   /** @param {string} id @param {string} meaning what follows of it */
@@ -96,7 +99,12 @@ export class Watch {
       this.on.titled('Waiting');
       this.#put(
         'unknown',
-        h('div', { class: 'state queued', role: 'status' }, h('b', {}, 'No answer yet'), h('span', { class: 'words' })),
+        h(
+          'div',
+          { class: 'state queued', role: 'status' },
+          h('b', {}, 'No answer yet'),
+          h('span', { class: 'words' }),
+        ),
       );
     }
     this.#say(`${message}; it is asked again`);
@@ -110,7 +118,12 @@ export class Watch {
     if (this.#bar !== 'live')
       this.#put(
         'live',
-        h('div', { class: 'state live', 'data-status': 'live' }, h('b', {}, 'Live'), h('span', { class: 'words' })),
+        h(
+          'div',
+          { class: 'state live', 'data-status': 'live' },
+          h('b', {}, 'Live'),
+          h('span', { class: 'words' }),
+        ),
       );
     this.#say(words);
   }
@@ -136,7 +149,8 @@ export class Watch {
       this.#shown = id;
     } catch (error) {
       if (signal.aborted) return;
-      if (isGone(error)) return this.#removed(id, 'Its set-up is in the form: press Solve to solve it again.');
+      if (isGone(error))
+        return this.#removed(id, 'Its set-up is in the form: press Solve to solve it again.');
       this.on.titled('No answer');
       this.#put(
         '',
@@ -160,7 +174,10 @@ export class Watch {
         if (error.status === 409) return undefined;
         if (!error.passing) throw error;
         this.#say(`${error.message}; the result is asked for again`);
-        await Promise.all([reconnected(), error.status === 0 ? undefined : pause(error.retryAfter)]);
+        await Promise.all([
+          reconnected(),
+          error.status === 0 ? undefined : pause(error.retryAfter),
+        ]);
       }
     }
     return undefined;
@@ -176,7 +193,8 @@ export class Watch {
       frame = 0;
       if (signal.aborted || history.length === 0) return;
       this.on.iterated(history);
-      if (last?.status === 'running' && history.length) this.#say(progressWords(history, this.on.job()));
+      if (last?.status === 'running' && history.length)
+        this.#say(progressWords(history, this.on.job()));
     };
     const looking = setInterval(async () => {
       if (last?.status !== 'queued' || document.hidden) return;
@@ -188,8 +206,10 @@ export class Watch {
         `v1/jobs/${id}/events`,
         (event, data) => {
           if (event === 'iteration') history.push(data);
-          // A job that is run anew begins at its first iteration; one that is asked to stop goes on.
-          if (event === 'state' && data.status === 'running' && !data.cancel_requested) history.length = 0;
+          // A job that is run anew begins at its first iteration; one that is asked to stop goes
+          // on.
+          if (event === 'state' && data.status === 'running' && !data.cancel_requested)
+            history.length = 0;
           if (event === 'state') last = /** @type {JobDocument} */ (data);
           if (event === 'state' && !finished(data)) this.#show(data);
           frame ||= requestAnimationFrame(draw);
@@ -291,7 +311,15 @@ export const NAMES = {
 
 /** @param {JobDocument} document @param {Report | undefined} report @param {import('../types.js').Job} job @returns {string} */
 function words(
-  { status, queue_position: position, progress, error, created_at: created, started_at: started, finished_at: ended },
+  {
+    status,
+    queue_position: position,
+    progress,
+    error,
+    created_at: created,
+    started_at: started,
+    finished_at: ended,
+  },
   report,
   job,
 ) {
@@ -316,7 +344,8 @@ function words(
 /** What the figures of a job are that did not come to its end. @param {Report} report @param {import('../types.js').Job} job */
 function shownOf(report, job) {
   const { steps } = report;
-  if (steps.some(({ status }) => status === 'converged') || steps.length > 1) return solvedWords(job, report);
+  if (steps.some(({ status }) => status === 'converged') || steps.length > 1)
+    return solvedWords(job, report);
   const iterations = steps.at(-1)?.history.length ?? 0;
   return `after ${iterations} iteration${iterations === 1 ? '' : 's'}; the figures are those of the last one, not an answer`;
 }

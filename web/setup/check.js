@@ -1,6 +1,6 @@
 /**
- * Asks the service about the draft as one types: is it in order, what would it cost, what does Hertz say, when does it
- * yield. An answer that has been overtaken is dropped.
+ * Asks the service about the draft as one types: is it in order, what would it cost, what does
+ * Hertz say, when does it yield. An answer that has been overtaken is dropped.
  */
 
 import { Problem, post } from '../api/client.js';
@@ -57,7 +57,8 @@ export class Check {
         post('v1/validate', job, { signal }).then(
           (answer) => ({ estimate: answer.estimate, problem: undefined }),
           (error) => {
-            if (error instanceof Problem && !isElsewhere(error)) return { estimate: undefined, problem: error };
+            if (error instanceof Problem && !isElsewhere(error))
+              return { estimate: undefined, problem: error };
             throw error;
           },
         ),
@@ -81,7 +82,9 @@ export class Check {
       // Figures of another draft go with what hides them.
       delete document.body.dataset.check;
       byId('cost').textContent = '';
-      return byId('check').replaceChildren(h('p', { class: 'error' }, 'The service asks for an API key.'));
+      return byId('check').replaceChildren(
+        h('p', { class: 'error' }, 'The service asks for an API key.'),
+      );
     }
     if (status === 0) return;
     this.#again = setTimeout(() => this.now(), 1000 * retryAfter);
@@ -95,7 +98,10 @@ export class Check {
     delete document.body.dataset.check;
     this.valid = false;
     const others = this.form.showError(problem.errors, job);
-    const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, sentence(inWords(problem.message)))] : [];
+    const whole =
+      problem.errors.length === 0
+        ? [h('p', { class: 'error' }, sentence(inWords(problem.message)))]
+        : [];
     const rest = others.map(({ pointer, detail }) =>
       h('p', { class: 'error' }, pointer ? [h('code', {}, pointer), ' '] : null, detail),
     );
@@ -135,7 +141,10 @@ function unknownWords(errors) {
 /** Whether a problem is none of the draft. @param {Problem} problem */
 const isElsewhere = ({ status, passing }) => passing || status === 401 || status >= 500;
 
-/** Bytes of the fields at a node, in single precision: its place, its displacement, six figures, and its part of the elements. */
+/**
+ * Bytes of the fields at a node, in single precision: its place, its displacement, six figures,
+ * and its part of the elements.
+ */
 const NODE = 4 * (2 + 2 + 6) + 16;
 
 /** @param {{equations: number, bytes: number}} estimate @param {import('../types.js').Job} job @returns {string} what it takes to solve it, and to look at it */
@@ -154,7 +163,11 @@ function figures(job, hertz) {
     (a, b) => (b.force > (a?.force ?? 0) ? b : a),
     /** @type {Hertz['steps'][0] | undefined} */ (undefined),
   );
-  const row = (/** @type {string} */ name, /** @type {number | null} */ value, /** @type {string} */ unit) =>
+  const row = (
+    /** @type {string} */ name,
+    /** @type {number | null} */ value,
+    /** @type {string} */ unit,
+  ) =>
     h(
       'div',
       {},
@@ -170,7 +183,11 @@ function figures(job, hertz) {
             { class: 'verdict yields' },
             `Yields: the force is ${figure(at.force / onset, 3)} times that of first yield.`,
           )
-        : h('p', { class: 'verdict' }, `Elastic: ${figure((100 * at.force) / onset, 3)} % of the force of first yield.`)
+        : h(
+            'p',
+            { class: 'verdict' },
+            `Elastic: ${figure((100 * at.force) / onset, 3)} % of the force of first yield.`,
+          )
       : null;
   return h(
     'div',
@@ -181,10 +198,18 @@ function figures(job, hertz) {
       {},
       at && row('half-width', at.half_width, unit('length', units)),
       at && row('peak pressure', at.peak_pressure, unit('stress', units)),
-      onset === null && (hasInitialStress(job.upper?.material) || hasInitialStress(job.lower?.material))
-        ? h('div', {}, h('dt', {}, 'first yield'), h('dd', {}, 'not known beside stress before the load'))
+      onset === null &&
+        (hasInitialStress(job.upper?.material) || hasInitialStress(job.lower?.material))
+        ? h(
+            'div',
+            {},
+            h('dt', {}, 'first yield'),
+            h('dd', {}, 'not known beside stress before the load'),
+          )
         : onset === null &&
-            [job.upper, job.lower].some((body) => body?.material?.plasticity?.reference_stress !== undefined)
+            [job.upper, job.lower].some(
+              (body) => body?.material?.plasticity?.reference_stress !== undefined,
+            )
           ? h('div', {}, h('dt', {}, 'first yield'), h('dd', {}, 'from the first load on'))
           : row('first yield at', onset, unit(forceOf(job), units)),
       row('effective radius', hertz.effective_radius, unit('length', units)),

@@ -94,7 +94,8 @@ export class Draft extends EventTarget {
     if (!empty && (place === '' || place !== this.#place)) {
       this.#past.push(JSON.stringify(this.job));
       const letters = () => this.#past.reduce((sum, text) => sum + text.length, 0);
-      while (this.#past.length > UNDOABLE || (this.#past.length > 1 && letters() > KEPT)) this.#past.shift();
+      while (this.#past.length > UNDOABLE || (this.#past.length > 1 && letters() > KEPT))
+        this.#past.shift();
     }
     this.#future.length = 0;
     this.#place = place;
@@ -126,7 +127,9 @@ export function jobIn(given, units) {
 }
 
 /**
- * The job in another analysis. A wedge is a cone in axisymmetry, a cylinder a sphere in three dimensions; a load for each millimetre becomes that many newtons, in either system of units, and the other way round.
+ * The job in another analysis. A wedge is a cone in axisymmetry, a cylinder a sphere in three
+ * dimensions; a load for each millimetre becomes that many newtons, in either system of units, and
+ * the other way round.
  * @param {Job} given
  * @param {string} analysis
  * @returns {Job}
@@ -154,7 +157,9 @@ function convertAll(job, from, to) {
   for (const body of [job.upper, job.lower])
     if (Array.isArray(body?.surface?.heights))
       body.surface.heights = body.surface.heights.map((/** @type {unknown} */ row) =>
-        Array.isArray(row) ? row.map((one) => (typeof one === 'number' ? convert(one, 'length', from, to) : one)) : row,
+        Array.isArray(row)
+          ? row.map((one) => (typeof one === 'number' ? convert(one, 'length', from, to) : one))
+          : row,
       );
 }
 
@@ -178,14 +183,20 @@ function* dimensional(job) {
     yield* within(job, body, SURFACE.slice(1));
     yield* within(job, `${body}/material`, [...ELASTIC, INITIAL_STRESS]);
     yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)]?.fields ?? []);
-    yield* within(job, `${body}/material/plasticity`, OVER_DEPTH[overDepthOf(material)]?.fields ?? []);
+    yield* within(
+      job,
+      `${body}/material/plasticity`,
+      OVER_DEPTH[overDepthOf(material)]?.fields ?? [],
+    );
     yield* within(job, `${body}/material/plasticity`, [BACKSTRESS]);
   }
   const kind = loadOf(job.load);
   if (kind === 'target') yield* within(job, '/load', [TARGETS[targetOf(job.load)]]);
   const { field } = LOADS[kind];
   if (field)
-    yield* within(job, '/load', [{ ...field, quantity: field.quantity === 'load' ? forceOf(job) : field.quantity }]);
+    yield* within(job, '/load', [
+      { ...field, quantity: field.quantity === 'load' ? forceOf(job) : field.quantity },
+    ]);
 }
 
 /**
@@ -201,14 +212,21 @@ function* within(job, parent, fields) {
     if (field.columns && Array.isArray(value)) {
       for (const k of value.keys())
         yield* /** @type {[string, Quantity][]} */ (
-          field.columns.map((quantity, j) => [`${place}/${k}/${field.members?.[j] ?? j}`, quantity])
+          field.columns.map((quantity, j) => [
+            `${place}/${k}/${field.members?.[j] ?? j}`,
+            quantity,
+          ])
         );
     } else if (field.kind === 'history' && Array.isArray(value)) {
       for (const [k, load] of value.entries())
         for (const key of Object.keys(load ?? {}))
-          yield [`${place}/${k}/${key}`, key === 'approach' ? 'length' : /** @type {Quantity} */ (field.quantity)];
+          yield [
+            `${place}/${k}/${key}`,
+            key === 'approach' ? 'length' : /** @type {Quantity} */ (field.quantity),
+          ];
     } else if (Array.isArray(value)) {
-      for (const k of value.keys()) yield [`${place}/${k}`, /** @type {Quantity} */ (field.quantity)];
+      for (const k of value.keys())
+        yield [`${place}/${k}`, /** @type {Quantity} */ (field.quantity)];
     } else if (field.quantity) {
       yield [place, /** @type {Quantity} */ (field.quantity)];
     }

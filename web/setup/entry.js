@@ -1,4 +1,7 @@
-/** One field of the form: label, entry, unit, hint and what is wrong with it, tied together for screen readers. */
+/**
+ * One field of the form: label, entry, unit, hint and what is wrong with it, tied together for
+ * screen readers.
+ */
 
 import { h } from '../lib/dom.js';
 import { readQuantity } from '../lib/number.js';
@@ -41,7 +44,10 @@ import { written } from './written.js';
  * @property {(message: string) => void} showError an empty message takes it back
  */
 
-/** Most letters that a field of one figure takes: far more than one has, so that none is cut off unseen. */
+/**
+ * Most letters that a field of one figure takes: far more than one has, so that none is cut off
+ * unseen.
+ */
 const LONGEST = 1000;
 
 let count = 0;
@@ -59,15 +65,22 @@ export function entry(field, change, surroundings) {
   const error = h('p', { class: 'error', id: `${id}-error`, hidden: true });
   const hint = field.hint && h('p', { class: 'hint', id: `${id}-hint` }, symbol(field.hint));
   input.setAttribute('aria-describedby', `${id}-error${hint ? ` ${id}-hint` : ''}`);
-  input.addEventListener(field.kind === 'choice' || field.kind === 'flag' ? 'change' : 'input', () => change(read()));
+  input.addEventListener(
+    field.kind === 'choice' || field.kind === 'flag' ? 'change' : 'input',
+    () => change(read()),
+  );
   const label = h(
     'label',
     { for: id, id: `${id}-label` },
     field.label,
     field.symbol ? [' ', h('i', {}, symbol(field.symbol))] : null,
   );
-  let shown = /** @type {{value: unknown, otherwise: unknown}} */ ({ value: undefined, otherwise: undefined });
-  // What is being typed stays as it is typed: `1.` and `0,30` read as the figures that they stand for.
+  let shown = /** @type {{value: unknown, otherwise: unknown}} */ ({
+    value: undefined,
+    otherwise: undefined,
+  });
+  // What is being typed stays as it is typed: `1.` and `0,30` read as the figures that they stand
+  // for.
   const show = (/** @type {boolean} */ typing) => {
     if (!typing || !same(read(), shown.value)) write(shown.value ?? shown.otherwise);
   };
@@ -81,11 +94,18 @@ export function entry(field, change, surroundings) {
           value: () => shown.value ?? shown.otherwise,
           bounds: field.bounds,
           refused: () => input.getAttribute('aria-invalid') === 'true',
-          typical: () => surroundings.wire(typeof field.example === 'number' ? field.example : 1, field),
+          typical: () =>
+            surroundings.wire(typeof field.example === 'number' ? field.example : 1, field),
           move: slide,
         })
       : undefined;
-  const explanation = help(field.help ?? field.key, field.label, `${id}-label`, field.description, true);
+  const explanation = help(
+    field.help ?? field.key,
+    field.label,
+    `${id}-label`,
+    field.description,
+    true,
+  );
   const keys = { F1: explanation?.querySelector('button'), F2: slides?.button };
   input.setAttribute(
     'aria-keyshortcuts',
@@ -102,7 +122,9 @@ export function entry(field, change, surroundings) {
   return {
     element: h(
       'div',
-      { class: `entry ${field.kind === 'terms' || field.kind === 'heights' ? 'points' : (field.kind ?? 'number')}` },
+      {
+        class: `entry ${field.kind === 'terms' || field.kind === 'heights' ? 'points' : (field.kind ?? 'number')}`,
+      },
       h('span', { class: 'name' }, label, explanation),
       h('div', { class: 'value' }, input, unit, slides?.button),
       slides?.element,
@@ -134,7 +156,11 @@ export function symbol(text) {
   return text
     .split(/([_^][\wσθ.]+)/)
     .map((part) =>
-      part[0] === '_' ? h('sub', {}, part.slice(1)) : part[0] === '^' ? h('sup', {}, part.slice(1)) : part,
+      part[0] === '_'
+        ? h('sub', {}, part.slice(1))
+        : part[0] === '^'
+          ? h('sup', {}, part.slice(1))
+          : part,
     );
 }
 
@@ -153,7 +179,8 @@ function control(field, id, change, surroundings) {
       return termsControl(field, id, change, surroundings);
     case 'tags': {
       const input = h('textarea', { id, rows: 2, spellcheck: 'false' });
-      const problem = (/** @type {unknown} */ value) => (typeof value === 'string' ? faultOfTags(value) : '');
+      const problem = (/** @type {unknown} */ value) =>
+        typeof value === 'string' ? faultOfTags(value) : '';
       return { input, ...text(input, readTags, writeTags), problem };
     }
     case 'history':
@@ -175,7 +202,9 @@ const text = (input, read, write) => ({
 
 /** @param {Field} field @param {string} id @returns {Control} */
 function choiceControl(field, id) {
-  const options = Object.entries(field.choices ?? {}).map(([value, label]) => h('option', { value }, label));
+  const options = Object.entries(field.choices ?? {}).map(([value, label]) =>
+    h('option', { value }, label),
+  );
   const input = h(
     'select',
     { id },

@@ -1,4 +1,7 @@
-/** Set-ups to begin with: those of the service under names that say what they are, and some more of the page's own. */
+/**
+ * Set-ups to begin with: those of the service under names that say what they are, and some more of
+ * the page's own.
+ */
 
 import { typicalSurface } from './fields.js';
 
@@ -83,7 +86,10 @@ const OWN = [
         shape: {
           type: 'profile',
           depth: 20,
-          points: [-8, -6, -4, -2, -1, 0, 1, 2, 4, 6, 8].map((x) => [x, -Number(((x * x) / 120).toPrecision(4))]),
+          points: [-8, -6, -4, -2, -1, 0, 1, 2, 4, 6, 8].map((x) => [
+            x,
+            -Number(((x * x) / 120).toPrecision(4)),
+          ]),
         },
         material: steel(355),
       },
@@ -111,9 +117,10 @@ const OWN = [
 
 /** @param {{name: string, job: Job}[]} served @returns {Example[]} with the stress field, which is what one comes here to see */
 export const examplesOf = (served) =>
-  [...served.map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })), ...OWN].map(
-    ({ title, job }) => ({
-      title,
-      job: { ...job, output: { ...job.output, fields: true } },
-    }),
-  );
+  [
+    ...served.map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })),
+    ...OWN,
+  ].map(({ title, job }) => ({
+    title,
+    job: { ...job, output: { ...job.output, fields: true } },
+  }));

@@ -1,4 +1,7 @@
-/** What a job is made of: the fields of every shape, hardening law and setting, and sensible values to begin with. */
+/**
+ * What a job is made of: the fields of every shape, hardening law and setting, and sensible values
+ * to begin with.
+ */
 
 import { isObject } from '../lib/kept.js';
 import { numberOf } from '../lib/number.js';
@@ -35,7 +38,8 @@ for (const field of SHAPES.hole.fields) if (field.key === 'width') field.help = 
 
 /** @type {Record<string, string | undefined>} */
 const ANGLES = named({ rotation: '°', angle: '°', tilt: 'mrad' });
-for (const { fields } of Object.values(SHAPES)) for (const field of fields) field.unit = ANGLES[field.key];
+for (const { fields } of Object.values(SHAPES))
+  for (const field of fields) field.unit = ANGLES[field.key];
 
 /** Profiles of rollers by their names, and the field that each of them alone has. */
 const PROFILES = {
@@ -45,9 +49,14 @@ const PROFILES = {
   points: 'Points',
 };
 /** @type {Record<string, string | undefined>} */
-const OF_PROFILE = named({ crown_radius: 'crowned', design_force: 'logarithmic', points: 'points' });
+const OF_PROFILE = named({
+  crown_radius: 'crowned',
+  design_force: 'logarithmic',
+  points: 'points',
+});
 for (const field of SHAPES.roller.fields)
-  if (field.key === 'profile') Object.assign(field, { choices: PROFILES, none: 'Straight, sharp ends' });
+  if (field.key === 'profile')
+    Object.assign(field, { choices: PROFILES, none: 'Straight, sharp ends' });
 
 /** @param {Record<string, any> | undefined} shape @returns {Field[]} those that a shape of this kind and profile has */
 export const shapeFields = (shape) =>
@@ -93,11 +102,17 @@ const OF_HALF_SPACES = new Set(['sphere', 'curved', 'roller', 'flat']);
 /** What stands for shapes of sections there, and the other way round. @type {Record<string, string | undefined>} */
 const AS_HALF_SPACE = named({ cylinder: 'sphere', parabola: 'sphere', hole: 'curved' });
 /** @type {Record<string, string | undefined>} */
-const AS_SECTION = named({ sphere: 'cylinder', curved: 'cylinder', roller: 'cylinder', flat: 'block' });
+const AS_SECTION = named({
+  sphere: 'cylinder',
+  curved: 'cylinder',
+  roller: 'cylinder',
+  flat: 'block',
+});
 
 /** @param {string} type @param {unknown} analysis @returns {string} the same shape, or what stands for it in this analysis */
 export function shapeIn(type, analysis) {
-  if (analysis === 'three_dimensional') return OF_HALF_SPACES.has(type) ? type : (AS_HALF_SPACE[type] ?? 'flat');
+  if (analysis === 'three_dimensional')
+    return OF_HALF_SPACES.has(type) ? type : (AS_HALF_SPACE[type] ?? 'flat');
   const section = AS_SECTION[type] ?? type;
   return (analysis === 'axisymmetric' ? PLANE_ONLY : TURNED_ONLY)[section] ?? section;
 }
@@ -120,7 +135,8 @@ export const shapesFor = (analysis, own) =>
       .filter(
         (type) =>
           type === own ||
-          (OF_HALF_SPACES.has(type) === (analysis === 'three_dimensional') && shapeIn(type, analysis) === type),
+          (OF_HALF_SPACES.has(type) === (analysis === 'three_dimensional') &&
+            shapeIn(type, analysis) === type),
       )
       .map((type) => [type, shapeLabel(type, analysis)]),
   );
@@ -158,10 +174,15 @@ function withHints({ fields, ...kind }) {
     return index === 1 && kind.description?.includes(' = ') ? kind.description : undefined;
   };
   // Strains may be pasted in per cent.
-  const columns = (/** @type {Field['columns']} */ given) => given?.map((one) => (one === 'number' ? 'strain' : one));
+  const columns = (/** @type {Field['columns']} */ given) =>
+    given?.map((one) => (one === 'number' ? 'strain' : one));
   return {
     ...kind,
-    fields: fields.map((field, index) => ({ ...field, columns: columns(field.columns), hint: hint(field, index) })),
+    fields: fields.map((field, index) => ({
+      ...field,
+      columns: columns(field.columns),
+      hint: hint(field, index),
+    })),
   };
 }
 
@@ -172,11 +193,14 @@ function withHints({ fields, ...kind }) {
  * @returns {Record<string, T>}
  */
 function mapValues(record, change) {
-  return named(Object.fromEntries(Object.entries(record).map(([key, value]) => [key, change(value)])));
+  return named(
+    Object.fromEntries(Object.entries(record).map(([key, value]) => [key, change(value)])),
+  );
 }
 
 /**
- * A table of nothing but its own names: a job may have any word where one of them is wanted, `constructor` too.
+ * A table of nothing but its own names: a job may have any word where one of them is wanted,
+ * `constructor` too.
  * @template {object} T
  * @param {T} record
  * @returns {T}
@@ -188,7 +212,13 @@ function named(record) {
 /** @type {Field[]} */
 export const ELASTIC = [
   { key: 'young_modulus', label: 'Young’s modulus', symbol: 'E', quantity: 'stress' },
-  { key: 'poisson_ratio', label: 'Poisson’s ratio', symbol: 'ν', quantity: 'number', bounds: [0, 0.49] },
+  {
+    key: 'poisson_ratio',
+    label: 'Poisson’s ratio',
+    symbol: 'ν',
+    quantity: 'number',
+    bounds: [0, 0.49],
+  },
 ];
 
 /** Kinematic hardening beside any law. @type {Field} */
@@ -211,7 +241,10 @@ export const INITIAL_STRESS = {
 
 /** @type {Record<string, {label: string, field?: Field}>} */
 export const LOADS = {
-  force: { label: 'Force', field: { key: 'force', label: 'Force', symbol: 'P', quantity: 'load' } },
+  force: {
+    label: 'Force',
+    field: { key: 'force', label: 'Force', symbol: 'P', quantity: 'load' },
+  },
   forces: {
     label: 'Sweep of forces',
     field: {
@@ -224,7 +257,10 @@ export const LOADS = {
       hint: 'Separated by spaces; 100…1200/12 makes twelve.',
     },
   },
-  approach: { label: 'Approach', field: { key: 'approach', label: 'Approach', symbol: 'α', quantity: 'length' } },
+  approach: {
+    label: 'Approach',
+    field: { key: 'approach', label: 'Approach', symbol: 'α', quantity: 'length' },
+  },
   approaches: {
     label: 'Sweep of approaches',
     field: {
@@ -257,7 +293,13 @@ export const TARGETS = {
   peak_pressure: target('peak_pressure', 'Peak pressure', 'p_max', 'stress', 1200),
   mean_pressure: target('mean_pressure', 'Mean pressure', 'p_m', 'stress', 1000),
   half_width: target('half_width', 'Half-width', 'a', 'length', 0.3),
-  max_plastic_strain: target('max_plastic_strain', 'Largest plastic strain', 'ε_p', 'strain', 0.002),
+  max_plastic_strain: target(
+    'max_plastic_strain',
+    'Largest plastic strain',
+    'ε_p',
+    'strain',
+    0.002,
+  ),
   permanent_approach: target('permanent_approach', 'Permanent approach', 'α_p', 'length', 0.002),
   dent_depth: target('dent_depth', 'Depth of the dent', 'δ', 'length', 0.001),
 };
@@ -292,7 +334,12 @@ export const SETTINGS = [
     key: 'solver/coupling',
     label: 'Coupling',
     kind: 'choice',
-    choices: { accelerated: 'Accelerated', strong: 'Strong', weak: 'Weak', secant_stiffness: 'Secant stiffness' },
+    choices: {
+      accelerated: 'Accelerated',
+      strong: 'Strong',
+      weak: 'Weak',
+      secant_stiffness: 'Secant stiffness',
+    },
   },
   {
     key: 'solver/contact',
@@ -350,7 +397,9 @@ const TYPICAL_RADIUS = 20;
 
 /** The first length of a shape, which tells its size. @param {string} type */
 const firstLength = (type) =>
-  SHAPES[type]?.fields.find(({ quantity, example }) => quantity === 'length' && typeof example === 'number');
+  SHAPES[type]?.fields.find(
+    ({ quantity, example }) => quantity === 'length' && typeof example === 'number',
+  );
 
 /**
  * A shape of another kind and about the same size.
@@ -368,11 +417,15 @@ export function shapeLike(type, old, units) {
   const typical = (/** @type {Field} */ { example, quantity }) =>
     typeof example === 'number' && quantity === 'length' ? round(example * scale) : example;
   const fields = SHAPES[type].fields.filter(({ optional }) => !optional);
-  const shape = { type, ...Object.fromEntries(fields.map((field) => [field.key, typical(field)])) };
+  const shape = {
+    type,
+    ...Object.fromEntries(fields.map((field) => [field.key, typical(field)])),
+  };
   if (type === 'hole') return { ...shape, outer_radius: round(10 * TYPICAL_RADIUS * scale) };
   if (type !== 'profile') return shape;
   // Points of a parabola, which is smooth between them.
-  const at = (/** @type {number} */ t) => [t, (-t * t) / 2].map((one) => round(one * TYPICAL_RADIUS * scale) || 0);
+  const at = (/** @type {number} */ t) =>
+    [t, (-t * t) / 2].map((one) => round(one * TYPICAL_RADIUS * scale) || 0);
   return { ...shape, points: [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at), interpolation: 'smooth' };
 }
 
@@ -391,12 +444,16 @@ export function profileLike(profile, { length: given }, job) {
     const force = numberOf(job.load?.force);
     return { design_force: force > 0 ? force : convert(5000, 'force', 'mm_N_MPa', unitsOf(job)) };
   }
-  const at = [-0.5, -0.35, 0.35, 0.5].map((y, k) => [round(y * length), k % 3 ? 0 : round(-0.001 * length)]);
+  const at = [-0.5, -0.35, 0.35, 0.5].map((y, k) => [
+    round(y * length),
+    k % 3 ? 0 : round(-0.001 * length),
+  ]);
   return profile === 'points' ? { points: at } : {};
 }
 
 /**
- * A rough patch of 32 × 32 heights for a body: waves of several lengths on a cap, the same every time.
+ * A rough patch of 32 × 32 heights for a body: waves of several lengths on a cap, the same every
+ * time.
  * @param {import('../lib/units.js').Units} units
  * @returns {{heights: number[][], spacing_x: number, spacing_y: number, detrend: string}}
  */
@@ -405,11 +462,17 @@ export function typicalSurface(units) {
   const many = 32;
   const waves = Array.from({ length: 24 }, (_, k) => {
     const [angle, turns] = [2.4 * k, 1 + 0.3 * k];
-    return { x: turns * Math.cos(angle), y: turns * Math.sin(angle), phase: 5.1 * k * k, size: turns ** -1.8 };
+    return {
+      x: turns * Math.cos(angle),
+      y: turns * Math.sin(angle),
+      phase: 5.1 * k * k,
+      size: turns ** -1.8,
+    };
   });
   const height = (/** @type {number} */ i, /** @type {number} */ j) => {
     const sum = waves.reduce(
-      (all, { x, y, phase, size }) => all + size * Math.cos((2 * Math.PI * (i * x + j * y)) / many + phase),
+      (all, { x, y, phase, size }) =>
+        all + size * Math.cos((2 * Math.PI * (i * x + j * y)) / many + phase),
       0,
     );
     // Lower towards the rim, beyond which nothing touches.
@@ -440,10 +503,16 @@ export function plasticityLike(law, material, units) {
   if (!LAWS[law]?.fields.length) return undefined;
   const old = material?.plasticity ?? {};
   const modulus = numberOf(material?.young_modulus) || typicalModulus(units);
-  const strength = numberOf(old.yield_stress ?? old.reference_stress ?? old.points?.[0]?.[1]) || modulus / 420;
+  const strength =
+    numberOf(old.yield_stress ?? old.reference_stress ?? old.points?.[0]?.[1]) || modulus / 420;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
-  // Typical figures are those of a steel of 500 MPa; a slope grows with the modulus, a stress with the strength.
-  const scaled = (/** @type {any} */ value, /** @type {string | undefined} */ quantity, /** @type {string} */ key) =>
+  // Typical figures are those of a steel of 500 MPa; a slope grows with the modulus, a stress with
+  // the strength.
+  const scaled = (
+    /** @type {any} */ value,
+    /** @type {string | undefined} */ quantity,
+    /** @type {string} */ key,
+  ) =>
     quantity !== 'stress'
       ? value
       : round(key.endsWith('modulus') ? (value / STEEL) * modulus : (value / 500) * strength);
@@ -456,7 +525,8 @@ export function plasticityLike(law, material, units) {
 }
 
 /** @param {Record<string, any> | undefined} material @returns {string} key of {@link LAWS} */
-export const lawOf = (material) => (material?.rigid ? 'rigid' : (material?.plasticity?.law ?? 'elastic'));
+export const lawOf = (material) =>
+  material?.rigid ? 'rigid' : (material?.plasticity?.law ?? 'elastic');
 
 /** @param {Record<string, any> | undefined} material @returns {string} key of {@link OVER_DEPTH}, or `uniform` */
 export function overDepthOf(material) {
@@ -475,7 +545,9 @@ export function overDepthOf(material) {
 export function typicalOverDepth(kind, units) {
   const wire = (/** @type {number} */ value, /** @type {string | undefined} */ quantity) =>
     quantity === 'length' ? convert(value, 'length', 'mm_N_MPa', units) : value;
-  const fields = (OVER_DEPTH[kind]?.fields ?? []).filter(({ optional, key }) => !optional || key === 'over_depth');
+  const fields = (OVER_DEPTH[kind]?.fields ?? []).filter(
+    ({ optional, key }) => !optional || key === 'over_depth',
+  );
   const plasticity = /** @type {Record<string, any>} */ ({});
   for (const { key, columns, quantity, example } of fields) {
     const value = Array.isArray(example)
@@ -522,7 +594,10 @@ const PEENED_SHARE = 0.6;
 export function typicalInitialStress(job, material) {
   const units = unitsOf(job);
   const strength = yieldStress(material);
-  const most = strength && strength > 0 ? convert(strength, 'stress', units, 'mm_N_MPa') * PEENED_SHARE : Infinity;
+  const most =
+    strength && strength > 0
+      ? convert(strength, 'stress', units, 'mm_N_MPa') * PEENED_SHARE
+      : Infinity;
   const share = Math.min(1, most / Math.max(...PEENED.map(([, stress]) => -stress)));
   return PEENED.map(([depth, stress]) => {
     const along = Number(convert(share * stress, 'stress', 'mm_N_MPa', units).toPrecision(3));
@@ -535,11 +610,13 @@ export function typicalInitialStress(job, material) {
 }
 
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link LOADS} */
-export const loadOf = (load) => Object.keys(LOADS).find((key) => isObject(load) && key in load) ?? 'force';
+export const loadOf = (load) =>
+  Object.keys(LOADS).find((key) => isObject(load) && key in load) ?? 'force';
 
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link TARGETS} */
 export const targetOf = (load) =>
-  Object.keys(TARGETS).find((key) => isObject(load?.target) && key in load.target) ?? 'peak_pressure';
+  Object.keys(TARGETS).find((key) => isObject(load?.target) && key in load.target) ??
+  'peak_pressure';
 
 /** @param {Record<string, any> | undefined} material @returns {string} what that stress is: by some laws metal flows from the first load on */
 export const yieldName = (material) =>

@@ -1,4 +1,7 @@
-/** The form: shows the draft, changes it, and puts the service's errors beside the fields they are about. */
+/**
+ * The form: shows the draft, changes it, and puts the service's errors beside the fields they are
+ * about.
+ */
 
 import { arrange, byId, h, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
@@ -36,7 +39,13 @@ import { Kinds, hasTerms } from './kinds.js';
 import { onMaterials } from './library.js';
 import { MaterialChoice } from './material-choice.js';
 import { inWords } from './words.js';
-import { curvePreview, heightsPreview, initialStressPreview, profilePreview, rollerPreview } from './preview.js';
+import {
+  curvePreview,
+  heightsPreview,
+  initialStressPreview,
+  profilePreview,
+  rollerPreview,
+} from './preview.js';
 
 /** @typedef {import('./fields.js').Field} Field */
 /** @typedef {import('../api/client.js').FieldError} FieldError */
@@ -69,7 +78,8 @@ export class Form {
     this.parts = this.#layOut();
     draft.addEventListener('change', () => keepFocus(this.root, () => this.#show()));
     // Who leaves a field, or takes hold of a slider again, begins another change.
-    for (const leaves of ['focusout', 'pointerdown']) this.root.addEventListener(leaves, () => draft.settle());
+    for (const leaves of ['focusout', 'pointerdown'])
+      this.root.addEventListener(leaves, () => draft.settle());
     const choice = (/** @type {Body} */ body) =>
       new MaterialChoice(
         body,
@@ -103,7 +113,10 @@ export class Form {
     this.#reported = new Map(
       [...messages].map(([place, [first, ...more]]) => [
         place,
-        { message: more.length ? `${first} (and ${more.length} more)` : first, of: valueIn(job, place) },
+        {
+          message: more.length ? `${first} (and ${more.length} more)` : first,
+          of: valueIn(job, place),
+        },
       ]),
     );
     this.#showErrors();
@@ -126,14 +139,17 @@ export class Form {
 
   /** Puts the cursor into the first field at fault. */
   focusFault() {
-    const fault = /** @type {HTMLElement | null} */ (this.root.querySelector('[aria-invalid=true]'));
+    const fault = /** @type {HTMLElement | null} */ (
+      this.root.querySelector('[aria-invalid=true]')
+    );
     fault?.closest('details')?.setAttribute('open', '');
     fault?.focus();
   }
 
   /** @param {string} place @returns {string | undefined} the field that shows it, or a part of it */
   #responsible(place) {
-    for (let at = place; at; at = at.slice(0, at.lastIndexOf('/'))) if (this.#fields.has(at)) return at;
+    for (let at = place; at; at = at.slice(0, at.lastIndexOf('/')))
+      if (this.#fields.has(at)) return at;
     const below = [...this.#fields.keys()].find((at) => at.startsWith(`${place}/`));
     return place && below;
   }
@@ -165,10 +181,14 @@ export class Form {
     const units = unitsOf(job);
     for (const [place, { entry, field }] of this.#fields) {
       const usual = place === '/mesh/elements_per_half_width' ? usualElements(job) : undefined;
-      entry.show(valueIn(job, place), usual ?? /** @type {Record<string, unknown>} */ (DEFAULTS)[place]);
+      entry.show(
+        valueIn(job, place),
+        usual ?? /** @type {Record<string, unknown>} */ (DEFAULTS)[place],
+      );
       const quantity = field.quantity === 'load' ? forceOf(job) : field.quantity;
       if (quantity) entry.setUnit(field.unit ?? unit(quantity, units));
-      if (field.columns) entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
+      if (field.columns)
+        entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
     }
     const alike = pointer.same(job.upper, job.lower);
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
@@ -193,14 +213,18 @@ export class Form {
       ...rollerPreview(job, body),
       ...heightsPreview(job[body]?.surface, unitsOf(job)),
     );
-    stress.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job), job.analysis === 'axisymmetric'));
+    stress.replaceChildren(
+      ...initialStressPreview(job[body]?.material, unitsOf(job), job.analysis === 'axisymmetric'),
+    );
     curve.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
   #build() {
     [this.#before, this.#fields] = [this.#fields, new Map()];
     arrange(this.parts.general, [
-      this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) => this.#useAnalysis(String(analysis))),
+      this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) =>
+        this.#useAnalysis(String(analysis)),
+      ),
       this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
         this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
         this.#readAgain();
@@ -239,7 +263,11 @@ export class Form {
         this.draft.set(`/${own}`, structuredClone(this.draft.job[other]), SOURCE);
       };
       const [fields, rare] = [grid(), grid()];
-      const copy = h('button', { type: 'button', class: 'plain', onclick: take }, `same as ${other}`);
+      const copy = h(
+        'button',
+        { type: 'button', class: 'plain', onclick: take },
+        `same as ${other}`,
+      );
       return { fields, rare, copy, more: h('details', {}, h('summary'), rare) };
     };
     const parts = {
@@ -249,8 +277,10 @@ export class Form {
       load: grid(),
       settings: grid(),
     };
-    const fieldset = (/** @type {ReturnType<typeof body>} */ { fields, more, copy }, /** @type {string} */ title) =>
-      h('fieldset', {}, h('legend', {}, title, copy), fields, more);
+    const fieldset = (
+      /** @type {ReturnType<typeof body>} */ { fields, more, copy },
+      /** @type {string} */ title,
+    ) => h('fieldset', {}, h('legend', {}, title, copy), fields, more);
     this.root.replaceChildren(
       parts.general,
       fieldset(parts.upper, 'Upper body'),
@@ -284,7 +314,9 @@ export class Form {
       ofShape,
       ...this.materials[body].elements,
       ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
-      this.#choice(`${at}/material/law`, 'Hardening', laws, (law) => this.kinds.useLaw(body, String(law))),
+      this.#choice(`${at}/material/law`, 'Hardening', laws, (law) =>
+        this.kinds.useLaw(body, String(law)),
+      ),
       ...(LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? []),
       ...(hasBackstress(job, body) ? [this.#field(`${at}/material/plasticity`, BACKSTRESS)] : []),
       curve,
@@ -296,8 +328,11 @@ export class Form {
     const { analysis, [body]: of } = this.draft.job;
     if (analysis !== 'three_dimensional' || of?.shape?.type === 'roller') return [];
     return [
-      this.#choice(`/${body}/surface_kind`, 'Surface', { none: 'Smooth', given: 'Heights' }, (kind) =>
-        this.kinds.useSurface(body, kind === 'given'),
+      this.#choice(
+        `/${body}/surface_kind`,
+        'Surface',
+        { none: 'Smooth', given: 'Heights' },
+        (kind) => this.kinds.useSurface(body, kind === 'given'),
       ),
       ...(hasSurface(of) ? SURFACE.map((field) => this.#field(`/${body}`, field)) : []),
     ];
@@ -339,10 +374,14 @@ export class Form {
     const place = `${at}/${INITIAL_STRESS.key}`;
     // A table that is emptied to take another stays where it is; the choice above takes it away.
     const field = initialStressOf(this.draft.job.analysis);
-    const stresses = () => this.#place(place, field, (value) => this.draft.set(place, value ?? [], SOURCE));
+    const stresses = () =>
+      this.#place(place, field, (value) => this.draft.set(place, value ?? [], SOURCE));
     return [
-      this.#choice(`${at}/stress_kind`, 'Initial stress', { none: 'None', given: 'Over depth' }, (kind) =>
-        this.kinds.useInitialStress(body, kind === 'given'),
+      this.#choice(
+        `${at}/stress_kind`,
+        'Initial stress',
+        { none: 'None', given: 'Over depth' },
+        (kind) => this.kinds.useInitialStress(body, kind === 'given'),
       ),
       ...(hasInitialStress(this.draft.job[body]?.material) ? [stresses()] : []),
     ];
@@ -352,10 +391,16 @@ export class Form {
     const { load } = this.draft.job;
     const kind = loadOf(load);
     const { field } = LOADS[kind];
-    const kinds = Object.fromEntries(Object.entries(LOADS).map(([key, { label }]) => [key, label]));
-    const figures = Object.fromEntries(Object.entries(TARGETS).map(([key, { label }]) => [key, label]));
+    const kinds = Object.fromEntries(
+      Object.entries(LOADS).map(([key, { label }]) => [key, label]),
+    );
+    const figures = Object.fromEntries(
+      Object.entries(TARGETS).map(([key, { label }]) => [key, label]),
+    );
     const target = () => [
-      this.#choice('/load/target_kind', 'Figure', figures, (figure) => this.kinds.useTarget(String(figure))),
+      this.#choice('/load/target_kind', 'Figure', figures, (figure) =>
+        this.kinds.useTarget(String(figure)),
+      ),
       this.#field('/load', TARGETS[targetOf(load)]),
     ];
     return [
@@ -411,7 +456,8 @@ export class Form {
   #place(place, field, change) {
     const body = place.split('/')[1];
     const before = this.#before.get(place);
-    // A field that is the same stays: with the focus, and with what is being typed to choose from a list.
+    // A field that is the same stays: with the focus, and with what is being typed to choose from
+    // a list.
     if (before && pointer.same(before.field, field)) {
       this.#fields.set(place, before);
       return before.entry.element;
@@ -421,7 +467,9 @@ export class Form {
       quantity: ({ quantity }) => (quantity === 'load' ? forceOf(this.draft.job) : quantity),
       parent: () => this.draft.job[body]?.material,
       wire: (value, { quantity }) =>
-        quantity && quantity !== 'load' ? convert(value, quantity, 'mm_N_MPa', unitsOf(this.draft.job)) : value,
+        quantity && quantity !== 'load'
+          ? convert(value, quantity, 'mm_N_MPa', unitsOf(this.draft.job))
+          : value,
       slide: /^\/(solver|mesh)/.test(place)
         ? undefined
         : (value, moving) => {
@@ -450,9 +498,12 @@ const isUnusual = (body) =>
 /** What the field of a place shows: a part of the job, or which of its kinds it is. @param {import('../types.js').Job} job @param {string} place */
 function valueIn(job, place) {
   const within = (/** @type {string} */ end) => pointer.get(job, place.slice(0, -end.length));
-  if (place.endsWith('/plasticity/depth_kind')) return overDepthOf(within('/plasticity/depth_kind'));
-  if (place.endsWith('/stress_kind')) return hasInitialStress(within('/stress_kind')) ? 'given' : 'none';
-  if (place.endsWith('/surface_kind')) return hasSurface(within('/surface_kind')) ? 'given' : 'none';
+  if (place.endsWith('/plasticity/depth_kind'))
+    return overDepthOf(within('/plasticity/depth_kind'));
+  if (place.endsWith('/stress_kind'))
+    return hasInitialStress(within('/stress_kind')) ? 'given' : 'none';
+  if (place.endsWith('/surface_kind'))
+    return hasSurface(within('/surface_kind')) ? 'given' : 'none';
   if (place.endsWith('/law')) return lawOf(within('/law'));
   if (place === '/load/kind') return loadOf(job.load);
   if (place === '/load/target_kind') return targetOf(job.load);
@@ -461,13 +512,16 @@ function valueIn(job, place) {
 
 /** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {Body} body */
 const hasBackstress = (job, body) =>
-  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) && (job.solver?.theory === 'flow' || hasTerms(job[body]));
+  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
+  (job.solver?.theory === 'flow' || hasTerms(job[body]));
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */
 function inner(place, { pointer, detail: reported }) {
   // A history has loads of nothing too.
   const detail = inWords(
-    place === '/load/history' ? reported.replace('must be greater than 0', 'must be 0 or greater') : reported,
+    place === '/load/history'
+      ? reported.replace('must be greater than 0', 'must be 0 or greater')
+      : reported,
   );
   const part = pointer
     .slice(place.length + 1)

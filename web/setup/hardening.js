@@ -1,12 +1,15 @@
-/** Hardening curves: from figures of a tensile test to plastic strain and true stress, and every law as a curve. */
+/**
+ * Hardening curves: from figures of a tensile test to plastic strain and true stress, and every
+ * law as a curve.
+ */
 
 import { numberOf } from '../lib/number.js';
 
 /** @typedef {[number, number]} Point */
 
 /**
- * Engineering strain e and stress s of a tensile test, elastic part included: ε = ln(1 + e), σ = s (1 + e), which holds up to
- * the onset of necking.
+ * Engineering strain e and stress s of a tensile test, elastic part included: ε = ln(1 + e), σ = s
+ * (1 + e), which holds up to the onset of necking.
  * @param {Point[]} points
  * @param {number} modulus
  */
@@ -17,14 +20,17 @@ export const fromEngineering = (points, modulus) =>
   );
 
 /**
- * Total strain and true stress: ε_p = ε − σ/E. The elastic part becomes one point at ε_p = 0; what falls again is left out.
+ * Total strain and true stress: ε_p = ε − σ/E. The elastic part becomes one point at ε_p = 0; what
+ * falls again is left out.
  * @param {Point[]} points
  * @param {number} modulus
  * @returns {{points: Point[], note: string}}
  */
 export function fromTotal(points, modulus) {
   if (!(modulus > 0)) return { points, note: '' };
-  const plastic = /** @type {Point[]} */ (points.map(([total, stress]) => [total - stress / modulus, stress]));
+  const plastic = /** @type {Point[]} */ (
+    points.map(([total, stress]) => [total - stress / modulus, stress])
+  );
   const begin = plastic.findIndex(([strain]) => strain > 2e-5);
   if (begin < 0) return { points, note: '' };
   const yielded = begin > 0 ? plastic[begin - 1][1] : plastic[begin][1];
@@ -55,19 +61,25 @@ export function curve(material) {
   const y = law.yield_stress;
   const curves = /** @type {Record<string, (p: number) => number>} */ ({
     bilinear: (p) => y + ((E * law.tangent_modulus) / (E - law.tangent_modulus)) * p,
-    ramberg_osgood: (p) => law.reference_stress * ((p * E) / (law.offset * law.reference_stress)) ** (1 / law.exponent),
+    ramberg_osgood: (p) =>
+      law.reference_stress * ((p * E) / (law.offset * law.reference_stress)) ** (1 / law.exponent),
     swift: (p) => y * (1 + p / law.strain_offset) ** law.exponent,
     ludwik: (p) => y + law.coefficient * p ** law.exponent,
     voce: (p) => y + (law.saturation_stress - y) * (1 - Math.exp(-law.rate * p)),
     table: (p) => between(law.points, p),
   });
   const stress = curves[law.law];
-  return stress && Number.isFinite(stress(0)) && Number.isFinite(stress(0.01)) ? stress : undefined;
+  return stress && Number.isFinite(stress(0)) && Number.isFinite(stress(0.01))
+    ? stress
+    : undefined;
 }
 
 /** Straight lines between the points, constant beyond the last. @param {unknown} points @param {number} strain */
 function between(points, strain) {
-  if (!Array.isArray(points) || !points.every((point) => Array.isArray(point) && point.every(Number.isFinite)))
+  if (
+    !Array.isArray(points) ||
+    !points.every((point) => Array.isArray(point) && point.every(Number.isFinite))
+  )
     return NaN;
   const next = points.findIndex(([at]) => at >= strain);
   if (next < 0) return points.at(-1)?.[1] ?? NaN;

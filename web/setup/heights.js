@@ -1,4 +1,7 @@
-/** A field of heights on a grid: pasted, or opened from a file of text or of NumPy. What it holds is shown as a picture. */
+/**
+ * A field of heights on a grid: pasted, or opened from a file of text or of NumPy. What it holds
+ * is shown as a picture.
+ */
 
 import { readGrid } from '../api/npz.js';
 import { h } from '../lib/dom.js';
@@ -31,7 +34,8 @@ function faultOf(heights) {
   const columns = heights[0]?.length ?? 0;
   const uneven = heights.findIndex((row) => row.length !== columns);
   if (heights.length < 2 || columns < 2) return 'a grid of heights is wanted, a line for each x';
-  if (uneven > 0) return `line ${uneven + 1} has ${heights[uneven].length} heights, the first has ${columns}`;
+  if (uneven > 0)
+    return `line ${uneven + 1} has ${heights[uneven].length} heights, the first has ${columns}`;
   const hole = heights.findIndex((row) => !row.every(Number.isFinite));
   return hole < 0 ? '' : `line ${hole + 1} has a height that is no number: fill holes before`;
 }
@@ -71,7 +75,8 @@ export function heightsControl(id, change, { units }) {
   };
   const take = (/** @type {{heights: number[][]} | {problem: string}} */ result) => {
     if ('problem' in result) note.textContent = `Not taken: ${result.problem}`;
-    else put(result.heights, `${result.heights.length} × ${result.heights[0].length} heights read`);
+    else
+      put(result.heights, `${result.heights.length} × ${result.heights[0].length} heights read`);
   };
   const open = async (/** @type {File | undefined} */ file) => {
     if (!file) return;
@@ -99,14 +104,21 @@ export function heightsControl(id, change, { units }) {
     if (file) event.preventDefault();
     open(file);
   });
-  const each = (/** @type {(heights: number[][]) => number[][]} */ work, /** @type {string} */ words) => {
+  const each = (
+    /** @type {(heights: number[][]) => number[][]} */ work,
+    /** @type {string} */ words,
+  ) => {
     if (isGrid(held)) put(work(held), words);
   };
   const turn = () =>
-    each((heights) => heights[0].map((_, j) => heights.map((row) => row[j])), 'rows and columns exchanged');
+    each(
+      (heights) => heights[0].map((_, j) => heights.map((row) => row[j])),
+      'rows and columns exchanged',
+    );
   const convert = (/** @type {string} */ name) =>
     each(
-      (heights) => heights.map((row) => row.map((one) => inJobUnits(one, name, 'length', units()) ?? one)),
+      (heights) =>
+        heights.map((row) => row.map((one) => inJobUnits(one, name, 'length', units()) ?? one)),
       `heights converted from ${name}`,
     );
   return {
@@ -125,7 +137,12 @@ export function heightsControl(id, change, { units }) {
         heightUnit(convert),
         h(
           'button',
-          { type: 'button', class: 'plain', title: 'For grids whose lines lie along x', onclick: turn },
+          {
+            type: 'button',
+            class: 'plain',
+            title: 'For grids whose lines lie along x',
+            onclick: turn,
+          },
           'x ↔ y',
         ),
       ),

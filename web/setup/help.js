@@ -9,8 +9,10 @@ export const TEXTS = {
     'Plane strain: long rollers and rails, which cannot stretch along the line of contact; loads are per length. Plane stress: thin discs and sheets, free to bulge sideways. Axisymmetric: balls and indenters; loads are whole forces, and cylinders become spheres. Three dimensions: balls in grooves, rollers that end and tilt, measured heights; loads are whole forces on half-spaces.',
   support:
     'How the far side of the body is held, at the diametral plane or the base. Clamped: it cannot move. Roller: it slides sideways. Far from the contact this changes the approach by some per cent and the pressure hardly.',
-  young_modulus: 'Stiffness in tension before yield: 200 to 212 GPa for steel, 70 GPa for aluminium.',
-  poisson_ratio: 'Lateral contraction over axial extension in a tensile test: 0.3 for steel, 0.33 for aluminium.',
+  young_modulus:
+    'Stiffness in tension before yield: 200 to 212 GPa for steel, 70 GPa for aluminium.',
+  poisson_ratio:
+    'Lateral contraction over axial extension in a tensile test: 0.3 for steel, 0.33 for aluminium.',
   law: 'How the stress that makes the metal flow grows with plastic strain. Elastic: it never flows. Bilinear: a yield stress and a slope. Swift, Ludwik and Voce: fits of tensile tests. Table: points of a test. Rigid: it neither bends nor flows.',
   target:
     'The load is the answer: it is searched for until the contact has this figure. What stays behind (permanent approach, dent) is known to flow theory alone.',
@@ -25,15 +27,18 @@ export const TEXTS = {
   yield_stress: 'Stress in a tensile test at which plastic flow begins.',
   tangent_modulus:
     'Slope of stress over total strain beyond yield. 0 is perfectly plastic; steels are often taken at E/100.',
-  reference_stress: 'Stress at which the plastic strain is a·σ0/E. With σ0 = R_p0.2, a = 0.002 E/σ0.',
+  reference_stress:
+    'Stress at which the plastic strain is a·σ0/E. With σ0 = R_p0.2, a = 0.002 E/σ0.',
   saturation_stress: 'Stress that hardening approaches and does not pass.',
-  width: 'Full width of the body. Ten half-widths of the contact or more keep its sides out of the answer.',
+  width:
+    'Full width of the body. Ten half-widths of the contact or more keep its sides out of the answer.',
   depth:
     'From the surface to the base, where the body is held. The approach grows with it without bound, the pressure does not.',
   kind: 'Force: the load is known. Approach: how far the bodies are pressed together is known, the force is an answer. A sweep gives a curve. Force for a given figure: a pressure, width, strain or dent is wanted, and the force for it is the answer. Onset of yield: the least load that makes the metal flow.',
   force:
     'In plane strain and plane stress the load per unit of thickness, on the whole contact; in axisymmetry and in three dimensions the whole force.',
-  approach: 'How far the two held sides move towards each other. It depends on where the bodies are held.',
+  approach:
+    'How far the two held sides move towards each other. It depends on where the bodies are held.',
   'mesh/elements_per_half_width':
     'Elements over half the width of the contact, in three dimensions cells over each semi-axis. 20 gives the peak pressure to some 0.05 %, 10 is enough for a look; time and memory grow with the square.',
   'solver/coupling':
@@ -42,7 +47,8 @@ export const TEXTS = {
     'Two methods for the same contact problem; the simplex is that of Conry and Seireg (1971) and slower.',
   'solver/increments':
     'Steps in which flow theory puts each load on. Left empty, the program chooses them from its own estimate of their error.',
-  'solver/tolerance': 'Relative change of displacements and out-of-balance force at which the iteration ends.',
+  'solver/tolerance':
+    'Relative change of displacements and out-of-balance force at which the iteration ends.',
   theory:
     'Deformation theory takes plastic strain from the state as it is: fast, and close as long as the load only grows. Flow theory follows the history in increments: it knows unloading, residual stresses and the dent.',
 };

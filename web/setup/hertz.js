@@ -14,15 +14,18 @@ const HOLLOW = new Set(['block', 'groove']);
 /** @param {import('../types.js').Job} job @returns {string} why the theory does not apply, which the shapes tell */
 export function whyNot(job) {
   const shapes = [job.upper?.shape?.type, job.lower?.shape?.type];
-  if (shapes.includes('hole')) return `one body lies within the other, and they touch over a wide arc`;
+  if (shapes.includes('hole'))
+    return `one body lies within the other, and they touch over a wide arc`;
   const other = shapes.find((type) => WITHOUT.has(type));
-  if (other) return `it takes round surfaces, and a ${shapeLabel(other, job.analysis).toLowerCase()} is none`;
+  if (other)
+    return `it takes round surfaces, and a ${shapeLabel(other, job.analysis).toLowerCase()} is none`;
   if (shapes.every((type) => HOLLOW.has(type))) return 'neither body is round at the contact';
   return '';
 }
 
 /**
- * Hertz for the job's forces; where it prescribes something else, for a unit of force, which still tells the onset.
+ * Hertz for the job's forces; where it prescribes something else, for a unit of force, which still
+ * tells the onset.
  * @param {import('../types.js').Job} job
  * @param {AbortSignal} signal
  * @returns {Promise<Answer>}
@@ -47,7 +50,9 @@ export async function closedForm(job, signal) {
     const shapes = error.errors.some(({ pointer }) => /^\/(upper|lower)\/shape$/.test(pointer));
     return {
       hertz: null,
-      why: shapes ? 'it takes elastic surfaces that curve away from each other at the contact' : '',
+      why: shapes
+        ? 'it takes elastic surfaces that curve away from each other at the contact'
+        : '',
     };
   }
 }

@@ -41,11 +41,13 @@ const figureOf = (load) => numberOf(load?.[kindOf(load)]);
 
 /** Every load with nothing but its figure, approaches behind an α. @param {any[]} history */
 export const historyFigures = (history) =>
-  history.map((load) => `${kindOf(load) === 'force' ? '' : 'α '}${exact(figureOf(load))}`).join(' → ');
+  history
+    .map((load) => `${kindOf(load) === 'force' ? '' : 'α '}${exact(figureOf(load))}`)
+    .join(' → ');
 
 /**
- * Loads in turn with letters and units, where there is little room: those of one kind that follow each other share them; of many,
- * what is prescribed at most.
+ * Loads in turn with letters and units, where there is little room: those of one kind that follow
+ * each other share them; of many, what is prescribed at most.
  * @param {unknown} history
  * @param {LoadUnits} units
  * @param {{few?: number, is?: string}} [written] loads that are written out; what stands behind a letter
@@ -61,7 +63,9 @@ export function historyWords(history, units, { few = FEW, is = ' ' } = {}) {
   if (history.length > few) {
     const parts = kinds.flatMap(({ kind, letter }) => {
       const figures = history.filter((load) => kindOf(load) === kind).map(figureOf);
-      return figures.length ? [{ letter, most: `up to ${exact(Math.max(...figures))} ${units[kind]}` }] : [];
+      return figures.length
+        ? [{ letter, most: `up to ${exact(Math.max(...figures))} ${units[kind]}` }]
+        : [];
     });
     const count = `${history.length} loads`;
     return parts.length === 1
@@ -71,7 +75,9 @@ export function historyWords(history, units, { few = FEW, is = ' ' } = {}) {
   return history
     .map((load, k) => {
       const { kind, letter } = of(load);
-      const [begins, ends] = [history[k - 1], history[k + 1]].map((next) => !next || kindOf(next) !== kind);
+      const [begins, ends] = [history[k - 1], history[k + 1]].map(
+        (next) => !next || kindOf(next) !== kind,
+      );
       return `${begins ? letter + is : ''}${exact(figureOf(load))}${ends ? ` ${units[kind]}` : ''}`;
     })
     .join(' → ');
@@ -94,12 +100,15 @@ export function readHistory(text, force, units) {
   });
   const readings = readParts(parts, units, 'load');
   if ('problem' in readings) return readings;
-  return { loads: parts.map(({ key }, k) => /** @type {HistoryLoad} */ ({ [key]: readings.values[k] })) };
+  return {
+    loads: parts.map(({ key }, k) => /** @type {HistoryLoad} */ ({ [key]: readings.values[k] })),
+  };
 }
 
 /** The loads that are repeated: the fewest from which all of them come. @param {HistoryLoad[]} loads */
 function cycleOf(loads) {
-  const repeats = (/** @type {number} */ period) => loads.every((load, k) => same(load, loads[k % period]));
+  const repeats = (/** @type {number} */ period) =>
+    loads.every((load, k) => same(load, loads[k % period]));
   const period = loads.findIndex((_, k) => k > 0 && loads.length % k === 0 && repeats(k));
   return period < 0 ? loads : loads.slice(0, period);
 }
@@ -112,8 +121,15 @@ function cycleOf(loads) {
  * @returns {import('./entry.js').Control}
  */
 export function historyControl(field, id, change, { units, quantity }) {
-  const input = h('input', { id, type: 'text', maxlength: LONGEST + 1, autocomplete: 'off', spellcheck: 'false' });
-  const reading = (/** @type {string} */ text) => readHistory(text, quantity(field) ?? 'force', units());
+  const input = h('input', {
+    id,
+    type: 'text',
+    maxlength: LONGEST + 1,
+    autocomplete: 'off',
+    spellcheck: 'false',
+  });
+  const reading = (/** @type {string} */ text) =>
+    readHistory(text, quantity(field) ?? 'force', units());
   const read = () => {
     const result = reading(input.value);
     return 'loads' in result ? result.loads : input.value;
@@ -128,8 +144,10 @@ export function historyControl(field, id, change, { units, quantity }) {
     write(longer);
     change(longer);
   };
-  const button = (/** @type {string} */ text, /** @type {(loads: HistoryLoad[]) => HistoryLoad[]} */ more) =>
-    h('button', { type: 'button', class: 'plain', onclick: () => append(more) }, text);
+  const button = (
+    /** @type {string} */ text,
+    /** @type {(loads: HistoryLoad[]) => HistoryLoad[]} */ more,
+  ) => h('button', { type: 'button', class: 'plain', onclick: () => append(more) }, text);
   return {
     input,
     read,

@@ -1,6 +1,7 @@
 /**
- * The smooth curve through points that the solver makes of a profile: piecewise cubic, smooth to the first derivative, without
- * overshoot (Fritsch and Carlson 1980, slopes of Fritsch and Butland 1984).
+ * The smooth curve through points that the solver makes of a profile: piecewise cubic, smooth to
+ * the first derivative, without overshoot (Fritsch and Carlson 1980, slopes of Fritsch and Butland
+ * 1984).
  */
 
 /** @typedef {[number, number]} Point */
@@ -15,7 +16,10 @@ const PIECES = 192;
 export function smoothed(points) {
   const secants = points
     .slice(1)
-    .map(([x, y], k) => /** @type {Point} */ ([x - points[k][0], (y - points[k][1]) / (x - points[k][0])]));
+    .map(
+      ([x, y], k) =>
+        /** @type {Point} */ ([x - points[k][0], (y - points[k][1]) / (x - points[k][0])]),
+    );
   const slopes = points.map((_, k) => {
     const [left, right] = [secants[k - 1], secants[k]];
     if (left && right) return innerSlope(left, right);
@@ -28,7 +32,10 @@ export function smoothed(points) {
       const s = 1 - t;
       const [[x0, y0], [, y1]] = [points[k], points[k + 1]];
       const bends = h * t * s * (s * slopes[k] - t * slopes[k + 1]);
-      return /** @type {Point} */ ([x0 + t * h, y0 * s * s * (1 + 2 * t) + y1 * t * t * (3 - 2 * t) + bends]);
+      return /** @type {Point} */ ([
+        x0 + t * h,
+        y0 * s * s * (1 + 2 * t) + y1 * t * t * (3 - 2 * t) + bends,
+      ]);
     }),
   );
   return [points[0], ...between];

@@ -37,7 +37,8 @@ export function startJson(draft) {
     typed = false;
     try {
       const job = JSON.parse(text.value.replace(/^\ufeff/, ''), finite);
-      if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
+      if (job === null || typeof job !== 'object' || Array.isArray(job))
+        throw new Error('a job is an object');
       draft.replace(job, SOURCE);
       return take('');
     } catch (error) {
@@ -76,19 +77,27 @@ export function startJson(draft) {
 
 /** @param {string} key @param {unknown} value @returns {unknown} the same, unless it is a number that JSON cannot carry on */
 function finite(key, value) {
-  if (typeof value === 'number' && !Number.isFinite(value)) throw new Error(`“${key}” is too large for a number`);
+  if (typeof value === 'number' && !Number.isFinite(value))
+    throw new Error(`“${key}” is too large for a number`);
   return value;
 }
 
 /** Two spaces, with lists of numbers and small objects on one line. @param {unknown} value @returns {string} */
 export function print(value, indent = '') {
   const flat = JSON.stringify(value);
-  if (value === null || typeof value !== 'object' || (flat.length < 40 && !/[[{].*[[{].*[[{]/.test(flat))) {
+  if (
+    value === null ||
+    typeof value !== 'object' ||
+    (flat.length < 40 && !/[[{].*[[{].*[[{]/.test(flat))
+  ) {
     return value !== null && typeof value === 'object' ? spaced(value) : flat;
   }
   const deeper = `${indent}  `;
-  if (Array.isArray(value)) return `[\n${value.map((one) => deeper + print(one, deeper)).join(',\n')}\n${indent}]`;
-  const entries = Object.entries(value).map(([key, one]) => `${deeper}${JSON.stringify(key)}: ${print(one, deeper)}`);
+  if (Array.isArray(value))
+    return `[\n${value.map((one) => deeper + print(one, deeper)).join(',\n')}\n${indent}]`;
+  const entries = Object.entries(value).map(
+    ([key, one]) => `${deeper}${JSON.stringify(key)}: ${print(one, deeper)}`,
+  );
   return `{\n${entries.join(',\n')}\n${indent}}`;
 }
 
@@ -97,6 +106,8 @@ function spaced(value) {
   const inner = (/** @type {unknown} */ one) =>
     one !== null && typeof one === 'object' ? spaced(one) : JSON.stringify(one);
   if (Array.isArray(value)) return `[${value.map(inner).join(', ')}]`;
-  const entries = Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${inner(one)}`);
+  const entries = Object.entries(value).map(
+    ([key, one]) => `${JSON.stringify(key)}: ${inner(one)}`,
+  );
   return entries.length ? `{ ${entries.join(', ')} }` : '{}';
 }

@@ -1,6 +1,6 @@
 /**
- * Choosing another kind of a shape, a hardening or a load: as it was given before, or else with typical figures of about the same
- * size. Whoever only looks at another kind loses nothing.
+ * Choosing another kind of a shape, a hardening or a load: as it was given before, or else with
+ * typical figures of about the same size. Whoever only looks at another kind loses nothing.
  */
 
 import { toast } from '../lib/dom.js';
@@ -56,7 +56,8 @@ export class Kinds {
   /** Forgets what was given below a place. @param {string} place */
   forget(place) {
     for (const key of this.#given.keys()) if (key.startsWith(place)) this.#given.delete(key);
-    for (const body of this.#stiffened.keys()) if (`/${body}/material`.startsWith(place)) this.#stiffened.delete(body);
+    for (const body of this.#stiffened.keys())
+      if (`/${body}/material`.startsWith(place)) this.#stiffened.delete(body);
   }
 
   /** @param {string} place of the draft @param {string} kind that it has */
@@ -118,7 +119,11 @@ export class Kinds {
     const at = `/${body}/surface`;
     const { job } = this.draft;
     if (!given) this.#keep(at, 'given');
-    this.draft.set(at, given ? (this.#before(at, 'given') ?? typicalSurface(unitsOf(job))) : undefined, this.source);
+    this.draft.set(
+      at,
+      given ? (this.#before(at, 'given') ?? typicalSurface(unitsOf(job))) : undefined,
+      this.source,
+    );
   }
 
   /** @param {Body} body @param {string} law */
@@ -145,7 +150,9 @@ export class Kinds {
     const { over_depth, backstress } = hardening ?? {};
     const { over_depth: _, backstress: __, ...own } = this.#before(at, law)?.plasticity ?? {};
     const plasticity =
-      LAWS[law]?.fields.length && own.law ? own : plasticityLike(law, { ...material, plasticity: hardening }, units);
+      LAWS[law]?.fields.length && own.law
+        ? own
+        : plasticityLike(law, { ...material, plasticity: hardening }, units);
     if (plasticity && over_depth) plasticity.over_depth = over_depth;
     if (plasticity && backstress) plasticity.backstress = backstress;
     return {
@@ -160,7 +167,11 @@ export class Kinds {
     const at = `/${body}/material/plasticity/over_depth`;
     const { job } = this.draft;
     this.#keep(at, overDepthOf(job[body]?.material));
-    this.draft.set(at, this.#before(at, kind) ?? typicalOverDepth(kind, unitsOf(job)), this.source);
+    this.draft.set(
+      at,
+      this.#before(at, kind) ?? typicalOverDepth(kind, unitsOf(job)),
+      this.source,
+    );
   }
 
   /** @param {Body} body @param {boolean} given */
@@ -168,7 +179,9 @@ export class Kinds {
     const at = `/${body}/material/initial_stress`;
     const { job } = this.draft;
     if (!given) this.#keep(at, 'given');
-    const stress = given ? (this.#before(at, 'given') ?? typicalInitialStress(job, job[body]?.material)) : undefined;
+    const stress = given
+      ? (this.#before(at, 'given') ?? typicalInitialStress(job, job[body]?.material))
+      : undefined;
     this.draft.set(at, stress, this.source);
   }
 
@@ -193,15 +206,20 @@ export class Kinds {
     this.#keepLoad();
     const { example, quantity } = TARGETS[figure];
     const units = unitsOf(this.draft.job);
-    const value = quantity && quantity !== 'load' ? convert(example, quantity, 'mm_N_MPa', units) : example;
-    this.#setLoad(this.#before('/load', figure) ?? { target: { [figure]: value } }, PERMANENT.has(figure));
+    const value =
+      quantity && quantity !== 'load' ? convert(example, quantity, 'mm_N_MPa', units) : example;
+    this.#setLoad(
+      this.#before('/load', figure) ?? { target: { [figure]: value } },
+      PERMANENT.has(figure),
+    );
   }
 
   /** Gives the job another load, and flow theory as long as that alone knows the load. @param {object} load @param {boolean} flow */
   #setLoad(load, flow) {
     const { job } = this.draft;
     const theory = job.solver?.theory;
-    const needed = flow || job.solver?.increments != null || hasTerms(job.upper) || hasTerms(job.lower);
+    const needed =
+      flow || job.solver?.increments != null || hasTerms(job.upper) || hasTerms(job.lower);
     const back = this.#lent && !needed;
     const solver = { ...job.solver, theory: flow ? 'flow' : 'deformation' };
     this.draft.replace({ ...job, load, ...((flow || back) && { solver }) }, this.source);

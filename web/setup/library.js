@@ -33,14 +33,16 @@ export function ownMaterials() {
 export const allMaterials = () => [...ownMaterials(), ...PRESETS];
 
 /** @param {Preset[]} all @returns {boolean} whether they are kept when the page is closed */
-const write = (all) => browser.set(KEPT, JSON.stringify(all.sort((a, b) => a.name.localeCompare(b.name))));
+const write = (all) =>
+  browser.set(KEPT, JSON.stringify(all.sort((a, b) => a.name.localeCompare(b.name))));
 
 /** @param {Preset} preset replaces one of the same name */
-const keep = (preset) => write([...ownMaterials().filter(({ name }) => name !== preset.name), preset]);
+const keep = (preset) =>
+  write([...ownMaterials().filter(({ name }) => name !== preset.name), preset]);
 
 /**
- * Yield strength of a steel from its Vickers hardness: Pavlina and Van Tyne, J. Mater. Eng. Perform. 17 (2008) 888, a line through
- * some 150 steels from 300 to 1700 MPa. [MPa]
+ * Yield strength of a steel from its Vickers hardness: Pavlina and Van Tyne, J. Mater. Eng.
+ * Perform. 17 (2008) 888, a line through some 150 steels from 300 to 1700 MPa. [MPa]
  * @param {number} hardness
  */
 export const strengthOf = (hardness) => -90.7 + 2.876 * hardness;
@@ -50,8 +52,8 @@ const [SOFTEST, HARDEST] = [136, 622];
 /** Brinell over Vickers hardness, ISO 18265. */
 const BRINELL = 0.95;
 /**
- * Rockwell C and Vickers hardness of unalloyed and low-alloy steels: DIN 50150 (2000), table A.1, which ISO 18265 has taken over. Other
- * steels are off by one to two HRC.
+ * Rockwell C and Vickers hardness of unalloyed and low-alloy steels: DIN 50150 (2000), table A.1,
+ * which ISO 18265 has taken over. Other steels are off by one to two HRC.
  */
 // prettier-ignore
 const ROCKWELL = [
@@ -87,14 +89,20 @@ export function askToKeep(material, done) {
       const called = name.value.trim().replace(/\s+/g, ' ');
       const alike = (/** @type {Preset} */ one) => one.name.toLowerCase() === called.toLowerCase();
       if (!called) return 'A material has a name.';
-      if (PRESETS.some(alike)) return 'The library has a material of this name: choose another name.';
+      if (PRESETS.some(alike))
+        return 'The library has a material of this name: choose another name.';
       const before = ownMaterials().find(alike)?.name;
       if (before && before !== replaced) {
         replaced = before;
         return `You have kept a material “${before}”. Press Keep again to replace it, or choose another name.`;
       }
-      const keeps = keep({ name: before ?? called, source: source.value.trim() || 'Own figures.', material });
-      if (!keeps) toast('The browser stores nothing more: the material is there until this page is closed');
+      const keeps = keep({
+        name: before ?? called,
+        source: source.value.trim() || 'Own figures.',
+        material,
+      });
+      if (!keeps)
+        toast('The browser stores nothing more: the material is there until this page is closed');
       done(before ?? called);
       tell();
       return '';
@@ -125,7 +133,12 @@ export function askHardness(use) {
   dialogue(
     'Yield stress from hardness',
     [
-      h('p', { class: 'bar' }, h('label', {}, 'Hardness ', figure), h('label', {}, 'Scale ', scale)),
+      h(
+        'p',
+        { class: 'bar' },
+        h('label', {}, 'Hardness ', figure),
+        h('label', {}, 'Scale ', scale),
+      ),
       h(
         'p',
         { class: 'quiet' },
@@ -139,13 +152,19 @@ export function askHardness(use) {
       const vickers = vickersOf(reading.value, scale.value);
       if (!(vickers >= SOFTEST && vickers <= HARDEST)) {
         const is =
-          scale.value !== 'HV' && vickers ? `${reading.value} ${scale.value} is ${Math.round(vickers)} HV. ` : '';
+          scale.value !== 'HV' && vickers
+            ? `${reading.value} ${scale.value} is ${Math.round(vickers)} HV. `
+            : '';
         return `${is}The line stands for ${SOFTEST} to ${HARDEST} HV${scale.value === 'HRC' ? ', 20.3 to 56.3 HRC' : ''}.`;
       }
       use({
         young_modulus: 210000,
         poisson_ratio: 0.3,
-        plasticity: { law: 'bilinear', yield_stress: Math.round(strengthOf(vickers)), tangent_modulus: 2100 },
+        plasticity: {
+          law: 'bilinear',
+          yield_stress: Math.round(strengthOf(vickers)),
+          tangent_modulus: 2100,
+        },
       });
       return '';
     },

@@ -1,4 +1,7 @@
-/** Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space; or a range. */
+/**
+ * Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space;
+ * or a range.
+ */
 
 import { h } from '../lib/dom.js';
 import { hasDecimalComma, parted, quoted, readQuantity, withMinus } from '../lib/number.js';
@@ -15,7 +18,10 @@ const MOST = 1000;
 /** Most letters of a text that may be as many. */
 export const LONGEST = 50_000;
 
-/** Digits that may belong together or not: groups of three with a space or an apostrophe, and commas with nothing else between numbers. */
+/**
+ * Digits that may belong together or not: groups of three with a space or an apostrophe, and
+ * commas with nothing else between numbers.
+ */
 const UNCLEAR = /\d(?:[\u00a0\u2009\u202f'’]\d{3}|\s+0\d\d)(?!\d)|^\D*[1-9]\d*(?:,\d+)+\D*$/;
 
 /** @param {string} text @returns {{problem: string} | undefined} why it is not clear which numbers it has */
@@ -52,10 +58,13 @@ export function partsOf(text) {
  * @returns {Readings}
  */
 export function readParts(parts, units, name = 'number') {
-  if (parts.length > MOST) return { problem: `${parts.length} ${name}s: at most ${MOST} are taken` };
+  if (parts.length > MOST)
+    return { problem: `${parts.length} ${name}s: at most ${MOST} are taken` };
   const shared = new Map();
   for (const quantity of new Set(parts.map((part) => part.quantity))) {
-    const names = parts.filter((part) => part.quantity === quantity).map(({ text }) => parted(text).name);
+    const names = parts
+      .filter((part) => part.quantity === quantity)
+      .map(({ text }) => parted(text).name);
     const last = names[names.length - 1];
     const each = names.slice(0, -1).some(Boolean);
     if (each && !names.every(Boolean))
@@ -72,7 +81,9 @@ export function readParts(parts, units, name = 'number') {
     else values.push(reading.value);
   }
   const [first, ...more] = problems;
-  return first ? { problem: more.length ? `${first} (and ${more.length} more)` : first } : { values };
+  return first
+    ? { problem: more.length ? `${first} (and ${more.length} more)` : first }
+    : { values };
 }
 
 /**
@@ -90,15 +101,19 @@ export function readList(text, quantity, units) {
   const refused = unclear(text);
   if (refused) return refused;
   if (!/…|\.\./.test(text)) return read(partsOf(text));
-  const [, from, to, count] = /^\s*(.+?)\s*(?:…|\.{2,3})\s*(.+?)\s*\/\s*(\d+)\s*$/.exec(text) ?? [];
+  const [, from, to, count] =
+    /^\s*(.+?)\s*(?:…|\.{2,3})\s*(.+?)\s*\/\s*(\d+)\s*$/.exec(text) ?? [];
   if (!count) return { problem: 'a range is written as 100…1200/12: from, to, how many' };
   const many = Number(count);
-  if (many < 2 || many > MOST) return { problem: `a range has 2 to ${MOST} numbers, not ${count}` };
+  if (many < 2 || many > MOST)
+    return { problem: `a range has 2 to ${MOST} numbers, not ${count}` };
   const ends = read([from, to]);
   if ('problem' in ends) return ends;
   const [first, last] = ends.values;
   const step = (last - first) / (many - 1);
-  return { values: Array.from({ length: many }, (_, k) => Number((first + step * k).toPrecision(8))) };
+  return {
+    values: Array.from({ length: many }, (_, k) => Number((first + step * k).toPrecision(8))),
+  };
 }
 
 /** Numbers that are written out where there is little room. */

@@ -1,6 +1,7 @@
 /**
- * Solves while a slider moves. One job is under way at a time, and the newest draft is next: every answer is shown, the last
- * one wins. A job that is slow is given up as soon as there is a newer draft, which costs the service nothing more.
+ * Solves while a slider moves. One job is under way at a time, and the newest draft is next: every
+ * answer is shown, the last one wins. A job that is slow is given up as soon as there is a newer
+ * draft, which costs the service nothing more.
  */
 
 import { Problem } from '../api/client.js';
@@ -32,7 +33,10 @@ export class Live {
     const copy = structuredClone(job);
     const elements = numberOf(job.mesh?.elements_per_half_width ?? usualElements(job));
     const few = coarse(job);
-    const solved = moving && elements > few ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: few } } : copy;
+    const solved =
+      moving && elements > few
+        ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: few } }
+        : copy;
     this.#next = { job: copy, solved, moving };
     if (!this.#running) this.#run();
     else if (performance.now() - this.#running.since > SLOW) this.#running.controller.abort();

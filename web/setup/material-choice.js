@@ -1,4 +1,7 @@
-/** The choice of a material for a body, and what one does with it: from a hardness, kept as one's own, forgotten. */
+/**
+ * The choice of a material for a body, and what one does with it: from a hardness, kept as one's
+ * own, forgotten.
+ */
 
 import { h, toast } from '../lib/dom.js';
 import { toolbar } from '../lib/toolbar.js';
@@ -27,12 +30,19 @@ export class MaterialChoice {
     this.fault = fault;
     const button = (/** @type {string} */ text, /** @type {() => void} */ onclick) =>
       h('button', { type: 'button', class: 'plain', onclick }, text);
-    this.select = h('select', { 'data-preset': body, onchange: () => this.#take(this.select.value) });
+    this.select = h('select', {
+      'data-preset': body,
+      onchange: () => this.#take(this.select.value),
+    });
     this.drop = button('Forget', () => this.#forget());
     this.drop.dataset.forget = body;
     this.origin = h('p', { class: 'source', 'data-source': body });
     this.elements = [
-      h('div', { class: 'entry choice' }, h('label', {}, 'Material', h('span', { class: 'value' }, this.select))),
+      h(
+        'div',
+        { class: 'entry choice' },
+        h('label', {}, 'Material', h('span', { class: 'value' }, this.select)),
+      ),
       toolbar(
         h(
           'div',
@@ -99,11 +109,15 @@ export class MaterialChoice {
 /** Materials to choose from, one's own first. */
 function options() {
   const own = ownMaterials();
-  const named = (/** @type {Preset[]} */ list) => list.map(({ name }) => h('option', { value: name }, name));
+  const named = (/** @type {Preset[]} */ list) =>
+    list.map(({ name }) => h('option', { value: name }, name));
   return [
     h('option', { value: '' }, 'own figures'),
     ...(own.length
-      ? [h('optgroup', { label: 'Own' }, named(own)), h('optgroup', { label: 'Library' }, named(PRESETS))]
+      ? [
+          h('optgroup', { label: 'Own' }, named(own)),
+          h('optgroup', { label: 'Library' }, named(PRESETS)),
+        ]
       : named(PRESETS)),
   ];
 }

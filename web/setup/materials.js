@@ -1,6 +1,7 @@
 /**
- * Materials in the units of a job. Strengths of the library are the least that a standard grants, or follow from the least hardness
- * that it grants; a part in hand may be stronger. They are a start, not a substitute for a test of one's own.
+ * Materials in the units of a job. Strengths of the library are the least that a standard grants,
+ * or follow from the least hardness that it grants; a part in hand may be stronger. They are a
+ * start, not a substitute for a test of one's own.
  */
 
 import { same } from '../lib/pointer.js';
@@ -15,4 +16,5 @@ export const materialOf = ({ material }, units) => materialIn(material, 'mm_N_MP
 export const inMegapascals = (material, units) => materialIn(material, units, 'mm_N_MPa');
 
 /** @param {Preset[]} all @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset[]} that it is: several may have the same figures */
-export const presetsOf = (all, material, units) => all.filter((preset) => same(materialOf(preset, units), material));
+export const presetsOf = (all, material, units) =>
+  all.filter((preset) => same(materialOf(preset, units), material));

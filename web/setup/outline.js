@@ -1,6 +1,6 @@
 /**
- * Outlines of shapes for the sketch, each in its body's own frame: contact at the origin, heights along the outward normal,
- * so that the material lies below.
+ * Outlines of shapes for the sketch, each in its body's own frame: contact at the origin, heights
+ * along the outward normal, so that the material lies below.
  */
 
 import { numberOf } from '../lib/number.js';
@@ -9,7 +9,8 @@ import { smoothed } from './interpolation.js';
 /** @typedef {[number, number]} Point */
 /**
  * @typedef {{surface: Point[], base: number, edge?: Point[], broken?: boolean}} Outline the surface from left to right, closed by straight sides to
- * the height `base`; of a body around a hole the whole circle, and its outer edge, or `broken` off where that is far away
+ * the height `base`; of a body around a hole the whole circle, and its outer edge, or `broken` off
+ * where that is far away
  */
 
 const STEPS = 48;
@@ -23,7 +24,11 @@ const HUGE = 1e150;
  */
 export function outline(shape) {
   const made = outlineOf(shape);
-  const figures = [made?.base ?? NaN, ...(made?.surface ?? []).flat(), ...(made?.edge ?? []).flat()];
+  const figures = [
+    made?.base ?? NaN,
+    ...(made?.surface ?? []).flat(),
+    ...(made?.edge ?? []).flat(),
+  ];
   return figures.every((figure) => Math.abs(figure) < HUGE) ? made : null;
 }
 
@@ -69,7 +74,8 @@ function hole(radius, outer, width) {
   const given = outer || width / 2;
   if (!(radius > 0 && given > radius)) return null;
   const half = Math.min(given, AROUND * radius);
-  const lift = (/** @type {Point[]} */ points) => points.map(([x, y]) => /** @type {Point} */ ([x, y + radius]));
+  const lift = (/** @type {Point[]} */ points) =>
+    points.map(([x, y]) => /** @type {Point} */ ([x, y + radius]));
   const square = /** @type {Point[]} */ ([
     [-half, -half],
     [half, -half],
@@ -114,7 +120,9 @@ function smooth(shape) {
       const radius = number('edge_radius');
       const flat = width / 2 - radius;
       const height = (/** @type {number} */ x) =>
-        Math.abs(x) > flat ? Math.sqrt(Math.max(0, radius * radius - (Math.abs(x) - flat) ** 2)) - radius : 0;
+        Math.abs(x) > flat
+          ? Math.sqrt(Math.max(0, radius * radius - (Math.abs(x) - flat) ** 2)) - radius
+          : 0;
       return flat > 0 ? sampled(height, width, depth) : null;
     }
     case 'parabola': {
@@ -123,12 +131,15 @@ function smooth(shape) {
     }
     case 'ellipse': {
       const [along, across] = [number('semi_axis_x'), number('semi_axis_y')];
-      const height = (/** @type {number} */ x) => across * (Math.sqrt(Math.max(0, 1 - (x / along) ** 2)) - 1);
+      const height = (/** @type {number} */ x) =>
+        across * (Math.sqrt(Math.max(0, 1 - (x / along) ** 2)) - 1);
       return sampled(height, 2 * along, across);
     }
     case 'power': {
       const [exponent, scale] = [number('exponent'), number('scale')];
-      return scale > 0 ? sampled((x) => -scale * (Math.abs(x) / scale) ** exponent, width, depth) : null;
+      return scale > 0
+        ? sampled((x) => -scale * (Math.abs(x) / scale) ** exponent, width, depth)
+        : null;
     }
     default:
       return null;
@@ -156,7 +167,8 @@ function arc(radius, half, sense) {
 
 /** @param {unknown} points @param {number} depth @param {boolean} isSmooth between the points @returns {Outline | null} */
 function profile(points, depth, isSmooth) {
-  const good = (/** @type {any} */ point) => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
+  const good = (/** @type {any} */ point) =>
+    Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
   if (!Array.isArray(points) || points.length < 2 || !points.every(good)) return null;
   const mirrored = points.map(([x, height]) => /** @type {Point} */ ([-x, height])).reverse();
   const whole =

@@ -1,4 +1,7 @@
-/** A field of points: typed, pasted from a spreadsheet or opened from a file, with a picture of what they make. */
+/**
+ * A field of points: typed, pasted from a spreadsheet or opened from a file, with a picture of
+ * what they make.
+ */
 
 import { h } from '../lib/dom.js';
 import { columnsInWords, numberOf } from '../lib/number.js';
@@ -25,7 +28,8 @@ export function pointsControl(field, id, change, { units, parent }) {
   const quantities = field.columns ?? ['number', 'number'];
   const input = h('textarea', { id, rows: 5, spellcheck: 'false', autocomplete: 'off' });
   const note = h('p', { class: 'note', role: 'status' });
-  const table = (/** @type {string} */ text) => readTable(text, quantities, units(), field.symbol?.split(', ') ?? []);
+  const table = (/** @type {string} */ text) =>
+    readTable(text, quantities, units(), field.symbol?.split(', ') ?? []);
   // A table at fault stays in the draft as its text, and is refused there.
   const read = () => {
     const result = table(input.value);
@@ -62,7 +66,8 @@ export function pointsControl(field, id, change, { units, parent }) {
   input.addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text') ?? '';
     const whole = input.selectionEnd - input.selectionStart === input.value.length;
-    if (text.trim().includes('\n') && (whole || !input.value.trim()) && take(text)) event.preventDefault();
+    if (text.trim().includes('\n') && (whole || !input.value.trim()) && take(text))
+      event.preventDefault();
     else note.textContent = '';
   });
   input.addEventListener('input', () => {
@@ -120,7 +125,8 @@ export function pointsControl(field, id, change, { units, parent }) {
  */
 export function termsControl(field, id, change, surroundings) {
   const members = field.members ?? ['0', '1'];
-  const term = (/** @type {number[]} */ figures) => Object.fromEntries(members.map((name, k) => [name, figures[k]]));
+  const term = (/** @type {number[]} */ figures) =>
+    Object.fromEntries(members.map((name, k) => [name, figures[k]]));
   const terms = (/** @type {any} */ points) =>
     !Array.isArray(points) ? points : points.length ? points.map(term) : undefined;
   const control = pointsControl(field, id, (points) => change(terms(points)), surroundings);
@@ -129,7 +135,9 @@ export function termsControl(field, id, change, surroundings) {
     ...control,
     read: () => terms(control.read()),
     write: (value) =>
-      control.write(Array.isArray(value) ? value.map((one) => members.map((name) => one?.[name])) : value),
+      control.write(
+        Array.isArray(value) ? value.map((one) => members.map((name) => one?.[name])) : value,
+      ),
   };
 }
 
@@ -141,19 +149,25 @@ export function fileButton(open, words = 'Open CSV…', more = '') {
     open(chooser.files?.[0]);
     chooser.value = '';
   });
-  return [chooser, h('button', { type: 'button', class: 'plain', onclick: () => chooser.click() }, words)];
+  return [
+    chooser,
+    h('button', { type: 'button', class: 'plain', onclick: () => chooser.click() }, words),
+  ];
 }
 
 /** @typedef {[number, number]} Pair */
 /** @typedef {(work: (points: Pair[]) => {points: Point[], note: string}) => void} Convert of the fields of two columns */
 
 /** @param {string} text @param {string} title @param {() => void} work */
-const button = (text, title, work) => h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
+const button = (text, title, work) =>
+  h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
 
 /** Traces that are measured from right to left, turned round. @param {Point[]} points @returns {{points: Point[], notes: string[]}} */
 function inOrder(points) {
   const falls = points.length > 1 && points.every(([x], k) => k === 0 || x < points[k - 1][0]);
-  return falls ? { points: [...points].reverse(), notes: ['taken from the last to the first'] } : { points, notes: [] };
+  return falls
+    ? { points: [...points].reverse(), notes: ['taken from the last to the first'] }
+    : { points, notes: [] };
 }
 
 /** Points in the order of their first column, of those at one place the first. @param {Pair[]} points */
@@ -170,7 +184,8 @@ function sorted(points) {
 /** The highest point at the origin. @param {Pair[]} points */
 function centred(points) {
   const [x0, top] = points.reduce((a, b) => (b[1] > a[1] ? b : a));
-  const less = (/** @type {number} */ value, /** @type {number} */ by) => Number((value - by).toPrecision(12));
+  const less = (/** @type {number} */ value, /** @type {number} */ by) =>
+    Number((value - by).toPrecision(12));
   return {
     points: points.map(([x, height]) => [less(x, x0), less(height, top)]),
     note: `moved by ${plain(-x0)} along and ${plain(-top)} up`,
@@ -206,14 +221,20 @@ export function heightUnit(convert) {
 const heights = (convert, units) => [
   heightUnit((name) =>
     convert((points) => ({
-      points: points.map(([x, height]) => [x, inJobUnits(height, name, 'length', units()) ?? height]),
+      points: points.map(([x, height]) => [
+        x,
+        inJobUnits(height, name, 'length', units()) ?? height,
+      ]),
       note: `heights converted from ${name}`,
     })),
   ),
   button('Sort by x', 'For traces whose x falls or jumps', () => convert(sorted)),
   button('Top to 0', 'Moves the highest point to x = 0 and height 0', () => convert(centred)),
   button('Flip heights', 'For depths measured into the body: heights count outward', () =>
-    convert((points) => ({ points: points.map(([x, height]) => [x, -height || 0]), note: 'heights flipped' })),
+    convert((points) => ({
+      points: points.map(([x, height]) => [x, -height || 0]),
+      note: 'heights flipped',
+    })),
   ),
 ];
 
@@ -224,7 +245,9 @@ const strains = (convert, modulus) => [
     'The points are engineering strain and stress of a tensile test, the elastic part included',
     () => convert((points) => fromEngineering(points, modulus())),
   ),
-  button('From total strain', 'The points are total strain and true stress, the elastic part included', () =>
-    convert((points) => fromTotal(points, modulus())),
+  button(
+    'From total strain',
+    'The points are total strain and true stress, the elastic part included',
+    () => convert((points) => fromTotal(points, modulus())),
   ),
 ];

@@ -30,7 +30,13 @@ export function profilePreview(shape, units) {
     h(
       'figure',
       { class: 'preview' },
-      drawing(surface, [left, right], [low, high], `Profile, ${shape.points.length} points`, 'filled'),
+      drawing(
+        surface,
+        [left, right],
+        [low, high],
+        `Profile, ${shape.points.length} points`,
+        'filled',
+      ),
       h(
         'figcaption',
         {},
@@ -52,14 +58,23 @@ export function rollerPreview(job, body) {
     const y = 0.4995 * length * Math.sin(Math.PI * (k / 100 - 0.5));
     return /** @type {Point} */ ([y, 1000 * (tilt * y - fall(y))]);
   });
-  const straight = /** @type {Point[]} */ (tilt ? points.map(([y]) => [y, 1000 * tilt * y]) : undefined);
+  const straight = /** @type {Point[]} */ (
+    tilt ? points.map(([y]) => [y, 1000 * tilt * y]) : undefined
+  );
   const heights = [...points, ...(straight ?? [])].map(([, height]) => height);
   const small = unitsOf(job) === 'SI' ? 'mm' : 'µm';
   return [
     h(
       'figure',
       { class: 'preview' },
-      drawing(points, [-length / 2, length / 2], range(heights), 'Profile of the roller', 'filled', straight),
+      drawing(
+        points,
+        [-length / 2, length / 2],
+        range(heights),
+        'Profile of the roller',
+        'filled',
+        straight,
+      ),
       h(
         'figcaption',
         {},
@@ -74,10 +89,16 @@ export function heightsPreview(surface, units) {
   const rows = surface?.heights;
   if (!Array.isArray(rows) || !Array.isArray(rows[0])) return [];
   let [low, high] = [Infinity, -Infinity];
-  for (const row of rows) for (const one of row) [low, high] = [Math.min(low, one), Math.max(high, one)];
+  for (const row of rows)
+    for (const one of row) [low, high] = [Math.min(low, one), Math.max(high, one)];
   if (!Number.isFinite(high - low)) return [];
   const [width, height] = [rows[0].length, rows.length];
-  const canvas = h('canvas', { width, height, role: 'img', 'aria-label': `Heights, ${height} × ${width}` });
+  const canvas = h('canvas', {
+    width,
+    height,
+    role: 'img',
+    'aria-label': `Heights, ${height} × ${width}`,
+  });
   const context = canvas.getContext('2d');
   if (!context) return [];
   const image = context.createImageData(width, height);
@@ -92,8 +113,13 @@ export function heightsPreview(surface, units) {
   );
   context.putImageData(image, 0, 0);
   const length = unit('length', units);
-  const [along, across] = [numberOf(surface?.spacing_y) * width, numberOf(surface?.spacing_x) * height];
-  const size = Number.isFinite(along * across) ? `, ${plain(across)} × ${plain(along)} ${length}` : '';
+  const [along, across] = [
+    numberOf(surface?.spacing_y) * width,
+    numberOf(surface?.spacing_x) * height,
+  ];
+  const size = Number.isFinite(along * across)
+    ? `, ${plain(across)} × ${plain(along)} ${length}`
+    : '';
   const span = plain(Number((high - low).toPrecision(3)));
   return [
     h(
@@ -118,8 +144,13 @@ export function curvePreview(material, units) {
   const last = law.law === 'table' ? law.points.at(-1)[0] : 0;
   const reach = Math.max(0.02, Math.min(last, 0.5));
   const plastic = Array.from({ length: 81 }, (_, k) => reach * (k / 80) ** 2);
-  const points = /** @type {Point[]} */ ([[0, 0], ...plastic.map((p) => [p + stress(p) / modulus, stress(p)])]);
-  const nominal = /** @type {Point[]} */ (points.map(([e, s]) => [Math.expm1(e), s / Math.exp(e)]));
+  const points = /** @type {Point[]} */ ([
+    [0, 0],
+    ...plastic.map((p) => [p + stress(p) / modulus, stress(p)]),
+  ]);
+  const nominal = /** @type {Point[]} */ (
+    points.map(([e, s]) => [Math.expm1(e), s / Math.exp(e)])
+  );
   const xs = range([...points, ...nominal].map(([x]) => x));
   const ys = range([...points, ...nominal].map(([, y]) => y));
   return [
@@ -150,8 +181,15 @@ export function initialStressPreview(material, units, round) {
   const [least, greatest] = range(along.map(([depth]) => depth));
   const end = 1.15 * (greatest || 1);
   const whole = (/** @type {Point[]} */ points) =>
-    /** @type {Point[]} */ ([...points, ...(last === greatest ? [[end, points.at(-1)?.[1]]] : [])]);
-  const stresses = [0, ...along.map(([, stress]) => stress), ...across.map(([, stress]) => stress)];
+    /** @type {Point[]} */ ([
+      ...points,
+      ...(last === greatest ? [[end, points.at(-1)?.[1]]] : []),
+    ]);
+  const stresses = [
+    0,
+    ...along.map(([, stress]) => stress),
+    ...across.map(([, stress]) => stress),
+  ];
   return [
     h(
       'figure',
@@ -210,7 +248,11 @@ function drawing(points, xs, ys, name, kind, dashed) {
     'svg',
     { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': name },
     svg('path', { class: 'axes', d: `M${LEFT} ${TOP}V${base}H${WIDTH - 8}` }),
-    kind === 'filled' && svg('path', { class: 'ground', d: `${path(points)}V${base}H${at(points[0])[0].toFixed(1)}Z` }),
+    kind === 'filled' &&
+      svg('path', {
+        class: 'ground',
+        d: `${path(points)}V${base}H${at(points[0])[0].toFixed(1)}Z`,
+      }),
     dashed && svg('path', { class: 'curve dashed', d: path(dashed) }),
     svg('path', { class: 'curve', d: path(points) }),
     text(LEFT - 4, TOP + 8, ys[1], 'end'),

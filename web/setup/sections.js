@@ -36,7 +36,9 @@ export function fallOf(job, body) {
     case 'logarithmic': {
       const force = numberOf(shape.design_force);
       const soft = [job.upper, job.lower].reduce((sum, of) => sum + softness(of?.material), 0);
-      return force > 0 && soft > 0 ? (y) => ((force * soft) / (Math.PI * length)) * logarithm(y) : undefined;
+      return force > 0 && soft > 0
+        ? (y) => ((force * soft) / (Math.PI * length)) * logarithm(y)
+        : undefined;
     }
     case 'points':
       return fallOfPoints(shape.points);
@@ -47,11 +49,14 @@ export function fallOf(job, body) {
 
 /** (1 − ν²)/E. @param {Record<string, any> | undefined} material */
 const softness = (material) =>
-  material?.rigid ? 0 : (1 - numberOf(material?.poisson_ratio) ** 2) / numberOf(material?.young_modulus);
+  material?.rigid
+    ? 0
+    : (1 - numberOf(material?.poisson_ratio) ** 2) / numberOf(material?.young_modulus);
 
 /** @param {any} points */
 function fallOfPoints(points) {
-  const good = (/** @type {any} */ point) => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
+  const good = (/** @type {any} */ point) =>
+    Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
   if (!Array.isArray(points) || points.length < 2 || !points.every(good)) return undefined;
   const half = points[0][0] === 0 || points[points.length - 1][0] === 0;
   return (/** @type {number} */ y) => {
@@ -69,10 +74,14 @@ function sectionOf(job, body, axis) {
   const turn = ((numberOf(shape?.rotation ?? 0) || 0) * Math.PI) / 180;
   const along = [Math.cos(turn) ** 2, Math.sin(turn) ** 2];
   const curvature = (/** @type {unknown} */ radius) => (radius == null ? 0 : 1 / numberOf(radius));
-  const of = (/** @type {number} */ kx, /** @type {number} */ ky) => arc(along[axis] * kx + along[1 - axis] * ky);
-  const grid = hasSurface(job[body]) && Array.isArray(surface.heights) ? surface.heights : undefined;
+  const of = (/** @type {number} */ kx, /** @type {number} */ ky) =>
+    arc(along[axis] * kx + along[1 - axis] * ky);
+  const grid =
+    hasSurface(job[body]) && Array.isArray(surface.heights) ? surface.heights : undefined;
   const size = grid
-    ? (axis ? (grid[0]?.length ?? 0) * numberOf(surface.spacing_y) : grid.length * numberOf(surface.spacing_x)) / 2
+    ? (axis
+        ? (grid[0]?.length ?? 0) * numberOf(surface.spacing_y)
+        : grid.length * numberOf(surface.spacing_x)) / 2
     : Infinity;
   switch (shape?.type) {
     case 'sphere':
@@ -99,7 +108,8 @@ function arc(curvature) {
   if (!Number.isFinite(curvature)) return null;
   if (Math.abs(curvature) < 1e-12) return { height: () => 0, reach: Infinity };
   const radius = 1 / curvature;
-  const rise = (/** @type {number} */ s) => Math.abs(radius) - Math.sqrt(Math.max(0, radius * radius - s * s));
+  const rise = (/** @type {number} */ s) =>
+    Math.abs(radius) - Math.sqrt(Math.max(0, radius * radius - s * s));
   return { height: (s) => -Math.sign(radius) * rise(s), reach: Math.abs(radius) };
 }
 
@@ -130,22 +140,35 @@ export function sections(job) {
         const s = end * Math.sin((Math.PI / 2) * (n / STEPS - 1));
         return [s, height(s * (ends ? 0.9999 : 1))];
       });
-      const base = Math.max(Math.min(-DEEP * half, ...points.map(([, one]) => one - 0.08 * half)), -0.82 * half);
+      const base = Math.max(
+        Math.min(-DEEP * half, ...points.map(([, one]) => one - 0.08 * half)),
+        -0.82 * half,
+      );
       const corners = [
         [end, base],
         [-end, base],
       ];
       const path = [...points, ...corners]
         .map(
-          ([s, one]) => `${(middle + scale * s).toFixed(2)} ${(level - scale * up * Math.max(base, one)).toFixed(2)}`,
+          ([s, one]) =>
+            `${(middle + scale * s).toFixed(2)} ${(level - scale * up * Math.max(base, one)).toFixed(2)}`,
         )
         .join('L');
       const body = k ? 'lower' : 'upper';
-      root.append(svg('path', { class: `body${job[body]?.material?.rigid ? ' rigid' : ''}`, d: `M${path}Z` }));
+      root.append(
+        svg('path', {
+          class: `body${job[body]?.material?.rigid ? ' rigid' : ''}`,
+          d: `M${path}Z`,
+        }),
+      );
     });
     root.append(
       svg('circle', { class: 'contact', cx: middle, cy: level, r: 2 }),
-      svg('text', { x: middle - room, y: HEIGHT - 8 }, `along ${axis ? 'y' : 'x'}${half === wide ? '' : ', enlarged'}`),
+      svg(
+        'text',
+        { x: middle - room, y: HEIGHT - 8 },
+        `along ${axis ? 'y' : 'x'}${half === wide ? '' : ', enlarged'}`,
+      ),
     );
   });
   const text = loadLine(job);

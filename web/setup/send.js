@@ -11,7 +11,8 @@ import { reconnected } from '../api/connection.js';
  * @throws {Problem} of a job that is refused for good
  */
 export async function send(job, signal, waiting) {
-  // Whether a lost answer was of a job that was made is not known: the service makes one job of one key.
+  // Whether a lost answer was of a job that was made is not known: the service makes one job of
+  // one key.
   const headers = { 'Idempotency-Key': uniqueKey() };
   for (;;) {
     try {
@@ -29,7 +30,9 @@ const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * s
 
 /** Also where the page does not come by https, and browsers make no UUIDs. */
 const uniqueKey = () =>
-  Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+  Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) =>
+    byte.toString(16).padStart(2, '0'),
+  ).join('');
 
 /** @param {Problem} problem @returns {string} what a wait means for who wants an answer */
 export const waitingWords = ({ status, message }) =>
@@ -40,11 +43,16 @@ export const waitingWords = ({ status, message }) =>
 /** @param {Problem} problem @param {number} faults fields that are wrong @returns {string} what a refusal means for who wants an answer */
 export function refusalWords({ status, message, errors }, faults) {
   if (status === 401)
-    return hasKey() ? 'The service does not know this API key, or no longer.' : 'The service asks for an API key.';
+    return hasKey()
+      ? 'The service does not know this API key, or no longer.'
+      : 'The service asks for an API key.';
   if (status !== 422) return sentence(message);
   if (faults === 1) return 'One field is wrong: the cursor is in it.';
-  return faults ? `${faults} fields are wrong: the cursor is in the first.` : (errors[0]?.detail ?? sentence(message));
+  return faults
+    ? `${faults} fields are wrong: the cursor is in the first.`
+    : (errors[0]?.detail ?? sentence(message));
 }
 
 /** @param {string} words */
-export const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1).replace(/\.$/, '')}.`;
+export const sentence = (words) =>
+  `${words.charAt(0).toUpperCase()}${words.slice(1).replace(/\.$/, '')}.`;

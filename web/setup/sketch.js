@@ -1,4 +1,6 @@
-/** The two bodies to scale, how they are held, what presses them, and how wide Hertz's contact is. */
+/**
+ * The two bodies to scale, how they are held, what presses them, and how wide Hertz's contact is.
+ */
 
 import { byId, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
@@ -40,9 +42,15 @@ export function picture(job, hertz) {
   const shapes = [job.upper?.shape, job.lower?.shape];
   const inHole = shapes.some((shape) => shape?.type === 'hole');
   const bodies = shapes.map((shape) =>
-    inHole && shape?.type === 'cylinder' && outline(shape) ? pin(numberOf(shape.radius)) : outline(shape),
+    inHole && shape?.type === 'cylinder' && outline(shape)
+      ? pin(numberOf(shape.radius))
+      : outline(shape),
   );
-  const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words(job) });
+  const root = svg('svg', {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    role: 'img',
+    'aria-label': words(job),
+  });
   const drawn = bodies.filter((body) => body !== null);
   if (drawn.length === 0) return root;
   const length = unit('length', unitsOf(job));
@@ -55,23 +63,38 @@ export function picture(job, hertz) {
   const [above, below] = bodies;
   const meeting = above && below && !inHole ? touching(above, below) : { raise: 0, places: [] };
   if (above) bodies[0] = counted(above, meeting.raise);
-  const places = meeting.places.length ? meeting.places : [/** @type {[number, number]} */ ([0, 0])];
-  const scale = fit(bodies[0], bodies[1], 16 + LETTER * Math.max(...labels.map((label) => label.length)));
+  const places = meeting.places.length
+    ? meeting.places
+    : [/** @type {[number, number]} */ ([0, 0])];
+  const scale = fit(
+    bodies[0],
+    bodies[1],
+    16 + LETTER * Math.max(...labels.map((label) => label.length)),
+  );
   bodies.forEach((body, k) => {
     const name = k === 0 ? 'upper' : 'lower';
     if (body) root.append(...drawBody(body, k === 0 ? -1 : 1, job[name], scale, labels[k]));
   });
   if (job.analysis === 'axisymmetric') {
-    root.append(svg('line', { class: 'axis', x1: WIDTH / 2, x2: WIDTH / 2, y1: 6, y2: HEIGHT - 6 }));
+    root.append(
+      svg('line', { class: 'axis', x1: WIDTH / 2, x2: WIDTH / 2, y1: 6, y2: HEIGHT - 6 }),
+    );
   }
-  root.append(...load(job, bodies[0], scale, middleOf(places)), ...contact(job, hertz, scale, places));
+  root.append(
+    ...load(job, bodies[0], scale, middleOf(places)),
+    ...contact(job, hertz, scale, places),
+  );
   return root;
 }
 
 /** @param {Outline | null} upper @param {Outline | null} lower @param {number} side room for words beside them @returns {Scale} */
 function fit(upper, lower, side) {
-  const points = (/** @type {Outline | null} */ body) => [...(body?.surface ?? []), ...(body?.edge ?? [])];
-  const reach = (/** @type {Outline | null} */ body) => Math.max(0, ...points(body).map(([x]) => Math.abs(x)));
+  const points = (/** @type {Outline | null} */ body) => [
+    ...(body?.surface ?? []),
+    ...(body?.edge ?? []),
+  ];
+  const reach = (/** @type {Outline | null} */ body) =>
+    Math.max(0, ...points(body).map(([x]) => Math.abs(x)));
   const top = Math.max(-(upper?.base ?? 0), ...points(lower).map(([, h]) => h));
   const bottom = Math.min(lower?.base ?? 0, ...points(upper).map(([, h]) => -h));
   const size = Math.min(
@@ -129,7 +152,8 @@ function sizeWords(of, body, length) {
   const { type, radius } = of?.shape ?? {};
   if (!body) return '';
   if (type === 'cylinder') return `R ${exact(numberOf(radius))} ${length}`;
-  if (type === 'groove' || type === 'hole') return `${type} R ${exact(numberOf(radius))} ${length}`;
+  if (type === 'groove' || type === 'hole')
+    return `${type} R ${exact(numberOf(radius))} ${length}`;
   const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
   return `${exact(right - left)} × ${exact(-body.base)} ${length}`;
 }
@@ -162,7 +186,11 @@ function load(job, upper, scale, middle) {
   const text = loadLine(job);
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
-    svg('text', { x: Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length)), y: y - 9, class: 'load' }, text),
+    svg(
+      'text',
+      { x: Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length)), y: y - 9, class: 'load' },
+      text,
+    ),
   ];
 }
 
@@ -176,7 +204,9 @@ export function loadLine(job) {
   }
   const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
   if (kind === 'history') {
-    const words = [undefined, 0].map((few) => historyWords(value, { force, approach }, { is: ' = ', few }));
+    const words = [undefined, 0].map((few) =>
+      historyWords(value, { force, approach }, { is: ' = ', few }),
+    );
     return words.find((one) => BOLD * one.length < WIDTH - 8) ?? `${value.length} loads`;
   }
   /** @type {number[]} */
@@ -189,7 +219,10 @@ export function loadLine(job) {
 function contact(job, hertz, scale, places) {
   const width = Math.max(0, ...(hertz?.steps ?? []).map((step) => step.half_width));
   const [[x, y], ...others] = places.map((place) => scale(...place));
-  if (width === 0) return [[x, y], ...others].map(([cx, cy]) => svg('circle', { class: 'contact', cx, cy, r: 2.5 }));
+  if (width === 0)
+    return [[x, y], ...others].map(([cx, cy]) =>
+      svg('circle', { class: 'contact', cx, cy, r: 2.5 }),
+    );
   const half = Math.max(1.5, scale(width, 0)[0] - scale(0, 0)[0]);
   return [
     svg('line', { class: 'contact', x1: x - half, x2: x + half, y1: y, y2: y }),

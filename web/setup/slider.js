@@ -25,15 +25,23 @@ const endsOf = (figure, typical) =>
 export function slider({ name, value, bounds, refused, typical, move }) {
   /** @type {[number, number]} */
   let ends = [0, 1];
-  const range = h('input', { type: 'range', min: 0, max: STEPS, 'aria-label': `${name}, solved as it moves` });
+  const range = h('input', {
+    type: 'range',
+    min: 0,
+    max: STEPS,
+    'aria-label': `${name}, solved as it moves`,
+  });
   const element = h('div', { class: 'slider' });
-  // Figures without bounds go in equal ratios, and land on three digits; from 0 on, and in bounds, in equal steps.
+  // Figures without bounds go in equal ratios, and land on three digits; from 0 on, and in bounds,
+  // in equal steps.
   const even = () => bounds !== undefined || ends[0] <= 0;
   const at = (/** @type {number} */ t) =>
     even() ? ends[0] + t * (ends[1] - ends[0]) : ends[0] * (ends[1] / ends[0]) ** t;
   const read = () => Number(at(Number(range.value) / STEPS).toPrecision(3));
   const place = (/** @type {number} */ figure) =>
-    even() ? (figure - ends[0]) / (ends[1] - ends[0]) : Math.log(figure / ends[0]) / Math.log(ends[1] / ends[0]);
+    even()
+      ? (figure - ends[0]) / (ends[1] - ends[0])
+      : Math.log(figure / ends[0]) / Math.log(ends[1] / ends[0]);
   /** The figure that the thumb stands for, and the typical one beside it. */
   let [shown, beside] = [NaN, NaN];
   const slide = (/** @type {boolean} */ moving) => {

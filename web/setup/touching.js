@@ -22,10 +22,14 @@ function heightAt(surface, x) {
  * the section: the middle of each part of the surfaces that lies on the other
  */
 export function touching(upper, lower) {
-  const xs = [...new Set([...upper.surface, ...lower.surface].map(([x]) => x))].sort((a, b) => a - b);
+  const xs = [...new Set([...upper.surface, ...lower.surface].map(([x]) => x))].sort(
+    (a, b) => a - b,
+  );
   const sums = xs.map((x) => heightAt(upper.surface, x) + heightAt(lower.surface, x));
   const raise = Math.max(...sums);
-  const slack = CLOSED * Math.max(xs[xs.length - 1] - xs[0], raise - Math.min(...sums.filter(Number.isFinite)));
+  const slack =
+    CLOSED *
+    Math.max(xs[xs.length - 1] - xs[0], raise - Math.min(...sums.filter(Number.isFinite)));
   const closed = sums.map((sum) => sum >= raise - slack);
   const places = xs.flatMap((x, k) => {
     if (!closed[k] || closed[k - 1]) return [];
@@ -38,6 +42,12 @@ export function touching(upper, lower) {
 
 /** A body whose heights are counted from another one. @param {Outline} body @param {number} height @returns {Outline} */
 export function counted({ surface, base, edge, ...rest }, height) {
-  const lowered = (/** @type {Point[]} */ points) => points.map(([x, h]) => /** @type {Point} */ ([x, h - height]));
-  return { ...rest, surface: lowered(surface), base: base - height, ...(edge && { edge: lowered(edge) }) };
+  const lowered = (/** @type {Point[]} */ points) =>
+    points.map(([x, h]) => /** @type {Point} */ ([x, h - height]));
+  return {
+    ...rest,
+    surface: lowered(surface),
+    base: base - height,
+    ...(edge && { edge: lowered(edge) }),
+  };
 }

@@ -10,7 +10,8 @@ const LABELS = new Map([
   ['type', 'shape'],
   ...Object.keys(SHAPES).map((key) => /** @type {[string, string]} */ ([key, key])),
   ...allFields().map(
-    ({ key, label }) => /** @type {[string, string]} */ ([key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]),
+    ({ key, label }) =>
+      /** @type {[string, string]} */ ([key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]),
   ),
   ['profile', 'profile'],
   ['interpolation', '“Between points”'],
@@ -47,10 +48,12 @@ export const described = (description) =>
 /** What says no more than the label. @type {Record<string, string | undefined>} */
 const BRIEF = {
   'Radius.': 'Half the diameter of the cylinder, of the sphere in axisymmetry.',
-  'Exponent n.': 'How straight the curve is: 0 does not harden, 1 is a straight line; steels have 0.1 to 0.5.',
+  'Exponent n.':
+    'How straight the curve is: 0 does not harden, 1 is a straight line; steels have 0.1 to 0.5.',
   'Offset a.': 'Plastic strain at the reference stress, over σ0/E.',
   'Coefficient k.': 'Stress by which the curve has risen at a plastic strain of 1.',
-  'Rate b.': 'How soon the curve is near its saturation: 63 % of the way at a plastic strain of 1/b.',
+  'Rate b.':
+    'How soon the curve is near its saturation: 63 % of the way at a plastic strain of 1/b.',
 };
 
 /** @param {string} message in which keys stand between back-quotes */

@@ -21,7 +21,9 @@ def contact(force: float, yield_stress: float) -> brinell.JobLike:
     return brinell.job(roller, roller, analysis="plane_strain", force=force)
 
 
-table = client.sweep(contact, {"force": np.linspace(100, 600, 11), "yield_stress": [300, 400, 500]})
+table = client.sweep(
+    contact, {"force": np.linspace(100, 600, 11), "yield_stress": [300, 400, 500]}
+)
 table[
     ["force", "yield_stress", "peak_pressure", "hertz_peak_pressure", "max_plastic_strain"]
 ].head()

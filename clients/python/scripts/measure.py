@@ -45,7 +45,8 @@ def jobs() -> list[brinell.JobLike]:
 
     loads = [(f, y) for f in np.linspace(300, 700, MEMBERS // 4) for y in (400, 450, 500, 550)]
     return [
-        brinell.job(roller(y), roller(y), analysis="plane_strain", force=float(f)) for f, y in loads
+        brinell.job(roller(y), roller(y), analysis="plane_strain", force=float(f))
+        for f, y in loads
     ]
 
 

@@ -167,7 +167,10 @@ def test_a_sweep_is_a_table(client: Client, job: Any) -> None:
             ): [400, 500],
         },
     )
-    assert table.columns[:2].tolist() == ["/load/force", "#/upper/material/plasticity/yield_stress"]
+    assert table.columns[:2].tolist() == [
+        "/load/force",
+        "#/upper/material/plasticity/yield_stress",
+    ]
     assert table["/load/force"].tolist() == [300.0, 300.0, 600.0, 600.0]
     assert (table["status"] == "converged").all()
     assert table["peak_pressure"].iloc[3] == pytest.approx(1177.8, rel=0.01)
@@ -240,7 +243,9 @@ def test_an_answer_that_is_lost_is_asked_for_again(
 ) -> None:
     import httpx
 
-    before = len(client._run(client._core.json("GET", "/v1/jobs", params={"limit": "100"}))["jobs"])
+    before = len(
+        client._run(client._core.json("GET", "/v1/jobs", params={"limit": "100"}))["jobs"]
+    )
     http = client._client()
     real, sent = http.request, []
 
@@ -254,7 +259,10 @@ def test_an_answer_that_is_lost_is_asked_for_again(
 
     monkeypatch.setattr(http, "request", lossy)
     monkeypatch.setattr("brinell._core.PAUSE", 0.01)
-    tagged = {**json.loads((EXAMPLES / "two_cylinders.json").read_text()), "tags": {"lost": "once"}}
+    tagged = {
+        **json.loads((EXAMPLES / "two_cylinders.json").read_text()),
+        "tags": {"lost": "once"},
+    }
     assert client.submit(tagged).result().converged
     assert len(sent) == 2
     assert sent[0] == sent[1]

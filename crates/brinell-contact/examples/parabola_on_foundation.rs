@@ -4,13 +4,16 @@
 
 use std::error::Error;
 
-use brinell_contact::{ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, kkt, never};
+use brinell_contact::{
+    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, kkt, never,
+};
 use dense_cholesky::SymmetricMatrix;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let n = 21_u16;
     // [mm/N]: falls with the distance.
-    let flexibility = SymmetricMatrix::from_fn(usize::from(n), |i, j| 0.01 / (1.0 + i.abs_diff(j) as f64));
+    let flexibility =
+        SymmetricMatrix::from_fn(usize::from(n), |i, j| 0.01 / (1.0 + i.abs_diff(j) as f64));
     let gap: Vec<f64> = (0..n).map(|k| 2e-3 * (f64::from(k) - 10.0).powi(2)).collect();
     let closing = vec![1.0; gap.len()];
     let problem = ContactProblem {

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use super::bordered::{self, GAP_TOLERANCE};
 use super::{
-    ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, SimplexSolver,
-    StopHook,
+    ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
+    SimplexSolver, StopHook,
 };
 
 /// Steps after which the simplex takes over. Contact problems need one to ten.
@@ -13,21 +13,24 @@ const STEP_LIMIT: usize = 60;
 
 /// Guesses which pairs touch, solves, corrects the guess, until it repeats.
 ///
-/// With A the guess, one step solves the bordered system with `δ_A = 0` and `R = 0` elsewhere and takes
+/// With A the guess, one step solves the bordered system with `δ_A = 0` and `R = 0` elsewhere and
+/// takes
 /// ```text
 /// A' = { k in A : R_k > 0 }  ∪  { k not in A : δ_k < 0 }
 /// ```
-/// which is a semismooth Newton step for `min(R, δ) = 0`. `δ_k < 0` is compared with the rounding error of its own
-/// terms, so pairs that just touch stay outside and cannot flicker. A step costs |A|³/6 + n |A| multiply-adds;
-/// started from the neighbouring iteration's set it takes one or two, from nothing five to ten.
+/// which is a semismooth Newton step for `min(R, δ) = 0`. `δ_k < 0` is compared with the rounding
+/// error of its own terms, so pairs that just touch stay outside and cannot flicker. A step
+/// costs |A|³/6 + n |A| multiply-adds; started from the neighbouring iteration's set it takes one
+/// or two, from nothing five to ten.
 ///
 /// # Termination
-/// The method has no proof for every positive definite F: it may run in a circle. A set that comes back, an F
-/// that fails on an intermediate set, or 60 steps hand the problem to [`SimplexSolver`], which cannot cycle.
+/// The method has no proof for every positive definite F: it may run in a circle. A set that comes
+/// back, an F that fails on an intermediate set, or 60 steps hand the problem to
+/// [`SimplexSolver`], which cannot cycle.
 ///
 /// # Reference
-/// M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth Newton method*,
-/// SIAM J. Optim. 13 (2003) 865-888.
+/// M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth
+/// Newton method*, SIAM J. Optim. 13 (2003) 865-888.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ActiveSetSolver;
 
@@ -54,7 +57,11 @@ impl ContactSolver for ActiveSetSolver {
                 touching[k] = true;
             }
             let next = ActiveSet::from_fn(problem.n_pairs(), |&k| {
-                if touching[k] { equilibrium.force[k] > 0.0 } else { gap[k] < -GAP_TOLERANCE * scale[k] }
+                if touching[k] {
+                    equilibrium.force[k] > 0.0
+                } else {
+                    gap[k] < -GAP_TOLERANCE * scale[k]
+                }
             });
             if next == active {
                 return Ok(bordered::into_solution(problem, active, equilibrium, gap, steps));
@@ -67,8 +74,8 @@ impl ContactSolver for ActiveSetSolver {
     }
 }
 
-/// The pairs of another answer if there are any, else the pairs that overlap at the prescribed approach, else those whose
-/// gap closes first.
+/// The pairs of another answer if there are any, else the pairs that overlap at the prescribed
+/// approach, else those whose gap closes first.
 fn first_set(problem: &ContactProblem<'_>, start: Option<&ContactSolution>) -> ActiveSet {
     let n = problem.n_pairs();
     let known = start.into_iter().flat_map(|start| start.active_set.iter()).filter(|&k| k < n);
@@ -93,8 +100,12 @@ mod tests {
     fn starts_where_the_gap_closes_first_and_ignores_foreign_pairs() {
         let flexibility = SymmetricMatrix::from_fn(3, |i, j| if i == j { 2.0 } else { 1.0 });
         let gaps = [0.5, -0.25, -0.25];
-        let problem =
-            |load| ContactProblem { flexibility: &flexibility, initial_gap: &gaps, closing: &[1.0; 3], load };
+        let problem = |load| ContactProblem {
+            flexibility: &flexibility,
+            initial_gap: &gaps,
+            closing: &[1.0; 3],
+            load,
+        };
         let known = |pairs: &[usize]| ContactSolution {
             active_set: pairs.iter().copied().collect(),
             ..ContactSolution::default()
@@ -116,7 +127,10 @@ mod tests {
             load: ContactLoad::Force(3.0),
         };
         let solution = ActiveSetSolver.solve(&problem, None, &mut never).unwrap();
-        assert_eq!((solution.total_force, solution.approach, solution.active_set.len()), (3.0, 3.0, 1));
+        assert_eq!(
+            (solution.total_force, solution.approach, solution.active_set.len()),
+            (3.0, 3.0, 1)
+        );
         assert_eq!(solution.pivots, 3, "one step, then two pivots");
     }
 }

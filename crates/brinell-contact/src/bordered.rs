@@ -5,10 +5,12 @@
 //! | F_AA  -e | | R_A |   | -g_A |        R_A = α y - w,   F_AA y = e,   F_AA w = g_A
 //! |  eᵀ    0 | |  α  | = |   P  |        α = (P + eᵀw) / eᵀy
 //! ```
-//! with α known instead where the approach is prescribed. g is counted from what it is when the first pair of A touches, so
-//! that an offset of the approach costs no digits.
+//! with α known instead where the approach is prescribed. g is counted from what it is when the
+//! first pair of A touches, so that an offset of the approach costs no digits.
 
-use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactStatus};
+use super::{
+    ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactStatus,
+};
 use dense_cholesky::DenseCholesky;
 
 /// Penetration, relative to the terms whose sum the gap is, that is put down to rounding.
@@ -21,7 +23,10 @@ pub(super) struct Equilibrium {
 }
 
 /// Solves the bordered system on `active`; |A|³/6 multiply-adds.
-pub(super) fn solve_on(problem: &ContactProblem, active: &ActiveSet) -> Result<Equilibrium, ContactError> {
+pub(super) fn solve_on(
+    problem: &ContactProblem,
+    active: &ActiveSet,
+) -> Result<Equilibrium, ContactError> {
     let pairs = active.as_slice();
     let datum = pairs.iter().map(|&k| problem.touch(k)).fold(f64::INFINITY, f64::min);
     let factor = DenseCholesky::factor(problem.entries()?.principal_block(pairs))
@@ -45,10 +50,14 @@ pub(super) fn solve_on(problem: &ContactProblem, active: &ActiveSet) -> Result<E
     for ((&k, y), w) in pairs.iter().zip(&per_approach).zip(&from_gap) {
         force[k] = beyond_datum * y - w;
     }
-    Ok(Equilibrium { force, approach: if pairs.is_empty() { prescribed(problem) } else { approach } })
+    Ok(Equilibrium {
+        force,
+        approach: if pairs.is_empty() { prescribed(problem) } else { approach },
+    })
 }
 
-/// `δ = g + F R - α e`, and beside each entry the sum of its terms' magnitudes, the measure of its rounding.
+/// `δ = g + F R - α e`, and beside each entry the sum of its terms' magnitudes, the measure of its
+/// rounding.
 pub(super) fn gaps(
     problem: &ContactProblem,
     active: &ActiveSet,
@@ -57,7 +66,8 @@ pub(super) fn gaps(
     let entries = problem.entries()?;
     let approach = equilibrium.approach;
     let mut gap: Vec<f64> = (0..problem.n_pairs()).map(|k| problem.gap_at(k, approach)).collect();
-    let mut scale: Vec<f64> = problem.initial_gap.iter().map(|g| g.abs() + approach.abs()).collect();
+    let mut scale: Vec<f64> =
+        problem.initial_gap.iter().map(|g| g.abs() + approach.abs()).collect();
     for j in active.iter() {
         let force = equilibrium.force[j];
         for ((gap, scale), entry) in gap.iter_mut().zip(&mut scale).zip(entries.row(j)) {
@@ -69,7 +79,8 @@ pub(super) fn gaps(
     Ok((gap, scale))
 }
 
-/// Puts an equilibrium into the form of an answer: gaps are zero in contact, and rounding below zero is cut.
+/// Puts an equilibrium into the form of an answer: gaps are zero in contact, and rounding below
+/// zero is cut.
 pub(super) fn into_solution(
     problem: &ContactProblem,
     active_set: ActiveSet,
@@ -85,7 +96,16 @@ pub(super) fn into_solution(
     }
     let Equilibrium { force, approach } = equilibrium;
     let (total_force, status) = (problem.total(&force), ContactStatus::Converged);
-    ContactSolution { force, gap, approach, total_force, active_set, status, pivots, applications: 0 }
+    ContactSolution {
+        force,
+        gap,
+        approach,
+        total_force,
+        active_set,
+        status,
+        pivots,
+        applications: 0,
+    }
 }
 
 /// The approach that holds when nothing touches.

@@ -1,30 +1,34 @@
 //! A primal-dual active set outside, preconditioned conjugate gradients inside.
 //!
-//! On an active set I the conditions are linear: `g + F R = α` on I, `R = 0` elsewhere, `Σ R = P`. Conjugate gradients
-//! solve them with a preconditioner `M ≈ F⁻¹`, restricted to I. Under a prescribed force every direction keeps the sum of the
-//! forces. With `m = M 1_I`,
+//! On an active set I the conditions are linear: `g + F R = α` on I, `R = 0` elsewhere, `Σ R = P`.
+//! Conjugate gradients solve them with a preconditioner `M ≈ F⁻¹`, restricted to I. Under a
+//! prescribed force every direction keeps the sum of the forces. With `m = M 1_I`,
 //! ```text
 //! α = mᵀw / Σm,   w = g + F R,   r = w - α,   z = M r - (Σ M r / Σ m) m
 //! ```
-//! so that α is the best approach in the norm of M and `Σ z = 0`. The inner iteration ends at a fiftieth of its first
-//! residual: the set matters more than the forces until it has settled. The next set keeps cells with R > 0 and takes in
-//! cells that penetrate, by more than the tolerance, since the inner iteration knows no better.
+//! so that α is the best approach in the norm of M and `Σ z = 0`. The inner iteration ends at a
+//! fiftieth of its first residual: the set matters more than the forces until it has settled. The
+//! next set keeps cells with R > 0 and takes in cells that penetrate, by more than the tolerance,
+//! since the inner iteration knows no better.
 //!
-//! The set is not proven to settle. Sets that go on changing hand over to projected conjugate gradients.
+//! The set is not proven to settle. Sets that go on changing hand over to projected conjugate
+//! gradients.
 //!
 //! # Reference
-//! M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth Newton method*, SIAM J. Optim.
-//! 13 (2002) 865–888, for the outer iteration.
+//! M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth
+//! Newton method*, SIAM J. Optim. 13 (2002) 865–888, for the outer iteration.
 
 use super::vectors::{add_scaled, dot, largest, total};
 use super::{
-    ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus, StopHook,
-    operator, polonsky_keer,
+    ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus,
+    StopHook, operator, polonsky_keer,
 };
 
-/// Reduction of the residual by which an inner iteration ends. From the prototype in Python; not tuned here.
+/// Reduction of the residual by which an inner iteration ends. From the prototype in Python; not
+/// tuned here.
 const INNER_REDUCTION: f64 = 0.02;
-/// Sets after which the fallback takes over. Hertz on 32 × 32 cells takes 7 and 8 at Ry/Rx 1 and 2; rough surfaces are untried.
+/// Sets after which the fallback takes over. Hertz on 32 × 32 cells takes 7 and 8 at Ry/Rx 1 and
+/// 2; rough surfaces are untried.
 const SET_LIMIT: usize = 60;
 /// Applications within one set: a guard, not a measured bound.
 const INNER_LIMIT: usize = 400;
@@ -107,7 +111,8 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Conjugate gradients on the set, from the forces in `solution`; leaves `w = g + F R` in `opening`.
+    /// Conjugate gradients on the set, from the forces in `solution`; leaves `w = g + F R` in
+    /// `opening`.
     fn equations_of_set(
         &mut self,
         solution: &mut ContactSolution,
@@ -134,7 +139,9 @@ impl<'a> Iteration<'a> {
                 ContactLoad::Force(_) => dot(&self.opening, &self.uniform) / uniform_sum,
             };
             let mut worst = 0.0_f64;
-            for ((r, w), inside) in self.residual.iter_mut().zip(&self.opening).zip(&self.indicator) {
+            for ((r, w), inside) in
+                self.residual.iter_mut().zip(&self.opening).zip(&self.indicator)
+            {
                 *r = (w - approach) * inside;
                 worst = worst.max(r.abs());
             }

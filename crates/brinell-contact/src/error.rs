@@ -40,8 +40,12 @@ pub enum ContactError {
         /// Pair at which the elimination stopped.
         pair: usize,
     },
-    /// Nothing blocks the entering variable: the load can grow without limit, so F is not positive definite.
-    #[error("the simplex ended on a ray after {pivots} pivots: the flexibility is not positive definite")]
+    /// Nothing blocks the entering variable: the load can grow without limit, so F is not positive
+    /// definite.
+    #[error(
+        "the simplex ended on a ray after {pivots} pivots: the flexibility is not positive \
+         definite"
+    )]
     Ray {
         /// Pivots made.
         pivots: usize,
@@ -53,7 +57,9 @@ pub enum ContactError {
         limit: usize,
     },
     /// Rounding led to a set of pairs on which the conditions do not hold.
-    #[error("the flexibility is too ill-conditioned: gaps are violated by {violation:e} of their scale")]
+    #[error(
+        "the flexibility is too ill-conditioned: gaps are violated by {violation:e} of their scale"
+    )]
     IllConditioned {
         /// Largest penetration relative to the terms it is the sum of.
         violation: f64,

@@ -4,8 +4,9 @@ use dense_cholesky::SymmetricMatrix;
 
 /// The displacements along the normals that contact forces cause, `u = F R`.
 ///
-/// `F = flexibility [mm/N]`, the sum over both bodies, is symmetric and positive definite. u is positive where it
-/// opens the gap. Direct solvers need its [entries](Self::dense), conjugate gradients apply it.
+/// `F = flexibility [mm/N]`, the sum over both bodies, is symmetric and positive definite. u is
+/// positive where it opens the gap. Direct solvers need its [entries](Self::dense), conjugate
+/// gradients apply it.
 pub trait Flexibility {
     /// Number of candidate cells or pairs.
     fn len(&self) -> usize;
@@ -18,7 +19,8 @@ pub trait Flexibility {
     /// `u = F R`; both slices have [`len`](Self::len) entries.
     fn apply(&self, force: &[f64], displacement: &mut [f64]);
 
-    /// A symmetric positive definite approximation of `F⁻¹ u`, up to a positive factor. The identity by default.
+    /// A symmetric positive definite approximation of `F⁻¹ u`, up to a positive factor. The
+    /// identity by default.
     fn precondition(&self, displacement: &[f64], force: &mut [f64]) {
         force.copy_from_slice(displacement);
     }

@@ -1,18 +1,19 @@
 //! Independent check: does a set of forces solve a contact problem?
 //!
-//! Kept apart from all solvers on purpose: it recomputes `δ = g + F R - α e` from the data by its own loops and
-//! trusts nothing but the forces and the approach it is handed.
+//! Kept apart from all solvers on purpose: it recomputes `δ = g + F R - α e` from the data by its
+//! own loops and trusts nothing but the forces and the approach it is handed.
 
 use super::{ContactLoad, ContactProblem};
 
-/// Largest violation of the contact conditions, relative to the forces and displacements of the contact, that
-/// a converged state may have. Rounding leaves about 1e-12.
+/// Largest violation of the contact conditions, relative to the forces and displacements of the
+/// contact, that a converged state may have. Rounding leaves about 1e-12.
 const SOUND: f64 = 1e-8;
 
-/// How far forces and approach are from satisfying the contact conditions; every figure is dimensionless.
+/// How far forces and approach are from satisfying the contact conditions; every figure is
+/// dimensionless.
 ///
-/// Scales: `R° = max |R_k|` for forces and `u° = max |(F R)_k|`, the elastic displacement they cause, for gaps.
-/// Where nothing touches, `u° = max(|α|, max |g_k|)`.
+/// Scales: `R° = max |R_k|` for forces and `u° = max |(F R)_k|`, the elastic displacement they
+/// cause, for gaps. Where nothing touches, `u° = max(|α|, max |g_k|)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KktReport {
     /// Deepest penetration: `max(0, -δ_k) / u°`.
@@ -28,7 +29,9 @@ pub struct KktReport {
 impl KktReport {
     /// The largest of the four; NaN if any of them is NaN.
     pub fn worst(&self) -> f64 {
-        [self.penetration, self.tension, self.complementarity, self.equilibrium].into_iter().fold(0.0, worse)
+        [self.penetration, self.tension, self.complementarity, self.equilibrium]
+            .into_iter()
+            .fold(0.0, worse)
     }
 
     /// Whether they are as small as in a state that counts as converged.
@@ -55,7 +58,10 @@ impl ContactScales {
     /// The larger of each.
     #[must_use]
     pub fn larger(self, other: Self) -> Self {
-        Self { force: self.force.max(other.force), displacement: self.displacement.max(other.displacement) }
+        Self {
+            force: self.force.max(other.force),
+            displacement: self.displacement.max(other.displacement),
+        }
     }
 }
 
@@ -77,12 +83,14 @@ fn displacement(problem: &ContactProblem<'_>, force: &[f64]) -> Vec<f64> {
 
 /// Judges forces and approach.
 ///
-/// Lists of different lengths give infinities, figures that are not finite give NaN; neither passes.
+/// Lists of different lengths give infinities, figures that are not finite give NaN; neither
+/// passes.
 pub fn check(problem: &ContactProblem, force: &[f64], approach: f64) -> KktReport {
     check_beside(problem, force, approach, ContactScales::default())
 }
 
-/// The same with scales at least as large as those of earlier loads: what these have left in the bodies has the rounding error of them.
+/// The same with scales at least as large as those of earlier loads: what these have left in the
+/// bodies has the rounding error of them.
 pub fn check_beside(
     problem: &ContactProblem,
     force: &[f64],
@@ -92,7 +100,12 @@ pub fn check_beside(
     let n = problem.initial_gap.len();
     if force.len() != n || problem.closing.len() != n || problem.flexibility.len() != n {
         let never = f64::INFINITY;
-        return KktReport { penetration: never, tension: never, complementarity: never, equilibrium: never };
+        return KktReport {
+            penetration: never,
+            tension: never,
+            complementarity: never,
+            equilibrium: never,
+        };
     }
     judge(problem, force, &displacement(problem, force), approach, least)
 }
@@ -106,8 +119,9 @@ pub(crate) fn judge(
     least: ContactScales,
 ) -> KktReport {
     let n = problem.n_pairs();
-    let gap: Vec<f64> =
-        (0..n).map(|k| problem.initial_gap[k] + displacement[k] - problem.closing[k] * approach).collect();
+    let gap: Vec<f64> = (0..n)
+        .map(|k| problem.initial_gap[k] + displacement[k] - problem.closing[k] * approach)
+        .collect();
 
     let force_scale = worse(largest(force.iter().copied()), least.force);
     let mut gap_scale = worse(largest(displacement.iter().copied()), least.displacement);
@@ -209,6 +223,9 @@ mod tests {
             assert!(!check(&problem, &force, approach).passes(0.5), "{force:?} {approach}");
         }
         let gaps = [0.0, f64::NAN];
-        assert!(!check(&ContactProblem { initial_gap: &gaps, ..problem }, &[1.0, 0.0], 2.0).passes(0.5));
+        assert!(
+            !check(&ContactProblem { initial_gap: &gaps, ..problem }, &[1.0, 0.0], 2.0)
+                .passes(0.5)
+        );
     }
 }

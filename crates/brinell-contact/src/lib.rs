@@ -1,27 +1,32 @@
-//! The frictionless unilateral contact of two elastic bodies that are known by their flexibility alone.
+//! The frictionless unilateral contact of two elastic bodies that are known by their flexibility
+//! alone.
 //!
-//! With n candidate pairs of nodes or cells, the flexibility `F = flexibility [mm/N]`, the initial gap `g = initial_gap [mm]`
-//! along each pair's normal (geometry plus plastic displacement), the contact forces `R = force [N]`, the gap after loading
-//! `δ = gap [mm]` and the approach `α = approach [mm]`, a solution satisfies
+//! With n candidate pairs of nodes or cells, the flexibility `F = flexibility [mm/N]`, the initial
+//! gap `g = initial_gap [mm]` along each pair's normal (geometry plus plastic displacement), the
+//! contact forces `R = force [N]`, the gap after loading `δ = gap [mm]` and the approach `α =
+//! approach [mm]`, a solution satisfies
 //! ```text
 //! g + F R - α e = δ         continuity; e_k, the cosine of the pair's normal to the approach
 //! eᵀR = P   or   α given    the load
 //! R >= 0,  δ >= 0,  R_k δ_k = 0
 //! ```
-//! For F symmetric positive definite these are the optimality conditions of `min ½ RᵀF R + gᵀR` over
-//! `R >= 0, eᵀR = P` (or of `min ½ RᵀF R + (g - α e)ᵀR` over `R >= 0`): a solution exists and is unique.
+//! For F symmetric positive definite these are the optimality conditions of `min ½ RᵀF R + gᵀR`
+//! over `R >= 0, eᵀR = P` (or of `min ½ RᵀF R + (g - α e)ᵀR` over `R >= 0`): a solution exists and
+//! is unique.
 //!
 //! F is a [`Flexibility`]. Two solvers need its entries, two apply it:
-//! - [`ActiveSetSolver`], Newton's method on the conditions: a few steps, from the pairs of another answer one or two;
-//! - [`SimplexSolver`], the simplex with restricted basis entry: finite, needs no start, O(n²) a pivot;
-//! - [`ConjugateGradientSolver`], the active set outside, preconditioned conjugate gradients inside, with the next solver to
-//!   fall back on;
+//! - [`ActiveSetSolver`], Newton's method on the conditions: a few steps, from the pairs of
+//!   another answer one or two;
+//! - [`SimplexSolver`], the simplex with restricted basis entry: finite, needs no start, O(n²) a
+//!   pivot;
+//! - [`ConjugateGradientSolver`], the active set outside, preconditioned conjugate gradients
+//!   inside, with the next solver to fall back on;
 //! - [`PolonskyKeerSolver`], projected conjugate gradients without a preconditioner.
 //!
 //! [`kkt::check`] recomputes every condition from the data and shares no code with any of them.
 //!
-//! An answer that has not converged is an answer with that [`ContactStatus`], not an error. Forces are per unit thickness in plane
-//! problems. Nothing here knows a mesh.
+//! An answer that has not converged is an answer with that [`ContactStatus`], not an error. Forces
+//! are per unit thickness in plane problems. Nothing here knows a mesh.
 
 mod active_set;
 mod bordered;
@@ -51,8 +56,8 @@ pub use polonsky_keer::PolonskyKeerSolver;
 pub use problem::{ContactLoad, ContactProblem, ContactSolution, ContactStatus};
 pub use simplex::SimplexSolver;
 
-/// Asked once per iteration of conjugate gradients; `Break` ends the solve with [`ContactStatus::Stopped`]. Direct solvers are
-/// too short to ask.
+/// Asked once per iteration of conjugate gradients; `Break` ends the solve with
+/// [`ContactStatus::Stopped`]. Direct solvers are too short to ask.
 pub type StopHook<'a> = dyn FnMut() -> ControlFlow<()> + 'a;
 
 /// A hook that never stops.
@@ -64,8 +69,9 @@ pub fn never() -> ControlFlow<()> {
 pub trait ContactSolver {
     /// Finds forces, gaps and approach.
     ///
-    /// `start` is where to start, usually the answer of the iteration before: active sets start from its pairs, conjugate
-    /// gradients from its forces. It may be any answer, even one of other pairs: it changes the number of steps, never the answer.
+    /// `start` is where to start, usually the answer of the iteration before: active sets start
+    /// from its pairs, conjugate gradients from its forces. It may be any answer, even one of
+    /// other pairs: it changes the number of steps, never the answer.
     ///
     /// # Errors
     /// [`ContactError`]: data that are no contact problem, or a flexibility that is not positive definite.

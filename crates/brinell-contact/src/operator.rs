@@ -1,13 +1,16 @@
-//! What the solvers share that apply the flexibility: normals inclined to the approach, a start, and the check at the end.
+//! What the solvers share that apply the flexibility: normals inclined to the approach, a start,
+//! and the check at the end.
 //!
-//! With `R' = e R`, `u' = u / e`, `g' = g / e` and `δ' = δ / e` the conditions are those of normals along the approach. The
-//! check is of the problem as it was given.
+//! With `R' = e R`, `u' = u / e`, `g' = g / e` and `δ' = δ / e` the conditions are those of
+//! normals along the approach. The check is of the problem as it was given.
 
 use super::kkt::{self, ContactScales, KktReport};
-use super::{ActiveSet, ContactError, ContactProblem, ContactSolution, ContactStatus, Flexibility, start};
+use super::{
+    ActiveSet, ContactError, ContactProblem, ContactSolution, ContactStatus, Flexibility, start,
+};
 
-/// Solves by a method for normals along the approach. It takes a problem with `e = 1`, forces to start from and the
-/// largest violation of a condition that is left.
+/// Solves by a method for normals along the approach. It takes a problem with `e = 1`, forces to
+/// start from and the largest violation of a condition that is left.
 ///
 /// # Errors
 /// Those of the method, and data that are no contact problem.
@@ -15,7 +18,11 @@ pub(crate) fn solve(
     problem: &ContactProblem<'_>,
     known: Option<&ContactSolution>,
     tolerance: f64,
-    method: impl FnOnce(&ContactProblem<'_>, ContactSolution, f64) -> Result<ContactSolution, ContactError>,
+    method: impl FnOnce(
+        &ContactProblem<'_>,
+        ContactSolution,
+        f64,
+    ) -> Result<ContactSolution, ContactError>,
 ) -> Result<ContactSolution, ContactError> {
     problem.validate()?;
     if let Some(solution) = problem.without_force() {
@@ -28,12 +35,17 @@ pub(crate) fn solve(
     let flexibility = AlongApproach { problem };
     let gap: Vec<f64> = (0..problem.n_pairs()).map(|k| problem.touch(k)).collect();
     let ones = vec![1.0; gap.len()];
-    let along =
-        ContactProblem { flexibility: &flexibility, initial_gap: &gap, closing: &ones, load: problem.load };
-    let known = known.filter(|known| known.force.len() == gap.len()).map(|known| ContactSolution {
-        force: known.force.iter().zip(problem.closing).map(|(r, e)| r * e).collect(),
-        ..ContactSolution::default()
-    });
+    let along = ContactProblem {
+        flexibility: &flexibility,
+        initial_gap: &gap,
+        closing: &ones,
+        load: problem.load,
+    };
+    let known =
+        known.filter(|known| known.force.len() == gap.len()).map(|known| ContactSolution {
+            force: known.force.iter().zip(problem.closing).map(|(r, e)| r * e).collect(),
+            ..ContactSolution::default()
+        });
     // No violation grows by more than 1 / e on the way back.
     let mut solution = method(&along, begin(&along, known.as_ref()), steepest * tolerance)?;
     for (force, closing) in solution.force.iter_mut().zip(problem.closing) {
@@ -51,7 +63,9 @@ pub(crate) fn solve(
 fn begin(problem: &ContactProblem<'_>, known: Option<&ContactSolution>) -> ContactSolution {
     let mut solution = ContactSolution::default();
     match known.filter(|known| known.force.len() == problem.n_pairs()) {
-        Some(known) if known.force.iter().any(|r| *r > 0.0) => solution.force.clone_from(&known.force),
+        Some(known) if known.force.iter().any(|r| *r > 0.0) => {
+            solution.force.clone_from(&known.force)
+        }
         _ => {
             let mut column = vec![0.0; problem.n_pairs()];
             solution.force.clone_from(&column);
@@ -71,7 +85,8 @@ pub(crate) fn finish(
     let mut displacement = vec![0.0; problem.n_pairs()];
     problem.flexibility.apply(&solution.force, &mut displacement);
     solution.applications += 1;
-    let report = kkt::judge(problem, &solution.force, &displacement, approach, ContactScales::default());
+    let report =
+        kkt::judge(problem, &solution.force, &displacement, approach, ContactScales::default());
     for (k, u) in displacement.iter_mut().enumerate() {
         *u += problem.gap_at(k, approach);
     }

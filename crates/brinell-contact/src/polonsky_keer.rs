@@ -1,20 +1,23 @@
-//! Projected conjugate gradients after Polonsky and Keer: one pass over all cells, no preconditioner.
+//! Projected conjugate gradients after Polonsky and Keer: one pass over all cells, no
+//! preconditioner.
 //!
-//! A step along the conjugate direction of the cells with R > 0 is cut off at R = 0; cells that penetrate are loaded by the
-//! same step length, and conjugacy starts anew. The forces are scaled to the load after *every* step: scaled at the end
-//! alone, the answer satisfies the contact conditions of another load.
+//! A step along the conjugate direction of the cells with R > 0 is cut off at R = 0; cells that
+//! penetrate are loaded by the same step length, and conjugacy starts anew. The forces are scaled
+//! to the load after *every* step: scaled at the end alone, the answer satisfies the contact
+//! conditions of another load.
 //!
 //! # Reference
-//! I. A. Polonsky, L. M. Keer, *A numerical method for solving rough contact problems based on the multi-level
-//! multi-summation and conjugate gradient techniques*, Wear 231 (1999) 206–219.
+//! I. A. Polonsky, L. M. Keer, *A numerical method for solving rough contact problems based on the
+//! multi-level multi-summation and conjugate gradient techniques*, Wear 231 (1999) 206–219.
 
 use super::vectors::{add_scaled, dot, largest, total};
 use super::{
-    ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus, StopHook,
-    operator,
+    ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus,
+    StopHook, operator,
 };
 
-/// Iterations after which the solver gives up: a guard. Hertz to 1e-10 takes 73 and 109 applications at Ry/Rx 1 and 20.
+/// Iterations after which the solver gives up: a guard. Hertz to 1e-10 takes 73 and 109
+/// applications at Ry/Rx 1 and 20.
 const ITERATION_LIMIT: usize = 2000;
 
 /// The fallback of [`ConjugateGradientSolver`](super::ConjugateGradientSolver).
@@ -111,7 +114,8 @@ pub(crate) fn run(
         for ((t, w), r) in direction.iter_mut().zip(&opening).zip(&solution.force) {
             *t = match () {
                 () if *r > 0.0 => w + conjugate * *t,
-                // Where the cells in contact are at rest, those that penetrate are all that is left to move.
+                // Where the cells in contact are at rest, those that penetrate are all that is
+                // left to move.
                 () if product == 0.0 => w.min(0.0),
                 () => 0.0,
             };
@@ -126,7 +130,8 @@ pub(crate) fn run(
         if matches!(problem.load, ContactLoad::Force(_)) {
             slope = mean_in_contact(&image, &solution.force);
         }
-        // Step to the least energy among forces with this sum, to first order in what scaling changes.
+        // Step to the least energy among forces with this sum, to first order in what scaling
+        // changes.
         let (mut numerator, mut denominator) = (0.0, 0.0);
         for ((t, u), w) in direction.iter().zip(&image).zip(&opening) {
             numerator += w * t;

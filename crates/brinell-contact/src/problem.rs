@@ -24,12 +24,14 @@ impl ContactLoad {
 /// The contact of n candidate pairs under one load.
 #[derive(Clone, Copy)]
 pub struct ContactProblem<'a> {
-    /// F \[mm/N\], symmetric positive definite: both bodies' displacements along the normals under unit pair forces.
+    /// F \[mm/N\], symmetric positive definite: both bodies' displacements along the normals under
+    /// unit pair forces.
     pub flexibility: &'a dyn Flexibility,
-    /// Equivalent initial gap `g = δ0 + u_p` along the pair's normal \[mm\]; plastic flow may make entries negative.
+    /// Equivalent initial gap `g = δ0 + u_p` along the pair's normal \[mm\]; plastic flow may make
+    /// entries negative.
     pub initial_gap: &'a [f64],
-    /// e: by how much an approach of 1 closes each gap, the cosine of the angle between the pair's normal and the direction
-    /// of the approach, in `(0, 1]`.
+    /// e: by how much an approach of 1 closes each gap, the cosine of the angle between the pair's
+    /// normal and the direction of the approach, in `(0, 1]`.
     pub closing: &'a [f64],
     /// What is prescribed.
     pub load: ContactLoad,
@@ -52,8 +54,8 @@ pub enum ContactStatus {
 pub struct ContactSolution {
     /// Contact force R of each pair \[N\], compressive, >= 0.
     pub force: Vec<f64>,
-    /// Gap δ of each pair after loading \[mm\]. Of direct solvers >= 0 and exactly 0 on the active set, of conjugate gradients as the
-    /// forces make it.
+    /// Gap δ of each pair after loading \[mm\]. Of direct solvers >= 0 and exactly 0 on the active
+    /// set, of conjugate gradients as the forces make it.
     pub gap: Vec<f64>,
     /// Approach α of the supports \[mm\].
     pub approach: f64,
@@ -135,8 +137,8 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// The answer without contact forces, if the load asks for none: the bodies at the prescribed approach, or
-    /// just touching under `P = 0`.
+    /// The answer without contact forces, if the load asks for none: the bodies at the prescribed
+    /// approach, or just touching under `P = 0`.
     pub(crate) fn without_force(&self) -> Option<ContactSolution> {
         let first = self.first_touch();
         let approach = match self.load {

@@ -2,7 +2,9 @@
 
 use super::bordered;
 use super::tableau::{Tableau, Variable};
-use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, StopHook};
+use super::{
+    ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, StopHook,
+};
 
 /// Penetration, relative to its own terms, above which the recomputed answer is refused.
 const ACCEPTABLE_VIOLATION: f64 = 1e-9;
@@ -14,30 +16,32 @@ const ACCEPTABLE_VIOLATION: f64 = 1e-9;
 /// -F R + α e + δ = g            start basis { δ_1, …, δ_n, z }
 ///         eᵀR     + z = P       minimise z
 /// ```
-/// A variable may enter only if its complement (`R_k` and `δ_k`) is out of the basis or leaves in the same pivot.
-/// That leaves no choice: α enters first, the pair with the smallest gap closes, and from then on the complement
-/// of what has just left enters, until z leaves. If no pair opens again, `n_active` pairs take `n_active + 1` pivots.
+/// A variable may enter only if its complement (`R_k` and `δ_k`) is out of the basis or leaves in
+/// the same pivot. That leaves no choice: α enters first, the pair with the smallest gap closes,
+/// and from then on the complement of what has just left enters, until z leaves. If no pair opens
+/// again, `n_active` pairs take `n_active + 1` pivots.
 ///
-/// **Negative gaps.** Right-hand sides must be >= 0, so all gaps are counted from what they are when the first pair touches;
-/// that approach is added back to α.
+/// **Negative gaps.** Right-hand sides must be >= 0, so all gaps are counted from what they are
+/// when the first pair touches; that approach is added back to α.
 ///
-/// **Prescribed approach.** The load row becomes `α + z = α_given`. Eliminating α by it shows Lemke's method for
-/// the linear complementarity problem `δ = (g - α_given e) + F R` with covering vector e and artificial variable
-/// z: the path through the bases is that of the force problem, and only ends elsewhere.
+/// **Prescribed approach.** The load row becomes `α + z = α_given`. Eliminating α by it shows
+/// Lemke's method for the linear complementarity problem `δ = (g - α_given e) + F R` with covering
+/// vector e and artificial variable z: the path through the bases is that of the force problem,
+/// and only ends elsewhere.
 ///
-/// **Degeneracy.** Ties of the ratio test are broken lexicographically, so no basis returns; z is preferred
-/// where it ties. α never leaves: along the path it only grows, for F positive definite.
+/// **Degeneracy.** Ties of the ratio test are broken lexicographically, so no basis returns; z is
+/// preferred where it ties. α never leaves: along the path it only grows, for F positive definite.
 ///
-/// **Polish.** The path decides *which* pairs touch. Forces and approach are then computed afresh on that set by
-/// Cholesky, which removes the rounding gathered over the pivots; a pair whose force comes out as zero or
-/// negative there was tied, and is left out.
+/// **Polish.** The path decides *which* pairs touch. Forces and approach are then computed afresh
+/// on that set by Cholesky, which removes the rounding gathered over the pivots; a pair whose
+/// force comes out as zero or negative there was tied, and is left out.
 ///
 /// O(n²) a pivot. `start` is not used: the path has one beginning.
 ///
 /// # Reference
-/// T. F. Conry, A. Seireg, *A mathematical programming method for design of elastic bodies in contact*, J. Appl.
-/// Mech. 38 (1971) 387-392. C. E. Lemke, *Bimatrix equilibrium points and mathematical programming*, Manag. Sci.
-/// 11 (1965) 681-689.
+/// T. F. Conry, A. Seireg, *A mathematical programming method for design of elastic bodies in
+/// contact*, J. Appl. Mech. 38 (1971) 387-392. C. E. Lemke, *Bimatrix equilibrium points and
+/// mathematical programming*, Manag. Sci. 11 (1965) 681-689.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SimplexSolver;
 
@@ -58,8 +62,9 @@ impl ContactSolver for SimplexSolver {
 
 /// Pivots until z leaves, and reads the answer from the last tableau.
 ///
-/// The tableau works in the units of the problem: force in P, length in P times the largest flexibility (or in
-/// the prescribed approach), so that its tolerances mean the same for every problem.
+/// The tableau works in the units of the problem: force in P, length in P times the largest
+/// flexibility (or in the prescribed approach), so that its tolerances mean the same for every
+/// problem.
 fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError> {
     let n = problem.n_pairs();
     let datum = problem.first_touch();
@@ -121,7 +126,10 @@ fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError
 }
 
 /// Recomputes forces, approach and gaps on the pairs the path ended with.
-fn polish(problem: &ContactProblem, end: &ContactSolution) -> Result<ContactSolution, ContactError> {
+fn polish(
+    problem: &ContactProblem,
+    end: &ContactSolution,
+) -> Result<ContactSolution, ContactError> {
     let mut active = end.active_set.clone();
     loop {
         let equilibrium = bordered::solve_on(problem, &active)?;
@@ -183,7 +191,10 @@ mod tests {
                 assert!(kkt::check(&problem, &raw.force, raw.approach).passes(agreement));
                 let scale = polished.force.iter().copied().fold(0.0, f64::max);
                 for (left, right) in raw.force.iter().zip(&polished.force) {
-                    assert!((left - right).abs() < agreement * scale, "n {n}, ridge {ridge}: {left} {right}");
+                    assert!(
+                        (left - right).abs() < agreement * scale,
+                        "n {n}, ridge {ridge}: {left} {right}"
+                    );
                 }
                 for (left, right) in raw.gap.iter().zip(&polished.gap) {
                     assert!((left - right).abs() < agreement * polished.approach);
@@ -202,7 +213,10 @@ mod tests {
             closing: &[1.0; 2],
             load: ContactLoad::Approach(1.0),
         };
-        assert_eq!(SimplexSolver.solve(&problem, None, &mut never), Err(ContactError::Ray { pivots: 2 }));
+        assert_eq!(
+            SimplexSolver.solve(&problem, None, &mut never),
+            Err(ContactError::Ray { pivots: 2 })
+        );
         let rigid = SymmetricMatrix::zeros(2);
         let problem = ContactProblem { flexibility: &rigid, ..problem };
         assert_eq!(

@@ -1,9 +1,10 @@
 //! Where a solve starts from when it has no forces of an earlier one.
 //!
-//! Forces proportional to the depth below a level ℓ, `R_j = P d_j / Σd`, `d = max(ℓ - g, 0)`, lift the cell k that is
-//! deepest by `u_k = Σ_j F_kj R_j`. With the pairs in order of their gaps, running sums of `F_kj` and `F_kj g_j` give
-//! u_k for every ℓ from one column of F. The level is where `g_k + u_k = ℓ`: the contact of a smooth body is then found
-//! a little too wide, and pairs leave an active set faster than they enter it.
+//! Forces proportional to the depth below a level ℓ, `R_j = P d_j / Σd`, `d = max(ℓ - g, 0)`, lift
+//! the cell k that is deepest by `u_k = Σ_j F_kj R_j`. With the pairs in order of their gaps,
+//! running sums of `F_kj` and `F_kj g_j` give u_k for every ℓ from one column of F. The level is
+//! where `g_k + u_k = ℓ`: the contact of a smooth body is then found a little too wide, and pairs
+//! leave an active set faster than they enter it.
 
 use super::{ContactLoad, ContactProblem};
 
@@ -22,7 +23,8 @@ pub(crate) fn guess(problem: &ContactProblem<'_>, force: &mut [f64], column: &mu
         ContactLoad::Force(total) => {
             let (mut lift, mut lift_gap, mut depth) = (0.0, 0.0, 0.0);
             let mut found = gap[order[gap.len() - 1]];
-            // The level rises from gap to gap. Between two of them both sides are fractions of ℓ; the first that carries P ends it.
+            // The level rises from gap to gap. Between two of them both sides are fractions of ℓ;
+            // the first that carries P ends it.
             for (count, pair) in order.windows(2).enumerate() {
                 let (j, level) = (pair[0], gap[pair[1]]);
                 lift += column[j];
@@ -30,7 +32,8 @@ pub(crate) fn guess(problem: &ContactProblem<'_>, force: &mut [f64], column: &mu
                 depth += gap[j];
                 let pairs = (count + 1) as f64;
                 let depth_sum = level * pairs - depth;
-                if depth_sum > 0.0 && total * (level * lift - lift_gap) <= depth_sum * (level - gap[deepest])
+                if depth_sum > 0.0
+                    && total * (level * lift - lift_gap) <= depth_sum * (level - gap[deepest])
                 {
                     found = level;
                     break;

@@ -1,11 +1,14 @@
-//! The condensed tableau of the contact programme: one row for each basic, one column for each other variable.
+//! The condensed tableau of the contact programme: one row for each basic, one column for each
+//! other variable.
 //!
-//! Row i reads `x_basic(i) + Σ_j T_ij x_nonbasic(j) = b_i`. Columns of basic variables are unit vectors and not
-//! stored, so there are (n + 1) × (n + 2) numbers, the right-hand side b being the last column.
+//! Row i reads `x_basic(i) + Σ_j T_ij x_nonbasic(j) = b_i`. Columns of basic variables are unit
+//! vectors and not stored, so there are (n + 1) × (n + 2) numbers, the right-hand side b being the
+//! last column.
 
 /// Pivot elements below this part of their column's largest entry are rounding.
 const PIVOT_TOLERANCE: f64 = 1e-12;
-/// Basic values that the entering variable would leave within this distance of zero have reached it together.
+/// Basic values that the entering variable would leave within this distance of zero have reached
+/// it together.
 const TIE_TOLERANCE: f64 = 1e-14;
 
 /// One variable of the programme.
@@ -31,7 +34,8 @@ pub(super) struct Tableau {
 }
 
 impl Tableau {
-    /// The start tableau `-F R + α e + δ = g`, with load row `eᵀR + z = 1` (force) or `α + z = 1` (approach).
+    /// The start tableau `-F R + α e + δ = g`, with load row `eᵀR + z = 1` (force) or `α + z = 1`
+    /// (approach).
     pub fn new(
         n: usize,
         flexibility: impl Fn(usize, usize) -> f64,
@@ -71,15 +75,17 @@ impl Tableau {
         column.unwrap_or(self.n)
     }
 
-    /// The row whose basic variable reaches zero first as the column's variable grows; none on a ray.
+    /// The row whose basic variable reaches zero first as the column's variable grows; none on a
+    /// ray.
     ///
-    /// α is free and never leaves. Of rows that tie, z's wins; otherwise the one whose row of the basis inverse,
-    /// divided by its pivot element, is lexicographically smallest.
+    /// α is free and never leaves. Of rows that tie, z's wins; otherwise the one whose row of the
+    /// basis inverse, divided by its pivot element, is lexicographically smallest.
     pub fn leaving_row(&self, column: usize) -> Option<usize> {
         let largest = (0..=self.n).map(|i| self.at(i, column).abs()).fold(0.0, f64::max);
         let mut candidates: Vec<usize> = (0..=self.n)
             .filter(|&i| {
-                self.basic[i] != Variable::Approach && self.at(i, column) > PIVOT_TOLERANCE * largest
+                self.basic[i] != Variable::Approach
+                    && self.at(i, column) > PIVOT_TOLERANCE * largest
             })
             .collect();
         let ratio = |i: usize| self.value(i).max(0.0) / self.at(i, column);

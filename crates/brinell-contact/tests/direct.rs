@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use brinell_contact::{
-    ActiveSet, ActiveSetSolver, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
-    SimplexSolver, kkt, never,
+    ActiveSet, ActiveSetSolver, ContactError, ContactLoad, ContactProblem, ContactSolution,
+    ContactSolver, SimplexSolver, kkt, never,
 };
 use dense_cholesky::SymmetricMatrix;
 use proptest::prelude::*;
@@ -37,7 +37,8 @@ impl Case {
     }
 
     fn judged(&self, solver: &dyn ContactSolver, warm: Option<&ActiveSet>) -> ContactSolution {
-        let start = warm.map(|set| ContactSolution { active_set: set.clone(), ..ContactSolution::default() });
+        let start = warm
+            .map(|set| ContactSolution { active_set: set.clone(), ..ContactSolution::default() });
         let solution = match solver.solve(&self.problem(), start.as_ref(), &mut never) {
             Ok(solution) => solution,
             Err(error) => panic!("{error}: {self:?}"),
@@ -91,7 +92,8 @@ impl Random {
 
 /// `B Bᵀ / n + ridge`, with entries of B in -1..1: no structure that would favour either method.
 fn random_flexibility(n: usize, ridge: f64, random: &mut Random) -> SymmetricMatrix {
-    let b: Vec<Vec<f64>> = (0..n).map(|_| (0..n).map(|_| 2.0 * random.unit() - 1.0).collect()).collect();
+    let b: Vec<Vec<f64>> =
+        (0..n).map(|_| (0..n).map(|_| 2.0 * random.unit() - 1.0).collect()).collect();
     SymmetricMatrix::from_fn(n, |i, j| {
         let dot: f64 = b[i].iter().zip(&b[j]).map(|(p, q)| p * q).sum();
         dot / n as f64 + if i == j { ridge } else { 0.0 }
@@ -148,7 +150,8 @@ fn thousand_random_problems_by_both_solvers() {
         assert_same(&by_force, &by_approach, 1e-9);
         assert!((by_approach.total_force / by_force.total_force - 1.0).abs() < 1e-9);
 
-        let warm: ActiveSet = (0..case.initial_gap.len() + 3).filter(|_| random.unit() < 0.5).collect();
+        let warm: ActiveSet =
+            (0..case.initial_gap.len() + 3).filter(|_| random.unit() < 0.5).collect();
         assert_same(&by_force, &case.judged(&ActiveSetSolver, Some(&warm)), 1e-9);
     }
     assert!((1..=20).contains(&handed_over), "the active set ran in a circle {handed_over} times");
@@ -175,8 +178,9 @@ proptest! {
     }
 }
 
-/// Flexibility of two half-planes in plane strain: pair j's force spread over its element of width h, seen from
-/// the middle of element i. `u(x) = -2 p / (π E*) ∫ ln|x - s| ds + const`; a half model adds the mirrored force.
+/// Flexibility of two half-planes in plane strain: pair j's force spread over its element of width
+/// h, seen from the middle of element i. `u(x) = -2 p / (π E*) ∫ ln|x - s| ds + const`; a half
+/// model adds the mirrored force.
 ///
 /// # Reference
 /// K. L. Johnson, *Contact Mechanics* (1985), ch. 2.
@@ -189,11 +193,13 @@ fn half_planes(x: &[f64], h: f64, modulus: f64, mirrored: bool) -> SymmetricMatr
     })
 }
 
-/// Two cylinders of effective radius 10 mm, `E* = 115384.6 MPa`, n elements over `width` Hertz half-widths.
+/// Two cylinders of effective radius 10 mm, `E* = 115384.6 MPa`, n elements over `width` Hertz
+/// half-widths.
 fn cylinders(n: usize, width: f64, mirrored: bool) -> (Case, Vec<f64>, f64) {
     let (radius, modulus, force) = (10.0, 210_000.0 / 1.82, 612.6106);
     let half_width = (4.0 * force * radius / (PI * modulus)).sqrt();
-    let h = if mirrored { width * half_width / n as f64 } else { 2.0 * width * half_width / n as f64 };
+    let h =
+        if mirrored { width * half_width / n as f64 } else { 2.0 * width * half_width / n as f64 };
     let start = if mirrored { 0.0 } else { -width * half_width };
     let x: Vec<f64> = (0..n).map(|k| start + (k as f64 + 0.5) * h).collect();
     let case = Case {
@@ -285,8 +291,8 @@ fn three_hundred_pairs_in_scattered_contact() {
     assert_eq!((simplex.active_set.len(), simplex.pivots, active.pivots), (49, 50, 8));
 }
 
-/// A smooth flexibility with condition numbers up to 1e13, as of a very fine mesh: the path opens pairs again, the
-/// active set mostly hands over, and both end on the same set.
+/// A smooth flexibility with condition numbers up to 1e13, as of a very fine mesh: the path opens
+/// pairs again, the active set mostly hands over, and both end on the same set.
 #[test]
 fn ill_conditioned_flexibility() {
     let n = 60;
@@ -321,7 +327,8 @@ fn the_judge_rejects_wrong_answers() {
     let mut dropped = right.force.clone();
     dropped[inner] = 0.0;
     assert!(judge(&dropped, right.approach).equilibrium > 1e-3);
-    let rescaled: Vec<f64> = dropped.iter().map(|r| r * total / (total - right.force[inner])).collect();
+    let rescaled: Vec<f64> =
+        dropped.iter().map(|r| r * total / (total - right.force[inner])).collect();
     let report = judge(&rescaled, right.approach);
     assert!(report.equilibrium < 1e-14 && report.penetration > 1e-3, "{report:?}");
 
@@ -362,14 +369,26 @@ fn both_solvers_refuse_what_is_no_contact_problem() {
         (ContactProblem { initial_gap: &[], flexibility: &empty, ..good }, ContactError::NoPairs),
         (ContactProblem { closing: &[1.0, 1.0, 0.0, 1.0], ..good }, ContactError::NotClosing),
         (ContactProblem { initial_gap: &nan_gap, ..good }, ContactError::NotFinite("initial gap")),
-        (ContactProblem { flexibility: &infinite, ..good }, ContactError::NotFinite("flexibility")),
-        (ContactProblem { load: ContactLoad::Force(f64::NAN), ..good }, ContactError::NotFinite("force")),
+        (
+            ContactProblem { flexibility: &infinite, ..good },
+            ContactError::NotFinite("flexibility"),
+        ),
+        (
+            ContactProblem { load: ContactLoad::Force(f64::NAN), ..good },
+            ContactError::NotFinite("force"),
+        ),
         (
             ContactProblem { load: ContactLoad::Approach(f64::INFINITY), ..good },
             ContactError::NotFinite("approach"),
         ),
-        (ContactProblem { load: ContactLoad::Force(-1.0), ..good }, ContactError::NegativeForce(-1.0)),
-        (ContactProblem { flexibility: &negative, ..good }, ContactError::NotPositiveDefinite { pair: 0 }),
+        (
+            ContactProblem { load: ContactLoad::Force(-1.0), ..good },
+            ContactError::NegativeForce(-1.0),
+        ),
+        (
+            ContactProblem { flexibility: &negative, ..good },
+            ContactError::NotPositiveDefinite { pair: 0 },
+        ),
     ];
     for (problem, expected) in problems {
         for solver in [&SimplexSolver as &dyn ContactSolver, &ActiveSetSolver] {
@@ -385,7 +404,9 @@ fn units_do_not_matter() {
     for (length, force) in [(1e-3, 1.0), (1e3, 1e-6), (1.0, 1e9)] {
         let n = case.initial_gap.len();
         let scaled = Case {
-            flexibility: SymmetricMatrix::from_fn(n, |i, j| case.flexibility[(i, j)] * length / force),
+            flexibility: SymmetricMatrix::from_fn(n, |i, j| {
+                case.flexibility[(i, j)] * length / force
+            }),
             initial_gap: case.initial_gap.iter().map(|gap| gap * length).collect(),
             closing: case.closing.clone(),
             load: ContactLoad::Force(reference.total_force * force),

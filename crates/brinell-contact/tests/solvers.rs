@@ -1,12 +1,14 @@
-//! What holds for every solver: conditions met by an independent check, one answer, warm or cold, stopped when asked.
+//! What holds for every solver: conditions met by an independent check, one answer, warm or cold,
+//! stopped when asked.
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
 #![expect(clippy::float_cmp, reason = "what is handed through has to be the same to the last bit")]
 
 use std::ops::ControlFlow;
 
 use brinell_contact::{
-    ActiveSetSolver, ConjugateGradientSolver, ContactError, ContactLoad, ContactProblem, ContactSolution,
-    ContactSolver, ContactStatus, Flexibility, KktReport, PolonskyKeerSolver, kkt, never,
+    ActiveSetSolver, ConjugateGradientSolver, ContactError, ContactLoad, ContactProblem,
+    ContactSolution, ContactSolver, ContactStatus, Flexibility, KktReport, PolonskyKeerSolver,
+    kkt, never,
 };
 use dense_cholesky::SymmetricMatrix;
 use proptest::prelude::*;
@@ -14,13 +16,17 @@ use proptest::prelude::*;
 const TOLERANCE: f64 = 1e-9;
 
 fn solvers() -> [Box<dyn ContactSolver>; 2] {
-    [Box::new(ConjugateGradientSolver::new(TOLERANCE)), Box::new(PolonskyKeerSolver::new(TOLERANCE))]
+    [
+        Box::new(ConjugateGradientSolver::new(TOLERANCE)),
+        Box::new(PolonskyKeerSolver::new(TOLERANCE)),
+    ]
 }
 
-/// `f(i, j) = 1/(1 + |i - j|)` on a line, positive definite as a convex falling function of the distance, and some more
-/// on its diagonal.
+/// `f(i, j) = 1/(1 + |i - j|)` on a line, positive definite as a convex falling function of the
+/// distance, and some more on its diagonal.
 fn line(n: usize, extra: f64) -> SymmetricMatrix {
-    let entry = |i: usize, j: usize| 1.0 / (1.0 + i.abs_diff(j) as f64) + if i == j { extra } else { 0.0 };
+    let entry =
+        |i: usize, j: usize| 1.0 / (1.0 + i.abs_diff(j) as f64) + if i == j { extra } else { 0.0 };
     SymmetricMatrix::from_fn(n, entry)
 }
 
@@ -86,7 +92,12 @@ fn a_warm_start_takes_fewer_applications_to_the_same_answer() {
         let cold = solve(solver.as_ref(), &problem);
         let warm = solver.solve(&problem, Some(&cold), &mut never).unwrap();
         assert_eq!(warm.status, ContactStatus::Converged);
-        assert!(2 * warm.applications < cold.applications, "{} of {}", warm.applications, cold.applications);
+        assert!(
+            2 * warm.applications < cold.applications,
+            "{} of {}",
+            warm.applications,
+            cold.applications
+        );
         assert!((warm.approach / cold.approach - 1.0).abs() < 1e-8);
     }
 }
@@ -94,9 +105,11 @@ fn a_warm_start_takes_fewer_applications_to_the_same_answer() {
 #[test]
 fn bodies_apart_carry_no_force() {
     let flexibility = line(3, 0.0);
-    for (load, approach) in
-        [(ContactLoad::Force(0.0), 0.5), (ContactLoad::Approach(0.4), 0.4), (ContactLoad::Approach(0.5), 0.5)]
-    {
+    for (load, approach) in [
+        (ContactLoad::Force(0.0), 0.5),
+        (ContactLoad::Approach(0.4), 0.4),
+        (ContactLoad::Approach(0.5), 0.5),
+    ] {
         let problem = ContactProblem {
             flexibility: &flexibility,
             initial_gap: &[0.7, 0.5, 0.9],
@@ -158,7 +171,8 @@ fn a_hook_stops_a_solve_and_the_answer_says_so() {
 fn data_that_are_no_contact_are_refused() {
     let flexibility = line(2, 0.0);
     let refused = |initial_gap: &[f64], load| {
-        let problem = ContactProblem { flexibility: &flexibility, initial_gap, closing: &[1.0; 2], load };
+        let problem =
+            ContactProblem { flexibility: &flexibility, initial_gap, closing: &[1.0; 2], load };
         ConjugateGradientSolver::new(1e-8).solve(&problem, None, &mut never).unwrap_err()
     };
     assert_eq!(
@@ -167,7 +181,10 @@ fn data_that_are_no_contact_are_refused() {
     );
     assert_eq!(refused(&[0.0; 2], ContactLoad::Force(-1.0)), ContactError::NegativeForce(-1.0));
     assert_eq!(refused(&[0.0; 2], ContactLoad::Force(f64::NAN)), ContactError::NotFinite("force"));
-    assert_eq!(refused(&[0.0, f64::NAN], ContactLoad::Force(1.0)), ContactError::NotFinite("initial gap"));
+    assert_eq!(
+        refused(&[0.0, f64::NAN], ContactLoad::Force(1.0)),
+        ContactError::NotFinite("initial gap")
+    );
 
     let indefinite = SymmetricMatrix::from_fn(2, |i, j| if i == j { 1.0 } else { 2.0 });
     let problem = ContactProblem {

@@ -1,4 +1,5 @@
-//! Half a steel cylinder under a uniform pressure on its top: mesh, stiffness, factor, displacement, on finer and finer elements.
+//! Half a steel cylinder under a uniform pressure on its top: mesh, stiffness, factor,
+//! displacement, on finer and finer elements.
 
 use std::error::Error;
 
@@ -35,14 +36,16 @@ fn main() -> Result<(), Box<dyn Error>> {
             equations: &equations,
             pattern: symbolic.pattern(),
         };
-        let values = assembler.assemble(|_, quad| element_stiffness(quad, BULK, &[SHEAR; QUADRATURE_POINTS]));
+        let values = assembler
+            .assemble(|_, quad| element_stiffness(quad, BULK, &[SHEAR; QUADRATURE_POINTS]));
         let factor = Cholesky::factor(&symbolic, &values)?;
 
         // 1000 MPa: half an element of it at both ends.
         let mut load = vec![0.0; equations.len()];
         for (k, &node) in mesh.contact_nodes.iter().enumerate() {
             let share = if k == 0 || k == columns { 0.5 } else { 1.0 };
-            load[equations.of_node(node)[1] as usize] = -1000.0 * share * HALF_WIDTH / columns as f64;
+            load[equations.of_node(node)[1] as usize] =
+                -1000.0 * share * HALF_WIDTH / columns as f64;
         }
         factor.solve(&mut load);
         println!(

@@ -1,11 +1,14 @@
 //! An evaluation beside the Fourier transforms it consists of, and an elastic contact.
 //!
-//! `cargo bench -p brinell-halfspace`. The ratio of `evaluation` to `transforms` within one run is what counts.
+//! `cargo bench -p brinell-halfspace`. The ratio of `evaluation` to `transforms` within one run is
+//! what counts.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
 use std::hint::black_box;
 
-use brinell_contact::{ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, never};
+use brinell_contact::{
+    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, never,
+};
 use brinell_halfspace::{
     Elasticity, EllipticContact, HalfSpace, Layers, SurfaceFlexibility, SurfaceGrid, TensorField,
 };
@@ -14,7 +17,8 @@ use realfft::RealFftPlanner;
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex64;
 
-/// Transforms of `count` fields there and back, rows that are padding left out: plans and nothing else.
+/// Transforms of `count` fields there and back, rows that are padding left out: plans and nothing
+/// else.
 struct Transforms {
     n: usize,
     count: usize,
@@ -44,14 +48,17 @@ impl Transforms {
         let (down, up) = (complex.plan_fft_forward(m), complex.plan_fft_inverse(m));
         for _ in 0..self.count {
             for _ in 0..self.n {
-                there.process_with_scratch(&mut self.rows, &mut self.half, &mut self.scratch).unwrap();
+                there
+                    .process_with_scratch(&mut self.rows, &mut self.half, &mut self.scratch)
+                    .unwrap();
             }
             down.process_with_scratch(&mut self.columns, &mut self.scratch);
             up.process_with_scratch(&mut self.columns, &mut self.scratch);
             for _ in 0..self.n {
                 self.half[0].im = 0.0;
                 self.half[self.n].im = 0.0;
-                back.process_with_scratch(&mut self.half, &mut self.rows, &mut self.scratch).unwrap();
+                back.process_with_scratch(&mut self.half, &mut self.rows, &mut self.scratch)
+                    .unwrap();
             }
             black_box(&self.rows);
         }
@@ -105,8 +112,9 @@ fn evaluation(criterion: &mut Criterion) {
         // Five components of each layer: the sixth follows from them.
         let mut transforms = Transforms::new(n, 5 * layers);
         let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
-        group
-            .bench_function("transforms", |bencher| bencher.iter(|| transforms.run(&mut real, &mut complex)));
+        group.bench_function("transforms", |bencher| {
+            bencher.iter(|| transforms.run(&mut real, &mut complex))
+        });
         group.bench_function("build", |bencher| bencher.iter(|| space(n, false).layers().len()));
         group.finish();
     }

@@ -1,10 +1,13 @@
-//! The elastic contact of a steel ball with a flat of steel: pressure, approach and Hertz beside them.
+//! The elastic contact of a steel ball with a flat of steel: pressure, approach and Hertz beside
+//! them.
 //!
 //! `cargo run --release -p brinell-halfspace --example ball_on_flat`
 
 use std::error::Error;
 
-use brinell_contact::{ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, never};
+use brinell_contact::{
+    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, never,
+};
 use brinell_halfspace::{Elasticity, EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
 fn main() -> Result<(), Box<dyn Error>> {

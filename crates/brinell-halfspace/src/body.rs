@@ -1,7 +1,8 @@
-//! A body that yields: plastic strains of its cells, the stresses that go with them, and what the plastic law answers.
+//! A body that yields: plastic strains of its cells, the stresses that go with them, and what the
+//! plastic law answers.
 //!
-//! With the plastic strain `ε_p` of the accepted increments, the increment Δε of this load and the stress σ0 that the
-//! unloaded body has, which depends on depth alone,
+//! With the plastic strain `ε_p` of the accepted increments, the increment Δε of this load and the
+//! stress σ0 that the unloaded body has, which depends on depth alone,
 //! ```text
 //! u_p = Sᵀ(ε_p + Δε)                              opening
 //! s_tr = dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε      trial
@@ -15,15 +16,23 @@ use crate::half_space::{HalfSpace, HalfSpaceWork};
 use crate::stop::{Stop, Stopped};
 use crate::tensors::{DEVIATOR_COMPONENTS, TensorField};
 
-/// The plastic law of the cells of a body, with what they remember. Cells count through the layers:
-/// `layer * n_cells + cell`.
+/// The plastic law of the cells of a body, with what they remember. Cells count through the
+/// layers: `layer * n_cells + cell`.
 pub trait PlasticLaw {
-    /// Von Mises stress below which no cell of a layer flows, whatever it has been through \[MPa\].
+    /// Von Mises stress below which no cell of a layer flows, whatever it has been through
+    /// \[MPa\].
     fn elastic_limit(&self, layer: usize) -> f64;
 
-    /// `2μ Δε` of a straight path of the stress deviator `xx yy zz xy xz yz` from the accepted state of a cell; `None`
-    /// where it stays elastic. What the cell will then remember is kept until the next [`rest`](Self::rest).
-    fn flow(&mut self, layer: usize, cell: usize, old: &[f64; 6], trial: &[f64; 6]) -> Option<[f64; 6]>;
+    /// `2μ Δε` of a straight path of the stress deviator `xx yy zz xy xz yz` from the accepted
+    /// state of a cell; `None` where it stays elastic. What the cell will then remember is kept
+    /// until the next [`rest`](Self::rest).
+    fn flow(
+        &mut self,
+        layer: usize,
+        cell: usize,
+        old: &[f64; 6],
+        trial: &[f64; 6],
+    ) -> Option<[f64; 6]>;
 
     /// Takes all cells back to their accepted states.
     fn rest(&mut self);
@@ -64,8 +73,8 @@ pub struct YieldingBody {
 impl YieldingBody {
     /// A body at rest; two equal bodies are one that stands for `count = 2`.
     ///
-    /// `initial` is the deviator `xx yy xy xz yz` of the stress of each layer before any load, and `at_rest` whether paths
-    /// begin there or without stress.
+    /// `initial` is the deviator `xx yy xy xz yz` of the stress of each layer before any load, and
+    /// `at_rest` whether paths begin there or without stress.
     pub fn new(
         space: Arc<HalfSpace>,
         law: Box<dyn PlasticLaw>,
@@ -120,7 +129,8 @@ impl YieldingBody {
         2.0 * self.space.elastic().shear()
     }
 
-    /// Adds u_p of all the bodies that this one stands for to `opening` \[mm\], positive where it opens the gap.
+    /// Adds u_p of all the bodies that this one stands for to `opening` \[mm\], positive where it
+    /// opens the gap.
     ///
     /// # Errors
     /// [`Stopped`].
@@ -142,7 +152,8 @@ impl YieldingBody {
         Ok(())
     }
 
-    /// The trial deviators under pressures \[MPa\], with the increment of the last [`open`](Self::open), which it uses up.
+    /// The trial deviators under pressures \[MPa\], with the increment of the last
+    /// [`open`](Self::open), which it uses up.
     ///
     /// # Errors
     /// [`Stopped`].
@@ -159,7 +170,9 @@ impl YieldingBody {
         }
         let n_cells = self.stress.n_cells();
         let rows = into.chunks_exact_mut(n_cells);
-        for (row, initial) in rows.zip(self.initial.iter().flatten()).filter(|(_, value)| **value != 0.0) {
+        for (row, initial) in
+            rows.zip(self.initial.iter().flatten()).filter(|(_, value)| **value != 0.0)
+        {
             for value in row {
                 *value += initial;
             }
@@ -174,7 +187,8 @@ impl YieldingBody {
         into.fill(0.0);
         self.law.rest();
         for layer in 0..n_layers {
-            let (trial, new) = (&trial[layer * layer_len..], &mut into[layer * layer_len..][..layer_len]);
+            let (trial, new) =
+                (&trial[layer * layer_len..], &mut into[layer * layer_len..][..layer_len]);
             let old = self.old_stress.layer(layer);
             let limit = self.law.elastic_limit(layer).powi(2);
             for cell in 0..n_cells {
@@ -199,7 +213,9 @@ impl YieldingBody {
         for (strain, stress) in self.strain.values_mut().iter_mut().zip(increment) {
             *strain += compliance * stress;
         }
-        for ((old, trial), stress) in self.old_stress.values_mut().iter_mut().zip(trial).zip(increment) {
+        for ((old, trial), stress) in
+            self.old_stress.values_mut().iter_mut().zip(trial).zip(increment)
+        {
             *old = trial - stress;
         }
         self.law.accept();
@@ -210,10 +226,12 @@ impl YieldingBody {
         (&self.total, self.displacement.as_slice())
     }
 
-    /// `-½ ∫ ε_p : G ε_p dV` \[N mm\]: the elastic energy of the plastic strain of the last [`open`](Self::open) alone, of one body,
-    /// from the trial deviators under pressures \[MPa\] with that increment.
+    /// `-½ ∫ ε_p : G ε_p dV` \[N mm\]: the elastic energy of the plastic strain of the last
+    /// [`open`](Self::open) alone, of one body, from the trial deviators under pressures \[MPa\]
+    /// with that increment.
     ///
-    /// By reciprocity the stress of the pressures works `Σ p u_p hx hy` on the plastic strain, which is a deviator.
+    /// By reciprocity the stress of the pressures works `Σ p u_p hx hy` on the plastic strain,
+    /// which is a deviator.
     pub fn residual_energy(&self, pressure: &[f64], trial: &[f64], increment: &[f64]) -> f64 {
         let (area, layers) = (self.space.grid().cell_area(), self.space.layers());
         let n_cells = self.strain.n_cells();
@@ -267,5 +285,8 @@ fn whole([xx, yy, xy, xz, yz]: [f64; DEVIATOR_COMPONENTS]) -> [f64; 6] {
 /// `3/2 s:s`.
 #[inline(always)]
 fn square(s: &[f64; 6]) -> f64 {
-    1.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]))
+    1.5 * (s[0] * s[0]
+        + s[1] * s[1]
+        + s[2] * s[2]
+        + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]))
 }

@@ -1,44 +1,51 @@
-//! Stress of plastic strain, the operator G: one wave vector after the other, by a sweep up and a sweep down.
+//! Stress of plastic strain, the operator G: one wave vector after the other, by a sweep up and a
+//! sweep down.
 //!
-//! Plastic strain `ε_p` acts on the elastic half-space as the polarization `τ = C : ε_p`. For the wave vector
-//! `q (c, s)` in the plane, with x' along it,
+//! Plastic strain `ε_p` acts on the elastic half-space as the polarization `τ = C : ε_p`. For the
+//! wave vector `q (c, s)` in the plane, with x' along it,
 //! ```text
 //! τx = c²τxx + s²τyy + 2cs τxy    τy = s²τxx + c²τyy - 2cs τxy    τxy' = cs(τyy - τxx) + (c² - s²)τxy
 //! t  = -i(c τxz + s τyz)          ty = -i(-s τxz + c τyz)         τz = τzz
 //! ```
-//! After this everything is real arithmetic on complex numbers. Away from its source a field is of Airy form. With
-//! `ζ = q · distance`, downwards `(a, b, g)`:
+//! After this everything is real arithmetic on complex numbers. Away from its source a field is of
+//! Airy form. With `ζ = q · distance`, downwards `(a, b, g)`:
 //! ```text
 //! σz = -(a + bζ)e^-ζ    σx = (a - 2b + bζ)e^-ζ    s_xz = (a - b + bζ)e^-ζ
 //! σy = ν(σx + σz)       σxy' = g e^-ζ             s_yz = g e^-ζ
 //! ```
-//! and upwards the same with `s_xz` and `s_yz` of opposite sign. Per unit of thickness a source sends, with `κ = 1/(2(1-ν))`,
+//! and upwards the same with `s_xz` and `s_yz` of opposite sign. Per unit of thickness a source
+//! sends, with `κ = 1/(2(1-ν))`,
 //! ```text
 //! a = q(1-κ)/2 (τx+τz) both ways   b_down = -(qκ/2)(τx - 2t - τz)   b_up = -(qκ/2)(τx + 2t - τz)
 //!                                  g_down = (q/2)(τxy' - ty)        g_up = (q/2)(τxy' + ty)
 //! ```
-//! Source and stress are constant over a layer and averaged over it. With `x = qh`, `e = exp(-x)` and
+//! Source and stress are constant over a layer and averaged over it. With `x = qh`, `e = exp(-x)`
+//! and
 //! ```text
 //! al = ∫ e^-qs ds   be = ∫ qs e^-qs ds   I0 = ∫ (h-s) e^-qs ds   I1 = ∫ (h-s) qs e^-qs ds     over 0..h
 //! ```
-//! the sweep up from the deepest layer, with `(A, B, Γ)` of the layers below at a layer's lower face, is
+//! the sweep up from the deepest layer, with `(A, B, Γ)` of the layers below at a layer's lower
+//! face, is
 //! ```text
 //! own:    hσz = -(2a I0 + (b_d+b_u)I1)   hσx = 2(a-b_d-b_u)I0 + (b_d+b_u)I1   hs_xz = (b_d-b_u)(I1-I0)
 //!         hσxy' = (g_d+g_u)I0            hs_yz = (g_d-g_u)I0
 //! below:  hσz -= A0   hσx += A0 - 2B al   hs_xz -= A0 - B al   hσxy' += Γ al   hs_yz -= Γ al,   A0 = A al + B be
 //! next:   A <- (A+Bx)e + a al + b_u be    B <- Be + b_u al     Γ <- Γe + g_u al
 //! ```
-//! The free surface sends `(A, B, Γ)` back as `(-A, B - 2A, Γ)`, under which its tractions vanish whatever ν. The sweep
-//! down begins with these, with `s_xz += A0 - B al`, `s_yz += Γ al` and the sources `b_d`, `g_d`. At the end
-//! `σy += ν(σx+σz)`, and the local part `σx += λ'τz - τx`, `σy += λ'τz - τy`, `σxy' -= τxy'` with `λ' = ν/(1-ν)`.
+//! The free surface sends `(A, B, Γ)` back as `(-A, B - 2A, Γ)`, under which its tractions vanish
+//! whatever ν. The sweep down begins with these, with `s_xz += A0 - B al`, `s_yz += Γ al` and the
+//! sources `b_d`, `g_d`. At the end `σy += ν(σx+σz)`, and the local part `σx += λ'τz - τx`, `σy +=
+//! λ'τz - τy`, `σxy' -= τxy'` with `λ' = ν/(1-ν)`.
 //!
-//! This is a Galerkin projection: trigonometric in the plane, constant in layers, averaged over layers. G is therefore
-//! symmetric and negative semidefinite on any layers. At the largest wave number along x of an even grid, which is its own
-//! negative, the mean of both directions is taken.
+//! This is a Galerkin projection: trigonometric in the plane, constant in layers, averaged over
+//! layers. G is therefore symmetric and negative semidefinite on any layers. At the largest wave
+//! number along x of an even grid, which is its own negative, the mean of both directions is
+//! taken.
 //!
 //! # Reference
-//! Own derivation. The same kernel by quadrature over layers: L. Frérot, M. Bonnet, J.-F. Molinari, G. Anciaux, *A Fourier-accelerated
-//! volume integral method for elastoplastic contact*, Comput. Methods Appl. Mech. Eng. 351 (2019) 951–976.
+//! Own derivation. The same kernel by quadrature over layers: L. Frérot, M. Bonnet, J.-F.
+//! Molinari, G. Anciaux, *A Fourier-accelerated volume integral method for elastoplastic contact*,
+//! Comput. Methods Appl. Mech. Eng. 351 (2019) 951–976.
 
 use std::f64::consts::PI;
 
@@ -71,14 +78,21 @@ pub(crate) struct EigenstrainStress {
 
 impl EigenstrainStress {
     /// Sides of a cell in mm.
-    pub fn new(transform: &Transform, sides: [f64; 2], layers: &Layers, elastic: Elasticity) -> Self {
+    pub fn new(
+        transform: &Transform,
+        sides: [f64; 2],
+        layers: &Layers,
+        elastic: Elasticity,
+    ) -> Self {
         let mx = transform.mx;
         let half = mx / 2 + 1;
         let filled = half.next_multiple_of(WIDTH);
-        let (dx, dy) = (2.0 * PI / (mx as f64 * sides[0]), 2.0 * PI / (transform.my as f64 * sides[1]));
+        let (dx, dy) =
+            (2.0 * PI / (mx as f64 * sides[0]), 2.0 * PI / (transform.my as f64 * sides[1]));
         let thickness: Vec<f64> = (0..layers.len()).map(|layer| layers.thickness(layer)).collect();
         let mut directions = Vec::with_capacity(transform.n_rows());
-        let mut coefficients = Vec::with_capacity(transform.n_rows() * layers.len() * COEFFICIENTS * filled);
+        let mut coefficients =
+            Vec::with_capacity(transform.n_rows() * layers.len() * COEFFICIENTS * filled);
         for iy in 0..transform.n_rows() {
             let mut direction = [vec![0.0; filled], vec![1.0; filled], vec![0.0; filled]];
             for ix in 0..half {
@@ -127,13 +141,15 @@ impl EigenstrainStress {
         block: &mut [f64],
         work: &mut SweepWork,
     ) {
-        let (shear, lame, poisson) = (self.elastic.shear(), self.elastic.lame(), self.elastic.poisson());
+        let (shear, lame, poisson) =
+            (self.elastic.shear(), self.elastic.lame(), self.elastic.poisson());
         let kappa = 0.5 / (1.0 - poisson);
         let local = poisson / (1.0 - poisson);
         let n_layers = self.thickness.len();
         let coefficients = &self.coefficients[iy * n_layers * COEFFICIENTS * self.filled..];
-        let of_layer =
-            |layer: usize, k: usize| lanes(&coefficients[(layer * COEFFICIENTS + k) * self.filled + start..]);
+        let of_layer = |layer: usize, k: usize| {
+            lanes(&coefficients[(layer * COEFFICIENTS + k) * self.filled + start..])
+        };
         let [q, c, s] = &self.directions[iy];
         let (q, mut c, s) = (lanes(&q[start..]), lanes(&c[start..]), lanes(&s[start..]));
         if plane >= 2 {
@@ -157,8 +173,11 @@ impl EigenstrainStress {
                 let xx = 2.0 * shear * strain[0][n] + trace;
                 let yy = 2.0 * shear * strain[1][n] + trace;
                 let zz = 2.0 * shear * strain[2][n] + trace;
-                let (xy, xz, yz) =
-                    (2.0 * shear * strain[3][n], 2.0 * shear * strain[4][n], 2.0 * shear * strain[5][n]);
+                let (xy, xz, yz) = (
+                    2.0 * shear * strain[3][n],
+                    2.0 * shear * strain[4][n],
+                    2.0 * shear * strain[5][n],
+                );
                 let (cc, ss, cs) = (c[n] * c[n], s[n] * s[n], c[n] * s[n]);
                 let tx = cc * xx + ss * yy + 2.0 * cs * xy;
                 let ty = ss * xx + cc * yy - 2.0 * cs * xy;
@@ -171,7 +190,8 @@ impl EigenstrainStress {
                 let (g_down, g_up) = (0.5 * q[n] * (txy - t_y), 0.5 * q[n] * (txy + t_y));
                 let (both, difference) = (b_down + b_up, b_down - b_up);
                 let (al_h, a0) = (al[n] * per_h, (a[n] * al[n] + b[n] * be[n]) * per_h);
-                kept[0][n] = 2.0 * (source_a - both) * i0[n] + both * i1[n] + a0 - 2.0 * b[n] * al_h;
+                kept[0][n] =
+                    2.0 * (source_a - both) * i0[n] + both * i1[n] + a0 - 2.0 * b[n] * al_h;
                 kept[1][n] = -(2.0 * source_a * i0[n] + both * i1[n]) - a0;
                 kept[2][n] = difference * (i1[n] - i0[n]) - (a0 - b[n] * al_h);
                 kept[3][n] = (g_down + g_up) * i0[n] + g[n] * al_h - txy;

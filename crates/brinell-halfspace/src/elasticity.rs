@@ -5,7 +5,8 @@ use thiserror::Error;
 /// Constants that are not those of a stable isotropic body.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "Young's modulus has to be positive and Poisson's ratio between 0 and 0.5, got {young} MPa and {poisson}"
+    "Young's modulus has to be positive and Poisson's ratio between 0 and 0.5, got {young} MPa \
+     and {poisson}"
 )]
 pub struct ElasticityError {
     /// E \[MPa\].

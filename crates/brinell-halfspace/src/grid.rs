@@ -16,7 +16,8 @@ pub enum GridError {
     Faces(usize),
 }
 
-/// Cells of one size on the surface z = 0, in rows along y: cell `(i, j)` has the index `i ny + j`.
+/// Cells of one size on the surface z = 0, in rows along y: cell `(i, j)` has the index `i ny +
+/// j`.
 ///
 /// The middle of the grid is the origin. Cells may be elongated.
 #[derive(Debug, Clone, Copy, PartialEq)]

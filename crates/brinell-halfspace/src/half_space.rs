@@ -1,4 +1,5 @@
-//! One elastic half-space: stresses and displacements of pressures on it and plastic strains in it.
+//! One elastic half-space: stresses and displacements of pressures on it and plastic strains in
+//! it.
 
 use crate::eigenstrain_stress::{EigenstrainStress, SweepWork};
 use crate::images::{FarField, FarFieldWork};
@@ -9,9 +10,11 @@ use crate::transform::fast_length;
 use crate::waves::{PARITIES, Waves, WavesScratch, Wide};
 use crate::{Elasticity, Layers, SurfaceGrid};
 
-/// The operators S (pressure to stress), Sᵀ (plastic strain to displacement) and G (plastic strain to stress) of a body.
+/// The operators S (pressure to stress), Sᵀ (plastic strain to displacement) and G (plastic strain
+/// to stress) of a body.
 ///
-/// Nothing in it changes; bodies of one material on one grid share it. What changes is in [`HalfSpaceWork`].
+/// Nothing in it changes; bodies of one material on one grid share it. What changes is in
+/// [`HalfSpaceWork`].
 pub struct HalfSpace {
     grid: SurfaceGrid,
     layers: Layers,
@@ -38,8 +41,8 @@ pub struct HalfSpaceWork {
 impl HalfSpace {
     /// The operators of a body. The images of plastic strain are removed.
     ///
-    /// Where all strains and pressures are symmetric about both axes and there are even numbers of cells, a quarter of the wave
-    /// vectors is enough; only the cells at x, y > 0 are read then.
+    /// Where all strains and pressures are symmetric about both axes and there are even numbers of
+    /// cells, a quarter of the wave vectors is enough; only the cells at x, y > 0 are read then.
     ///
     /// # Errors
     /// [`Stopped`].
@@ -51,7 +54,8 @@ impl HalfSpace {
         stop: &mut Stop<'_>,
     ) -> Result<Self, Stopped> {
         let mut body = Self::periodic(grid, layers, elastic, is_symmetric, stop)?;
-        body.far_field = Some(FarField::new(&body.waves, &body.grid, &body.layers, elastic, body.arch));
+        body.far_field =
+            Some(FarField::new(&body.waves, &body.grid, &body.layers, elastic, body.arch));
         Ok(body)
     }
 
@@ -68,12 +72,26 @@ impl HalfSpace {
     ) -> Result<Self, Stopped> {
         let arch = pulp::Arch::new();
         let cells = [grid.nx(), grid.ny()];
-        let waves =
-            Waves::new(cells, cells.map(|n| fast_length(2 * n)), is_symmetric && is_even(cells), arch);
-        let pressure_stress = PressureStress::new(&waves.transform, &grid, &layers, elastic.poisson(), stop)?;
+        let waves = Waves::new(
+            cells,
+            cells.map(|n| fast_length(2 * n)),
+            is_symmetric && is_even(cells),
+            arch,
+        );
+        let pressure_stress =
+            PressureStress::new(&waves.transform, &grid, &layers, elastic.poisson(), stop)?;
         let sides = [grid.hx(), grid.hy()];
         let eigenstrain_stress = EigenstrainStress::new(&waves.transform, sides, &layers, elastic);
-        Ok(Self { grid, layers, elastic, waves, pressure_stress, eigenstrain_stress, far_field: None, arch })
+        Ok(Self {
+            grid,
+            layers,
+            elastic,
+            waves,
+            pressure_stress,
+            eigenstrain_stress,
+            far_field: None,
+            arch,
+        })
     }
 
     /// Cells of the surface.
@@ -114,7 +132,8 @@ impl HalfSpace {
         }
     }
 
-    /// `u_p = Sᵀ ε_p`, positive into the body \[mm\]. Keeps the spectra of `G ε_p` for [`stress`](Self::stress).
+    /// `u_p = Sᵀ ε_p`, positive into the body \[mm\]. Keeps the spectra of `G ε_p` for
+    /// [`stress`](Self::stress).
     ///
     /// `strain` has as many components as the work space is for.
     ///
@@ -143,15 +162,24 @@ impl HalfSpace {
             for (component, row) in strain.rows().iter().enumerate() {
                 let (field, place) =
                     (strain.component(layer, component), (n_fields, layer * COMPONENTS + row));
-                self.waves.rows_forward(field, PARITIES[*row], &mut work.stack, place, &mut work.scratch);
+                self.waves.rows_forward(
+                    field,
+                    PARITIES[*row],
+                    &mut work.stack,
+                    place,
+                    &mut work.scratch,
+                );
             }
         }
         let is_deviator = work.n_components < COMPONENTS;
         let surface = work.surface.chunks_exact_mut(row_len);
-        for (iy, (block, surface)) in work.stack.chunks_exact_mut(n_fields * row_len).zip(surface).enumerate()
+        for (iy, (block, surface)) in
+            work.stack.chunks_exact_mut(n_fields * row_len).zip(surface).enumerate()
         {
             ask(stop)?;
-            for (rows, strained) in block.chunks_exact_mut(COMPONENTS * row_len).zip(&work.strained) {
+            for (rows, strained) in
+                block.chunks_exact_mut(COMPONENTS * row_len).zip(&work.strained)
+            {
                 if *strained {
                     self.waves.layer_forward(rows, is_deviator, &mut work.scratch);
                 } else {
@@ -173,8 +201,8 @@ impl HalfSpace {
         Ok(())
     }
 
-    /// `σ = S p + G ε_p` \[MPa\] with the strain of the last [`opening`](Self::opening), as tensors or as deviators. Uses up the
-    /// spectra kept.
+    /// `σ = S p + G ε_p` \[MPa\] with the strain of the last [`opening`](Self::opening), as
+    /// tensors or as deviators. Uses up the spectra kept.
     ///
     /// # Errors
     /// [`Stopped`]; `stop` is asked for each layer and each wave number.
@@ -190,7 +218,8 @@ impl HalfSpace {
         self.waves.forward(pressure, &mut work.surface, &mut work.scratch);
         let is_deviator = stress.n_components() < COMPONENTS;
         let surface = work.surface.chunks_exact(row_len);
-        for (iy, (block, surface)) in work.stack.chunks_exact_mut(n_fields * row_len).zip(surface).enumerate()
+        for (iy, (block, surface)) in
+            work.stack.chunks_exact_mut(n_fields * row_len).zip(surface).enumerate()
         {
             ask(stop)?;
             self.arch.dispatch(Wide(
@@ -212,7 +241,13 @@ impl HalfSpace {
             for (component, row) in rows.iter().enumerate() {
                 let (field, place) =
                     (stress.component_mut(layer, component), (n_fields, layer * COMPONENTS + row));
-                self.waves.rows_inverse(&work.stack, place, PARITIES[*row], field, &mut work.scratch);
+                self.waves.rows_inverse(
+                    &work.stack,
+                    place,
+                    PARITIES[*row],
+                    field,
+                    &mut work.scratch,
+                );
             }
         }
         if let (Some(far_field), Some(far_work)) = (&self.far_field, &mut work.far_field)
@@ -228,7 +263,8 @@ impl HalfSpace {
         let cells = [grid.nx(), grid.ny()];
         let [half, n_rows] = cells.map(|n| fast_length(2 * n) / 2 + 1);
         let kernels = n_rows * half * n_layers * (COMPONENTS + 5);
-        let stack = Waves::padded_stack_len(cells, n_layers * COMPONENTS, is_symmetric && is_even(cells));
+        let stack =
+            Waves::padded_stack_len(cells, n_layers * COMPONENTS, is_symmetric && is_even(cells));
         (kernels + stack) * size_of::<f64>()
     }
 }

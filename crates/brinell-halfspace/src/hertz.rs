@@ -1,16 +1,18 @@
 //! The elastic contact of two smooth bodies, Hertz's ellipse.
 //!
-//! With the curvatures `1/Rx >= 1/Ry` of the gap along the short and the long semi-axis b and a, `k = b/a` solves
+//! With the curvatures `1/Rx >= 1/Ry` of the gap along the short and the long semi-axis b and a,
+//! `k = b/a` solves
 //! ```text
 //! Ry/Rx = R_D(0, 1, k²) / R_D(0, k², 1)
 //! a³ = P Ry R_D(0, k², 1) / (π E*),   p0 = 3P/(2π a b),   α = (p0 b/E*) K(1 - k²)
 //! ```
 //! with Carlson's R_D. They are the usual complete integrals, `K - E = m/3 R_D(0, k², 1)` and
-//! `E/k² - K = m/3 R_D(0, 1, k²)` with `m = 1 - k²`, without the differences that cancel in a circle.
+//! `E/k² - K = m/3 R_D(0, 1, k²)` with `m = 1 - k²`, without the differences that cancel in a
+//! circle.
 //!
 //! # Reference
-//! K. L. Johnson, *Contact Mechanics* (1985), section 4.2; B. C. Carlson, *Numerical computation of real or complex elliptic
-//! integrals*, Numer. Algorithms 10 (1995) 13–26.
+//! K. L. Johnson, *Contact Mechanics* (1985), section 4.2; B. C. Carlson, *Numerical computation
+//! of real or complex elliptic integrals*, Numer. Algorithms 10 (1995) 13–26.
 
 use std::f64::consts::PI;
 
@@ -28,7 +30,8 @@ pub struct EllipticContact {
 }
 
 impl EllipticContact {
-    /// The contact under `force` \[N\] of a gap `x²/(2 Rx) + y²/(2 Ry)` with radii in mm and E* in MPa, all positive.
+    /// The contact under `force` \[N\] of a gap `x²/(2 Rx) + y²/(2 Ry)` with radii in mm and E* in
+    /// MPa, all positive.
     pub fn new(radius_x: f64, radius_y: f64, effective_modulus: f64, force: f64) -> Self {
         let (small, large) = (radius_x.min(radius_y), radius_x.max(radius_y));
         let ratio_of = |k: f64| carlson_rd(1.0, k * k) / carlson_rd(k * k, 1.0);
@@ -46,12 +49,14 @@ impl EllipticContact {
         let short = k * long;
         let peak_pressure = 1.5 * force / (PI * long * short);
         let approach = peak_pressure * short / effective_modulus * complete_first_kind(k);
-        let (semi_axis_x, semi_axis_y) = if radius_x <= radius_y { (short, long) } else { (long, short) };
+        let (semi_axis_x, semi_axis_y) =
+            if radius_x <= radius_y { (short, long) } else { (long, short) };
         Self { peak_pressure, semi_axis_x, semi_axis_y, approach }
     }
 }
 
-/// Duplications after which nothing changes any more: each takes away three quarters of the differences.
+/// Duplications after which nothing changes any more: each takes away three quarters of the
+/// differences.
 const DUPLICATIONS: u32 = 40;
 
 /// `K(1 - k²)` by the arithmetic-geometric mean of 1 and k.

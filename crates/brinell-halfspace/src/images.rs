@@ -1,15 +1,18 @@
 //! The stress of the images of a plastic zone, which the periodic operator G brings with it.
 //!
-//! G repeats the plastic zone with the period of the padded box, 2 sides of the grid. An image's stress falls with the
-//! cube of its distance and is smooth over the grid. A coarse grid therefore tells it:
+//! G repeats the plastic zone with the period of the padded box, 2 sides of the grid. An image's
+//! stress falls with the cube of its distance and is smooth over the grid. A coarse grid therefore
+//! tells it:
 //! ```text
 //! G <- G + Rᵀ (G_c[8 sides] - G_c[2 sides]) R
 //! ```
-//! G_c is the same operator on coarse cells and merged layers. `R = Pᵀ` averages strains to coarse cells, P interpolates
-//! linearly between their centres; G remains symmetric. The small coarse box has the very period of the fine one.
-//! Of the images of the large box (4³ times weaker) nothing is taken away.
+//! G_c is the same operator on coarse cells and merged layers. `R = Pᵀ` averages strains to coarse
+//! cells, P interpolates linearly between their centres; G remains symmetric. The small coarse box
+//! has the very period of the fine one. Of the images of the large box (4³ times weaker) nothing
+//! is taken away.
 //!
-//! The prototype in Python left 4e-4 to 1e-3 of the peak residual stress with 8 coarse cells a side. Not measured here.
+//! The prototype in Python left 4e-4 to 1e-3 of the peak residual stress with 8 coarse cells a
+//! side. Not measured here.
 
 use crate::eigenstrain_stress::{EigenstrainStress, SweepWork};
 use crate::tensors::{COMPONENTS, TensorField};
@@ -18,7 +21,8 @@ use crate::{Elasticity, Layers, SurfaceGrid};
 
 /// Coarse cells over a side of the grid.
 const COARSE_CELLS: usize = 8;
-/// The same where the contact is longer than [`ELONGATED`] times its width: then its images are lines.
+/// The same where the contact is longer than [`ELONGATED`] times its width: then its images are
+/// lines.
 const COARSE_CELLS_ELONGATED: usize = 16;
 const ELONGATED: f64 = 3.0;
 /// Layers merged into one.
@@ -56,7 +60,13 @@ impl Periodic {
             for (component, row) in strain.rows().iter().enumerate() {
                 let (field, place) =
                     (strain.component(layer, component), (n_fields, layer * COMPONENTS + row));
-                self.waves.rows_forward(field, PARITIES[*row], &mut work.stack, place, &mut work.scratch);
+                self.waves.rows_forward(
+                    field,
+                    PARITIES[*row],
+                    &mut work.stack,
+                    place,
+                    &mut work.scratch,
+                );
             }
         }
         let is_deviator = strain.n_components() < COMPONENTS;
@@ -74,19 +84,23 @@ impl Periodic {
         }
         for layer in 0..into.n_layers() {
             for (component, parity) in PARITIES.into_iter().enumerate() {
-                let (field, place) =
-                    (into.component_mut(layer, component), (n_fields, layer * COMPONENTS + component));
+                let (field, place) = (
+                    into.component_mut(layer, component),
+                    (n_fields, layer * COMPONENTS + component),
+                );
                 self.waves.rows_inverse(&work.stack, place, parity, field, &mut work.scratch);
             }
         }
     }
 }
 
-/// Linear interpolation along one direction: for each fine cell the lower coarse cell and the weight of the next one.
+/// Linear interpolation along one direction: for each fine cell the lower coarse cell and the
+/// weight of the next one.
 struct Interpolation(Vec<(usize, f64)>);
 
 impl Interpolation {
-    /// Between the centres of `coarse` cells `width` fine cells wide, around the middle of `fine` cells.
+    /// Between the centres of `coarse` cells `width` fine cells wide, around the middle of `fine`
+    /// cells.
     fn new(fine: usize, coarse: usize, width: f64) -> Self {
         let place = |i: usize| {
             let x = (i as f64 - 0.5 * (fine - 1) as f64) / width + 0.5 * (coarse - 1) as f64;
@@ -134,17 +148,21 @@ impl FarField {
         let aspect = (length[0] / length[1]).max(length[1] / length[0]);
         let cells = if aspect > ELONGATED { COARSE_CELLS_ELONGATED } else { COARSE_CELLS };
         let merged = layers.merged(MERGED);
-        // At least two, for interpolation; at most as many as the grid has, which need no correction of theirs.
+        // At least two, for interpolation; at most as many as the grid has, which need no
+        // correction of theirs.
         let period = |n: usize| 2 * cells.min(n);
         let periods = [period(grid.nx()), period(grid.ny())];
-        let width = [transform.mx as f64 / periods[0] as f64, transform.my as f64 / periods[1] as f64];
+        let width =
+            [transform.mx as f64 / periods[0] as f64, transform.my as f64 / periods[1] as f64];
         let side = [width[0] * grid.hx(), width[1] * grid.hy()];
         let count = |n: usize, width: f64, period: usize| {
             (2..period).step_by(2).find(|c| *c as f64 * width >= n as f64).unwrap_or(period)
         };
-        let coarse = [count(grid.nx(), width[0], periods[0]), count(grid.ny(), width[1], periods[1])];
+        let coarse =
+            [count(grid.nx(), width[0], periods[0]), count(grid.ny(), width[1], periods[1])];
         let periodic = |factor: usize| {
-            let waves = Waves::new(coarse, periods.map(|n| factor * n), waves.is_symmetric(), arch);
+            let waves =
+                Waves::new(coarse, periods.map(|n| factor * n), waves.is_symmetric(), arch);
             let operator = EigenstrainStress::new(&waves.transform, side, &merged, elastic);
             Periodic { waves, operator, arch }
         };
@@ -182,7 +200,9 @@ impl FarField {
         self.restrict(strain, &mut work.strain);
         self.large.apply(&work.strain, &mut work.large, &mut work.stress);
         self.small.apply(&work.strain, &mut work.small, &mut work.subtracted);
-        for (stress, subtracted) in work.stress.values_mut().iter_mut().zip(work.subtracted.values()) {
+        for (stress, subtracted) in
+            work.stress.values_mut().iter_mut().zip(work.subtracted.values())
+        {
             *stress -= subtracted;
         }
     }
@@ -193,7 +213,8 @@ impl FarField {
         let ny = self.along_y.0.len();
         for layer in 0..strain.n_layers() {
             let merged = layer / MERGED;
-            let weight = self.area_ratio * self.fine_layers.thickness(layer) / self.layers.thickness(merged);
+            let weight = self.area_ratio * self.fine_layers.thickness(layer)
+                / self.layers.thickness(merged);
             for component in 0..strain.n_components() {
                 let coarse = into.component_mut(merged, component);
                 let rows = strain.component(layer, component).chunks_exact(ny);
@@ -230,7 +251,9 @@ impl FarField {
                     for (j, value) in work.row.iter_mut().enumerate() {
                         let (near, far) = (i * self.coarse[1] + j, (i + 1) * self.coarse[1] + j);
                         let at = |place: usize| {
-                            coarse[place] - of_mean * (normal[0][place] + normal[1][place] + normal[2][place])
+                            coarse[place]
+                                - of_mean
+                                    * (normal[0][place] + normal[1][place] + normal[2][place])
                         };
                         *value = (1.0 - wx) * at(near) + wx * at(far);
                     }

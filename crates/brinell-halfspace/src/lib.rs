@@ -1,11 +1,14 @@
 //! Elasto-plastic contact of three-dimensional half-spaces, by fast Fourier transforms.
 //!
-//! Frame: z points into the body, z = 0 is its surface. Lengths in mm, stresses in MPa, tension positive, pressures
-//! `p >= 0` compressive, u_z positive into the body. Tensors have the order xx yy zz xy xz yz, with tensor shear.
+//! Frame: z points into the body, z = 0 is its surface. Lengths in mm, stresses in MPa, tension
+//! positive, pressures `p >= 0` compressive, u_z positive into the body. Tensors have the order xx
+//! yy zz xy xz yz, with tensor shear.
 //!
 //! - [`SurfaceFlexibility`] is A: contact forces to displacements, for `brinell-contact`;
-//! - [`HalfSpace`] is S (pressures to stresses), Sᵀ (plastic strains to displacements) and G (plastic strains to stresses);
-//! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and what its [`PlasticLaw`] answers;
+//! - [`HalfSpace`] is S (pressures to stresses), Sᵀ (plastic strains to displacements) and G
+//!   (plastic strains to stresses);
+//! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and
+//!   what its [`PlasticLaw`] answers;
 //! - [`EllipticContact`] is Hertz.
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.

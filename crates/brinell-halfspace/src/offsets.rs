@@ -21,11 +21,17 @@ impl Offsets {
         let (mx, my) = (transform.mx, transform.my);
         let whole = Transform::new(mx, my, mx, my);
         let (scratch, len) = (whole.scratch(), whole.spectrum_len());
-        Self { grid: *grid, whole, scratch, field: vec![0.0; mx * my], spectrum: vec![Complex64::ZERO; len] }
+        Self {
+            grid: *grid,
+            whole,
+            scratch,
+            field: vec![0.0; mx * my],
+            spectrum: vec![Complex64::ZERO; len],
+        }
     }
 
-    /// Differences `Σ±± sign function(x ± hx/2, y ± hy/2)` at offsets that are not negative, times `factor`, added to N
-    /// kernels (row by row, `nx × ny`).
+    /// Differences `Σ±± sign function(x ± hx/2, y ± hy/2)` at offsets that are not negative, times
+    /// `factor`, added to N kernels (row by row, `nx × ny`).
     pub fn add_corners<const N: usize>(
         &self,
         kernels: &mut [Vec<f64>; N],
@@ -44,7 +50,8 @@ impl Offsets {
             }
             for (k, kernel) in kernels.iter_mut().enumerate() {
                 for (j, value) in kernel[i * ny..][..ny].iter_mut().enumerate() {
-                    let (right, left) = (after[j + 1][k] - before[j + 1][k], after[j][k] - before[j][k]);
+                    let (right, left) =
+                        (after[j + 1][k] - before[j + 1][k], after[j][k] - before[j][k]);
                     *value += factor * (right - left);
                 }
             }
@@ -52,9 +59,14 @@ impl Offsets {
         }
     }
 
-    /// Quadrant of the spectrum of a kernel given at offsets that are not negative. It is real where the kernel is even or
-    /// odd in both offsets; elsewhere it is imaginary, and its imaginary part is returned. Rows of q_y.
-    pub fn spectrum(&mut self, parity: Parity, kernel: &[f64]) -> impl Iterator<Item = &[f64]> + use<'_> {
+    /// Quadrant of the spectrum of a kernel given at offsets that are not negative. It is real
+    /// where the kernel is even or odd in both offsets; elsewhere it is imaginary, and its
+    /// imaginary part is returned. Rows of q_y.
+    pub fn spectrum(
+        &mut self,
+        parity: Parity,
+        kernel: &[f64],
+    ) -> impl Iterator<Item = &[f64]> + use<'_> {
         let (nx, ny, mx, my) = (self.grid.nx(), self.grid.ny(), self.whole.mx, self.whole.my);
         let sign_x = if parity.is_odd_in_x() { -1.0 } else { 1.0 };
         let sign_y = if parity.is_odd_in_y() { -1.0 } else { 1.0 };

@@ -1,31 +1,37 @@
-//! Stress below pressures, the operator S, and what its transpose is: the displacement by plastic strain.
+//! Stress below pressures, the operator S, and what its transpose is: the displacement by plastic
+//! strain.
 //!
-//! With `V = ∫∫ dA/ρ` and `χ = ∫∫ ln(z + ρ) dA` over a cell under unit pressure, ρ the distance to a point at depth z,
+//! With `V = ∫∫ dA/ρ` and `χ = ∫∫ ln(z + ρ) dA` over a cell under unit pressure, ρ the distance to
+//! a point at depth z,
 //! ```text
 //! σxx = (1/2π) [2ν V_z - (1-2ν) χ_xx - z V_xx]     σxy = -(1/2π) [(1-2ν) χ_xy + z V_xy]
 //! σyy = (1/2π) [2ν V_z - (1-2ν) χ_yy - z V_yy]     σxz = -(z/2π) V_xz
 //! σzz = (1/2π) [V_z - z V_zz]                      σyz = -(z/2π) V_yz
 //! ```
-//! The derivatives are sums over the corners `X = x ± hx/2, Y = y ± hy/2` with the sign of the product, ρ² = X² + Y² + z²:
+//! The derivatives are sums over the corners `X = x ± hx/2, Y = y ± hy/2` with the sign of the
+//! product, ρ² = X² + Y² + z²:
 //! ```text
 //! V_z  = -atan2(XY, zρ)     V_xx = X/(ρ(Y+ρ))    V_yy = Y/(ρ(X+ρ))    V_zz = -V_xx - V_yy
 //! V_xy = 1/ρ                V_xz = z/(ρ(Y+ρ))    V_yz = z/(ρ(X+ρ))
 //! χ_xx = 2 atan((ρ+Y+z)/X)  χ_yy = 2 atan((ρ+X+z)/Y)                  χ_xy = ln(z+ρ)
 //! ```
-//! where `ρ + Y = (X² + z²)/(ρ - Y)` for Y < 0. A layer's stress is the mean of two Gauss points over its thickness.
+//! where `ρ + Y = (X² + z²)/(ρ - Y)` for Y < 0. A layer's stress is the mean of two Gauss points
+//! over its thickness.
 //!
-//! **Reciprocity.** A unit normal load at x works on a plastic strain as much as the displacement that the strain causes
-//! at x: `u_p(x) = ∫ σ(load at x) : ε_p dV`, so that
+//! **Reciprocity.** A unit normal load at x works on a plastic strain as much as the displacement
+//! that the strain causes at x: `u_p(x) = ∫ σ(load at x) : ε_p dV`, so that
 //! ```text
 //! û_p = Σ_l h_l Σ_k W_k conj(Ŝ_lk) ε̂_lk,   W = (1, 1, 1, 2, 2, 2)
 //! ```
-//! u_p is positive where the surface sinks, which opens the gap. Both are sums over the cells themselves, without images.
+//! u_p is positive where the surface sinks, which opens the gap. Both are sums over the cells
+//! themselves, without images.
 //!
-//! Each component is even or odd in x and in y. Its spectrum is real or imaginary, and a quadrant says all.
+//! Each component is even or odd in x and in y. Its spectrum is real or imaginary, and a quadrant
+//! says all.
 //!
 //! # Reference
-//! A. E. H. Love (1929), see [`SurfaceFlexibility`](crate::SurfaceFlexibility); K. L. Johnson, *Contact Mechanics* (1985), sections
-//! 3.2 and 3.4, for the potentials.
+//! A. E. H. Love (1929), see [`SurfaceFlexibility`](crate::SurfaceFlexibility); K. L. Johnson,
+//! *Contact Mechanics* (1985), sections 3.2 and 3.4, for the potentials.
 
 use std::f64::consts::PI;
 
@@ -57,10 +63,12 @@ impl PressureStress {
         let block = n_layers * COMPONENTS * half;
         let mut spectra = vec![0.0; transform.n_rows() * block];
         let mut offsets = Offsets::new(transform, grid);
-        let mut kernels: [Vec<f64>; COMPONENTS] = std::array::from_fn(|_| vec![0.0; grid.n_cells()]);
+        let mut kernels: [Vec<f64>; COMPONENTS] =
+            std::array::from_fn(|_| vec![0.0; grid.n_cells()]);
         for layer in 0..n_layers {
             ask(stop)?;
-            let (middle, reach) = (layers.middle(layer), 0.5 * layers.thickness(layer) / 3.0_f64.sqrt());
+            let (middle, reach) =
+                (layers.middle(layer), 0.5 * layers.thickness(layer) / 3.0_f64.sqrt());
             for kernel in &mut kernels {
                 kernel.fill(0.0);
             }
@@ -69,7 +77,9 @@ impl PressureStress {
             }
             for (component, (parity, kernel)) in PARITIES.into_iter().zip(&kernels).enumerate() {
                 let place = (layer * COMPONENTS + component) * half;
-                for (row, to) in offsets.spectrum(parity, kernel).zip(spectra.chunks_exact_mut(block)) {
+                for (row, to) in
+                    offsets.spectrum(parity, kernel).zip(spectra.chunks_exact_mut(block))
+                {
                     to[place..place + half].copy_from_slice(row);
                 }
             }
@@ -86,7 +96,8 @@ impl PressureStress {
     #[inline(always)]
     pub fn add_stress(&self, iy: usize, pressure: &[f64], block: &mut [f64]) {
         let filled = self.half.next_multiple_of(WIDTH);
-        let rows = block.chunks_exact_mut(pressure.len()).zip(self.block(iy).chunks_exact(self.half));
+        let rows =
+            block.chunks_exact_mut(pressure.len()).zip(self.block(iy).chunks_exact(self.half));
         for (n, (row, kernel)) in rows.enumerate() {
             let parity = PARITIES[n % COMPONENTS];
             let planes = row.chunks_exact_mut(filled).zip(pressure.chunks_exact(filled));

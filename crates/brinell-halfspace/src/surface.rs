@@ -1,22 +1,22 @@
 //! Normal displacement of the surface under pressures: the operator A.
 //!
-//! The pressure `p = R / (hx hy)` is constant in each cell. The surfaces of both bodies approach each other at the
-//! centre of a cell by
+//! The pressure `p = R / (hx hy)` is constant in each cell. The surfaces of both bodies approach
+//! each other at the centre of a cell by
 //! ```text
 //! u = A p = 1/(π E*) Σ p_cell F(x - x_cell, y - y_cell),    1/E* = Σ_bodies (1 - ν²)/E
 //! F(x, y) = Σ±± [X asinh(Y/|X|) + Y asinh(X/|Y|)],   X = x ± hx/2,  Y = y ± hy/2,  sign = product of the two
 //! ```
-//! which is ∫∫ dA/r over a rectangle. The sum is a convolution, done by Fourier transforms of twice the size: with the
-//! kernel at every offset between two cells it is the sum itself, without images. F is even in x and in y, so its
-//! spectrum is real and a quadrant says all.
+//! which is ∫∫ dA/r over a rectangle. The sum is a convolution, done by Fourier transforms of
+//! twice the size: with the kernel at every offset between two cells it is the sum itself, without
+//! images. F is even in x and in y, so its spectrum is real and a quadrant says all.
 //!
-//! The preconditioner is the inverse for a periodic surface, `p̂ = E*/2 |q| û`, on the cells without padding. At q = 0,
-//! where it would vanish, it has half the value of the longest wave.
+//! The preconditioner is the inverse for a periodic surface, `p̂ = E*/2 |q| û`, on the cells
+//! without padding. At q = 0, where it would vanish, it has half the value of the longest wave.
 //!
 //! # Reference
-//! A. E. H. Love, *The stress produced in a semi-infinite solid by pressure on part of the boundary*, Phil. Trans. R. Soc.
-//! A 228 (1929) 377–420; S. Liu, Q. Wang, G. Liu, *A versatile method of discrete convolution and FFT (DC-FFT) for contact
-//! analyses*, Wear 243 (2000) 101–111.
+//! A. E. H. Love, *The stress produced in a semi-infinite solid by pressure on part of the
+//! boundary*, Phil. Trans. R. Soc. A 228 (1929) 377–420; S. Liu, Q. Wang, G. Liu, *A versatile
+//! method of discrete convolution and FFT (DC-FFT) for contact analyses*, Wear 243 (2000) 101–111.
 
 use std::cell::RefCell;
 use std::f64::consts::PI;
@@ -85,7 +85,8 @@ impl SurfaceFlexibility {
 /// Multiplies a spectrum by a real quadrant.
 fn multiply(transform: &Transform, quadrant: &[f64], spectrum: &mut [Complex64]) {
     let half = transform.mx / 2 + 1;
-    for (row, factors) in spectrum.chunks_exact_mut(transform.mx).zip(quadrant.chunks_exact(half)) {
+    for (row, factors) in spectrum.chunks_exact_mut(transform.mx).zip(quadrant.chunks_exact(half))
+    {
         let (positive, negative) = row.split_at_mut(half);
         for (value, factor) in positive.iter_mut().zip(factors) {
             *value *= *factor;

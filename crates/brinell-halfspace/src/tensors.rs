@@ -11,7 +11,8 @@ pub(crate) const TENSOR_ROWS: [usize; COMPONENTS] = [0, 1, 2, 3, 4, 5];
 /// Weights of the double contraction.
 pub(crate) const WEIGHTS: [f64; COMPONENTS] = [1.0, 1.0, 1.0, 2.0, 2.0, 2.0];
 
-/// A tensor or a deviator in every cell of every layer: layer outermost, then component, then cell of the surface grid.
+/// A tensor or a deviator in every cell of every layer: layer outermost, then component, then cell
+/// of the surface grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TensorField {
     n_layers: usize,
@@ -32,7 +33,12 @@ impl TensorField {
     }
 
     fn zeros(n_layers: usize, n_cells: usize, n_components: usize) -> Self {
-        Self { n_layers, n_cells, n_components, values: vec![0.0; n_layers * n_components * n_cells] }
+        Self {
+            n_layers,
+            n_cells,
+            n_components,
+            values: vec![0.0; n_layers * n_components * n_cells],
+        }
     }
 
     /// Layers.
@@ -97,7 +103,9 @@ pub fn isometric([xx, yy, xy, xz, yz]: [f64; DEVIATOR_COMPONENTS]) -> [f64; DEVI
 
 /// The reverse of [`isometric`].
 #[inline(always)]
-pub fn from_isometric([d, s, xy, xz, yz]: [f64; DEVIATOR_COMPONENTS]) -> [f64; DEVIATOR_COMPONENTS] {
+pub fn from_isometric(
+    [d, s, xy, xz, yz]: [f64; DEVIATOR_COMPONENTS],
+) -> [f64; DEVIATOR_COMPONENTS] {
     let two = std::f64::consts::SQRT_2;
     let (difference, sum) = (two * d, s / 1.5_f64.sqrt());
     [0.5 * (sum + difference), 0.5 * (sum - difference), xy / two, xz / two, yz / two]
@@ -111,7 +119,8 @@ mod tests {
     fn isometric_coordinates_keep_the_double_contraction() {
         let e = [0.3, -0.5, 0.2, 0.7, -0.1];
         let zz = -e[0] - e[1];
-        let square = e[0] * e[0] + e[1] * e[1] + zz * zz + 2.0 * (e[2] * e[2] + e[3] * e[3] + e[4] * e[4]);
+        let square =
+            e[0] * e[0] + e[1] * e[1] + zz * zz + 2.0 * (e[2] * e[2] + e[3] * e[3] + e[4] * e[4]);
         let scaled = isometric(e);
         assert!((scaled.iter().map(|x| x * x).sum::<f64>() - square).abs() < 1e-15);
         for (back, value) in from_isometric(scaled).into_iter().zip(e) {

@@ -1,7 +1,8 @@
 //! Fourier transforms of fields on a surface grid, padded with zeros.
 //!
-//! A field of `nx × ny` reals becomes `mx × (my/2 + 1)` complex numbers, wave number along y outermost. Rows along y are
-//! transformed first, and only those that hold a number other than zero; then columns along x.
+//! A field of `nx × ny` reals becomes `mx × (my/2 + 1)` complex numbers, wave number along y
+//! outermost. Rows along y are transformed first, and only those that hold a number other than
+//! zero; then columns along x.
 //!
 //! Nothing is scaled on the way in; on the way out by `1/(mx my)`.
 
@@ -83,7 +84,8 @@ impl Transform {
     pub fn scratch(&self) -> Scratch {
         let zero = Complex64::ZERO;
         let y = self.forward_y.get_scratch_len().max(self.inverse_y.get_scratch_len());
-        let x = self.forward_x.get_inplace_scratch_len().max(self.inverse_x.get_inplace_scratch_len());
+        let x =
+            self.forward_x.get_inplace_scratch_len().max(self.inverse_x.get_inplace_scratch_len());
         Scratch {
             row: vec![0.0; self.my],
             rows: vec![zero; self.nx * self.n_rows()],
@@ -95,7 +97,8 @@ impl Transform {
     /// Spectra along y of the `nx` rows of a field.
     pub fn rows_forward<'a>(&self, field: &[f64], scratch: &'a mut Scratch) -> &'a [Complex64] {
         let n_rows = self.n_rows();
-        for (values, row) in field.chunks_exact(self.ny).zip(scratch.rows.chunks_exact_mut(n_rows)) {
+        for (values, row) in field.chunks_exact(self.ny).zip(scratch.rows.chunks_exact_mut(n_rows))
+        {
             if values.iter().all(|value| *value == 0.0) {
                 row.fill(Complex64::ZERO);
                 continue;

@@ -1,16 +1,17 @@
 //! Spectra of the components of a tensor, in real numbers.
 //!
-//! Each component is even or odd in x and in y where the whole state is symmetric about both axes, as [`PARITIES`] says, and
-//! so is the kernel of each component in any state. With the spectra of components that are odd in one coordinate
-//! multiplied by -i, all operators are real. A *row* holds one component at one wave number q_y, in *planes* of `filled`
-//! numbers over `q_x >= 0`:
+//! Each component is even or odd in x and in y where the whole state is symmetric about both axes,
+//! as [`PARITIES`] says, and so is the kernel of each component in any state. With the spectra of
+//! components that are odd in one coordinate multiplied by -i, all operators are real. A *row*
+//! holds one component at one wave number q_y, in *planes* of `filled` numbers over `q_x >= 0`:
 //! ```text
 //! any state        real part, imaginary part at +q_x, the same at -q_x     by fast Fourier transforms
 //! symmetric        one plane, the whole spectrum                           by sums of cosines and sines over a quarter
 //! ```
-//! Between the transforms along y and along x a row holds `nx` complex numbers, or `nx/2` real ones. A *stack* holds rows of
-//! several fields, wave number q_y outermost: `stack[(iy n_fields + field) row_len ..]`. All fields of one q_y are thus one
-//! contiguous *block*, which a recursion over layers finds in the cache.
+//! Between the transforms along y and along x a row holds `nx` complex numbers, or `nx/2` real
+//! ones. A *stack* holds rows of several fields, wave number q_y outermost: `stack[(iy n_fields +
+//! field) row_len ..]`. All fields of one q_y are thus one contiguous *block*, which a recursion
+//! over layers finds in the cache.
 
 use std::f64::consts::PI;
 
@@ -139,8 +140,14 @@ impl Quarter {
 }
 
 impl Waves {
-    /// The wave vectors of a box of `mx × my` around `nx × ny` cells, which are even numbers where all fields are symmetric.
-    pub fn new([nx, ny]: [usize; 2], [mx, my]: [usize; 2], is_symmetric: bool, arch: pulp::Arch) -> Self {
+    /// The wave vectors of a box of `mx × my` around `nx × ny` cells, which are even numbers where
+    /// all fields are symmetric.
+    pub fn new(
+        [nx, ny]: [usize; 2],
+        [mx, my]: [usize; 2],
+        is_symmetric: bool,
+        arch: pulp::Arch,
+    ) -> Self {
         let transform = Transform::new(nx, ny, mx, my);
         let half = mx / 2 + 1;
         let filled = half.next_multiple_of(WIDTH);
@@ -201,8 +208,9 @@ impl Waves {
         scratch: &mut WavesScratch,
     ) {
         let row_len = self.row_len();
-        let mut rows =
-            stack.chunks_exact_mut(n_fields * row_len).map(|block| &mut block[index * row_len..][..row_len]);
+        let mut rows = stack
+            .chunks_exact_mut(n_fields * row_len)
+            .map(|block| &mut block[index * row_len..][..row_len]);
         let Transform { nx, ny, .. } = self.transform;
         let Some(quarter) = &self.quarter else {
             let spectra = self.transform.rows_forward(field, &mut scratch.complex);
@@ -293,7 +301,9 @@ impl Waves {
         scratch: &mut WavesScratch,
     ) {
         let row_len = self.row_len();
-        let rows = stack.chunks_exact(n_fields * row_len).map(|block| &block[index * row_len..][..row_len]);
+        let rows = stack
+            .chunks_exact(n_fields * row_len)
+            .map(|block| &block[index * row_len..][..row_len]);
         let Transform { nx, ny, .. } = self.transform;
         let n_rows = self.transform.n_rows();
         let Some(quarter) = &self.quarter else {
@@ -380,8 +390,8 @@ impl Waves {
 
 /// A loop that `pulp` compiles for the widest vectors of the machine.
 ///
-/// A closure that does not consume what it captures is a function of its own behind `FnOnce`, and as such it is compiled for
-/// the narrowest.
+/// A closure that does not consume what it captures is a function of its own behind `FnOnce`, and
+/// as such it is compiled for the narrowest.
 pub(crate) struct Wide<F>(pub F);
 
 impl<F: FnMut()> pulp::NullaryFnOnce for Wide<F> {
@@ -463,7 +473,13 @@ fn combine(factors: &[f64], table: &[f64], out: &mut [f64]) {
 }
 
 #[inline(always)]
-fn combine_some<const L: usize>(factors: &[f64], table: &[f64], width: usize, start: usize, out: &mut [f64]) {
+fn combine_some<const L: usize>(
+    factors: &[f64],
+    table: &[f64],
+    width: usize,
+    start: usize,
+    out: &mut [f64],
+) {
     let mut sum = [0.0; L];
     for (factor, row) in factors.iter().zip(table.chunks_exact(width)) {
         let row = &row[start..start + L];

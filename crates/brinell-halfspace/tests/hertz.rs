@@ -2,8 +2,8 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
 
 use brinell_contact::{
-    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus,
-    PolonskyKeerSolver, kkt, never,
+    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
+    ContactStatus, PolonskyKeerSolver, kkt, never,
 };
 use brinell_halfspace::{EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
@@ -29,7 +29,11 @@ fn case(ratio: f64, n: usize) -> Case {
 impl Case {
     fn force(&self) -> f64 {
         let hertz = &self.hertz;
-        2.0 / 3.0 * std::f64::consts::PI * hertz.semi_axis_x * hertz.semi_axis_y * hertz.peak_pressure
+        2.0 / 3.0
+            * std::f64::consts::PI
+            * hertz.semi_axis_x
+            * hertz.semi_axis_y
+            * hertz.peak_pressure
     }
 
     fn solve(&self, load: ContactLoad, solver: &impl ContactSolver) -> ContactSolution {
@@ -44,7 +48,8 @@ impl Case {
 
     /// Errors of peak pressure and approach.
     fn errors(&self, solution: &ContactSolution) -> (f64, f64) {
-        let peak = solution.force.iter().copied().fold(0.0, f64::max) / self.surface.grid().cell_area();
+        let peak =
+            solution.force.iter().copied().fold(0.0, f64::max) / self.surface.grid().cell_area();
         (peak / self.hertz.peak_pressure - 1.0, solution.approach / self.hertz.approach - 1.0)
     }
 }
@@ -53,12 +58,20 @@ impl Case {
 fn ellipses_up_to_fifty_agree_with_hertz() {
     for (ratio, most) in [(1.0, 24), (2.0, 27), (5.0, 32), (10.0, 36), (20.0, 40), (50.0, 44)] {
         let case = case(ratio, 32);
-        let solution = case.solve(ContactLoad::Force(case.force()), &ConjugateGradientSolver::new(1e-8));
+        let solution =
+            case.solve(ContactLoad::Force(case.force()), &ConjugateGradientSolver::new(1e-8));
         let (peak, approach) = case.errors(&solution);
-        println!("{ratio}: {peak:.2e} {approach:.2e} {} {}", solution.applications, solution.pivots);
+        println!(
+            "{ratio}: {peak:.2e} {approach:.2e} {} {}",
+            solution.applications, solution.pivots
+        );
         assert!(peak.abs() < 1.5e-3, "Ry/Rx {ratio}: peak {peak:e}");
         assert!(approach.abs() < 3e-4, "Ry/Rx {ratio}: approach {approach:e}");
-        assert!(solution.applications <= most, "Ry/Rx {ratio}: {} applications", solution.applications);
+        assert!(
+            solution.applications <= most,
+            "Ry/Rx {ratio}: {} applications",
+            solution.applications
+        );
     }
 }
 
@@ -68,7 +81,9 @@ fn errors_fall_with_the_square_of_the_cells() {
         .into_iter()
         .map(|n| {
             let case = case(1.0, n);
-            case.errors(&case.solve(ContactLoad::Force(case.force()), &ConjugateGradientSolver::new(1e-8)))
+            case.errors(
+                &case.solve(ContactLoad::Force(case.force()), &ConjugateGradientSolver::new(1e-8)),
+            )
         })
         .collect();
     for pair in figures.windows(2) {
@@ -85,8 +100,8 @@ fn both_solvers_and_both_loads_give_one_answer() {
         let solution = case.solve(load, &ConjugateGradientSolver::new(1e-10));
         let plain = case.solve(load, &PolonskyKeerSolver::new(1e-10));
         assert!((plain.approach / solution.approach - 1.0).abs() < 1e-9);
-        let approached =
-            case.solve(ContactLoad::Approach(solution.approach), &ConjugateGradientSolver::new(1e-10));
+        let approached = case
+            .solve(ContactLoad::Approach(solution.approach), &ConjugateGradientSolver::new(1e-10));
         assert!((approached.total_force / case.force() - 1.0).abs() < 1e-8);
         let largest = solution.force.iter().copied().fold(0.0, f64::max);
         for ((a, b), c) in solution.force.iter().zip(&plain.force).zip(&approached.force) {

@@ -42,7 +42,8 @@ fn random_strain(body: &HalfSpace, seed: u64) -> TensorField {
 
 /// `u_p` and `σ` of a strain and a pressure.
 fn response(body: &HalfSpace, strain: &TensorField, pressure: &[f64]) -> (Vec<f64>, TensorField) {
-    let mut work = if strain.n_components() == COMPONENTS { body.work_for_tensors() } else { body.work() };
+    let mut work =
+        if strain.n_components() == COMPONENTS { body.work_for_tensors() } else { body.work() };
     let mut opening = vec![0.0; pressure.len()];
     body.opening(strain, &mut work, &mut opening, &mut never).unwrap();
     let mut stress = TensorField::tensors(strain.n_layers(), strain.n_cells());
@@ -123,12 +124,15 @@ fn symmetric_strain(body: &HalfSpace, seed: u64) -> TensorField {
     let (nx, ny) = (body.grid().nx(), body.grid().ny());
     for layer in 0..strain.n_layers() {
         for k in 0..COMPONENTS {
-            let (in_x, in_y) =
-                (if [3, 4].contains(&k) { -1.0 } else { 1.0 }, if [3, 5].contains(&k) { -1.0 } else { 1.0 });
+            let (in_x, in_y) = (
+                if [3, 4].contains(&k) { -1.0 } else { 1.0 },
+                if [3, 5].contains(&k) { -1.0 } else { 1.0 },
+            );
             let field = strain.component_mut(layer, k);
             for i in 0..nx {
                 for j in 0..ny {
-                    let sign = if 2 * i < nx { in_x } else { 1.0 } * if 2 * j < ny { in_y } else { 1.0 };
+                    let sign =
+                        if 2 * i < nx { in_x } else { 1.0 } * if 2 * j < ny { in_y } else { 1.0 };
                     field[i * ny + j] = sign * field[i.max(nx - 1 - i) * ny + j.max(ny - 1 - j)];
                 }
             }
@@ -137,7 +141,8 @@ fn symmetric_strain(body: &HalfSpace, seed: u64) -> TensorField {
     strain
 }
 
-/// On even and on odd numbers of wave vectors of a quarter, and with padding beyond twice the grid.
+/// On even and on odd numbers of wave vectors of a quarter, and with padding beyond twice the
+/// grid.
 #[test]
 fn a_quarter_of_the_wave_vectors_is_enough_for_a_symmetric_state() {
     for (nx, ny, images) in [(6, 8, true), (10, 18, false), (14, 22, true), (34, 40, true)] {
@@ -145,8 +150,9 @@ fn a_quarter_of_the_wave_vectors_is_enough_for_a_symmetric_state() {
         let layers = Layers::new(vec![0.0, 0.3, 0.8, 1.1]).unwrap();
         let elastic = Elasticity::new(2.0, 0.3).unwrap();
         let build = if images { HalfSpace::new } else { HalfSpace::periodic };
-        let [whole, quarter] = [false, true]
-            .map(|is_symmetric| build(grid, layers.clone(), elastic, is_symmetric, &mut never).unwrap());
+        let [whole, quarter] = [false, true].map(|is_symmetric| {
+            build(grid, layers.clone(), elastic, is_symmetric, &mut never).unwrap()
+        });
         let strain = symmetric_strain(&whole, 3);
         let pressure = strain.component(0, 0).to_vec();
         let (opening, stress) = response(&whole, &strain, &pressure);
@@ -160,7 +166,8 @@ fn a_quarter_of_the_wave_vectors_is_enough_for_a_symmetric_state() {
     }
 }
 
-/// Permutations of the cells and components when x and y are swapped, or the body is turned by 90°.
+/// Permutations of the cells and components when x and y are swapped, or the body is turned by
+/// 90°.
 fn moved(strain: &TensorField, n: usize, turn: bool) -> TensorField {
     let mut out = strain.clone();
     // (x, y) -> (y, x), or (x, y) -> (-y, x): xx <-> yy, xy -> ±xy, (xz, yz) -> (±yz, xz).
@@ -205,7 +212,10 @@ fn swapping_and_turning_the_body_swaps_and_turns_the_answer() {
             let expected = moved(&stress, n, turn);
             let scale = stress.values().iter().fold(0.0, |most: f64, s| most.max(s.abs()));
             for (a, b) in stress_moved.values().iter().zip(expected.values()) {
-                assert!((a - b).abs() < 1e-13 * scale, "{a} {b}, turned: {turn}, images: {images}");
+                assert!(
+                    (a - b).abs() < 1e-13 * scale,
+                    "{a} {b}, turned: {turn}, images: {images}"
+                );
             }
             let scale = opening.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
             for (a, b) in opening_moved.iter().zip(carried(&opening)) {
@@ -258,14 +268,16 @@ fn deviators_take_the_short_way_to_the_same_answer() {
         for cell in 0..48 {
             let mean = (0..3).map(|k| stress.component(layer, k)[cell]).sum::<f64>() / 3.0;
             for (k, row) in [0, 1, 3, 4, 5].into_iter().enumerate() {
-                let expected = stress.component(layer, row)[cell] - if row < 2 { mean } else { 0.0 };
+                let expected =
+                    stress.component(layer, row)[cell] - if row < 2 { mean } else { 0.0 };
                 assert!((deviator.component(layer, k)[cell] - expected).abs() < 1e-12);
             }
         }
     }
 }
 
-/// Fills the cells whose centre lies in a sphere, by the part of `fine³` points of a cell inside it.
+/// Fills the cells whose centre lies in a sphere, by the part of `fine³` points of a cell inside
+/// it.
 fn sphere(body: &HalfSpace, radius: f64, depth: f64, strain: [f64; COMPONENTS]) -> TensorField {
     let (grid, layers) = (body.grid(), body.layers());
     let mut field = TensorField::tensors(layers.len(), grid.n_cells());
@@ -311,11 +323,12 @@ fn a_dilating_sphere_lifts_the_surface() {
 
 #[test]
 fn a_sphere_deep_below_is_eshelbys() {
-    // Interior stress of a sphere in an infinite body: -2μ(1-β) ε for a deviator, β = 2(4-5ν)/(15(1-ν));
-    // -3K(1-α) ε for a dilatation, α = (1+ν)/(3(1-ν)).
+    // Interior stress of a sphere in an infinite body: -2μ(1-β) ε for a deviator, β =
+    // 2(4-5ν)/(15(1-ν)); -3K(1-α) ε for a dilatation, α = (1+ν)/(3(1-ν)).
     let n = 18;
     let grid = SurfaceGrid::new(n, n, 0.2, 0.2).unwrap();
-    let faces: Vec<f64> = std::iter::once(0.0).chain((0..=14).map(|k| 2.2 + 0.2 * f64::from(k))).collect();
+    let faces: Vec<f64> =
+        std::iter::once(0.0).chain((0..=14).map(|k| 2.2 + 0.2 * f64::from(k))).collect();
     let body = body(grid, &faces, 1.0, true);
     let nothing = vec![0.0; n * n];
     let centre = |stress: &TensorField, k: usize| {
@@ -340,7 +353,8 @@ fn a_sphere_deep_below_is_eshelbys() {
 
 #[test]
 fn stresses_on_the_axis_are_hertz() {
-    // σzz = -p0/(1 + z²/a²), and σxx = -p0[(1+ν)(1 - z/a atan(a/z)) - 1/(2(1 + z²/a²))], averaged over layers.
+    // σzz = -p0/(1 + z²/a²), and σxx = -p0[(1+ν)(1 - z/a atan(a/z)) - 1/(2(1 + z²/a²))], averaged
+    // over layers.
     let n = 49;
     let grid = SurfaceGrid::new(n, n, 2.6 / n as f64, 2.6 / n as f64).unwrap();
     let layers = Layers::graded(0.06, 1.06, 2.6).unwrap();
@@ -372,8 +386,9 @@ fn stresses_on_the_axis_are_hertz() {
     assert!((largest - 0.310).abs() < 1e-3 && (depth - 0.48).abs() < 0.06, "{largest} at {depth}");
 }
 
-/// `σzz = -p0/√((1 + z²/a²)(1 + z²/b²))` on the axis; the largest shear stress and its depth; the orthogonal shear stress of
-/// G. Lundberg and A. Palmgren (1947), `√(2t - 1)/(2t(t + 1)) p0` with `(t² - 1)(2t - 1) = (a/b)²`.
+/// `σzz = -p0/√((1 + z²/a²)(1 + z²/b²))` on the axis; the largest shear stress and its depth; the
+/// orthogonal shear stress of G. Lundberg and A. Palmgren (1947), `√(2t - 1)/(2t(t + 1)) p0` with
+/// `(t² - 1)(2t - 1) = (a/b)²`.
 #[test]
 fn stresses_below_ellipses_are_hertz() {
     let n = 49;
@@ -394,7 +409,8 @@ fn stresses_below_ellipses_are_hertz() {
             let (z, h) = (layers.middle(layer), layers.thickness(layer));
             let normal = |z: f64| -1.0 / ((1.0 + z * z) * (1.0 + z * z / (b * b))).sqrt();
             let normal =
-                (0..64).map(|k| normal(z + ((f64::from(k) + 0.5) / 64.0 - 0.5) * h)).sum::<f64>() / 64.0;
+                (0..64).map(|k| normal(z + ((f64::from(k) + 0.5) / 64.0 - 0.5) * h)).sum::<f64>()
+                    / 64.0;
             let on_axis = |k: usize| stress.component(layer, k)[n / 2 * n + n / 2];
             assert!((on_axis(2) - normal).abs() < 5e-4, "{z}: {} {normal}", on_axis(2));
             let shear = 0.5 * (on_axis(0) - on_axis(2)).abs().max((on_axis(1) - on_axis(2)).abs());
@@ -414,7 +430,8 @@ fn stresses_below_ellipses_are_hertz() {
 
 #[test]
 fn plastic_strain_leaves_the_surface_free_of_traction() {
-    // Layers thin enough to look at the surface: tractions fall to zero with the depth, stresses in the plane do not.
+    // Layers thin enough to look at the surface: tractions fall to zero with the depth, stresses
+    // in the plane do not.
     let n = 16;
     let grid = SurfaceGrid::new(n, n, 0.25, 0.25).unwrap();
     let faces: Vec<f64> =
@@ -422,7 +439,8 @@ fn plastic_strain_leaves_the_surface_free_of_traction() {
     let body = body(grid, &faces, 1.0, true);
     let strain = sphere(&body, 0.9, 1.2, [1.0, 0.5, -1.5, 0.3, 0.2, -0.4]);
     let stress = response(&body, &strain, &vec![0.0; n * n]).1;
-    let largest = |k: usize| stress.component(0, k).iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+    let largest =
+        |k: usize| stress.component(0, k).iter().fold(0.0, |most: f64, s| most.max(s.abs()));
     let in_plane = largest(0);
     assert!(in_plane > 1e-2);
     for k in [2, 4, 5] {
@@ -432,8 +450,8 @@ fn plastic_strain_leaves_the_surface_free_of_traction() {
 
 #[test]
 fn a_dilating_sphere_stretches_the_surface_above_it() {
-    // Mindlin and Cheng: the surface moves outwards by u_r = (1+ν)/π ε V r/(r² + d²)^{3/2}, and is free of traction:
-    // σxx = E/(1-ν) du_r/dr at r = 0.
+    // Mindlin and Cheng: the surface moves outwards by u_r = (1+ν)/π ε V r/(r² + d²)^{3/2}, and is
+    // free of traction: σxx = E/(1-ν) du_r/dr at r = 0.
     let n = 24;
     let grid = SurfaceGrid::new(n, n, 0.15, 0.15).unwrap();
     let faces: Vec<f64> =
@@ -452,7 +470,10 @@ fn a_dilating_sphere_stretches_the_surface_above_it() {
     let r2 = 2.0 * 0.075 * 0.075;
     let volume: f64 = (0..23)
         .map(|layer| {
-            body.layers().thickness(layer) * strain.component(layer, 0).iter().sum::<f64>() * 0.15 * 0.15
+            body.layers().thickness(layer)
+                * strain.component(layer, 0).iter().sum::<f64>()
+                * 0.15
+                * 0.15
         })
         .sum();
     let (d2, c) = (1.5 * 1.5 + r2, 1.3 / PI * volume);

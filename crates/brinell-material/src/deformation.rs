@@ -1,15 +1,16 @@
 //! Deformation (total, Hencky) theory of plasticity.
 //!
-//! Split the strain into its mean and its deviator `e`, with the equivalent strain `ε_q = √(2/3 e:e)`. The
-//! response to the mean stays elastic. The deviatoric stress is
+//! Split the strain into its mean and its deviator `e`, with the equivalent strain `ε_q = √(2/3
+//! e:e)`. The response to the mean stays elastic. The deviatoric stress is
 //!
 //! ```text
 //! s = 2 G_s e,   G_s = q / (3 ε_q),   ε_q = q / (3G) + ε_p(q)
 //! ```
 //!
-//! with the equivalent (von Mises) stress `q` and the plastic strain `ε_p(q)` of the uniaxial curve. `G_s`, the
-//! *secant* shear modulus, is what is left of `G` at that point. The *initial stress* is what the elastic law
-//! says too much, `σ_0 = D_e ε - σ = 2 (G - G_s) e`; it is deviatoric.
+//! with the equivalent (von Mises) stress `q` and the plastic strain `ε_p(q)` of the uniaxial
+//! curve. `G_s`, the *secant* shear modulus, is what is left of `G` at that point. The *initial
+//! stress* is what the elastic law says too much, `σ_0 = D_e ε - σ = 2 (G - G_s) e`; it is
+//! deviatoric.
 //!
 //! The theory knows no unloading. It is exact where all stress components grow in proportion.
 //!
@@ -35,7 +36,8 @@ pub struct DeformationPlasticity {
     out_of_plane: OutOfPlane,
 }
 
-/// Trials of the secant modulus in plane stress; after the usual number every second one halves what is known of it.
+/// Trials of the secant modulus in plane stress; after the usual number every second one halves
+/// what is known of it.
 const USUAL_TRIALS: u32 = 10;
 const MOST_TRIALS: u32 = 130;
 /// Part of G within which they end.
@@ -98,9 +100,10 @@ impl DeformationPlasticity {
 
     /// The ε_zz that leaves σ_zz = 0, and the state with it.
     ///
-    /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`, and the equivalent strain is that of
-    /// [`Self::in_plane_parts`]; the G_s that this strain implies falls short of or exceeds the assumed one, and the two are made
-    /// equal by the secant method between 0 and G.
+    /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`, and the
+    /// equivalent strain is that of [`Self::in_plane_parts`]; the G_s that this strain implies
+    /// falls short of or exceeds the assumed one, and the two are made equal by the secant method
+    /// between 0 and G.
     #[inline(always)]
     fn in_plane_stress(&self, [x, y, _, shear_angle]: [f64; 4]) -> ([f64; 4], Secant) {
         let ElasticModuli { bulk, shear: whole } = self.elastic;
@@ -173,7 +176,9 @@ impl ConstitutiveModel for DeformationPlasticity {
     #[inline]
     fn update(&self, strain: [f64; 4], (): &()) -> (PointResponse, ()) {
         let response = match self.out_of_plane {
-            OutOfPlane::Strained => self.response(strain, self.secant(equivalent_strain(deviator(strain)))),
+            OutOfPlane::Strained => {
+                self.response(strain, self.secant(equivalent_strain(deviator(strain))))
+            }
             OutOfPlane::PlaneStress => {
                 let (strain, secant) = self.in_plane_stress(strain);
                 let mut response = self.response(strain, secant);
@@ -184,7 +189,12 @@ impl ConstitutiveModel for DeformationPlasticity {
         (response, ())
     }
 
-    fn tangent(&self, strain: [f64; 4], (): &(), reference: ReferenceModuli) -> Option<ModuliReduction> {
+    fn tangent(
+        &self,
+        strain: [f64; 4],
+        (): &(),
+        reference: ReferenceModuli,
+    ) -> Option<ModuliReduction> {
         let mapping = self.mapping.as_ref()?;
         let strain = match self.out_of_plane {
             OutOfPlane::Strained => strain,
@@ -203,7 +213,8 @@ impl ConstitutiveModel for DeformationPlasticity {
             let ElasticModuli { bulk, shear } = self.elastic;
             let stiffness = bulk + 4.0 / 3.0 * shear;
             let squares: PerPoint = std::array::from_fn(|g| {
-                let (distortion, dilatation) = self.in_plane_parts(strain[0][g], strain[1][g], strain[3][g]);
+                let (distortion, dilatation) =
+                    self.in_plane_parts(strain[0][g], strain[1][g], strain[3][g]);
                 distortion + (dilatation / stiffness) * (dilatation / stiffness)
             });
             if squares.iter().all(|&square| square <= limit * limit) {
@@ -274,19 +285,31 @@ pub(crate) mod tests {
     fn no_stress_goes_through_the_thickness_in_plane_stress() {
         let strains = [[4e-3, -1e-3, 0.0, 3e-3], [2e-3, 2e-3, 0.0, 0.0], [-0.3, 0.1, 0.0, 0.2]];
         for curve in laws() {
-            let law =
-                DeformationPlasticity::with_law(STEEL, Some(Arc::clone(&curve)), OutOfPlane::PlaneStress);
+            let law = DeformationPlasticity::with_law(
+                STEEL,
+                Some(Arc::clone(&curve)),
+                OutOfPlane::PlaneStress,
+            );
             for strain in strains {
                 let (completed, secant) = law.in_plane_stress(strain);
                 let stress = law.response(completed, secant).stress;
                 let size = STEEL.bulk * completed.iter().map(|e| e.abs()).sum::<f64>();
                 assert!(stress[2].abs() < 1e-11 * size, "{curve:?} {strain:?}: {stress:?}");
-                assert!(equivalent_strain(deviator(completed)) > curve.yield_stress() / (3.0 * STEEL.shear));
+                assert!(
+                    equivalent_strain(deviator(completed))
+                        > curve.yield_stress() / (3.0 * STEEL.shear)
+                );
                 let mut initial = strain.map(|component| [component; 4]);
-                assert_eq!(law.initial_stress(&mut initial, &[(); 4]).is_some(), secant.plastic_strain > 0.0);
+                assert_eq!(
+                    law.initial_stress(&mut initial, &[(); 4]).is_some(),
+                    secant.plastic_strain > 0.0
+                );
             }
             let mut initial = [1e-6, 2e-6, 0.0, 1e-6].map(|component| [component; 4]);
-            assert_eq!(law.initial_stress(&mut initial, &[(); 4]).is_none(), curve.yield_stress() > 0.0);
+            assert_eq!(
+                law.initial_stress(&mut initial, &[(); 4]).is_none(),
+                curve.yield_stress() > 0.0
+            );
         }
     }
 
@@ -301,7 +324,10 @@ pub(crate) mod tests {
             assert_eq!(law.initial_stress(&mut initial, &[(); 4]), Some(4));
             let elastic = law.elastic().stress(strain, out_of_plane);
             for k in 0..4 {
-                assert!((elastic[k] - response.stress[k] - initial[k][2]).abs() < 1e-8, "component {k}");
+                assert!(
+                    (elastic[k] - response.stress[k] - initial[k][2]).abs() < 1e-8,
+                    "component {k}"
+                );
             }
         }
     }

@@ -6,24 +6,27 @@
 //! dX_i = 2/3 C_i dε_p - γ_i X_i dp         Armstrong and Frederick; Prager's law where γ_i = 0
 //! ```
 //!
-//! The path from the strain of the last accepted increment to the strain asked for is straight. Where it leaves the
-//! elastic domain the rest of it is divided into equal parts. In each of them the stress returns along the mean of the normals before and
-//! after it (Rice and Tracey), whose error is of second order in the parts, where a path has one part by backward Euler:
+//! The path from the strain of the last accepted increment to the strain asked for is straight.
+//! Where it leaves the elastic domain the rest of it is divided into equal parts. In each of them
+//! the stress returns along the mean of the normals before and after it (Rice and Tracey), whose
+//! error is of second order in the parts, where a path has one part by backward Euler:
 //!
 //! ```text
 //! n = 3/2 m/|m|_eq,   m = s + s_tr - 2 ΣX_i,   by backward Euler m = s_tr - ΣX_i e_i        e_i = exp(-γ_i Δp)
 //! X_i' = X_i e_i + 2/3 C_i/γ_i (1 - e_i) n,   s' = s_tr - 2G Δp n,   |s' - ΣX_i'|_eq = q(p+Δp)
 //! ```
 //!
-//! With n constant over a part the backstress is thereby integrated exactly, so that a uniaxial loop has no error at all.
-//! From rest such a path keeps its direction, and the first increment is deformation theory, whatever the number of parts.
+//! With n constant over a part the backstress is thereby integrated exactly, so that a uniaxial
+//! loop has no error at all. From rest such a path keeps its direction, and the first increment is
+//! deformation theory, whatever the number of parts.
 //!
 //! # Reference
-//! J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), chapter 3; J. R. Rice, D. M. Tracey, *Computational fracture
-//! mechanics*, in Numerical and Computer Methods in Structural Mechanics (1973), 585–623; C. O. Frederick, P. J. Armstrong, *A
-//! mathematical representation of the multiaxial Bauschinger effect*, CEGB report RD/B/N731 (1966), reprinted in Mater.
-//! High Temp. 24 (2007) 1–26; J. L. Chaboche, *Constitutive equations for cyclic plasticity and cyclic viscoplasticity*,
-//! Int. J. Plasticity 5 (1989) 247–302.
+//! J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), chapter 3; J. R. Rice, D. M.
+//! Tracey, *Computational fracture mechanics*, in Numerical and Computer Methods in Structural
+//! Mechanics (1973), 585–623; C. O. Frederick, P. J. Armstrong, *A mathematical representation of
+//! the multiaxial Bauschinger effect*, CEGB report RD/B/N731 (1966), reprinted in Mater. High
+//! Temp. 24 (2007) 1–26; J. L. Chaboche, *Constitutive equations for cyclic plasticity and cyclic
+//! viscoplasticity*, Int. J. Plasticity 5 (1989) 247–302.
 
 use super::tangent::reduction;
 use super::{
@@ -34,7 +37,8 @@ use super::{
 /// Parts into which the plastic part of a strain path is divided.
 const SUBSTEPS: u32 = 6;
 
-/// Plastic over elastic strain of a path that needs no parts, and of one that is elastic, on curves without an elastic domain.
+/// Plastic over elastic strain of a path that needs no parts, and of one that is elastic, on
+/// curves without an elastic domain.
 const SMALL_FLOW: f64 = 1e-4;
 const NO_FLOW: f64 = 1e-10;
 
@@ -43,7 +47,8 @@ const SMALL_RECOVERY: f64 = 1.0 / 128.0;
 /// Newton step, relative to Δp, behind which nothing but rounding is left.
 const LAST_STEP: f64 = 1e-7;
 
-/// Accuracies of ε_zz in plane stress over the strains: of the path in one part and of the whole one.
+/// Accuracies of ε_zz in plane stress over the strains: of the path in one part and of the whole
+/// one.
 const ROUGH: f64 = 1e-6;
 const FINE: f64 = 1e-14;
 /// Least slope by which σ_zz is extrapolated over ε_zz, over the bulk modulus.
@@ -64,8 +69,10 @@ impl BackstressTerm {
     fn recovery(&self, dp: f64) -> f64 {
         let x = -self.rate * dp;
         if x > -SMALL_RECOVERY {
-            // Taylor's series to rounding, in place of a call that most of the time of a point would go into.
-            x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0)))))
+            // Taylor's series to rounding, in place of a call that most of the time of a point
+            // would go into.
+            x * (1.0
+                + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0)))))
         } else {
             x.exp_m1()
         }
@@ -115,7 +122,8 @@ impl<const N: usize> Default for FlowState<N> {
     }
 }
 
-/// The part of a state that plastic flow changes, while it does. Tensors have D components, three normal ones first.
+/// The part of a state that plastic flow changes, while it does. Tensors have D components, three
+/// normal ones first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flowing<const N: usize, const D: usize> {
     /// Stress deviator s \[MPa\].
@@ -165,7 +173,8 @@ impl<const N: usize> FlowPlasticity<N> {
     #[inline]
     fn along(&self, strain: [f64; 4], state: &FlowState<N>, parts: u32) -> FlowState<N> {
         let double_shear = 2.0 * self.elastic.shear;
-        let elastic_strain: [f64; 4] = std::array::from_fn(|k| state.strain[k] - state.plastic_strain[k]);
+        let elastic_strain: [f64; 4] =
+            std::array::from_fn(|k| state.strain[k] - state.plastic_strain[k]);
         let now = Flowing {
             stress: stress_of(deviator(elastic_strain), double_shear),
             accumulated: state.accumulated,
@@ -187,8 +196,8 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// The end of a straight path of the stress deviator, elastic but for what flows on it, in so many parts; `None` where
-    /// nothing does.
+    /// The end of a straight path of the stress deviator, elastic but for what flows on it, in so
+    /// many parts; `None` where nothing does.
     #[inline]
     pub fn flow_along<const D: usize>(
         &self,
@@ -224,7 +233,8 @@ impl<const N: usize> FlowPlasticity<N> {
         }
         let part = (1.0 - elastic_part) / f64::from(parts);
         let step = step.map(|d| part * d);
-        // A part much larger than the yield surface ends where the path points to, wherever it began.
+        // A part much larger than the yield surface ends where the path points to, wherever it
+        // began.
         let weight = 1.0 / (1.0 + 1.5 * product(step, step) / (radius * radius));
         // A curve without an elastic domain has no normal to begin with.
         let weight = if parts > 1 { weight } else { 0.0 };
@@ -240,12 +250,14 @@ impl<const N: usize> FlowPlasticity<N> {
         Some(now)
     }
 
-    /// One step along the mean of the normals before, with this weight, and after, for an elastic change of the stress deviator, on
-    /// the way or the last, from the yield stress before to that after it.
+    /// One step along the mean of the normals before, with this weight, and after, for an elastic
+    /// change of the stress deviator, on the way or the last, from the yield stress before to that
+    /// after it.
     ///
-    /// With `c` and `d` the parts of the trial stress along the normal and across it, `(c - 3G Δp)² + d² = q²`. Of the root
-    /// `c - 3G Δp = √(q² - d²)` two terms in d/q count, with q before the step: what that leaves is below the error of the step,
-    /// and the next step begins from it.
+    /// With `c` and `d` the parts of the trial stress along the normal and across it, `(c - 3G
+    /// Δp)² + d² = q²`. Of the root `c - 3G Δp = √(q² - d²)` two terms in d/q count, with q before
+    /// the step: what that leaves is below the error of the step, and the next step begins from
+    /// it.
     #[inline]
     fn flow_along_mean_normal<const D: usize>(
         &self,
@@ -260,7 +272,8 @@ impl<const N: usize> FlowPlasticity<N> {
         let mean: [f64; D] = std::array::from_fn(|k| trial[k] + weight * now.stress[k]);
         let size = equivalent_stress(mean);
         let along = equivalent_along(trial, mean, size);
-        let across = (1.5 * product(trial, trial) - along * along).max(0.0) / (2.0 * *yield_stress);
+        let across =
+            (1.5 * product(trial, trial) - along * along).max(0.0) / (2.0 * *yield_stress);
         let radial = along + across * (1.0 + across / (2.0 * *yield_stress));
         let strain = radial / triple_shear + now.accumulated;
         let q = self.mapping.stress(strain);
@@ -280,8 +293,9 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// One step for an elastic change of the stress deviator, from the yield stress before to that after it, by backward Euler or, with
-    /// backstress, along the mean of the normals before, with this weight, and after. About as much flow is expected.
+    /// One step for an elastic change of the stress deviator, from the yield stress before to that
+    /// after it, by backward Euler or, with backstress, along the mean of the normals before, with
+    /// this weight, and after. About as much flow is expected.
     #[inline]
     fn flow<const D: usize>(
         &self,
@@ -314,7 +328,8 @@ impl<const N: usize> FlowPlasticity<N> {
             let shift = sum(&now.backstress);
             if expected <= 0.0 {
                 let size = equivalent_stress::<D>(std::array::from_fn(|k| trial[k] - shift[k]));
-                expected = (size - *yield_stress).max(0.0) / (triple_shear + self.kinematic_modulus());
+                expected =
+                    (size - *yield_stress).max(0.0) / (triple_shear + self.kinematic_modulus());
             }
             let recovery = self.backstress.map(|term| term.recovery(expected));
             let after = after_recovery(trial, &now.backstress, recovery);
@@ -330,14 +345,16 @@ impl<const N: usize> FlowPlasticity<N> {
             return;
         }
         let recovery = self.backstress.map(|term| term.recovery(dp));
-        let relative = direction.unwrap_or_else(|| after_recovery(trial, &now.backstress, recovery));
+        let relative =
+            direction.unwrap_or_else(|| after_recovery(trial, &now.backstress, recovery));
         let size = equivalent_stress(relative);
         let n = relative.map(|r| 1.5 * r / size);
         let before = now.stress;
         for k in 0..D {
             now.stress[k] = trial[k] - 2.0 / 3.0 * triple_shear * dp * n[k];
         }
-        for ((x, term), recovery) in now.backstress.iter_mut().zip(&self.backstress).zip(recovery) {
+        for ((x, term), recovery) in now.backstress.iter_mut().zip(&self.backstress).zip(recovery)
+        {
             let (decay, growth) = (1.0 + recovery, 2.0 / 3.0 * term.growth(dp, recovery));
             for (x, n) in x.iter_mut().zip(n) {
                 *x = *x * decay + growth * n;
@@ -348,11 +365,12 @@ impl<const N: usize> FlowPlasticity<N> {
         now.accumulated += dp;
     }
 
-    /// Δp, zero if the trial lies within the yield stress that is given; then that stress after it. The return is along a direction or,
-    /// without one, by backward Euler.
+    /// Δp, zero if the trial lies within the yield stress that is given; then that stress after
+    /// it. The return is along a direction or, without one, by backward Euler.
     ///
-    /// Newton's method from the expected Δp, in a bracket that begins as `[0, ∞)`. With `ξ = s_tr - ΣX_i e_i`, whose `|ξ|_eq²` is a quadratic
-    /// form of the `e_i` with coefficients that are known beforehand, and with `c` its part along the direction,
+    /// Newton's method from the expected Δp, in a bracket that begins as `[0, ∞)`. With `ξ =
+    /// s_tr - ΣX_i e_i`, whose `|ξ|_eq²` is a quadratic form of the `e_i` with coefficients that
+    /// are known beforehand, and with `c` its part along the direction,
     ///
     /// ```text
     /// backward Euler   |ξ|_eq = 3G Δp + Σ C_i/γ_i (1 - e_i) + q
@@ -372,7 +390,8 @@ impl<const N: usize> FlowPlasticity<N> {
         let gram: [[f64; N]; N] = std::array::from_fn(|i| {
             std::array::from_fn(|j| 1.5 * product(now.backstress[i], now.backstress[j]))
         });
-        let first: f64 = gram.iter().flatten().sum::<f64>() - 2.0 * along.iter().sum::<f64>() + square;
+        let first: f64 =
+            gram.iter().flatten().sum::<f64>() - 2.0 * along.iter().sum::<f64>() + square;
         let onto = direction.map(|direction| {
             let size = equivalent_stress(direction);
             let backstress = now.backstress.map(|x| equivalent_along(x, direction, size));
@@ -391,15 +410,19 @@ impl<const N: usize> FlowPlasticity<N> {
         let law = self.mapping.law();
         let (mut low, mut high) = (0.0, f64::INFINITY);
         // That of a backstress that does not recover and of perfect plasticity is too large.
-        let mut dp =
-            if expected > 0.0 { expected } else { excess / (triple_shear + self.kinematic_modulus()) };
+        let mut dp = if expected > 0.0 {
+            expected
+        } else {
+            excess / (triple_shear + self.kinematic_modulus())
+        };
         for _ in 0..100 {
             let recovery = self.backstress.map(|term| term.recovery(dp));
             let (mut size, mut change) = (square, 0.0);
             for i in 0..N {
                 let decay = 1.0 + recovery[i];
                 // X_i · ξ.
-                let part = along[i] - (0..N).map(|j| gram[i][j] * (1.0 + recovery[j])).sum::<f64>();
+                let part =
+                    along[i] - (0..N).map(|j| gram[i][j] * (1.0 + recovery[j])).sum::<f64>();
                 size -= decay * (along[i] + part);
                 change += self.backstress[i].rate * decay * part;
             }
@@ -413,7 +436,9 @@ impl<const N: usize> FlowPlasticity<N> {
                     rate -= slope - if size > 0.0 { change / size } else { 0.0 };
                 }
                 Some((mut part, backstress)) => {
-                    for ((x, term), recovery) in backstress.iter().zip(&self.backstress).zip(recovery) {
+                    for ((x, term), recovery) in
+                        backstress.iter().zip(&self.backstress).zip(recovery)
+                    {
                         part -= x * (1.0 + recovery);
                         rate += term.rate * x * (1.0 + recovery);
                     }
@@ -456,7 +481,8 @@ impl<const N: usize> FlowPlasticity<N> {
         self.backstress.iter().map(|term| term.modulus).sum()
     }
 
-    /// Δp of a trial of this size, in the direction of the relative stress, if the backstress stays; with backstress that is too much.
+    /// Δp of a trial of this size, in the direction of the relative stress, if the backstress
+    /// stays; with backstress that is too much.
     fn isotropic_flow(&self, size: f64, accumulated: f64) -> f64 {
         let triple_shear = 3.0 * self.elastic.shear;
         let strain = size / triple_shear + accumulated;
@@ -468,10 +494,13 @@ impl<const N: usize> FlowPlasticity<N> {
         let triple_shear = 3.0 * self.elastic.shear;
         let mut dp = 0.0;
         for _ in 0..30 {
-            let q =
-                self.mapping.stress((size - triple_shear * dp).max(0.0) / triple_shear + accumulated + dp);
-            let kinematic: f64 = self.backstress.iter().map(|term| term.growth(dp, term.recovery(dp))).sum();
-            let step = (size - triple_shear * dp - kinematic - q) / (triple_shear + self.kinematic_modulus());
+            let q = self
+                .mapping
+                .stress((size - triple_shear * dp).max(0.0) / triple_shear + accumulated + dp);
+            let kinematic: f64 =
+                self.backstress.iter().map(|term| term.growth(dp, term.recovery(dp))).sum();
+            let step = (size - triple_shear * dp - kinematic - q)
+                / (triple_shear + self.kinematic_modulus());
             dp = (dp + step).max(0.0);
             if step.abs() <= 1e-6 * dp {
                 break;
@@ -480,7 +509,8 @@ impl<const N: usize> FlowPlasticity<N> {
         dp
     }
 
-    /// The state at the end of a straight path; in plane stress the one whose ε_zz leaves `σ_zz = 0`.
+    /// The state at the end of a straight path; in plane stress the one whose ε_zz leaves `σ_zz =
+    /// 0`.
     fn state_after(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
         match self.out_of_plane {
             OutOfPlane::Strained => self.along(strain, state, self.substeps),
@@ -488,7 +518,8 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// The state that leaves σ_zz = 0. A path in one part finds most of ε_zz, at a small part of the cost of the whole one.
+    /// The state that leaves σ_zz = 0. A path in one part finds most of ε_zz, at a small part of
+    /// the cost of the whole one.
     fn in_plane_stress(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
         let lame = self.elastic.lame();
         let change = strain[0] - state.strain[0] + strain[1] - state.strain[1];
@@ -497,7 +528,8 @@ impl<const N: usize> FlowPlasticity<N> {
         let mut start = (elastic, stiffest);
         let size = strain[0].abs() + strain[1].abs() + elastic.abs() + strain[3].abs();
         if self.substeps > 1 {
-            let (end, slope) = self.without_thickness_stress(strain, state, start, 1, ROUGH * size);
+            let (end, slope) =
+                self.without_thickness_stress(strain, state, start, 1, ROUGH * size);
             if end.accumulated.to_bits() == state.accumulated.to_bits() {
                 // An elastic path has no parts.
                 return end;
@@ -507,11 +539,13 @@ impl<const N: usize> FlowPlasticity<N> {
         self.without_thickness_stress(strain, state, start, self.substeps, FINE * size).0
     }
 
-    /// The zero of σ_zz over ε_zz by the secant of the last two points, from a strain and a slope, within the accuracy of ε_zz,
-    /// in a bracket of the signs seen so far. Returns the last slope, too.
+    /// The zero of σ_zz over ε_zz by the secant of the last two points, from a strain and a slope,
+    /// within the accuracy of ε_zz, in a bracket of the signs seen so far. Returns the last slope,
+    /// too.
     ///
-    /// σ_zz rises by `K + 4/3 G` at most and by backward Euler by K at least; along the mean normal it may rise less for a while.
-    /// There is a zero in any case: far away `K tr ε` outweighs the deviator, which the yield stress bounds.
+    /// σ_zz rises by `K + 4/3 G` at most and by backward Euler by K at least; along the mean
+    /// normal it may rise less for a while. There is a zero in any case: far away `K tr ε`
+    /// outweighs the deviator, which the yield stress bounds.
     fn without_thickness_stress(
         &self,
         strain: [f64; 4],
@@ -590,7 +624,9 @@ impl<const N: usize> ConstitutiveModel for FlowPlasticity<N> {
             secant_shear: self.elastic.shear,
             equivalent_plastic_strain: end.accumulated,
             yielded: is_plastic
-                && self.mapping.has_yielded(self.mapping.law().stress(end.accumulated), end.accumulated),
+                && self
+                    .mapping
+                    .has_yielded(self.mapping.law().stress(end.accumulated), end.accumulated),
             plastic_work: end.plastic_work,
             backstress_energy: self.backstress_energy(&end.backstress),
         };
@@ -662,7 +698,8 @@ fn sum<const N: usize, const D: usize>(terms: &[[f64; D]; N]) -> [f64; D] {
     total
 }
 
-/// The part of a step from a point in or on the sphere `|a|_eq <= radius` that stays in it; `None` if all of it does.
+/// The part of a step from a point in or on the sphere `|a|_eq <= radius` that stays in it; `None`
+/// if all of it does.
 #[inline(always)]
 fn elastic_part<const D: usize>(from: [f64; D], step: [f64; D], radius: f64) -> Option<f64> {
     let a = 1.5 * product(step, step);

@@ -1,22 +1,24 @@
-//! Bodies that are not the same everywhere: strength that varies with depth, and stress before any load.
+//! Bodies that are not the same everywhere: strength that varies with depth, and stress before any
+//! load.
 //!
 //! ```text
 //! q = s(z) q_0(ε_p)              s: factor over the depth z below the undeformed surface, along its normal
 //! σ = M(ε + D⁻¹ σ_r)             M: a model of the usual kind, σ_r: stress of the unloaded body
 //! ```
 //!
-//! Elastic constants are the same everywhere, so that stiffness and flexibility know nothing of either. σ_r is in equilibrium
-//! without load, so that its nodal forces vanish and only the plastic part of M's initial stresses loads the body.
+//! Elastic constants are the same everywhere, so that stiffness and flexibility know nothing of
+//! either. σ_r is in equilibrium without load, so that its nodal forces vanish and only the
+//! plastic part of M's initial stresses loads the body.
 //!
-//! Factors are rounded to layers, each with a model of its own: the smallest, the largest, and so many between them that
-//! neighbours differ by no more than [`LAYER_RATIO`]. So a layer's curve is prepared once
-//! ([`ReturnMapping`](super::ReturnMapping)), and any model can be graded.
+//! Factors are rounded to layers, each with a model of its own: the smallest, the largest, and so
+//! many between them that neighbours differ by no more than [`LAYER_RATIO`]. So a layer's curve is
+//! prepared once ([`ReturnMapping`](super::ReturnMapping)), and any model can be graded.
 
 use std::sync::Arc;
 
 use super::{
-    ConstitutiveModel, ElasticModuli, HardeningLaw, Inverse, ModuliReduction, OutOfPlane, PerPoint,
-    PointOrigin, PointResponse, ReferenceModuli,
+    ConstitutiveModel, ElasticModuli, HardeningLaw, Inverse, ModuliReduction, OutOfPlane,
+    PerPoint, PointOrigin, PointResponse, ReferenceModuli,
 };
 use crate::DepthStrength;
 
@@ -50,7 +52,11 @@ impl<M: ConstitutiveModel> Inhomogeneous<M> {
     ) -> Self {
         let (least, greatest) = strength.as_ref().map_or((1.0, 1.0), DepthStrength::range);
         let last = ((greatest / least).ln() / LAYER_RATIO.ln_1p()).ceil().min(f64::from(u16::MAX));
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 2^16")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and 2^16"
+        )]
         let last = last as u16;
         let factor = |k: u16| match k {
             0 => least,
@@ -66,10 +72,16 @@ impl<M: ConstitutiveModel> Inhomogeneous<M> {
     }
 
     fn layer_at(&self, position: [f64; 2]) -> u16 {
-        let Some(strength) = self.strength.as_ref().filter(|_| self.layers.len() > 1) else { return 0 };
+        let Some(strength) = self.strength.as_ref().filter(|_| self.layers.len() > 1) else {
+            return 0;
+        };
         let (least, greatest) = strength.range();
         let part = (strength.factor(position) / least).ln() / (greatest / least).ln();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 2^16")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and 2^16"
+        )]
         let layer = (part * (self.layers.len() - 1) as f64).round() as u16;
         layer
     }
@@ -131,7 +143,11 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
     }
 
     #[inline(always)]
-    fn initial_stress(&self, strain: &mut [PerPoint; 4], states: &[Self::State; 4]) -> Option<usize> {
+    fn initial_stress(
+        &self,
+        strain: &mut [PerPoint; 4],
+        states: &[Self::State; 4],
+    ) -> Option<usize> {
         for (k, component) in strain.iter_mut().enumerate() {
             for (value, state) in component.iter_mut().zip(states) {
                 *value += state.initial_strain[k];
@@ -246,7 +262,12 @@ mod tests {
             for oop in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
                 let deformation = |law| DeformationPlasticity::with_law(elastic, law, oop);
                 let flow = |law: Option<Arc<dyn HardeningLaw>>| {
-                    FlowPlasticity::new(elastic, ReturnMapping::new(law.unwrap(), elastic.shear), [], oop)
+                    FlowPlasticity::new(
+                        elastic,
+                        ReturnMapping::new(law.unwrap(), elastic.shear),
+                        [],
+                        oop,
+                    )
                 };
                 let profile = || Some(strength(&[[0.0, 1.7], [1.0, 0.6]]));
                 let by_strain = Inhomogeneous::new(law.clone(), profile(), deformation);
@@ -262,7 +283,10 @@ mod tests {
                     for found in found {
                         for (a, b) in found.stress.iter().zip(expected.stress) {
                             // Half of a layer.
-                            assert!((a - b).abs() < 5e-4 * 1.7 * 900.0, "{law:?} {depth}: {a} {b}");
+                            assert!(
+                                (a - b).abs() < 5e-4 * 1.7 * 900.0,
+                                "{law:?} {depth}: {a} {b}"
+                            );
                         }
                     }
                 }
@@ -281,8 +305,9 @@ mod tests {
         let states = [0.1, 0.4, 0.45, 0.9]
             .map(|depth| model.at_rest(&PointOrigin { position: [0.0, -depth], initial_stress }));
         for scale in [0.01, 0.35, 1.0] {
-            let strains: [[f64; 4]; 4] =
-                std::array::from_fn(|k| std::array::from_fn(|g| scale * STRAIN[k] * (1.0 + 0.1 * g as f64)));
+            let strains: [[f64; 4]; 4] = std::array::from_fn(|k| {
+                std::array::from_fn(|g| scale * STRAIN[k] * (1.0 + 0.1 * g as f64))
+            });
             let mut loads = strains;
             let yielded = model.initial_stress(&mut loads, &states);
             let mut expected = 0;
@@ -306,7 +331,8 @@ mod tests {
     fn stress_before_any_load_is_there_without_strain() {
         let (elastic, law) = (STEEL, Some(Arc::clone(&laws()[0])));
         for oop in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
-            let initial_stress = [-150.0, 30.0, if oop == OutOfPlane::Strained { -80.0 } else { 0.0 }, 20.0];
+            let initial_stress =
+                [-150.0, 30.0, if oop == OutOfPlane::Strained { -80.0 } else { 0.0 }, 20.0];
             let model = Inhomogeneous::new(law.clone(), None, |law| {
                 DeformationPlasticity::with_law(elastic, law, oop)
             });

@@ -1,9 +1,11 @@
 //! A smooth function of a positive argument, prepared so that a value costs a polynomial.
 //!
-//! Each octave, the arguments from a power of two to the next, is divided evenly into sixteen cells, and on each of them the
-//! function is interpolated at the Chebyshev points of degree seven, or on halves, quarters, … of a cell. What is left is about
-//! the last coefficient of the Chebyshev series over the factor by which one is smaller than the one before; a cell has as many
-//! pieces as it takes for that to be rounding. The binary digits of an argument tell its cell, its piece and its place there.
+//! Each octave, the arguments from a power of two to the next, is divided evenly into sixteen
+//! cells, and on each of them the function is interpolated at the Chebyshev points of degree
+//! seven, or on halves, quarters, … of a cell. What is left is about the last coefficient of the
+//! Chebyshev series over the factor by which one is smaller than the one before; a cell has as
+//! many pieces as it takes for that to be rounding. The binary digits of an argument tell its
+//! cell, its piece and its place there.
 //!
 //! # Reference
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM 2013), theorem 8.2.
@@ -31,16 +33,17 @@ const REST_BITS: u32 = f64::MANTISSA_DIGITS - 1 - CELLS_LOG2;
 const REST: u64 = (1 << REST_BITS) - 1;
 
 /// The Chebyshev points from -1 to 1, and what makes coefficients of powers of the values there.
-static CHEBYSHEV: LazyLock<(SVector<f64, POINTS>, SMatrix<f64, POINTS, POINTS>)> = LazyLock::new(|| {
-    let points = SVector::<f64, POINTS>::from_fn(|i, _| {
-        -((2 * i + 1) as f64 * std::f64::consts::PI / (2 * POINTS) as f64).cos()
+static CHEBYSHEV: LazyLock<(SVector<f64, POINTS>, SMatrix<f64, POINTS, POINTS>)> =
+    LazyLock::new(|| {
+        let points = SVector::<f64, POINTS>::from_fn(|i, _| {
+            -((2 * i + 1) as f64 * std::f64::consts::PI / (2 * POINTS) as f64).cos()
+        });
+        let mut powers = SMatrix::<f64, POINTS, POINTS>::repeat(1.0);
+        for k in 1..POINTS {
+            powers.set_column(k, &powers.column(k - 1).component_mul(&points));
+        }
+        (points, powers.try_inverse().unwrap_or_default())
     });
-    let mut powers = SMatrix::<f64, POINTS, POINTS>::repeat(1.0);
-    for k in 1..POINTS {
-        powers.set_column(k, &powers.column(k - 1).component_mul(&points));
-    }
-    (points, powers.try_inverse().unwrap_or_default())
-});
 
 /// `f(x) = Σ c_k s^k` with s from -1 to 1 over the piece.
 #[derive(Debug, Clone)]
@@ -82,15 +85,17 @@ impl Cell {
             Self { pieces_log2, pieces: (0..1 << pieces_log2).map(piece).collect() }
         };
         let mut cell = divided(0);
-        while cell.pieces_log2 < MOST_PIECES_LOG2 && !cell.pieces.iter().all(Polynomial::is_fine_enough) {
+        while cell.pieces_log2 < MOST_PIECES_LOG2
+            && !cell.pieces.iter().all(Polynomial::is_fine_enough)
+        {
             cell = divided(cell.pieces_log2 + 1);
         }
         cell
     }
 }
 
-/// The function, of which cells are prepared when they are asked for, and room for them by octaves: a body whose strength
-/// varies has thousands of these.
+/// The function, of which cells are prepared when they are asked for, and room for them by
+/// octaves: a body whose strength varies has thousands of these.
 #[derive(Debug, Clone)]
 pub(super) struct Interpolant {
     octaves: Vec<OnceLock<Box<[OnceLock<Cell>]>>>,
@@ -101,8 +106,9 @@ impl Interpolant {
         Self { octaves: vec![OnceLock::new(); OCTAVES] }
     }
 
-    /// The value of the function f, which has to be the same one each time; `None` where the argument is too small or too large.
-    /// To prepare a cell `function()` is asked for values at arguments that rise, mostly.
+    /// The value of the function f, which has to be the same one each time; `None` where the
+    /// argument is too small or too large. To prepare a cell `function()` is asked for values at
+    /// arguments that rise, mostly.
     #[inline]
     pub fn at<F: FnMut(f64) -> f64>(&self, x: f64, function: impl FnOnce() -> F) -> Option<f64> {
         let bits = x.to_bits();

@@ -1,12 +1,14 @@
-//! Elasto-plastic materials: stress from strain and from what a point has been through, and closed forms of contact mechanics.
+//! Elasto-plastic materials: stress from strain and from what a point has been through, and closed
+//! forms of contact mechanics.
 //!
-//! - [`ConstitutiveModel`] is what the solver asks: a stress update, a tangent, and the state that goes with them;
+//! - [`ConstitutiveModel`] is what the solver asks: a stress update, a tangent, and the state that
+//!   goes with them;
 //! - [`HardeningLaw`] is a uniaxial curve, one file each in [`hardening`];
 //! - [`ReturnMapping`] combines a curve with elasticity;
 //! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing;
 //! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening;
-//! - [`Inhomogeneous`] makes another model out of one of these: with a strength that varies over depth, and a stress that
-//!   is there before any load;
+//! - [`Inhomogeneous`] makes another model out of one of these: with a strength that varies over
+//!   depth, and a stress that is there before any load;
 //! - [`analytical`]: Hertz, McEwen, Hill, Prandtl, Persson and others, to compare with.
 
 pub mod analytical;

@@ -5,7 +5,8 @@ use std::fmt::Debug;
 use super::HardeningLaw;
 use super::moduli::{ElasticModuli, ModuliReduction, OutOfPlane, ReferenceModuli};
 
-/// One value for each Gauss point of an element; the innermost index, so that loops over it vectorize.
+/// One value for each Gauss point of an element; the innermost index, so that loops over it
+/// vectorize.
 pub type PerPoint = [f64; 4];
 
 /// What is known of a point before any load.
@@ -36,10 +37,12 @@ pub struct PointResponse {
 
 /// Stress as a function of strain and of what the point has been through.
 ///
-/// The state is that of the last accepted increment. Every iterate of an increment starts from it, and it is replaced
-/// once, when the increment is accepted; so an iteration cannot drift, and one that fails leaves nothing behind.
+/// The state is that of the last accepted increment. Every iterate of an increment starts from it,
+/// and it is replaced once, when the increment is accepted; so an iteration cannot drift, and one
+/// that fails leaves nothing behind.
 pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
-    /// What a point remembers; the default is a point that has seen nothing and is like every other.
+    /// What a point remembers; the default is a point that has seen nothing and is like every
+    /// other.
     type State: Copy + Default + Debug + Send + Sync + 'static;
 
     /// Elastic moduli.
@@ -57,7 +60,8 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
         Self::State::default()
     }
 
-    /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body \[mm\].
+    /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body
+    /// \[mm\].
     fn strength(&self, position: [f64; 2]) -> f64 {
         let _ = position;
         1.0
@@ -73,12 +77,13 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
         false
     }
 
-    /// Stress and new state at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`, from the state of the last accepted increment. In
-    /// plane stress ε_zz is not looked at.
+    /// Stress and new state at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`, from the state of the last
+    /// accepted increment. In plane stress ε_zz is not looked at.
     fn update(&self, strain: [f64; 4], state: &Self::State) -> (PointResponse, Self::State);
 
-    /// Moduli near `dσ/dε`, for the stiffness that an iteration refers to, as what they fall short of the elastic ones;
-    /// `None` where they are elastic. They decide how fast an iteration ends, not where.
+    /// Moduli near `dσ/dε`, for the stiffness that an iteration refers to, as what they fall short
+    /// of the elastic ones; `None` where they are elastic. They decide how fast an iteration ends,
+    /// not where.
     fn tangent(
         &self,
         strain: [f64; 4],
@@ -89,13 +94,19 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
         None
     }
 
-    /// Turns the strains of the points of an element into initial stresses `D_e ε - σ` \[MPa\], but for a stress that the
-    /// unloaded body has already, whose nodal forces are zero; returns the points that
-    /// count as yielded, or `None` where all initial stresses are zero (the strains are then left in any state).
+    /// Turns the strains of the points of an element into initial stresses `D_e ε - σ` \[MPa\],
+    /// but for a stress that the unloaded body has already, whose nodal forces are zero; returns
+    /// the points that count as yielded, or `None` where all initial stresses are zero (the
+    /// strains are then left in any state).
     ///
-    /// For a given ε_zz initial stresses are deviatoric, so that the dilatation of the strains does not matter.
+    /// For a given ε_zz initial stresses are deviatoric, so that the dilatation of the strains
+    /// does not matter.
     #[inline(always)]
-    fn initial_stress(&self, strain: &mut [PerPoint; 4], states: &[Self::State; 4]) -> Option<usize> {
+    fn initial_stress(
+        &self,
+        strain: &mut [PerPoint; 4],
+        states: &[Self::State; 4],
+    ) -> Option<usize> {
         self.initial_stress_point_by_point(strain, states)
     }
 

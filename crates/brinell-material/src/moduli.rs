@@ -8,8 +8,8 @@ pub type Moduli = Matrix4<f64>;
 /// By how much the moduli of reference of one point fall short of the elastic ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModuliReduction {
-    /// `D_e - D` \[MPa\]. Positive semidefinite. The part over the mean strain is zero, except in plane stress, where ε_zz
-    /// has been eliminated and its row and column are zero instead.
+    /// `D_e - D` \[MPa\]. Positive semidefinite. The part over the mean strain is zero, except in
+    /// plane stress, where ε_zz has been eliminated and its row and column are zero instead.
     pub moduli: Moduli,
     /// Whether the point is beyond yield, and not only near it.
     pub is_beyond_yield: bool,
@@ -45,7 +45,8 @@ impl ElasticModuli {
         self.bulk * one * one.transpose() + 2.0 * self.shear * deviatoric_projection()
     }
 
-    /// The strain `[ε_xx, ε_yy, ε_zz, γ_xy]` of an elastic stress `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\].
+    /// The strain `[ε_xx, ε_yy, ε_zz, γ_xy]` of an elastic stress `[σ_xx, σ_yy, σ_zz, τ_xy]`
+    /// \[MPa\].
     pub fn strain(&self, stress: [f64; 4]) -> [f64; 4] {
         let [x, y, z, t] = stress;
         let third = (x + y + z) / 3.0;
@@ -54,14 +55,20 @@ impl ElasticModuli {
         [along(x), along(y), along(z), t / self.shear]
     }
 
-    /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; in plane stress ε_zz is not looked at.
+    /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; in plane stress ε_zz is not
+    /// looked at.
     pub fn stress(&self, strain: [f64; 4], out_of_plane: OutOfPlane) -> [f64; 4] {
         let [x, y, z, g] = strain;
         let (lame, double_shear) = (self.lame(), 2.0 * self.shear);
         match out_of_plane {
             OutOfPlane::Strained => {
                 let mean = lame * (x + y + z);
-                [mean + double_shear * x, mean + double_shear * y, mean + double_shear * z, self.shear * g]
+                [
+                    mean + double_shear * x,
+                    mean + double_shear * y,
+                    mean + double_shear * z,
+                    self.shear * g,
+                ]
             }
             OutOfPlane::PlaneStress => {
                 let mean = double_shear * lame / (lame + double_shear) * (x + y);
@@ -77,14 +84,15 @@ pub enum ReferenceModuli {
     /// As near to the tangent as errors in the strain allow.
     #[default]
     Tangent,
-    /// The tangent at the strain itself, less this part of κ, with a secant modulus of at least as much of G. Between 0,
-    /// the tangent, and 1, the secant moduli of deformation theory: an iteration that takes those anew each time always ends
-    /// (L. M. Kachanov), if slowly.
+    /// The tangent at the strain itself, less this part of κ, with a secant modulus of at least as
+    /// much of G. Between 0, the tangent, and 1, the secant moduli of deformation theory: an
+    /// iteration that takes those anew each time always ends (L. M. Kachanov), if slowly.
     Stiffened(f64),
 }
 
 impl ReferenceModuli {
-    /// Half of the range of equivalent strains that the moduli are means over, relative to the strain.
+    /// Half of the range of equivalent strains that the moduli are means over, relative to the
+    /// strain.
     pub(super) fn range(self) -> f64 {
         match self {
             Self::Tangent => 0.07,
@@ -101,7 +109,8 @@ impl ReferenceModuli {
         }
     }
 
-    /// Least secant modulus over the elastic one. A wild iterate must not make the stiffness numerically singular.
+    /// Least secant modulus over the elastic one. A wild iterate must not make the stiffness
+    /// numerically singular.
     pub(super) fn softest(self) -> f64 {
         match self {
             Self::Tangent => 1e-3,
@@ -110,7 +119,8 @@ impl ReferenceModuli {
     }
 }
 
-/// `dev` over `[ε_xx, ε_yy, ε_zz, γ_xy]`: the deviator of the strain, with half of the engineering shear strain.
+/// `dev` over `[ε_xx, ε_yy, ε_zz, γ_xy]`: the deviator of the strain, with half of the engineering
+/// shear strain.
 pub(super) fn deviatoric_projection() -> Moduli {
     let third = 1.0 / 3.0;
     Matrix4::new(

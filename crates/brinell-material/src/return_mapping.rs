@@ -4,11 +4,12 @@
 //! q + 3G ε_p = 3G ε,   q = q(ε_p)        ε = q_tr / (3G) + ε_p,n
 //! ```
 //!
-//! with the equivalent trial stress `q_tr` and the plastic strain `ε_p,n` before. Loaded from rest, ε is the equivalent
-//! strain, and the answer that of deformation theory.
+//! with the equivalent trial stress `q_tr` and the plastic strain `ε_p,n` before. Loaded from
+//! rest, ε is the equivalent strain, and the answer that of deformation theory.
 //!
-//! Piecewise linear laws have a closed form. The others are solved for beforehand, at strains from which they are known
-//! everywhere to rounding ([`Interpolant`]). So an evaluation costs one polynomial, whatever the law.
+//! Piecewise linear laws have a closed form. The others are solved for beforehand, at strains from
+//! which they are known everywhere to rounding ([`Interpolant`]). So an evaluation costs one
+//! polynomial, whatever the law.
 
 use std::sync::Arc;
 
@@ -83,13 +84,15 @@ impl ReturnMapping {
             return trial;
         }
         match &self.form {
-            Form::Line(slope) => {
-                trial.min(self.yield_stress + slope * (strain - self.yield_stress / self.triple_shear))
-            }
+            Form::Line(slope) => trial
+                .min(self.yield_stress + slope * (strain - self.yield_stress / self.triple_shear)),
             Form::Polyline(corners) => along(corners, strain),
             Form::Curve(curve) => {
                 let beyond = strain - self.yield_stress / self.triple_shear;
-                curve.at(beyond, || self.solver()).unwrap_or_else(|| self.solve(strain, None)).min(trial)
+                curve
+                    .at(beyond, || self.solver())
+                    .unwrap_or_else(|| self.solve(strain, None))
+                    .min(trial)
             }
         }
     }
@@ -106,15 +109,16 @@ impl ReturnMapping {
         q.min(trial)
     }
 
-    /// `f(q) = q/(3G) + ε_p(q) - ε` is convex and rising: started above the root Newton's method falls to it without
-    /// overshoot, and its first step from below leads there. Without a start it is the lower of the elastic and the purely plastic
-    /// answer; both lie above.
+    /// `f(q) = q/(3G) + ε_p(q) - ε` is convex and rising: started above the root Newton's method
+    /// falls to it without overshoot, and its first step from below leads there. Without a start
+    /// it is the lower of the elastic and the purely plastic answer; both lie above.
     fn solve_for_stress(&self, strain: f64, near: Option<f64>) -> f64 {
         let excess = |q: f64| {
             let inverse = self.law.inverse(q)?;
             Some((q / self.triple_shear + inverse.plastic_strain - strain, inverse.slope))
         };
-        let mut q = near.unwrap_or_else(|| self.law.stress(strain).min(self.triple_shear * strain));
+        let mut q =
+            near.unwrap_or_else(|| self.law.stress(strain).min(self.triple_shear * strain));
         for _ in 0..60 {
             let Some((rest, slope)) = excess(q) else { break };
             let step = rest / (self.triple_shear.recip() + slope);
@@ -126,8 +130,8 @@ impl ReturnMapping {
         q
     }
 
-    /// `f(p) = q(p) + 3G p - 3G ε` is concave and rising. Newton's method in the bracket `[0, (3G ε - σ_y)/3G]`; a step that
-    /// leaves it (an infinite slope at zero) is replaced by bisection.
+    /// `f(p) = q(p) + 3G p - 3G ε` is concave and rising. Newton's method in the bracket `[0, (3G
+    /// ε - σ_y)/3G]`; a step that leaves it (an infinite slope at zero) is replaced by bisection.
     fn solve_for_strain(&self, trial: f64, near: Option<f64>) -> f64 {
         // A steep curve bears all of it with a plastic strain below rounding.
         if self.law.stress(f64::EPSILON * trial / self.triple_shear) >= trial {
@@ -147,7 +151,8 @@ impl ReturnMapping {
             let step = -rest / (slope + self.triple_shear);
             let newton = strain + step;
             if newton > low && newton < high || rest == 0.0 {
-                // The tangent at the last point. `trial - 3G p` would lose digits at large strains.
+                // The tangent at the last point. `trial - 3G p` would lose digits at large
+                // strains.
                 stress = q + slope * step;
                 strain = newton;
                 if step.abs() <= LAST_STEP * strain {
@@ -163,7 +168,8 @@ impl ReturnMapping {
         stress
     }
 
-    /// q over `ε - σ_y/(3G)` for strains one after the other, each of which is a start for the next.
+    /// q over `ε - σ_y/(3G)` for strains one after the other, each of which is a start for the
+    /// next.
     fn solver(&self) -> impl FnMut(f64) -> f64 {
         let onset = self.yield_stress / self.triple_shear;
         let mut last: Option<[f64; 3]> = None;
@@ -224,7 +230,10 @@ mod tests {
             for plastic_strain in [1e-14, 1e-9, 1e-6, 3e-5, 1e-3, 5e-3, 0.02, 0.3, 4.0, 90.0] {
                 let q = law.stress(plastic_strain);
                 let found = mapping.stress(q / TRIPLE_SHEAR + plastic_strain);
-                assert!((found - q).abs() < 2e-12 * q, "{law:?} at {plastic_strain}: {found} instead of {q}");
+                assert!(
+                    (found - q).abs() < 2e-12 * q,
+                    "{law:?} at {plastic_strain}: {found} instead of {q}"
+                );
             }
         }
     }
@@ -253,7 +262,10 @@ mod tests {
         for law in laws() {
             let limit = law.yield_stress();
             for q in [0.0, 0.5 * limit, 0.999 * limit] {
-                assert!((mapping(Arc::clone(&law)).stress(q / TRIPLE_SHEAR) - q).abs() <= 1e-12 * limit);
+                assert!(
+                    (mapping(Arc::clone(&law)).stress(q / TRIPLE_SHEAR) - q).abs()
+                        <= 1e-12 * limit
+                );
             }
         }
     }
@@ -266,7 +278,10 @@ mod tests {
             for k in 0..2000 {
                 let strain = 1e-7 * 1.01f64.powi(k);
                 let q = mapping.stress(strain);
-                assert!(q >= last * (1.0 - 1e-12) && q <= TRIPLE_SHEAR * strain * (1.0 + 1e-12), "{law:?}");
+                assert!(
+                    q >= last * (1.0 - 1e-12) && q <= TRIPLE_SHEAR * strain * (1.0 + 1e-12),
+                    "{law:?}"
+                );
                 last = q;
             }
         }

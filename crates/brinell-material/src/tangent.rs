@@ -5,20 +5,24 @@
 //! s' = [e_xx, e_yy, e_zz, γ_xy/2],   H = dq/dε_q
 //! ```
 //!
-//! The stiffness is a reference only: whatever D is, the iteration ends in the same state. It ends sooner the closer D
-//! is to the tangent of that state, and it must not be much softer, or errors there grow instead of falling. At
-//! the yield point the tangent jumps from 3G to a fraction of it, and which side a point is on is known no better than
-//! the state that D is taken from. So H and G_s are means over a range of strains, and a part of κ is left out.
+//! The stiffness is a reference only: whatever D is, the iteration ends in the same state. It ends
+//! sooner the closer D is to the tangent of that state, and it must not be much softer, or errors
+//! there grow instead of falling. At the yield point the tangent jumps from 3G to a fraction of
+//! it, and which side a point is on is known no better than the state that D is taken from. So H
+//! and G_s are means over a range of strains, and a part of κ is left out.
 
 use nalgebra::Vector4;
 
 use super::moduli::deviatoric_projection;
-use super::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli, equivalent_strain};
+use super::{
+    ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli, equivalent_strain,
+};
 
-/// The reduction at a trial strain deviator: the strain deviator of deformation theory or, for a law with a memory, the
-/// deviator of the elastic strain if the increment were elastic, less the backstress over 2G. `stress(f)` is the
-/// equivalent stress at which the law ends from f times that trial, `yield_stress` its elastic limit \[MPa\]. `None`
-/// where the point is elastic, with some margin.
+/// The reduction at a trial strain deviator: the strain deviator of deformation theory or, for a
+/// law with a memory, the deviator of the elastic strain if the increment were elastic, less the
+/// backstress over 2G. `stress(f)` is the equivalent stress at which the law ends from f times
+/// that trial, `yield_stress` its elastic limit \[MPa\]. `None` where the point is elastic, with
+/// some margin.
 pub(super) fn reduction(
     elastic: ElasticModuli,
     out_of_plane: OutOfPlane,
@@ -37,8 +41,8 @@ pub(super) fn reduction(
     let (below, above) = (stress(1.0 - range), stress(1.0 + range));
     let tangent = (above - below) / (2.0 * range * equivalent);
     let triple_secant = 0.5 * (below / (1.0 - range) + above / (1.0 + range)) / equivalent;
-    let kappa =
-        4.0 / 9.0 * (1.0 - reference.left_out()) * (triple_secant - tangent) / (equivalent * equivalent);
+    let kappa = 4.0 / 9.0 * (1.0 - reference.left_out()) * (triple_secant - tangent)
+        / (equivalent * equivalent);
     let [x, y, z, g] = trial;
     let direction = Vector4::new(x, y, z, 0.5 * g);
     let shear = (triple_secant / 3.0).max(reference.softest() * elastic.shear);
@@ -47,7 +51,10 @@ pub(super) fn reduction(
         OutOfPlane::PlaneStress => {
             let whole = condensed(elastic.matrix());
             whole
-                - condensed(elastic.matrix() - deviatoric_reduction(elastic.shear - shear, kappa, direction))
+                - condensed(
+                    elastic.matrix()
+                        - deviatoric_reduction(elastic.shear - shear, kappa, direction),
+                )
         }
     };
     Some(ModuliReduction { moduli, is_beyond_yield: trial_stress > yield_stress })
@@ -82,8 +89,8 @@ mod tests {
         Matrix4::from_fn(|i, j| stress(j)[i])
     }
 
-    /// Well beyond yield the curve is straight over the range of the means, so that H is exact; G_s is a mean, and
-    /// a tenth of κ is left out on purpose.
+    /// Well beyond yield the curve is straight over the range of the means, so that H is exact;
+    /// G_s is a mean, and a tenth of κ is left out on purpose.
     #[test]
     fn it_is_the_derivative_of_the_stress_but_for_the_stiffening() {
         let strain = [6e-3, -4e-3, 1e-3, 5e-3];
@@ -101,7 +108,10 @@ mod tests {
                 for i in [0, 1, 3] {
                     let derivative = (more[i] - less[i]) / (2.0 * step);
                     let found = elastic[(i, j)] - reduction[(i, j)];
-                    assert!((found - derivative).abs() < 0.05 * elastic[(i, i)], "{out_of_plane:?} {i}{j}");
+                    assert!(
+                        (found - derivative).abs() < 0.05 * elastic[(i, i)],
+                        "{out_of_plane:?} {i}{j}"
+                    );
                 }
             }
         }
@@ -111,12 +121,16 @@ mod tests {
     fn it_is_symmetric_and_softer_than_elastic_but_not_unstable() {
         for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
             let law = law(out_of_plane);
-            let reduction =
-                law.tangent([6e-3, -4e-3, 1e-3, 5e-3], &(), ReferenceModuli::Tangent).unwrap().moduli;
+            let reduction = law
+                .tangent([6e-3, -4e-3, 1e-3, 5e-3], &(), ReferenceModuli::Tangent)
+                .unwrap()
+                .moduli;
             let elastic = elastic(out_of_plane);
             let work = |moduli: &Moduli, e: Vector4<f64>| e.dot(&(moduli * e));
             for k in 0..200u32 {
-                let e = Vector4::from([0, 1, 2, 3].map(|c| f64::from((k * 7919 + c * 104_729) % 101) - 50.0));
+                let e = Vector4::from(
+                    [0, 1, 2, 3].map(|c| f64::from((k * 7919 + c * 104_729) % 101) - 50.0),
+                );
                 let (all, lost) = (work(&elastic, e), work(&reduction, e));
                 assert!(lost >= -1e-9 * all && lost < all);
             }
@@ -127,7 +141,11 @@ mod tests {
     #[test]
     fn an_elastic_point_keeps_its_moduli() {
         assert_eq!(
-            law(OutOfPlane::Strained).tangent([1e-3, -5e-4, 0.0, 0.0], &(), ReferenceModuli::Tangent),
+            law(OutOfPlane::Strained).tangent(
+                [1e-3, -5e-4, 0.0, 0.0],
+                &(),
+                ReferenceModuli::Tangent
+            ),
             None
         );
     }

@@ -1,7 +1,7 @@
 //! A rigid ball on a bed of springs that yield: the least that the method asks of two bodies.
 //!
-//! Spring k carries `R = s (w - p)` under a compression w, of which p is plastic: beyond yield it grows so that `R = R_y + H p`.
-//! The initial stress of the method is `s p`.
+//! Spring k carries `R = s (w - p)` under a compression w, of which p is plastic: beyond yield it
+//! grows so that `R = R_y + H p`. The initial stress of the method is `s p`.
 
 use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution};
 use brinell_method::contact_system::{BlockVector, ContactFigures, ContactSystem};
@@ -32,7 +32,9 @@ impl Bed {
         Self {
             initial_gap: (0..springs).map(|k| x(k).powi(2) / 20.0).collect(),
             closing: vec![1.0; springs],
-            flexibility: SymmetricMatrix::from_fn(springs, |i, j| if i == j { 1.0 / STIFFNESS } else { 0.0 }),
+            flexibility: SymmetricMatrix::from_fn(springs, |i, j| {
+                if i == j { 1.0 / STIFFNESS } else { 0.0 }
+            }),
             accepted: vec![vec![0.0; springs]],
         }
     }
@@ -51,8 +53,17 @@ impl ContactSystem for Bed {
         &self.initial_gap
     }
 
-    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
-        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
+    fn contact_problem<'a>(
+        &'a self,
+        initial_gap: &'a [f64],
+        load: ContactLoad,
+    ) -> ContactProblem<'a> {
+        ContactProblem {
+            flexibility: &self.flexibility,
+            initial_gap,
+            closing: &self.closing,
+            load,
+        }
     }
 
     fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64> {
@@ -61,7 +72,11 @@ impl ContactSystem for Bed {
 
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
         vec![
-            initial_stress[0].iter().zip(force).map(|(stress, force)| (stress + force) / STIFFNESS).collect(),
+            initial_stress[0]
+                .iter()
+                .zip(force)
+                .map(|(stress, force)| (stress + force) / STIFFNESS)
+                .collect(),
         ]
     }
 
@@ -121,7 +136,8 @@ fn main() -> Result<(), brinell_method::Error> {
             scales: Scales::default(),
             increment: None,
         };
-        let outcome = iterate(&mut bed, &Accelerated, controls, InitialState::default(), &mut run)?;
+        let outcome =
+            iterate(&mut bed, &Accelerated, controls, InitialState::default(), &mut run)?;
         let contact = bed.figures(&outcome.state.response.contact);
         println!(
             "{force:>8} {:>7.4} mm {:>6} {:>10}",

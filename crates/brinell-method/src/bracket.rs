@@ -2,7 +2,8 @@
 
 /// Largest change of a force from one trial to the next, as a logarithm.
 const LARGEST_STEP: f64 = 2.0;
-/// Change where the figure is still zero, from how many forces on it becomes larger, and by which factor each time.
+/// Change where the figure is still zero, from how many forces on it becomes larger, and by which
+/// factor each time.
 const STEP_FROM_NOTHING: f64 = 0.7;
 const PATIENCE: usize = 3;
 const IMPATIENCE: f64 = 1.5;
@@ -14,14 +15,15 @@ const AT_LIMIT: f64 = 0.02;
 const FORCES: (f64, f64) = (1e-9, 1e9);
 /// Width of a bracket within which the figure jumps, because the contact gains or loses a node.
 const CLOSED: f64 = 0.01;
-/// Trials up to this far from a force, as a logarithm, tell the slope there, if they are spread as widely as this.
+/// Trials up to this far from a force, as a logarithm, tell the slope there, if they are spread as
+/// widely as this.
 const SLOPE_RANGE: f64 = 0.7;
 const SLOPE_SPREAD: f64 = 0.08;
 /// Least slope that a force is extrapolated with.
 const LEAST_SLOPE: f64 = 0.05;
 
-/// What has been tried, as logarithms of the force and of the figure over its wanted value; minus infinity where the figure
-/// is still zero.
+/// What has been tried, as logarithms of the force and of the figure over its wanted value; minus
+/// infinity where the figure is still zero.
 #[derive(Debug, Clone)]
 pub struct Bracket {
     /// Last trials with too small and with too large a figure.
@@ -51,29 +53,40 @@ pub enum Next {
 impl Bracket {
     /// Nothing tried yet; `expected_slope` is what is expected of `d ln figure / d ln force`.
     pub fn new(expected_slope: f64) -> Self {
-        Self { below: None, above: None, limit: None, trials: Vec::new(), zeros: 0, expected_slope }
+        Self {
+            below: None,
+            above: None,
+            limit: None,
+            trials: Vec::new(),
+            zeros: 0,
+            expected_slope,
+        }
     }
 
-    /// Slope of the logarithms at a force, of the straight line nearest to the trials around it; `None` where these are too
-    /// few or too near each other.
+    /// Slope of the logarithms at a force, of the straight line nearest to the trials around it;
+    /// `None` where these are too few or too near each other.
     pub fn slope_at(&self, force: f64) -> Option<f64> {
         let near = || self.trials.iter().filter(|[x, _]| (x - force.ln()).abs() <= SLOPE_RANGE);
         let count = near().count() as f64;
         let [x, y] = [0, 1].map(|k| near().map(|at| at[k]).sum::<f64>() / count);
         let (lowest, highest) = near()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at[0]), high.max(at[0])));
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+                (low.min(at[0]), high.max(at[0]))
+            });
         let spread: f64 = near().map(|at| (at[0] - x).powi(2)).sum();
         let slope = near().map(|at| (at[0] - x) * (at[1] - y)).sum::<f64>() / spread;
         (highest - lowest >= SLOPE_SPREAD).then_some(slope)
     }
 
-    /// Whether the figure jumps over its wanted value between two forces that are nearly the same; the smaller one.
+    /// Whether the figure jumps over its wanted value between two forces that are nearly the same;
+    /// the smaller one.
     pub fn jump(&self) -> Option<f64> {
         let (Some([low, _]), Some([high, _])) = (self.below, self.above) else { return None };
         (high - low <= CLOSED).then(|| low.exp())
     }
 
-    /// The largest figure over its wanted value that was found, with its force; of nothing but zeros the largest force.
+    /// The largest figure over its wanted value that was found, with its force; of nothing but
+    /// zeros the largest force.
     pub fn largest(&self) -> Option<(f64, f64)> {
         let largest = self.trials.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]));
         largest.or(self.below).map(|[force, ratio]| (force.exp(), ratio.exp()))
@@ -94,7 +107,8 @@ impl Bracket {
         }
         if at[1] >= 0.0 {
             self.above = Some(at);
-            // Figures that fall again under larger forces, or only scatter: the answer is the smallest force.
+            // Figures that fall again under larger forces, or only scatter: the answer is the
+            // smallest force.
             self.below = self.below.filter(|below| below[0] < at[0]);
         } else if self.above.is_none_or(|above| at[0] < above[0]) {
             self.below = Some(at);
@@ -154,7 +168,8 @@ impl Bracket {
 mod tests {
     use super::*;
 
-    /// Trials until a figure that is zero up to a force of 2 and cannot be had above a limit comes within one per cent.
+    /// Trials until a figure that is zero up to a force of 2 and cannot be had above a limit comes
+    /// within one per cent.
     fn search(mut force: f64, wanted: f64, limit: f64) -> (Next, usize) {
         let mut bracket = Bracket::new(1.0);
         for trial in 1..60 {
@@ -179,7 +194,10 @@ mod tests {
     fn finds_a_force_from_either_side() {
         for start in [0.01, 1.0, 5.0, 100.0, 1e6] {
             let (end, trials) = search(start, 9.0, 1e7);
-            assert!(matches!(end, Next::Force(force) if (force - 5.0).abs() < 0.05), "{start}: {end:?}");
+            assert!(
+                matches!(end, Next::Force(force) if (force - 5.0).abs() < 0.05),
+                "{start}: {end:?}"
+            );
             assert!(trials <= 25, "{start}: {trials}");
         }
     }

@@ -33,11 +33,13 @@ pub struct ContactFigures {
 
 /// Two bodies and the contact between them.
 ///
-/// `initial_stress` is the paper's P_e: the load that plastic flow puts on the elastic bodies, nodal forces of finite
-/// elements. It is no stress, and another thing than the `initial_stress` of a job. Couplings call the one that is applied
-/// `loads`, and P_e(u) its `image`. Forces of the contact push the bodies apart, `R >= 0`.
+/// `initial_stress` is the paper's P_e: the load that plastic flow puts on the elastic bodies,
+/// nodal forces of finite elements. It is no stress, and another thing than the `initial_stress`
+/// of a job. Couplings call the one that is applied `loads`, and P_e(u) its `image`. Forces of the
+/// contact push the bodies apart, `R >= 0`.
 ///
-/// Symmetry and equal bodies are the affair of the system: loads and figures are those of the whole contact.
+/// Symmetry and equal bodies are the affair of the system: loads and figures are those of the
+/// whole contact.
 pub trait ContactSystem {
     /// An initial stress, or displacements, of nothing.
     fn zeros(&self) -> BlockVector;
@@ -45,7 +47,8 @@ pub trait ContactSystem {
     /// Initial gap δ0 of each candidate pair along its normal \[mm\].
     fn initial_gap(&self) -> &[f64];
 
-    /// The contact conditions of the candidate pairs under other gaps and a load of the whole contact.
+    /// The contact conditions of the candidate pairs under other gaps and a load of the whole
+    /// contact.
     fn contact_problem<'a>(&'a self, gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a>;
 
     /// `u_p`: by how much an initial stress alone widens the gap at each pair \[mm\].
@@ -63,16 +66,20 @@ pub trait ContactSystem {
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<ContactSolution, Error> {
-        let gap: Vec<f64> =
-            self.initial_gap().iter().zip(gap_opening).map(|(gap, opening)| gap + opening).collect();
+        let gap: Vec<f64> = self
+            .initial_gap()
+            .iter()
+            .zip(gap_opening)
+            .map(|(gap, opening)| gap + opening)
+            .collect();
         Ok(run.solve_contact(solver, &self.contact_problem(&gap, load), start)?)
     }
 
     /// The displacements under an initial stress and contact forces.
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector;
 
-    /// Contact and displacements for a given initial stress: [`Self::gap_opening`], [`Self::contact`] and
-    /// [`Self::displacement`] in one.
+    /// Contact and displacements for a given initial stress: [`Self::gap_opening`],
+    /// [`Self::contact`] and [`Self::displacement`] in one.
     ///
     /// # Errors
     /// Those of the contact solver.
@@ -86,12 +93,13 @@ pub trait ContactSystem {
     ) -> Result<Response, Error> {
         let gap_opening = run.time(Phase::Solves, || self.gap_opening(initial_stress));
         let contact = self.contact(&gap_opening, solver, load, start, run)?;
-        let displacement = run.time(Phase::Solves, || self.displacement(initial_stress, &contact.force));
+        let displacement =
+            run.time(Phase::Solves, || self.displacement(initial_stress, &contact.force));
         Ok(Response { displacement, contact })
     }
 
-    /// The initial stress that the plastic law answers displacements with, written over `into`. Returns the points beyond
-    /// yield.
+    /// The initial stress that the plastic law answers displacements with, written over `into`.
+    /// Returns the points beyond yield.
     fn initial_stress(&self, displacement: &BlockVector, into: &mut BlockVector) -> usize;
 
     /// A norm of displacements or of an initial stress.
@@ -100,8 +108,8 @@ pub trait ContactSystem {
     /// The same norm of a difference.
     fn distance(&self, v: &BlockVector, w: &BlockVector) -> f64;
 
-    /// The entries that change from one iteration to the next, in one vector. It may become longer from iteration to iteration:
-    /// the entries to come have been zero.
+    /// The entries that change from one iteration to the next, in one vector. It may become longer
+    /// from iteration to iteration: the entries to come have been zero.
     fn pack(&self, vectors: &BlockVector) -> Vec<f64>;
 
     /// Writes these entries back to where [`Self::pack`] took them from.
@@ -129,7 +137,8 @@ pub trait ContactSystem {
 
 /// Bodies whose stiffness can take the moduli of plastic flow.
 pub trait Linearize: ContactSystem {
-    /// Factorizes with moduli of plastic flow at displacements or, without any, with the elastic ones.
+    /// Factorizes with moduli of plastic flow at displacements or, without any, with the elastic
+    /// ones.
     ///
     /// # Errors
     /// Those of a factorization.
@@ -167,7 +176,8 @@ pub trait SecantStiffness {
     ///
     /// # Errors
     /// Where the observer stops it.
-    fn evaluate(&mut self, response: &Response, run: &mut Run<'_>) -> Result<PlasticAnswer, Error>;
+    fn evaluate(&mut self, response: &Response, run: &mut Run<'_>)
+    -> Result<PlasticAnswer, Error>;
 
     /// Factorizes with the secant moduli of the last state. Returns the number of factorizations.
     ///

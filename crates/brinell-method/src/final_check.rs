@@ -6,15 +6,18 @@ use super::observer::SolveStatus;
 use brinell_contact::kkt::{self, ContactScales};
 use brinell_contact::{ContactLoad, KktReport};
 
-/// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
+/// The residual over whole bodies may exceed that of the iteration's active equations by rounding
+/// only.
 const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
 const RESIDUAL_FLOOR: f64 = 1e-9;
 
-/// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
+/// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of
+/// small strains.
 pub const COLLAPSE_STRAIN: f64 = 1.0;
 
-/// What the checks of a step are relative to, at least: loads before it in a history may have been much larger.
+/// What the checks of a step are relative to, at least: loads before it in a history may have been
+/// much larger.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LeastScales {
     /// `‖R‖` \[N/mm\].
@@ -23,7 +26,8 @@ pub struct LeastScales {
     pub contact: ContactScales,
 }
 
-/// The quantities of the final state that are checked. Nothing that the iteration computed is reused.
+/// The quantities of the final state that are checked. Nothing that the iteration computed is
+/// reused.
 pub struct Evidence {
     /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
     pub unloaded_gap: Vec<f64>,
@@ -37,20 +41,29 @@ pub struct Evidence {
 
 impl Evidence {
     /// From the last iterate: an iteration that was stopped has nothing else.
-    pub fn of_iteration(system: &impl ContactSystem, outcome: &Outcome, reaches_edge: bool) -> Self {
+    pub fn of_iteration(
+        system: &impl ContactSystem,
+        outcome: &Outcome,
+        reaches_edge: bool,
+    ) -> Self {
         let contact = &outcome.state.response.contact;
-        let closing = system.contact_problem(system.initial_gap(), ContactLoad::Force(0.0)).closing;
+        let closing =
+            system.contact_problem(system.initial_gap(), ContactLoad::Force(0.0)).closing;
         let gaps = contact.gap.iter().zip(closing);
         Self {
             unloaded_gap: gaps.map(|(gap, closing)| gap + contact.approach * closing).collect(),
-            equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
+            equilibrium_residual: outcome
+                .history
+                .last()
+                .map_or(1.0, |record| record.equilibrium_residual),
             has_collapsed: false,
             reaches_edge,
         }
     }
 }
 
-/// How a solve has ended, and the contact conditions with the gap that the displacements leave, `δ0 + w_u + w_l - α`.
+/// How a solve has ended, and the contact conditions with the gap that the displacements leave,
+/// `δ0 + w_u + w_l - α`.
 pub fn judge(
     system: &impl ContactSystem,
     outcome: &Outcome,
@@ -69,7 +82,8 @@ pub fn judge(
     let problem = system.contact_problem(&gap, load);
     let check = kkt::check_beside(&problem, &contact.force, contact.approach, least);
     let balanced = evidence.equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
-    let is_answer = check.is_sound() && balanced && !evidence.has_collapsed && !evidence.reaches_edge;
+    let is_answer =
+        check.is_sound() && balanced && !evidence.has_collapsed && !evidence.reaches_edge;
     let status = match outcome.status {
         SolveStatus::Converged if !is_answer => SolveStatus::NotConverged,
         status => status,

@@ -5,7 +5,8 @@
 //! fine:     whole solves as they were asked for, from there on with the slope that the coarse ones have shown
 //! ```
 //!
-//! Figures of contacts follow powers of the force over long ranges, so that both are looked at in logarithms.
+//! Figures of contacts follow powers of the force over long ranges, so that both are looked at in
+//! logarithms.
 
 use super::bracket::{Bracket, Next};
 use super::observer::SolveStatus;
@@ -13,7 +14,8 @@ use super::run::Run;
 use super::steps::Step;
 use crate::Error;
 
-/// Deviation of the figure that is near enough at the lower density, which is itself off by as much.
+/// Deviation of the figure that is near enough at the lower density, which is itself off by as
+/// much.
 const NEAR: f64 = 0.01;
 /// Most solves at the lower density.
 const MAX_COARSE: usize = 40;
@@ -95,8 +97,8 @@ pub struct ForceFound<S> {
 /// A force that was sought by what it does and does not exist.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unreachable {
-    /// The nearest figure that was found, over its wanted value; of the onset of yield, the highest von Mises stress over the yield
-    /// stress. Not a number where none was found.
+    /// The nearest figure that was found, over its wanted value; of the onset of yield, the
+    /// highest von Mises stress over the yield stress. Not a number where none was found.
     pub nearest: f64,
     /// The force under which it was \[N/mm or N\].
     pub force: f64,
@@ -123,13 +125,19 @@ pub enum UnreachableReason {
 ///
 /// # Errors
 /// [`Error::Unreachable`], and those of a solve.
-pub fn find<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<ForceFound<B::Step>, B::Error> {
+pub fn find<B: Sought>(
+    bodies: &B,
+    terms: Terms,
+    run: &mut Run<'_>,
+) -> Result<ForceFound<B::Step>, B::Error> {
     let (force, sensitivity) = run.silently(|run| coarse(bodies, terms, run))?;
     let mut found = fine(bodies, terms, force, sensitivity, run)?;
-    // Of a figure that rises more steeply than others an equally small change of the force is a larger one.
+    // Of a figure that rises more steeply than others an equally small change of the force is a
+    // larger one.
     let steepness = (sensitivity / terms.expected_slope).max(1.0);
     let trial = &mut found.trial;
-    if trial.is_converged() && trial.deviation() > (steepness * terms.missed).max(terms.tolerance) {
+    if trial.is_converged() && trial.deviation() > (steepness * terms.missed).max(terms.tolerance)
+    {
         trial.steps.iter_mut().for_each(|step| step.miss(trial.ratio));
     }
     Ok(found)
@@ -150,7 +158,9 @@ fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64
                 }
                 let is_flat = || bracket.slope_at(force).is_some_and(|slope| slope < INSENSITIVE);
                 if trial.deviation() <= FLAT && is_flat() {
-                    return Err(unreachable(force, trial.ratio, UnreachableReason::Insensitive).into());
+                    return Err(
+                        unreachable(force, trial.ratio, UnreachableReason::Insensitive).into()
+                    );
                 }
             }
             Ok(trial) => {
@@ -228,7 +238,8 @@ fn fine<B: Sought>(
     best.map(|trial| ForceFound { trial, sensitivity, slope }).ok_or_else(|| Error::NoLoad.into())
 }
 
-/// The error of a value that no force gives; `nearest` is what the force that was solved gives of it.
+/// The error of a value that no force gives; `nearest` is what the force that was solved gives of
+/// it.
 fn unreachable(force: f64, nearest: f64, reason: UnreachableReason) -> Error {
     Error::Unreachable(Unreachable { nearest, force, largest_force: force, reason })
 }

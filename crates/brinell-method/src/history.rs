@@ -8,8 +8,9 @@
 //!
 //! One system serves for all of a history, because states are never carried from one to another.
 //!
-//! An increment that comes to no end, or ends with strains that are not small, is repeated in halves, and these as well, five times at
-//! most. A history ends with the increment under which a body collapses all the same: what is reported of its load is that increment.
+//! An increment that comes to no end, or ends with strains that are not small, is repeated in
+//! halves, and these as well, five times at most. A history ends with the increment under which a
+//! body collapses all the same: what is reported of its load is that increment.
 
 use super::contact_system::{BlockVector, ContactSystem as _};
 use super::couplings::Coupling;
@@ -24,17 +25,20 @@ use super::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step, StepReceiver};
 use crate::{Error, Interrupted as _};
 use brinell_contact::ContactLoad;
 
-/// Relative differences of the figures of two divisions that end the search for increments. The peak pressure scatters with
-/// the discrete edge of the contact; the approach that is left without force is a small part of the approach that was.
+/// Relative differences of the figures of two divisions that end the search for increments. The
+/// peak pressure scatters with the discrete edge of the contact; the approach that is left without
+/// force is a small part of the approach that was.
 const PEAK_TOLERANCE: f64 = 4e-3;
 const APPROACH_TOLERANCE: f64 = 1.5e-3;
-/// Part of the difference before that a difference may be while it still falls like an error of first order, with room for
-/// scatter. Above it what is left is the discrete edge of the contact, which no increment makes smaller.
+/// Part of the difference before that a difference may be while it still falls like an error of
+/// first order, with room for scatter. Above it what is left is the discrete edge of the contact,
+/// which no increment makes smaller.
 const FALLING: f64 = 0.7;
 /// Finest level of division that is tried.
 const MAX_LEVEL: u32 = 5;
-/// An increment on the way to a load is iterated to so many times the tolerance, but to no more than the second figure: what is
-/// left of its residual the next increment takes up, and in the strain path it is far below the error of the increments.
+/// An increment on the way to a load is iterated to so many times the tolerance, but to no more
+/// than the second figure: what is left of its residual the next increment takes up, and in the
+/// strain path it is far below the error of the increments.
 const WITHIN_LOAD: f64 = 100.0;
 const LARGEST_WITHIN_LOAD: f64 = 1e-4;
 
@@ -42,7 +46,8 @@ const LARGEST_WITHIN_LOAD: f64 = 1e-4;
 pub trait HistoryEngine: Engine {
     /// A load as a step.
     type Step: Step;
-    /// What a history leaves behind beside the accepted state: it sizes the next one, and guides its increments.
+    /// What a history leaves behind beside the accepted state: it sizes the next one, and guides
+    /// its increments.
     type Memory;
 
     /// What alternates contact and plasticity.
@@ -75,7 +80,13 @@ pub trait HistoryEngine: Engine {
     ) -> Result<BlockVector, Self::Error>;
 
     /// Takes over what an increment has found, before the system accepts it.
-    fn remember(&self, answer: &mut Self::Answer, memory: &mut Self::Memory, time: f64, falls: bool);
+    fn remember(
+        &self,
+        answer: &mut Self::Answer,
+        memory: &mut Self::Memory,
+        time: f64,
+        falls: bool,
+    );
 
     /// The end of a load as a step, checked afresh.
     fn step(
@@ -114,10 +125,16 @@ pub trait TwoDensities {
     ///
     /// # Errors
     /// Those of a design.
-    fn coarse(&self, run: &mut Run<'_>) -> Result<EngineAndDesign<Self::Engine>, ErrorOf<Self::Engine>>;
+    fn coarse(
+        &self,
+        run: &mut Run<'_>,
+    ) -> Result<EngineAndDesign<Self::Engine>, ErrorOf<Self::Engine>>;
 
     /// The engine that was asked for, sized by the coarse history.
-    fn fine(&self, found: &<Self::Engine as HistoryEngine>::Memory) -> EngineAndDesign<Self::Engine>;
+    fn fine(
+        &self,
+        found: &<Self::Engine as HistoryEngine>::Memory,
+    ) -> EngineAndDesign<Self::Engine>;
 }
 
 /// An engine, and how finely and how far it makes its systems.
@@ -125,10 +142,11 @@ pub type EngineAndDesign<E> = (E, <E as Engine>::Design);
 
 type ErrorOf<E> = <E as Engine>::Error;
 
-/// Solves the history; each load becomes a step. Increments of each load are chosen where none are given.
+/// Solves the history; each load becomes a step. Increments of each load are chosen where none are
+/// given.
 ///
-/// Where the observer stops it, loads that are finished keep their steps, the one that is iterated has its last iteration, and of the
-/// others there is what the coarse history has found.
+/// Where the observer stops it, loads that are finished keep their steps, the one that is iterated
+/// has its last iteration, and of the others there is what the coarse history has found.
 ///
 /// # Errors
 /// Those of the engines and of a contact solve.
@@ -192,7 +210,8 @@ type Chosen<M> = (Found<M>, Division, Vec<Option<CoarseFigures>>);
 impl<E: HistoryEngine> History<'_, E> {
     /// Halves the increments until that no longer changes the figures at the ends of the loads.
     ///
-    /// Errors fall at least like the increments, so that the difference to increments twice as large is at least the error.
+    /// Errors fall at least like the increments, so that the difference to increments twice as
+    /// large is at least the error.
     fn choose_increments(
         &self,
         mut design: E::Design,
@@ -210,8 +229,8 @@ impl<E: HistoryEngine> History<'_, E> {
             design = self.engine.design_after(&now.memory);
             // Finer increments do not help a body that does not bear the load.
             if now.has_collapsed {
-                let errors =
-                    last.map_or_else(Vec::new, |before| differences(&before.figures, &now.figures).0);
+                let errors = last
+                    .map_or_else(Vec::new, |before| differences(&before.figures, &now.figures).0);
                 let is_given = matches!(given, Division::Fixed(_));
                 return Ok((now, if is_given { given } else { division }, errors));
             }
@@ -221,7 +240,9 @@ impl<E: HistoryEngine> History<'_, E> {
                     // What was asked for, beside half as large increments.
                     Division::Fixed(_) => return Ok((before, given, errors)),
                     Division::Level(level)
-                        if worst <= 1.0 || worst > FALLING * worst_before || level >= MAX_LEVEL =>
+                        if worst <= 1.0
+                            || worst > FALLING * worst_before
+                            || level >= MAX_LEVEL =>
                     {
                         return Ok((now, division, errors));
                     }
@@ -267,7 +288,8 @@ impl<E: HistoryEngine> History<'_, E> {
         self.hold(&found.memory, run)?;
         let mut progress = Progress::at_rest();
         let mut widest: f64 = 0.0;
-        // Of all loads so far: what follows an increment that has not converged inherits its error.
+        // Of all loads so far: what follows an increment that has not converged inherits its
+        // error.
         let mut status = SolveStatus::Converged;
         for (number, &load) in self.loads.iter().enumerate() {
             let leg = self.leg(load, &progress);
@@ -278,21 +300,26 @@ impl<E: HistoryEngine> History<'_, E> {
                 let (count, end) = (ends.count(), ends.measure(k));
                 let time = number as f64 + if k + 1 == count { 1.0 } else { leg.part(end) };
                 let target = leg.load(end);
-                progress.number =
-                    IncrementNumber { number: k + 1, count, load: number + 1, loads: self.loads.len() };
+                progress.number = IncrementNumber {
+                    number: k + 1,
+                    count,
+                    load: number + 1,
+                    loads: self.loads.len(),
+                };
                 let guide = self.guide;
                 let next = NextIncrement { target, time, leg: &leg, progress: &progress, guide };
                 let mut answer = self.increment(on, system, &next, run)?;
                 let interrupted = answer.outcome().status.interrupt();
                 history.extend_from_slice(&answer.outcome().history);
                 let start = progress.reached_measure(&leg);
-                let may_halve =
-                    status == SolveStatus::Converged && matches!(self.division, Division::Level(_));
+                let may_halve = status == SolveStatus::Converged
+                    && matches!(self.division, Division::Level(_));
                 if may_halve && self.fails(&answer) && ends.halve(k, start) {
                     system = answer.into_parts().0;
                     continue;
                 }
-                // A state that another coupling has left without an answer says nothing of the bodies.
+                // A state that another coupling has left without an answer says nothing of the
+                // bodies.
                 let inherits_error = status != SolveStatus::Converged;
                 let is_accelerated = engine.coupling().uses_tangent_moduli();
                 answer.outcome_mut().is_conclusive &= !inherits_error || is_accelerated;
@@ -311,7 +338,9 @@ impl<E: HistoryEngine> History<'_, E> {
                     return Err(Error::Interrupted(interrupt).into());
                 }
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
-                    found.figures.push(Some(CoarseFigures { bodies: answer.body_figures(), ..figures }));
+                    found
+                        .figures
+                        .push(Some(CoarseFigures { bodies: answer.body_figures(), ..figures }));
                     let outcome = answer.outcome_mut();
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
@@ -355,11 +384,18 @@ impl<E: HistoryEngine> History<'_, E> {
             ContactLoad::Approach(_) => (progress.approach, progress.reached[1]),
         };
         let growth = self.engine.growth(load);
-        Leg { is_force: matches!(load, ContactLoad::Force(_)), from, to: load.magnitude(), reached, growth }
+        Leg {
+            is_force: matches!(load, ContactLoad::Force(_)),
+            from,
+            to: load.magnitude(),
+            reached,
+            growth,
+        }
     }
 
-    /// Whether smaller increments may come farther: strains are not small, or Newton's method has come to no end before it has made
-    /// as many iterations as the job allows. Couplings without it diverge in small increments as well.
+    /// Whether smaller increments may come farther: strains are not small, or Newton's method has
+    /// come to no end before it has made as many iterations as the job allows. Couplings without
+    /// it diverge in small increments as well.
     fn fails(&self, answer: &E::Answer) -> bool {
         let Outcome { status, history, .. } = answer.outcome();
         let is_lost = *status == SolveStatus::NotConverged
@@ -377,8 +413,12 @@ impl<E: HistoryEngine> History<'_, E> {
         run: &mut Run<'_>,
     ) -> Result<E::Answer, LeaveOf<E>> {
         let Progress { scales, number, .. } = *next.progress;
-        let mut controls =
-            Controls { load: next.target, scales, increment: Some(number), ..self.engine.controls() };
+        let mut controls = Controls {
+            load: next.target,
+            scales,
+            increment: Some(number),
+            ..self.engine.controls()
+        };
         if number.number < number.count {
             controls.tolerance = within_load(controls.tolerance);
         }
@@ -387,24 +427,32 @@ impl<E: HistoryEngine> History<'_, E> {
     }
 }
 
-/// Part of the largest value of a figure in a history below which its changes are relative to that part.
+/// Part of the largest value of a figure in a history below which its changes are relative to that
+/// part.
 const LEAST_FIGURE: f64 = 0.05;
 
-/// Relative differences of figures at the end of each load, and the worst of peak pressure and approach over its tolerance.
+/// Relative differences of figures at the end of each load, and the worst of peak pressure and
+/// approach over its tolerance.
 fn differences(
     before: &[Option<CoarseFigures>],
     now: &[Option<CoarseFigures>],
 ) -> (Vec<Option<CoarseFigures>>, f64) {
     let mut largest = [f64::MIN_POSITIVE; CoarseFigures::COUNT];
     for figures in now.iter().flatten() {
-        largest.iter_mut().zip(figures.values()).for_each(|(most, value)| *most = most.max(value.abs()));
+        largest
+            .iter_mut()
+            .zip(figures.values())
+            .for_each(|(most, value)| *most = most.max(value.abs()));
     }
     let mut worst: f64 = 0.0;
     let pairs = before.iter().zip(now).map(|(before, now)| {
         let (before, now) = (before.as_ref()?.values(), now.as_ref()?.values());
-        let relative = |k: usize| (before[k] - now[k]).abs() / now[k].abs().max(LEAST_FIGURE * largest[k]);
+        let relative =
+            |k: usize| (before[k] - now[k]).abs() / now[k].abs().max(LEAST_FIGURE * largest[k]);
         let errors = CoarseFigures::of(std::array::from_fn(relative));
-        worst = worst.max(errors.peak_pressure / PEAK_TOLERANCE).max(errors.approach / APPROACH_TOLERANCE);
+        worst = worst
+            .max(errors.peak_pressure / PEAK_TOLERANCE)
+            .max(errors.approach / APPROACH_TOLERANCE);
         Some(errors)
     });
     (pairs.collect(), worst)

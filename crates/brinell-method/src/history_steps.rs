@@ -1,7 +1,8 @@
 //! Where the steps of a history go.
 //!
-//! A job may be stopped at any time. Loads that are finished at the density that was asked for are answers, whatever comes of the
-//! rest. For the others there is what the coarse system has found, which is less: no stresses, no error bars.
+//! A job may be stopped at any time. Loads that are finished at the density that was asked for are
+//! answers, whatever comes of the rest. For the others there is what the coarse system has found,
+//! which is less: no stresses, no error bars.
 
 use super::observer::{Interrupt, Observer};
 use super::run::Run;
@@ -16,7 +17,8 @@ pub(super) struct Estimates<'a> {
 
 /// Takes the end of each load of a history on one system.
 pub(super) enum HistorySteps<'a, S> {
-    /// Of the coarse system, by their number; each takes the place of the one that larger increments have found.
+    /// Of the coarse system, by their number; each takes the place of the one that larger
+    /// increments have found.
     Preliminary(&'a mut Vec<S>),
     /// Of the density that was asked for.
     Final {
@@ -57,7 +59,8 @@ impl<'a, S: Step> HistorySteps<'a, S> {
                 }
             }
             Self::Final { estimates, receiver, done } => {
-                let of = |figures: &[Option<CoarseFigures>]| figures.get(number).copied().flatten();
+                let of =
+                    |figures: &[Option<CoarseFigures>]| figures.get(number).copied().flatten();
                 step.estimate(of(estimates.coarse), of(estimates.increments));
                 receiver.step(step, observer);
                 *done += 1;
@@ -81,7 +84,8 @@ impl<'a, S: Step> HistorySteps<'a, S> {
     }
 }
 
-/// Of a job that is stopped: hands over what the coarse system has found of the loads from the number `done` on.
+/// Of a job that is stopped: hands over what the coarse system has found of the loads from the
+/// number `done` on.
 ///
 /// # Errors
 /// [`Error::Interrupted`] where there is nothing to keep at all.

@@ -87,13 +87,15 @@ impl Leg {
 
     /// The measures at the ends of the increments, the last of them the end of the leg.
     ///
-    /// A leg that falls, and the part of one that rises to where the history or elasticity has been before, is one
-    /// increment. In the rest the contact grows by about the same width in each.
+    /// A leg that falls, and the part of one that rises to where the history or elasticity has
+    /// been before, is one increment. In the rest the contact grows by about the same width in
+    /// each.
     pub fn ends(&self, division: Division) -> Vec<f64> {
         let n = match division {
             Division::Fixed(n) => {
                 let n = n.max(1);
-                let part = |k: u32| self.from + (self.to - self.from) * f64::from(k) / f64::from(n);
+                let part =
+                    |k: u32| self.from + (self.to - self.from) * f64::from(k) / f64::from(n);
                 return (1..n).map(part).chain([self.to]).collect();
             }
             Division::Level(level) => f64::from(1u32 << level.min(16)),
@@ -163,7 +165,13 @@ mod tests {
     use super::*;
 
     fn leg(from: f64, to: f64, reached: f64) -> Leg {
-        Leg { is_force: true, from, to, reached, growth: Growth { onset: Some(100.0), exponent: 1.6 } }
+        Leg {
+            is_force: true,
+            from,
+            to,
+            reached,
+            growth: Growth { onset: Some(100.0), exponent: 1.6 },
+        }
     }
 
     #[test]

@@ -9,10 +9,11 @@ use std::time::Duration;
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum SolveStatus {
-    /// Displacement change and equilibrium residual are below the tolerance, and the final state passes the
-    /// independent contact check.
+    /// Displacement change and equilibrium residual are below the tolerance, and the final state
+    /// passes the independent contact check.
     Converged,
-    /// The iteration limit was reached or the final state fails a check; the last state is reported.
+    /// The iteration limit was reached or the final state fails a check; the last state is
+    /// reported.
     NotConverged,
     /// The observer asked to stop.
     Cancelled,
@@ -83,7 +84,8 @@ pub struct IterationRecord {
     pub peak_pressure: f64,
     /// Since the start of the job \[ms >= 0\].
     pub elapsed_ms: f64,
-    /// The increment of a history to which the iteration belongs; absent where loads are not divided.
+    /// The increment of a history to which the iteration belongs; absent where loads are not
+    /// divided.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub increment: Option<IncrementNumber>,
 }
@@ -112,7 +114,8 @@ pub trait Observer {
         self.on_checkpoint()
     }
 
-    /// Called between phases and within the long ones, so that a stop does not wait for the next iteration.
+    /// Called between phases and within the long ones, so that a stop does not wait for the next
+    /// iteration.
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         ControlFlow::Continue(())
     }

@@ -42,8 +42,8 @@ impl Progress {
         }
     }
 
-    /// Displacements at a load on the straight line through the last two increments of a leg, the later of which has left
-    /// these.
+    /// Displacements at a load on the straight line through the last two increments of a leg, the
+    /// later of which has left these.
     pub fn extrapolated(&self, accepted: BlockVector, load: f64, leg: &Leg) -> BlockVector {
         let Some((before, at)) = &self.before else { return accepted };
         let last = self.reached_measure(leg);
@@ -77,7 +77,8 @@ impl Progress {
     ) {
         let response = &outcome.state.response;
         let contact = &response.contact;
-        self.before = (!leg.falls()).then(|| (system.accepted().clone(), self.reached_measure(leg)));
+        self.before =
+            (!leg.falls()).then(|| (system.accepted().clone(), self.reached_measure(leg)));
         self.time = time;
         self.force = match target {
             ContactLoad::Force(force) => force,
@@ -86,7 +87,8 @@ impl Progress {
         self.approach = contact.approach;
         self.reached = [self.reached[0].max(self.force), self.reached[1].max(self.approach)];
         self.scales.force = self.scales.force.max(norm(&contact.force));
-        self.scales.displacement = self.scales.displacement.max(system.norm(&response.displacement));
+        self.scales.displacement =
+            self.scales.displacement.max(system.norm(&response.displacement));
         let problem = system.contact_problem(system.initial_gap(), target);
         self.contact_scales = self.contact_scales.larger(kkt::scales(&problem, &contact.force));
     }

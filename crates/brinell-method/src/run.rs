@@ -20,7 +20,11 @@ pub struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// A run whose time and systems are booked there.
-    pub fn new(phases: &'a mut PhaseTimes, passes: &'a mut usize, observer: &'a mut dyn Observer) -> Self {
+    pub fn new(
+        phases: &'a mut PhaseTimes,
+        passes: &'a mut usize,
+        observer: &'a mut dyn Observer,
+    ) -> Self {
         Self { phases, passes, observer }
     }
 
@@ -32,7 +36,11 @@ impl<'a> Run<'a> {
     /// Does work of the same run that can be stopped but whose iterations are not shown.
     pub fn silently<T>(&mut self, work: impl FnOnce(&mut Run<'_>) -> T) -> T {
         let mut silent = SilentObserver { inner: &mut *self.observer };
-        work(&mut Run { phases: &mut *self.phases, passes: &mut *self.passes, observer: &mut silent })
+        work(&mut Run {
+            phases: &mut *self.phases,
+            passes: &mut *self.passes,
+            observer: &mut silent,
+        })
     }
 
     /// Does work and books its time.
@@ -57,7 +65,11 @@ impl<'a> Run<'a> {
     }
 
     /// Does work that asks the observer itself, and books its time.
-    pub fn time_observed<T>(&mut self, phase: Phase, work: impl FnOnce(&mut dyn Observer) -> T) -> T {
+    pub fn time_observed<T>(
+        &mut self,
+        phase: Phase,
+        work: impl FnOnce(&mut dyn Observer) -> T,
+    ) -> T {
         let start = self.observer.elapsed();
         let outcome = work(self.observer);
         self.phases.book(phase, self.observer.elapsed().saturating_sub(start));

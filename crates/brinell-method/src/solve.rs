@@ -1,4 +1,5 @@
-//! The one loop: systems until one serves, on each of them loads, under each load contact and plasticity in alternation.
+//! The one loop: systems until one serves, on each of them loads, under each load contact and
+//! plasticity in alternation.
 
 use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome};
@@ -9,7 +10,8 @@ use super::steps::{BodyFigures, CoarseFigures};
 use crate::{Error, Interrupted};
 use brinell_contact::ContactLoad;
 
-/// Bodies that become a [`ContactSystem`] once it is said how finely and how far around the contact.
+/// Bodies that become a [`ContactSystem`] once it is said how finely and how far around the
+/// contact.
 pub trait Engine {
     /// The bodies in contact.
     type System: ContactSystem;
@@ -43,8 +45,8 @@ pub trait Engine {
         run: &mut Run<'_>,
     ) -> Result<(Self::System, Option<BlockVector>), Self::Error>;
 
-    /// What becomes of an outcome under a load, after so many rounds of this load on this system. An outcome that was stopped
-    /// is accepted.
+    /// What becomes of an outcome under a load, after so many rounds of this load on this system.
+    /// An outcome that was stopped is accepted.
     ///
     /// # Errors
     /// Those of a factorization.
@@ -114,7 +116,8 @@ pub enum Verdict<S, D, A> {
 }
 
 /// As an engine gives it.
-pub type VerdictOf<E> = Verdict<<E as Engine>::System, <E as Engine>::Design, <E as Engine>::Answer>;
+pub type VerdictOf<E> =
+    Verdict<<E as Engine>::System, <E as Engine>::Design, <E as Engine>::Answer>;
 
 /// Why loads are left before their end.
 pub enum Leave<D, E> {
@@ -135,8 +138,8 @@ pub type LeaveOf<E> = Leave<<E as Engine>::Design, <E as Engine>::Error>;
 
 /// Solves loads, on one system after another until one serves for all of them.
 ///
-/// `known` is a system that loads before these have left. `loads` is called anew for every system, with displacements to start
-/// from.
+/// `known` is a system that loads before these have left. `loads` is called anew for every system,
+/// with displacements to start from.
 ///
 /// # Errors
 /// Those of the engine, of a contact solve and of `loads`.
@@ -145,7 +148,12 @@ pub fn solve<E: Engine, T>(
     mut design: E::Design,
     mut known: Option<E::System>,
     run: &mut Run<'_>,
-    mut loads: impl FnMut(&OnSystem<'_, E>, E::System, Option<BlockVector>, &mut Run<'_>) -> Result<T, LeaveOf<E>>,
+    mut loads: impl FnMut(
+        &OnSystem<'_, E>,
+        E::System,
+        Option<BlockVector>,
+        &mut Run<'_>,
+    ) -> Result<T, LeaveOf<E>>,
 ) -> Result<T, E::Error> {
     loop {
         let (system, start) = if let Some(system) = known.take() {
@@ -186,13 +194,16 @@ impl<E: Engine> OnSystem<'_, E> {
         let mut under = Round { load: controls.load, number: 0 };
         loop {
             let outcome = couplings::iterate(&mut system, coupling, controls, initial, run)?;
-            let verdict =
-                self.engine.verdict(self.design, system, outcome, under, run).map_err(Leave::Failed)?;
+            let verdict = self
+                .engine
+                .verdict(self.design, system, outcome, under, run)
+                .map_err(Leave::Failed)?;
             match verdict {
                 Verdict::Accept(answer) => return Ok(answer),
                 Verdict::Continue { system: same, start, history } => {
                     system = same;
-                    initial = InitialState { displacement: start, history, ..InitialState::default() };
+                    initial =
+                        InitialState { displacement: start, history, ..InitialState::default() };
                     under.number += 1;
                 }
                 Verdict::Again(design) => return Err(Leave::Again(Box::new(design))),

@@ -45,7 +45,8 @@ impl CoarseFigures {
     /// How many figures there are.
     pub const COUNT: usize = 18;
 
-    /// All of them: those of the contact, of the upper, and of the lower body, in the order of the members.
+    /// All of them: those of the contact, of the upper, and of the lower body, in the order of the
+    /// members.
     pub fn values(&self) -> [f64; Self::COUNT] {
         let Self { peak_pressure, half_width, approach, force, bodies: [upper, lower] } = *self;
         let [a, b, c, d, e, f, g] = upper.values();
@@ -64,7 +65,8 @@ impl CoarseFigures {
 
 impl BodyFigures {
     fn values(&self) -> [f64; 7] {
-        let Self { max_plastic_strain, mean_plastic_strain, plastic_area, dent, pile_up, .. } = *self;
+        let Self { max_plastic_strain, mean_plastic_strain, plastic_area, dent, pile_up, .. } =
+            *self;
         let Self { least_stress, largest_von_mises, .. } = *self;
         [
             max_plastic_strain,
@@ -169,8 +171,8 @@ pub trait StepReceiver<S> {
     /// Takes the next step.
     fn step(&mut self, step: S, observer: &mut dyn Observer);
 
-    /// Gives up the steps so far: a history begins anew, because its contact has grown beyond the system. Loads that do not
-    /// depend on those before never do.
+    /// Gives up the steps so far: a history begins anew, because its contact has grown beyond the
+    /// system. Loads that do not depend on those before never do.
     fn begin_anew(&mut self);
 }
 
@@ -185,9 +187,11 @@ impl<S> StepReceiver<S> for Vec<S> {
     }
 }
 
-/// Solves loads that do not depend on each other, in order; `solve` takes a load and the one after it.
+/// Solves loads that do not depend on each other, in order; `solve` takes a load and the one after
+/// it.
 ///
-/// Where the observer stops it, the steps that are done are kept, and the interrupt says why the others are missing.
+/// Where the observer stops it, the steps that are done are kept, and the interrupt says why the
+/// others are missing.
 ///
 /// # Errors
 /// Those of `solve`, which may be that it was stopped before the first step is done.

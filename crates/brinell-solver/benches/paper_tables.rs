@@ -1,8 +1,8 @@
 //! The tables of Jiang and Shang's paper, run again: `cargo bench --bench paper_tables`.
 //!
-//! Solves the paper's problem by every coupling, with the paper's contact method (the simplex), and sets the
-//! counts and times beside those that the paper printed. With `-- --write` the tables also go to
-//! `docs/paper_tables.md`.
+//! Solves the paper's problem by every coupling, with the paper's contact method (the simplex),
+//! and sets the counts and times beside those that the paper printed. With `-- --write` the tables
+//! also go to `docs/paper_tables.md`.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
 use std::cell::Cell;
@@ -77,7 +77,8 @@ fn write_tables(text: &mut String, tolerance: f64) -> std::fmt::Result {
     write!(text, "\n## To {tolerance:.0e}\n\n")?;
     text.push_str(
         "Table 1\n\n\
-         | coupling | alternations | simplex solves (pivots) | initial-stress iterations | iterating | to strong \
+         | coupling | alternations | simplex solves (pivots) | initial-stress iterations | \
+         iterating | to strong \
          | whole job |\n|---|--:|--:|--:|--:|--:|--:|\n\
          | strong, paper | 7 | 7 | 7 | | 1 | 210.0 s |\n",
     );
@@ -101,7 +102,8 @@ fn write_tables(text: &mut String, tolerance: f64) -> std::fmt::Result {
 fn where_they_stopped(text: &mut String, tolerance: f64, rows: [&Row; 4]) -> std::fmt::Result {
     text.push_str(
         "\nWhere they stopped, and where displacements alone would have stopped them\n\n\
-         | coupling | iterations | equilibrium residual | peak pressure \\[MPa\\] | by displacements alone \
+         | coupling | iterations | equilibrium residual | peak pressure \\[MPa\\] | by \
+         displacements alone \
          | residual | peak pressure |\n|---|--:|--:|--:|--:|--:|--:|\n",
     );
     for (coupling, row) in COUPLINGS.iter().zip(rows) {
@@ -153,7 +155,8 @@ fn milliseconds(time: Duration) -> f64 {
     1e3 * time.as_secs_f64()
 }
 
-/// Solves by every coupling, round after round so that a disturbance hits them all; the first round warms up.
+/// Solves by every coupling, round after round so that a disturbance hits them all; the first
+/// round warms up.
 fn measure(tolerance: f64) -> [Row; 4] {
     let jobs = COUPLINGS.map(|coupling| {
         let mut job = Job::from_json(JOB.as_bytes()).unwrap();

@@ -1,8 +1,9 @@
 //! How near a job comes to the floor under it, the sparse factorization that it cannot avoid:
 //! `cargo bench --bench performance`.
 //!
-//! Everything compared is measured in one run, back to back, and reported as medians. With `-- --write` the tables also go
-//! to `docs/performance.md`. `-- --quick` leaves out the largest mesh.
+//! Everything compared is measured in one run, back to back, and reported as medians. With
+//! `-- --write` the tables also go to `docs/performance.md`. `-- --quick` leaves out the largest
+//! mesh.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
 use std::fmt::Write as _;
@@ -15,8 +16,8 @@ use brinell_solver::fem::assembly::{Equations, Restraint, StiffnessAssembler};
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::Mesh;
 use brinell_solver::job::{
-    Coupling, History, HistoryLoad, Job, Load, Material, MeshSettings, Named, NonNegativeF64, PositiveF64,
-    Target, TargetFigure, Theory,
+    Coupling, History, HistoryLoad, Job, Load, Material, MeshSettings, Named, NonNegativeF64,
+    PositiveF64, Target, TargetFigure, Theory,
 };
 use brinell_solver::report;
 use brinell_solver::solver::{
@@ -127,7 +128,8 @@ fn factorizing(phases: &PhaseTimes) -> f64 {
     parts.map(|phase| milliseconds(phases.spent(phase))).iter().sum()
 }
 
-/// Time of the job \[ms\], its answer, and the time of factorizing each of its bodies beside it \[ms\].
+/// Time of the job \[ms\], its answer, and the time of factorizing each of its bodies beside it
+/// \[ms\].
 type Measured = (f64, Solution, [f64; 2]);
 
 struct Row {
@@ -165,21 +167,24 @@ fn measure(elements: u32, runs: usize) -> Row {
         to_two: of(&|run| run.0 / (run.2[0] + run.2[1])),
         to_one: of(&|run| run.0 / run.2[0]),
         structure: of(&|run| {
-            (spent(&run.1, Phase::Ordering) + spent(&run.1, Phase::Symbolic)) / spent(&run.1, Phase::Numeric)
+            (spent(&run.1, Phase::Ordering) + spent(&run.1, Phase::Symbolic))
+                / spent(&run.1, Phase::Numeric)
         }),
         shares: PHASES.map(|(phase, _)| of(&|run| 100.0 * spent(&run.1, phase) / run.0)).to_vec(),
         sum: of(&|run| PHASES.map(|(phase, _)| 100.0 * spent(&run.1, phase) / run.0).iter().sum()),
     }
 }
 
-/// Up to a force and back by flow theory beside the same force by deformation theory, one after the other so that a busy
-/// machine slows both.
+/// Up to a force and back by flow theory beside the same force by deformation theory, one after
+/// the other so that a busy machine slows both.
 fn write_flow(text: &mut String) -> std::fmt::Result {
     writeln!(
         text,
-        "\n## Flow theory\n\nUp to the force and back to none, at the default mesh, against the force alone by deformation theory; and the search \
+        "\n## Flow theory\n\nUp to the force and back to none, at the default mesh, against the \
+         force alone by deformation theory; and the search \
          for this force by the approach that it leaves, against the history.\n\n\
-         | elastic peak over yield stress | increments | iterations | job [ms] | to deformation theory | search to history |\n\
+         | elastic peak over yield stress | increments | iterations | job [ms] | to deformation \
+         theory | search to history |\n\
          |--:|--:|--:|--:|--:|--:|"
     )?;
     for ratio in [3.0_f64, 4.0, 5.0] {
@@ -187,7 +192,8 @@ fn write_flow(text: &mut String) -> std::fmt::Result {
         let deformation = job(20, force);
         let mut flow = deformation.clone();
         flow.solver.theory = Theory::Flow;
-        let loads = [force, 0.0].map(|force| HistoryLoad::Force(NonNegativeF64::new(force).unwrap()));
+        let loads =
+            [force, 0.0].map(|force| HistoryLoad::Force(NonNegativeF64::new(force).unwrap()));
         flow.load = Load::History(History::new(loads.to_vec()).unwrap());
         let answer = timed(&flow).1;
         let mut search = flow.clone();
@@ -218,24 +224,32 @@ fn write_floor(text: &mut String, meshes: &[(u32, usize)]) -> std::fmt::Result {
     writeln!(
         text,
         "\n## Next to the floor\n\n\
-         *Own*: the job against the ordering, symbolic and numeric factorization of all its meshes, as `timings_ms` of a \
-         result has them;\n*two bodies*: against those of both final meshes, by plain nested dissection; *one body*: of \
+         *Own*: the job against the ordering, symbolic and numeric factorization of all its \
+         meshes, as `timings_ms` of a \
+         result has them;\n*two bodies*: against those of both final meshes, by plain nested \
+         dissection; *one body*: of \
          one, for equal bodies are solved once.\n\n\
-         | elements per half-width | equations a body | iterations | job [ms] | to own | to two bodies | to one body | ordering + symbolic to numeric |\n\
+         | elements per half-width | equations a body | iterations | job [ms] | to own | to two \
+         bodies | to one body | ordering + symbolic to numeric |\n\
          |--:|--:|--:|--:|--:|--:|--:|--:|"
     )?;
     for row in &rows {
-        let Row { elements, equations, iterations, total, to_own, to_two, to_one, structure, .. } = row;
+        let Row {
+            elements, equations, iterations, total, to_own, to_two, to_one, structure, ..
+        } = row;
         writeln!(
             text,
-            "| {elements} | {equations} | {iterations} | {total:.1} | {to_own:.2} | {to_two:.2} | {to_one:.2} | {structure:.2} |"
+            "| {elements} | {equations} | {iterations} | {total:.1} | {to_own:.2} | {to_two:.2} | \
+             {to_one:.2} | {structure:.2} |"
         )?;
     }
     let [first, last] = [1.min(rows.len() - 1), rows.len() - 1].map(|k| &rows[k]);
-    let exponent = (last.total / first.total).ln() / (last.equations as f64 / first.equations as f64).ln();
+    let exponent =
+        (last.total / first.total).ln() / (last.equations as f64 / first.equations as f64).ln();
     writeln!(
         text,
-        "\nFrom {} to {} elements the job grows as equations^{exponent:.2}.\n\n## Where the time goes\n\n\
+        "\nFrom {} to {} elements the job grows as equations^{exponent:.2}.\n\n## Where the time \
+         goes\n\n\
          Per cent of the whole job.\n\n| elements | {} | sum |\n|--:|{}--:|",
         first.elements,
         last.elements,
@@ -253,8 +267,10 @@ fn write_floor(text: &mut String, meshes: &[(u32, usize)]) -> std::fmt::Result {
 fn write_memory(text: &mut String, meshes: &[(u32, usize)]) -> std::fmt::Result {
     writeln!(
         text,
-        "\n## Memory\n\nPeak resident memory of a process that solves the job and nothing else, against the entries of the \
-         factor of the final mesh.\n\n| elements | peak [MiB] | factor [MiB] | ratio |\n|--:|--:|--:|--:|"
+        "\n## Memory\n\nPeak resident memory of a process that solves the job and nothing else, \
+         against the entries of the \
+         factor of the final mesh.\n\n| elements | peak [MiB] | factor [MiB] | ratio \
+         |\n|--:|--:|--:|--:|"
     )?;
     for (elements, _) in meshes.iter().filter(|(elements, _)| *elements >= 40) {
         let program = std::env::current_exe().unwrap();
@@ -264,7 +280,8 @@ fn write_memory(text: &mut String, meshes: &[(u32, usize)]) -> std::fmt::Result 
             .unwrap();
         let peak: f64 = String::from_utf8(output.stdout).unwrap().trim().parse().unwrap();
         let job = job(*elements, FORCE);
-        let factor = Floor::of(&job, &timed(&job).1).bodies[0].factor_bytes() as f64 / f64::from(1 << 20);
+        let factor =
+            Floor::of(&job, &timed(&job).1).bodies[0].factor_bytes() as f64 / f64::from(1 << 20);
         writeln!(text, "| {elements} | {peak:.0} | {factor:.0} | {:.2} |", peak / factor)?;
     }
     Ok(())
@@ -288,13 +305,15 @@ fn write_couplings(text: &mut String) -> std::fmt::Result {
             job
         })
         .collect::<Vec<_>>();
-    let runs: Vec<Vec<(f64, Solution)>> = (0..5).map(|_| jobs.iter().map(timed).collect()).collect();
+    let runs: Vec<Vec<(f64, Solution)>> =
+        (0..5).map(|_| jobs.iter().map(timed).collect()).collect();
     let time = |k: usize| median(runs.iter().map(|run| run[k].0));
     let strong = Coupling::ALL.iter().position(|&coupling| coupling == Coupling::Strong).unwrap();
     writeln!(
         text,
         "\n## Couplings\n\n{ELEMENTS} elements, whole jobs, medians of 5.\n\n\
-         | coupling | iterations | initial-stress updates | factorizations while iterating | job [ms] | to strong |\n|---|--:|--:|--:|--:|--:|"
+         | coupling | iterations | initial-stress updates | factorizations while iterating | job \
+         [ms] | to strong |\n|---|--:|--:|--:|--:|--:|"
     )?;
     for (k, coupling) in Coupling::ALL.iter().enumerate() {
         let history = &runs[0][k].1.steps[0].history;
@@ -316,10 +335,12 @@ fn write_couplings(text: &mut String) -> std::fmt::Result {
 }
 
 fn write_sweep(text: &mut String) -> std::fmt::Result {
-    let forces: Vec<f64> = (0..20).map(|k| 100.0 + (FORCE - 100.0) * f64::from(k) / 19.0).collect();
+    let forces: Vec<f64> =
+        (0..20).map(|k| 100.0 + (FORCE - 100.0) * f64::from(k) / 19.0).collect();
     let singles: Vec<Job> = forces.iter().map(|&force| job(20, force)).collect();
     let mut sweep = job(20, FORCE);
-    let forces: Vec<PositiveF64> = forces.iter().map(|&force| PositiveF64::new(force).unwrap()).collect();
+    let forces: Vec<PositiveF64> =
+        forces.iter().map(|&force| PositiveF64::new(force).unwrap()).collect();
     sweep.load = Load::Forces(forces.try_into().unwrap());
     let ratios = (0..9).map(|_| {
         let costliest = singles.iter().map(|job| timed(job).0).fold(0.0, f64::max);
@@ -327,7 +348,8 @@ fn write_sweep(text: &mut String) -> std::fmt::Result {
     });
     writeln!(
         text,
-        "\n## Sweeps\n\n20 loads in equal steps from 100 N/mm to 1089.0855 N/mm, 20 elements, cost {:.1} times the costliest of \
+        "\n## Sweeps\n\n20 loads in equal steps from 100 N/mm to 1089.0855 N/mm, 20 elements, \
+         cost {:.1} times the costliest of \
          them alone (median of 9).",
         median(ratios)
     )
@@ -353,15 +375,16 @@ fn write_workers(text: &mut String) -> std::fmt::Result {
     let pairs: Vec<(f64, f64)> = (0..5).map(|_| (time(1), time(2))).collect();
     writeln!(
         text,
-        "\n## Two workers\n\n{JOBS} jobs at 20 elements: two threads finish them {:.2} times as fast as one ({:.1} jobs/s, \
+        "\n## Two workers\n\n{JOBS} jobs at 20 elements: two threads finish them {:.2} times as \
+         fast as one ({:.1} jobs/s, \
          median of 5).",
         median(pairs.iter().map(|(one, two)| one / two)),
         median(pairs.iter().map(|(_, two)| JOBS as f64 / two))
     )
 }
 
-/// Jobs that differ in hardening alone, each solved without a cache and, right after it, with one that was empty before
-/// the first.
+/// Jobs that differ in hardening alone, each solved without a cache and, right after it, with one
+/// that was empty before the first.
 fn write_designs(text: &mut String) -> std::fmt::Result {
     const YIELD_STRESSES: u32 = 40;
     const TANGENT_MODULI: u32 = 25;
@@ -386,22 +409,30 @@ fn write_designs(text: &mut String) -> std::fmt::Result {
     let cache = Arc::new(FactorCache::new(MEBIBYTES << 20));
     let time = |job: &Job, cache: Option<&Arc<FactorCache>>| {
         let clock = Instant::now();
-        black_box(report::run_with(job, Options { cache, ..Options::default() }, &mut Unobserved).unwrap());
+        black_box(
+            report::run_with(job, Options { cache, ..Options::default() }, &mut Unobserved)
+                .unwrap(),
+        );
         clock.elapsed().as_secs_f64()
     };
     let ratios: Vec<f64> = jobs
         .chunks(BLOCK)
         .map(|jobs| {
-            let pairs: Vec<_> = jobs.iter().map(|job| (time(job, None), time(job, Some(&cache)))).collect();
-            pairs.iter().map(|pair| pair.0).sum::<f64>() / pairs.iter().map(|pair| pair.1).sum::<f64>()
+            let pairs: Vec<_> =
+                jobs.iter().map(|job| (time(job, None), time(job, Some(&cache)))).collect();
+            pairs.iter().map(|pair| pair.0).sum::<f64>()
+                / pairs.iter().map(|pair| pair.1).sum::<f64>()
         })
         .collect();
     let figures = cache.stats();
     writeln!(
         text,
-        "\n## Designs of experiments\n\n{} jobs over {YIELD_STRESSES} yield stresses (350 to 650 MPa) and {TANGENT_MODULI} tangent \
-         moduli (0 to 10 GPa), 612.6106 N/mm, 20 elements, reports included: with a factor cache of {MEBIBYTES} MiB {:.2} times as \
-         fast as without (median of {} blocks of {BLOCK} jobs; {:.2} in the slowest). Of {} meshes {} were there already.",
+        "\n## Designs of experiments\n\n{} jobs over {YIELD_STRESSES} yield stresses (350 to 650 \
+         MPa) and {TANGENT_MODULI} tangent \
+         moduli (0 to 10 GPa), 612.6106 N/mm, 20 elements, reports included: with a factor cache \
+         of {MEBIBYTES} MiB {:.2} times as \
+         fast as without (median of {} blocks of {BLOCK} jobs; {:.2} in the slowest). Of {} \
+         meshes {} were there already.",
         jobs.len(),
         median(ratios.iter().copied()),
         ratios.len(),
@@ -431,7 +462,9 @@ impl Floor {
         let sides = [(&job.upper, &step.bodies[0]), (&job.lower, &step.bodies[1])];
         Self {
             bodies: sides.map(|(body, solved)| {
-                let Material::Deformable(material) = &body.material else { unreachable!("both deform") };
+                let Material::Deformable(material) = &body.material else {
+                    unreachable!("both deform")
+                };
                 let solved = solved.as_ref().unwrap();
                 let mesh = Arc::clone(&solved.mesh);
                 FloorBody {
@@ -459,8 +492,8 @@ impl FloorBody {
         SymbolicCholesky::new(pattern).unwrap().factor_entries() * size_of::<f64>()
     }
 
-    /// Ordering, symbolic and numeric factorization by nested dissection of the whole body. Graph, pattern and
-    /// assembly are not counted: they are the matrix.
+    /// Ordering, symbolic and numeric factorization by nested dissection of the whole body. Graph,
+    /// pattern and assembly are not counted: they are the matrix.
     fn factorize(&self) -> f64 {
         let Self { mesh, graph, restraint, .. } = self;
         let clock = Instant::now();
@@ -476,8 +509,9 @@ impl FloorBody {
         let stress_state = StressState::PlaneStrain;
         let pattern = symbolic.pattern();
         let assembler = StiffnessAssembler { mesh, stress_state, equations: &equations, pattern };
-        let values = assembler
-            .assemble(|_, quad| element_stiffness(quad, self.bulk, &[self.shear; QUADRATURE_POINTS]));
+        let values = assembler.assemble(|_, quad| {
+            element_stiffness(quad, self.bulk, &[self.shear; QUADRATURE_POINTS])
+        });
         let clock = Instant::now();
         black_box(Cholesky::factor(&symbolic, &values).unwrap());
         milliseconds(ordering + analysis + clock.elapsed())

@@ -1,5 +1,5 @@
-//! Whole jobs, by criterion: `cargo bench --bench solve`. How near they come to the floor under them is measured by
-//! `cargo bench --bench performance`.
+//! Whole jobs, by criterion: `cargo bench --bench solve`. How near they come to the floor under
+//! them is measured by `cargo bench --bench performance`.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
 use std::hint::black_box;
@@ -28,11 +28,15 @@ fn job(elements: u32, force: f64) -> Job {
 
 fn whole_jobs(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("solve");
-    group.sample_size(10).measurement_time(Duration::from_secs(5)).warm_up_time(Duration::from_millis(500));
+    group
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(5))
+        .warm_up_time(Duration::from_millis(500));
     for elements in ELEMENTS {
         for (yields, force) in LOADS {
             let job = job(elements, force);
-            let name = BenchmarkId::new(format!("{elements} elements"), format!("p0 = {yields} σ_y"));
+            let name =
+                BenchmarkId::new(format!("{elements} elements"), format!("p0 = {yields} σ_y"));
             group.bench_with_input(name, &job, |b, job| {
                 b.iter(|| {
                     let solution = solver::run(black_box(job), &mut Unobserved).unwrap();

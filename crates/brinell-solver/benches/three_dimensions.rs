@@ -1,7 +1,8 @@
-//! Jobs of three dimensions, from job to report on one thread: `cargo bench --bench three_dimensions`.
+//! Jobs of three dimensions, from job to report on one thread: `cargo bench --bench
+//! three_dimensions`.
 //!
-//! Medians, least times, the shares of the phases, and the largest memory of the process so far. `-- NAME` runs the cases whose
-//! names begin so.
+//! Medians, least times, the shares of the phases, and the largest memory of the process so far.
+//! `-- NAME` runs the cases whose names begin so.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
 use std::time::{Duration, Instant};
@@ -17,7 +18,8 @@ const OF_BALL: f64 = 77.63053;
 const OF_ELLIPSOID: f64 = 148.0;
 
 fn main() {
-    let named: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
+    let named: Vec<String> =
+        std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     println!(
         "{:<21} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} s {:>7} MB",
         "case", "median", "least", "kernels", "contact", "law", "spectra", "output", "memory",
@@ -54,8 +56,10 @@ fn cases() -> [(&'static str, usize, Value); 7] {
     let fine = ball(&history, &plastic, 20, &flow);
     // Its initial stress is in no axes of the contact.
     let mut general = on_axes.clone();
-    general["upper"]["shape"] = json!({"type": "curved", "radius_x": 10, "radius_y": 20, "rotation": 30});
-    general["lower"]["material"]["initial_stress"] = json!([{"depth": 0, "sigma_x": -200, "sigma_z": 0}]);
+    general["upper"]["shape"] =
+        json!({"type": "curved", "radius_x": 10, "radius_y": 20, "rotation": 30});
+    general["lower"]["material"]["initial_stress"] =
+        json!([{"depth": 0, "sigma_x": -200, "sigma_z": 0}]);
     general["load"] = json!({"history": [{"force": OF_ELLIPSOID}, {"force": 0}]});
     [
         ("deformation", 7, deformation),
@@ -97,7 +101,8 @@ fn measure(name: &str, runs: usize, job: &Job) {
 fn largest_memory() -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kilobytes = line.and_then(|line| line.trim().strip_suffix(" kB")?.trim().parse::<f64>().ok());
+    let kilobytes =
+        line.and_then(|line| line.trim().strip_suffix(" kB")?.trim().parse::<f64>().ok());
     kilobytes.map_or(f64::NAN, |kilobytes| 1.024e-3 * kilobytes)
 }
 

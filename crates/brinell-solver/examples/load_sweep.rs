@@ -1,5 +1,5 @@
-//! A steel cylinder pressed onto a steel block in ten steps, far beyond yield: the load–approach curve, with Hertz
-//! beside it. `cargo run --release -p brinell-solver --example load_sweep`
+//! A steel cylinder pressed onto a steel block in ten steps, far beyond yield: the load–approach
+//! curve, with Hertz beside it. `cargo run --release -p brinell-solver --example load_sweep`
 
 use std::error::Error;
 use std::io::{Write, stderr};
@@ -18,7 +18,10 @@ struct Watch {
 
 impl Observer for Watch {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        let line = format!("iteration {}, residual {:.1e}", record.iteration, record.equilibrium_residual);
+        let line = format!(
+            "iteration {}, residual {:.1e}",
+            record.iteration, record.equilibrium_residual
+        );
         // Progress that cannot be shown is no reason to stop.
         let _ = writeln!(stderr(), "{line}");
         self.on_checkpoint()
@@ -52,7 +55,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     }))?;
     let report = report::run(&job, &mut Watch { started: Instant::now() })?;
 
-    println!("{:>8} {:>10} {:>10} {:>10} {:>12} {:>10}", "P", "approach", "peak", "Hertz", "zone", "status");
+    println!(
+        "{:>8} {:>10} {:>10} {:>10} {:>12} {:>10}",
+        "P", "approach", "peak", "Hertz", "zone", "status"
+    );
     println!("{:>8} {:>10} {:>10} {:>10} {:>12}", "N/mm", "mm", "MPa", "MPa", "mm²");
     for step in &report.steps {
         let area: f64 = [&step.plasticity.upper, &step.plasticity.lower]
@@ -63,7 +69,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let hertz = step.hertz.as_ref().map_or(f64::NAN, |hertz| hertz.peak_pressure);
         println!(
             "{:8.0} {:10.5} {:10.1} {:10.1} {:12.5} {:>10?}",
-            step.contact.force, step.approach, step.contact.peak_pressure, hertz, area, step.status
+            step.contact.force,
+            step.approach,
+            step.contact.peak_pressure,
+            hertz,
+            area,
+            step.status
         );
     }
     Ok(())

@@ -1,10 +1,10 @@
-//! Elasto-plastic contact between two bodies: contact pressure, approach, stresses below the surface and the
-//! plastic zone, in milliseconds.
+//! Elasto-plastic contact between two bodies: contact pressure, approach, stresses below the
+//! surface and the plastic zone, in milliseconds.
 //!
 //! # The problem
-//! Two bodies meet at candidate node pairs `k` with initial gaps `δ0_k`, and a force P presses them together.
-//! Wanted are the contact forces R, the gaps δ that remain, the approach α of the two supports and the
-//! displacements u:
+//! Two bodies meet at candidate node pairs `k` with initial gaps `δ0_k`, and a force P presses
+//! them together. Wanted are the contact forces R, the gaps δ that remain, the approach α of the
+//! two supports and the displacements u:
 //!
 //! ```text
 //! K u = R + P_e(u)                      equilibrium of each body, K a stiffness factorized once
@@ -14,10 +14,11 @@
 //! eᵀR = P,  R >= 0,  δ >= 0,  R_k δ_k = 0
 //! ```
 //!
-//! Everything after that one factorization of each body is forward and back substitution over the small
-//! part of the factor that the contact and the plastic zone can reach. Contact and plasticity alternate until
-//! the state is in equilibrium, and a check that shares no code with the solvers decides whether it has converged.
-//! `docs/theory.md` in the repository has every equation.
+//! Everything after that one factorization of each body is forward and back substitution over the
+//! small part of the factor that the contact and the plastic zone can reach. Contact and
+//! plasticity alternate until the state is in equilibrium, and a check that shares no code with
+//! the solvers decides whether it has converged. `docs/theory.md` in the repository has every
+//! equation.
 //!
 //! # Example
 //! ```
@@ -48,7 +49,8 @@
 //! | [`job`] | the job, in types that cannot hold a wrong value; units |
 //! | [`analytical`] | closed forms to compare with: Hertz, McEwen, Hill, Prandtl |
 //!
-//! `contact`, `fem`, `material` and `analytical` are crates of their own. Imports run downward only.
+//! `contact`, `fem`, `material` and `analytical` are crates of their own. Imports run downward
+//! only.
 
 pub use brinell_fem as fem;
 pub mod job;

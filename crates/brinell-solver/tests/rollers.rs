@@ -14,7 +14,8 @@ fn solve(job: &Value) -> Report {
     report
 }
 
-/// A rigid roller of radius 10 mm on elastic steel under 500 N/mm; members of `shape` and `job` are added.
+/// A rigid roller of radius 10 mm on elastic steel under 500 N/mm; members of `shape` and `job`
+/// are added.
 fn roller(length: f64, shape: &Value, job: &Value) -> Value {
     let mut whole = json!({
         "analysis": "three_dimensional",
@@ -46,7 +47,8 @@ fn near(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() <= tolerance, "{found} and not {expected}");
 }
 
-/// Half-space prototype: the middle has 0.941 of the pressure of a line contact, because the ends bear a part of the load.
+/// Half-space prototype: the middle has 0.941 of the pressure of a line contact, because the ends
+/// bear a part of the load.
 #[test]
 fn a_straight_roller_is_pressed_at_its_ends() {
     let report = solve(&roller(8.0, &json!({}), &json!({"load": {"forces": [3960, 4000, 4040]}})));
@@ -56,24 +58,30 @@ fn a_straight_roller_is_pressed_at_its_ends() {
     near(low, high, 1e-6);
     assert!(high > 2.0 * line_pressure(), "{high}");
     assert!(
-        step.validity.iter().any(|note| note.code == "roller_end" && note.message.contains("without bound"))
+        step.validity
+            .iter()
+            .any(|note| note.code == "roller_end" && note.message.contains("without bound"))
     );
     let whole = step.three_dimensional.as_ref().unwrap();
     near(whole.b, 4.0, 1e-12);
-    let loads: f64 = along(step).line_load.iter().sum::<f64>() * (along(step).y[1] - along(step).y[0]);
+    let loads: f64 =
+        along(step).line_load.iter().sum::<f64>() * (along(step).y[1] - along(step).y[0]);
     near(loads, 4000.0, 1e-9);
     let slope = 80.0 / (report.steps[2].approach - report.steps[0].approach);
     near(step.contact_stiffness.unwrap(), slope, 0.05);
 }
 
-/// Half-space prototype: 1.002 to 1.003 of the pressure of a line contact in the middle, 1.007 at 0.4 L.
+/// Half-space prototype: 1.002 to 1.003 of the pressure of a line contact in the middle, 1.007 at
+/// 0.4 L.
 #[test]
 fn lundbergs_profile_makes_the_pressure_even() {
-    let report = solve(&roller(8.0, &json!({"profile": "logarithmic", "design_force": 4000}), &json!({})));
+    let report =
+        solve(&roller(8.0, &json!({"profile": "logarithmic", "design_force": 4000}), &json!({})));
     let along = along(&report.steps[0]);
     near(along.middle_pressure, line_pressure(), 5e-3);
     let inner = along.y.iter().zip(&along.pressure).filter(|(y, _)| y.abs() <= 3.2);
-    let (least, most) = inner.fold((f64::INFINITY, 0.0_f64), |(a, b), (_, p)| (a.min(*p), b.max(*p)));
+    let (least, most) =
+        inner.fold((f64::INFINITY, 0.0_f64), |(a, b), (_, p)| (a.min(*p), b.max(*p)));
     assert!(most < 1.02 * least, "{least} {most}");
     assert!(along.end_pressure[0] < 1.2 * line_pressure());
 }
@@ -84,7 +92,8 @@ fn the_profile_of_the_standard_is_even_at_3000_mpa() {
     let steel = json!({"young_modulus": 206_000, "poisson_ratio": 0.3});
     let modulus = 0.5 * 206_000.0 / 0.91;
     let force = 20.0 * 3000.0f64.powi(2) * PI * 10.0 / modulus;
-    let changes = json!({"load": {"force": force}, "lower": {"shape": {"type": "flat"}, "material": steel}});
+    let changes =
+        json!({"load": {"force": force}, "lower": {"shape": {"type": "flat"}, "material": steel}});
     let mut job = roller(20.0, &json!({"profile": "iso_16281"}), &changes);
     job["upper"]["material"] = steel;
     let report = solve(&job);
@@ -114,7 +123,11 @@ fn a_crown_is_a_second_curvature() {
 
 fn tilted(tilt: f64) -> Value {
     let shape = json!({"profile": "logarithmic", "design_force": 4000, "tilt": tilt});
-    roller(8.0, &shape, &json!({"mesh": {"elements_per_half_width": 6}, "output": {"fields": true}}))
+    roller(
+        8.0,
+        &shape,
+        &json!({"mesh": {"elements_per_half_width": 6}, "output": {"fields": true}}),
+    )
 }
 
 #[test]
@@ -122,12 +135,21 @@ fn a_tilted_roller_is_the_mirror_image_of_one_that_is_tilted_the_other_way() {
     let [one, other] = [1.0, -1.0].map(|tilt| solve(&tilted(tilt)));
     let [one, other] = [&one.steps[0], &other.steps[0]];
     let [p, q] = [one, other].map(|step| along(step).pressure.clone());
-    assert!(p.iter().zip(q.iter().rev()).all(|(p, q)| (p - q).abs() < 1e-6 * one.contact.peak_pressure));
-    assert!(along(one).end_pressure[1] > 1.5 * along(one).end_pressure[0], "{:?}", along(one).end_pressure);
+    assert!(
+        p.iter()
+            .zip(q.iter().rev())
+            .all(|(p, q)| (p - q).abs() < 1e-6 * one.contact.peak_pressure)
+    );
+    assert!(
+        along(one).end_pressure[1] > 1.5 * along(one).end_pressure[0],
+        "{:?}",
+        along(one).end_pressure
+    );
     near(one.approach, other.approach, 1e-9);
     let maps = one.three_dimensional.as_ref().unwrap().maps.as_ref().unwrap();
     let (ny, cell) = (maps.y.len(), (maps.x[1] - maps.x[0]) * (maps.y[1] - maps.y[0]));
-    let moment: f64 = maps.pressure.iter().enumerate().map(|(k, p)| p * cell * maps.y[k % ny]).sum();
+    let moment: f64 =
+        maps.pressure.iter().enumerate().map(|(k, p)| p * cell * maps.y[k % ny]).sum();
     near(along(one).moment, moment, 1e-9);
     near(along(one).moment, -along(other).moment, 1e-6);
     assert!(moment > 0.0);
@@ -153,9 +175,9 @@ fn tilt_goes_with_the_roller() {
     }
 }
 
-/// The middle of a long roller that yields, beside plane strain under the line load of its middle. Its pressure is 1.13, 1.07 and
-/// 0.98 % above with 8, 12 and 16 cells; 0.2 % of that is the profile's, as in an elastic contact. Its half-width is 2.5, 0.0 and
-/// 0.1 % off.
+/// The middle of a long roller that yields, beside plane strain under the line load of its middle.
+/// Its pressure is 1.13, 1.07 and 0.98 % above with 8, 12 and 16 cells; 0.2 % of that is the
+/// profile's, as in an elastic contact. Its half-width is 2.5, 0.0 and 0.1 % off.
 #[test]
 #[ignore = "full"]
 fn the_middle_of_a_long_roller_is_in_plane_strain() {
@@ -164,7 +186,8 @@ fn the_middle_of_a_long_roller_is_in_plane_strain() {
     let body = |shape: Value| json!({"shape": shape, "material": yielding});
     let changes = json!({"load": {"force": 544.5 * 16.0}, "lower": body(json!({"type": "flat"})),
         "mesh": {"elements_per_half_width": 16}});
-    let report = solve(&roller(16.0, &json!({"profile": "logarithmic", "design_force": 8712}), &changes));
+    let report =
+        solve(&roller(16.0, &json!({"profile": "logarithmic", "design_force": 8712}), &changes));
     let roller = along(&report.steps[0]);
     let line_load = roller.line_load[roller.y.len() / 2];
     let plane = json!({
@@ -190,7 +213,11 @@ fn a_tilted_roller_yields_at_one_end() {
     let step = &report.steps[0];
     let zone = step.plasticity.lower.as_ref().unwrap();
     assert!(zone.yielded && zone.position_y.unwrap() > 1.0, "{zone:?}");
-    assert!(along(step).moment > 0.0 && along(step).line_load[0] < 1.0, "{:?}", along(step).line_load);
+    assert!(
+        along(step).moment > 0.0 && along(step).line_load[0] < 1.0,
+        "{:?}",
+        along(step).line_load
+    );
     let text = serde_json::to_string(&report).unwrap();
     assert!(!text.contains("NaN"));
 }

@@ -47,8 +47,8 @@ fn surface(step: &StepReport) -> &RoughContactReport {
     step.three_dimensional.as_ref().unwrap().surface.as_ref().unwrap()
 }
 
-/// The same cells, so that elastic answers differ by the place of the apex between cells alone; layers are others. By counted cells
-/// the area is 2.8 % more than by semi-axes.
+/// The same cells, so that elastic answers differ by the place of the apex between cells alone;
+/// layers are others. By counted cells the area is 2.8 % more than by semi-axes.
 #[test]
 fn heights_of_a_ball_are_a_ball() {
     let plasticity = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500});
@@ -76,12 +76,14 @@ fn heights_of_a_ball_are_a_ball() {
     }
 }
 
-/// Sum of waves along x and y, 1 to 8 of them over a patch of 0.64 mm, with random phases. Heights and their root mean square slope.
+/// Sum of waves along x and y, 1 to 8 of them over a patch of 0.64 mm, with random phases. Heights
+/// and their root mean square slope.
 fn rough(cells: u32) -> (Value, f64) {
     let side = 0.64;
     let mut state = 7_u64;
     let mut phase = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         TAU * f64::from(u32::try_from(state >> 33).unwrap()) / f64::from(1_u32 << 31)
     };
     let mut waves = Vec::new();
@@ -93,15 +95,21 @@ fn rough(cells: u32) -> (Value, f64) {
             }
         }
     }
-    let slope = waves.iter().map(|[kx, ky, size, _]| 0.5 * (size * TAU / side).powi(2) * (kx * kx + ky * ky));
+    let slope = waves
+        .iter()
+        .map(|[kx, ky, size, _]| 0.5 * (size * TAU / side).powi(2) * (kx * kx + ky * ky));
     let slope = slope.sum::<f64>().sqrt();
     let height = |x: f64, y: f64| {
-        waves.iter().map(|[kx, ky, size, phase]| size * (TAU / side * (kx * x + ky * y) + phase).cos()).sum()
+        waves
+            .iter()
+            .map(|[kx, ky, size, phase]| size * (TAU / side * (kx * x + ky * y) + phase).cos())
+            .sum()
     };
     (heights(cells, side / f64::from(cells), height), slope)
 }
 
-/// Area over load of rough bodies, `A E* h'/P`, is about 2: 2.3 to 2.0 between a twentieth and a fifth of the area (prototype).
+/// Area over load of rough bodies, `A E* h'/P`, is about 2: 2.3 to 2.0 between a twentieth and a
+/// fifth of the area (prototype).
 #[test]
 fn a_rough_patch_touches_in_proportion_to_its_load() {
     let (heights, slope) = rough(64);
@@ -117,7 +125,8 @@ fn a_rough_patch_touches_in_proportion_to_its_load() {
         assert!(found.pressure_quantiles.windows(2).all(|pair| pair[0] <= pair[1]));
         assert!(step.hertz.is_none() && step.estimated_error.is_some());
     }
-    // The method of Polonsky and Keer, in Python, on the same cells: 202 and 403 of 4096, largest pressures 1339.13 and 1501.34 MPa.
+    // The method of Polonsky and Keer, in Python, on the same cells: 202 and 403 of 4096, largest
+    // pressures 1339.13 and 1501.34 MPa.
     for (step, (cells, peak)) in report.steps.iter().zip([(202.0, 1339.13), (403.0, 1501.34)]) {
         near(surface(step).contact_ratio, cells / 4096.0, 5e-3);
         near(step.contact.peak_pressure, peak, 1e-3);
@@ -133,7 +142,8 @@ fn asperities_that_yield_leave_dents() {
     let force = 0.05 * 0.5 * (210_000.0 / 0.91) * slope * 0.64 * 0.64;
     let elastic = solve(&on_steel(&upper, None, &json!({"force": force})));
     let plasticity = json!({"law": "bilinear", "yield_stress": 400, "tangent_modulus": 10_500});
-    let mut job = on_steel(&upper, Some(&plasticity), &json!({"history": [{"force": force}, {"force": 0}]}));
+    let mut job =
+        on_steel(&upper, Some(&plasticity), &json!({"history": [{"force": force}, {"force": 0}]}));
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
     let [loaded, unloaded] = [&report.steps[0], &report.steps[1]];

@@ -55,7 +55,8 @@ fn a_turned_body_has_the_same_contact_at_another_angle() {
     let straight = solve(&ellipsoid(0.0, None, &json!({"force": 100})));
     let turned = solve(&ellipsoid(30.0, None, &json!({"force": 100})));
     let [straight, turned] = [&straight.steps[0], &turned.steps[0]];
-    let angles = [straight, turned].map(|step| step.three_dimensional.as_ref().unwrap().orientation);
+    let angles =
+        [straight, turned].map(|step| step.three_dimensional.as_ref().unwrap().orientation);
     assert!(angles[0].abs() < 1e-9 && (angles[1] - 30.0).abs() < 1e-9, "{angles:?}");
     assert_near(turned.contact.peak_pressure, straight.contact.peak_pressure, 1e-9);
     assert_near(turned.approach, straight.approach, 1e-9);
@@ -84,8 +85,8 @@ fn figures_are_in_the_units_of_the_job() {
     assert_near(theirs.b, 1e-3 * ours.b, 1e-9);
 }
 
-/// On few cells the stiffness of bodies that yield is the difference of jobs of their own. Below the largest load of a history they are
-/// elastic.
+/// On few cells the stiffness of bodies that yield is the difference of jobs of their own. Below
+/// the largest load of a history they are elastic.
 #[test]
 #[ignore = "full"]
 fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
@@ -98,7 +99,8 @@ fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
     let slope = (more.contact.force - less.contact.force) / (more.approach - less.approach);
     assert_eq!(less.contact_stiffness, None);
     assert_near(here.contact_stiffness.unwrap(), slope, 1e-9);
-    let mut job = ellipsoid(0.0, Some(500.0), &json!({"history": [{"force": 300}, {"force": 200}]}));
+    let mut job =
+        ellipsoid(0.0, Some(500.0), &json!({"history": [{"force": 300}, {"force": 200}]}));
     job["solver"] = json!({"theory": "flow"});
     let steps = solve(&job).steps;
     let unloading = steps[1].flow.as_ref().unwrap().unloading_stiffness;
@@ -108,7 +110,8 @@ fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
 /// Of Hertz's contact the work is 2/5 P α, all of it elastic.
 #[test]
 fn a_history_of_elastic_bodies_keeps_its_work() {
-    let mut job = ellipsoid(0.0, Some(5000.0), &json!({"history": [{"force": 100}, {"force": 0}]}));
+    let mut job =
+        ellipsoid(0.0, Some(5000.0), &json!({"history": [{"force": 100}, {"force": 0}]}));
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
     let [loaded, unloaded] = [0, 1].map(|k| report.steps[k].flow.as_ref().unwrap());
@@ -120,10 +123,12 @@ fn a_history_of_elastic_bodies_keeps_its_work() {
     assert!(report.load_approach.is_some());
 }
 
-/// HALF-SPACE prototype: dent 1.008 µm, residual stress along the short axis -230 MPa, within the error that is told.
+/// HALF-SPACE prototype: dent 1.008 µm, residual stress along the short axis -230 MPa, within the
+/// error that is told.
 #[test]
 fn an_ellipsoid_leaves_a_dent() {
-    let mut job = ellipsoid(0.0, Some(500.0), &json!({"history": [{"force": 317.1424}, {"force": 0}]}));
+    let mut job =
+        ellipsoid(0.0, Some(500.0), &json!({"history": [{"force": 317.1424}, {"force": 0}]}));
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
     assert_eq!(report.status, SolveStatus::Converged);
@@ -140,7 +145,10 @@ fn an_ellipsoid_leaves_a_dent() {
     let least = profile.sigma_xx.as_ref().unwrap().iter().skip(1).copied().fold(0.0, f64::min);
     assert_near(least, -230.5, 0.1);
     let energy = unloaded.flow.as_ref().unwrap().energy;
-    assert!(energy.dissipated > 0.0 && energy.elastic > 0.0 && energy.elastic < energy.work, "{energy:?}");
+    assert!(
+        energy.dissipated > 0.0 && energy.elastic > 0.0 && energy.elastic < energy.work,
+        "{energy:?}"
+    );
     let zone = unloaded.plasticity.lower.as_ref().unwrap();
     assert!(zone.volume.unwrap() > 0.0 && zone.area > 0.0);
     assert!(unloaded.contact.force.abs() < 1e-12);
@@ -179,13 +187,23 @@ fn layers_are_a_grid_of_both_bodies() {
         let here = (k * nx + i) * ny + j;
         let below = ((nz + k) * ny + j) * nx + i;
         let above = ((nz - 1 - k) * ny + j) * nx + i;
-        assert_eq!([von_mises[above], von_mises[below]], [upper.von_mises[here], lower.von_mises[here]]);
-        let components = |cell: usize| -> [f64; 6] { stress[6 * cell..6 * cell + 6].try_into().unwrap() };
+        assert_eq!(
+            [von_mises[above], von_mises[below]],
+            [upper.von_mises[here], lower.von_mises[here]]
+        );
+        let components =
+            |cell: usize| -> [f64; 6] { stress[6 * cell..6 * cell + 6].try_into().unwrap() };
         let [xx, _, zz, xy, yz, xz] = components(below);
-        assert_eq!([xx, zz, xy], [lower.sigma_xx[here], lower.sigma_zz[here], lower.sigma_xy[here]]);
+        assert_eq!(
+            [xx, zz, xy],
+            [lower.sigma_xx[here], lower.sigma_zz[here], lower.sigma_xy[here]]
+        );
         assert_eq!([yz, xz], [lower.sigma_yz[here], lower.sigma_xz[here]]);
         let [_, yy, _, _, yz, xz] = components(above);
-        assert_eq!([yy, yz, xz], [upper.sigma_yy[here], -upper.sigma_yz[here], -upper.sigma_xz[here]]);
+        assert_eq!(
+            [yy, yz, xz],
+            [upper.sigma_yy[here], -upper.sigma_yz[here], -upper.sigma_xz[here]]
+        );
     }
 }
 
@@ -195,9 +213,13 @@ fn assert_sound(job: &Value, report: &Report) {
     assert!(!text.contains("NaN"), "{job}");
     for step in &report.steps {
         let whole = step.three_dimensional.as_ref().unwrap();
-        let figures = [step.approach, step.contact.peak_pressure, step.contact.force, whole.a, whole.b];
+        let figures =
+            [step.approach, step.contact.peak_pressure, step.contact.force, whole.a, whole.b];
         assert!(figures.iter().all(|figure| figure.is_finite()), "{job}");
-        assert!(whole.b >= 0.9 * whole.a && whole.largest_cell_pressure >= 0.0, "{job}: {whole:?}");
+        assert!(
+            whole.b >= 0.9 * whole.a && whole.largest_cell_pressure >= 0.0,
+            "{job}: {whole:?}"
+        );
         if step.contact.force > 0.0 && step.status == SolveStatus::Converged {
             let hertz = step.hertz.as_ref().unwrap();
             assert!(step.contact.peak_pressure < 1.08 * hertz.peak_pressure, "{job}");
@@ -235,8 +257,8 @@ impl Random {
     }
 }
 
-/// Half-spaces that a person might press together: a contact of half of a thousandth to a twentieth of the radius, at up to
-/// five yield stresses.
+/// Half-spaces that a person might press together: a contact of half of a thousandth to a
+/// twentieth of the radius, at up to five yield stresses.
 fn random_job(random: &mut Random) -> Value {
     let [radius, young] = [random.decades(0.5, 100.0), random.decades(1e4, 3e5)];
     let half_width = radius * random.decades(1e-3, 0.04);
@@ -244,8 +266,7 @@ fn random_job(random: &mut Random) -> Value {
     let peak = half_width * young / (std::f64::consts::PI * radius);
     let force = 2.0 / 3.0 * std::f64::consts::PI * half_width * half_width * peak;
     let rotation = random.between(-90.0, 90.0);
-    let curved =
-        |x: f64, y: f64| json!({"type": "curved", "radius_x": x, "radius_y": y, "rotation": rotation});
+    let curved = |x: f64, y: f64| json!({"type": "curved", "radius_x": x, "radius_y": y, "rotation": rotation});
     let upper = match random.one_of(3) {
         0 => json!({"type": "sphere", "radius": radius}),
         1 => curved(radius, radius * random.decades(1.0, 20.0)),
@@ -271,7 +292,9 @@ fn random_job(random: &mut Random) -> Value {
     let (upper_material, lower_material) = (material(0.3), material(0.0));
     let is_flow = random.happens(0.3);
     let load = match random.one_of(3) {
-        0 if is_flow => json!({"history": [{"force": force}, {"force": 0}, {"force": 0.8 * force}]}),
+        0 if is_flow => {
+            json!({"history": [{"force": force}, {"force": 0}, {"force": 0.8 * force}]})
+        }
         0 => json!({"forces": [0.3 * force, force]}),
         1 => json!({"approach": half_width * half_width / radius}),
         _ => json!({"force": force}),
@@ -286,11 +309,13 @@ fn random_job(random: &mut Random) -> Value {
     })
 }
 
-/// Balls, rollers and raceways in any direction, elastic and yielding, single loads, sweeps and histories.
+/// Balls, rollers and raceways in any direction, elastic and yielding, single loads, sweeps and
+/// histories.
 #[test]
 #[ignore = "full"]
 fn random_contacts_in_three_dimensions_are_sound() {
-    let count = std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(30);
+    let count =
+        std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(30);
     let mut converged = 0;
     for seed in 0..count {
         let job = random_job(&mut Random(seed));
@@ -320,20 +345,25 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
     let zone = step.plasticity.lower.as_ref().filter(|zone| zone.yielded);
     if let (Some(zone), Some(errors)) = (zone, ellipse.bodies.lower) {
         let strain = zone.max_equivalent_plastic_strain;
-        found.extend(
-            strain.map(|strain| ("plastic strain", strain, errors.max_equivalent_plastic_strain.unwrap())),
-        );
+        found.extend(strain.map(|strain| {
+            ("plastic strain", strain, errors.max_equivalent_plastic_strain.unwrap())
+        }));
         if let Some(surface) = step.flow.as_ref().and_then(|flow| flow.surfaces.lower.as_ref()) {
             // Under load the surface has an elastic deflection too.
             let is_unloaded = step.contact.force <= 0.0;
             found.extend(is_unloaded.then_some(("dent", surface.depth, errors.depth.unwrap())));
-            found.extend(is_unloaded.then_some(("pile-up", surface.pile_up, errors.pile_up.unwrap())));
+            found.extend(is_unloaded.then_some((
+                "pile-up",
+                surface.pile_up,
+                errors.pile_up.unwrap(),
+            )));
         }
         let profile = step.subsurface_below_peak.as_ref().or(step.subsurface.as_ref());
         let profile = profile.and_then(|bodies| bodies.lower.as_ref());
         if let (Some(profile), Some(error)) = (profile, errors.least_stress) {
             let stresses = [&profile.sigma_xx, &profile.sigma_yy].into_iter().flatten();
-            let least = stresses.flat_map(|stress| stress.iter().skip(1)).copied().fold(0.0, f64::min);
+            let least =
+                stresses.flat_map(|stress| stress.iter().skip(1)).copied().fold(0.0, f64::min);
             found.push(("residual stress", least, error));
         }
     }
@@ -344,7 +374,8 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
 #[test]
 #[ignore = "full"]
 fn estimated_errors_cover_what_finer_grids_change() {
-    let count = std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(30);
+    let count =
+        std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(30);
     let mut all: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
     for seed in 0..count {
         let mut job = random_job(&mut Random(1000 + seed));
@@ -360,15 +391,18 @@ fn estimated_errors_cover_what_finer_grids_change() {
             solve(&job)
         });
         for (coarse, fine) in coarse.steps.iter().zip(&fine.steps) {
-            let truth: BTreeMap<_, _> =
-                figures_with_errors(fine).into_iter().map(|(name, value, _)| (name, value)).collect();
+            let truth: BTreeMap<_, _> = figures_with_errors(fine)
+                .into_iter()
+                .map(|(name, value, _)| (name, value))
+                .collect();
             for (name, value, error) in figures_with_errors(coarse) {
                 let Some(truth) = truth.get(name).filter(|_| value != 0.0) else { continue };
                 let change = (truth / value - 1.0).abs();
                 if change > error {
                     let place = coarse.contact.peak_position / coarse.contact.half_width;
                     println!(
-                        "{seed}, {cells} cells, {:?}, {} increments, peak at {place:.2}: {name} {value} changes by {change:.4}, bar {error:.4}",
+                        "{seed}, {cells} cells, {:?}, {} increments, peak at {place:.2}: {name} \
+                         {value} changes by {change:.4}, bar {error:.4}",
                         coarse.load,
                         coarse.flow.as_ref().map_or(0, |flow| flow.increments.force.len()),
                     );

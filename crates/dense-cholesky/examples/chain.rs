@@ -1,4 +1,5 @@
-//! A chain of springs between two walls: its stiffness factorized, and its displacement under a force in the middle.
+//! A chain of springs between two walls: its stiffness factorized, and its displacement under a
+//! force in the middle.
 
 use dense_cholesky::{DenseCholesky, NotPositiveDefinite, SymmetricMatrix, dot, simd_dispatch};
 
@@ -14,6 +15,9 @@ fn main() -> Result<(), NotPositiveDefinite> {
     DenseCholesky::factor(stiffness)?.solve_in_place(&mut displacement);
     let energy = 0.5 * displacement[n / 2];
     let length = simd_dispatch(|| dot(&displacement, &displacement)).sqrt();
-    println!("in the middle {:.3} (25 by hand), energy {energy:.3}, norm {length:.3}", displacement[n / 2]);
+    println!(
+        "in the middle {:.3} (25 by hand), energy {energy:.3}, norm {length:.3}",
+        displacement[n / 2]
+    );
     Ok(())
 }

@@ -1,9 +1,10 @@
 //! Plain loops, compiled for the vector units of the machine they run on.
 
-/// Runs `work` compiled once for each level of vector instructions that is worth it, and picks the best one that
-/// the processor has. Functions it calls take part only if they are inlined.
+/// Runs `work` compiled once for each level of vector instructions that is worth it, and picks the
+/// best one that the processor has. Functions it calls take part only if they are inlined.
 ///
-/// Results do not depend on the level: the compiler neither reorders nor fuses floating-point operations.
+/// Results do not depend on the level: the compiler neither reorders nor fuses floating-point
+/// operations.
 #[inline(always)]
 pub fn simd_dispatch<T>(work: impl FnOnce() -> T) -> T {
     pulp::Arch::new().dispatch(work)
@@ -23,7 +24,9 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
             sums[k] += x[k] * y[k];
         }
     }
-    ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7])) + tail
+    ((sums[0] + sums[4]) + (sums[1] + sums[5]))
+        + ((sums[2] + sums[6]) + (sums[3] + sums[7]))
+        + tail
 }
 
 #[cfg(test)]

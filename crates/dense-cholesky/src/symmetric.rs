@@ -7,7 +7,9 @@ use faer::linalg::cholesky::llt::factor::{
     LltError, LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
 };
 use faer::linalg::cholesky::llt::inverse::{inverse, inverse_scratch};
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
 use faer::{MatMut, MatRef, Par, Spec};
 use thiserror::Error;
 
@@ -57,7 +59,8 @@ impl SymmetricMatrix {
         matrix
     }
 
-    /// Takes n² entries and replaces each pair (i, j), (j, i) by its mean, which removes rounding asymmetry.
+    /// Takes n² entries and replaces each pair (i, j), (j, i) by its mean, which removes rounding
+    /// asymmetry.
     ///
     /// # Errors
     /// [`SizeMismatch`] unless there are n² entries.
@@ -141,8 +144,8 @@ pub struct DenseCholesky {
 impl DenseCholesky {
     /// Factorizes a matrix; n³/6 multiply-adds.
     ///
-    /// A pivot counts as positive above `8 n ε A_ii`, so a matrix that is singular to working precision is
-    /// refused instead of answered with noise.
+    /// A pivot counts as positive above `8 n ε A_ii`, so a matrix that is singular to working
+    /// precision is refused instead of answered with noise.
     ///
     /// # Errors
     /// [`NotPositiveDefinite`] with the first row whose pivot is not positive; a NaN is not.
@@ -191,7 +194,10 @@ pub fn factorization_memory(n: usize) -> MemBuffer {
 ///
 /// # Errors
 /// [`NotPositiveDefinite`] with the first row whose pivot is not positive.
-pub fn factorize_in_place(a: MatMut<'_, f64>, memory: &mut MemBuffer) -> Result<(), NotPositiveDefinite> {
+pub fn factorize_in_place(
+    a: MatMut<'_, f64>,
+    memory: &mut MemBuffer,
+) -> Result<(), NotPositiveDefinite> {
     let (regularization, stack) = (LltRegularization::default(), MemStack::new(memory));
     cholesky_in_place(a, regularization, Par::Seq, stack, Spec::default())
         .map(|_| ())
@@ -235,8 +241,9 @@ mod tests {
 
     #[test]
     fn refuses_what_is_not_positive_definite() {
-        let index =
-            |n, data| DenseCholesky::factor(SymmetricMatrix::from_full(n, data).unwrap()).unwrap_err().index;
+        let index = |n, data| {
+            DenseCholesky::factor(SymmetricMatrix::from_full(n, data).unwrap()).unwrap_err().index
+        };
         assert_eq!(index(2, vec![1.0, 2.0, 2.0, 1.0]), 1);
         assert_eq!(index(2, vec![1.0, 1.0, 1.0, 1.0]), 1);
         // Positive in exact arithmetic, singular to working precision.

@@ -1,24 +1,29 @@
-//! `−Δu = 1` on the unit square with `u = 0` around it, bilinear elements: what each step of a solve costs.
+//! `−Δu = 1` on the unit square with `u = 0` around it, bilinear elements: what each step of a
+//! solve costs.
 //!
-//! `cargo run --release -p sparse-cholesky --example poisson -- 100 300 1000`; each number is that of the elements along
-//! a side.
+//! `cargo run --release -p sparse-cholesky --example poisson -- 100 300 1000`; each number is that
+//! of the elements along a side.
 
 use std::error::Error;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use sparse_cholesky::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky, SymmetricPattern};
+use sparse_cholesky::{
+    Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky, SymmetricPattern,
+};
 
 /// Largest value of the exact solution.
 const EXACT: f64 = 0.073_671_353;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut sizes: Vec<u32> = std::env::args().skip(1).map(|text| text.parse()).collect::<Result<_, _>>()?;
+    let mut sizes: Vec<u32> =
+        std::env::args().skip(1).map(|text| text.parse()).collect::<Result<_, _>>()?;
     if sizes.is_empty() {
         sizes = vec![64, 256];
     }
     println!(
-        "| equations | entries of L | order | analyse | factorize | refactorize a corner | solve | solve in the corner | error |"
+        "| equations | entries of L | order | analyse | factorize | refactorize a corner | solve \
+         | solve in the corner | error |"
     );
     println!("|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
     for elements in sizes {
@@ -41,13 +46,16 @@ fn solve(elements: u32) -> Result<String, Box<dyn Error>> {
         .collect::<Result<_, std::num::TryFromIntError>>()?;
     let graph = Graph::from_cells(lattice.len(), &cells);
     // A corner of 1/20 of the side is eliminated last.
-    let corner: Vec<u32> = (0..side / 20).flat_map(|i| (0..side / 20).map(move |j| i * side + j)).collect();
+    let corner: Vec<u32> =
+        (0..side / 20).flat_map(|i| (0..side / 20).map(move |j| i * side + j)).collect();
 
     let (order, ordering) = timed(|| EliminationOrder::new(&graph, &lattice, &corner));
     let position = order.positions();
-    let (symbolic, analysis) = timed(|| SymbolicCholesky::new(SymmetricPattern::of_graph(&graph, &order)));
+    let (symbolic, analysis) =
+        timed(|| SymbolicCholesky::new(SymmetricPattern::of_graph(&graph, &order)));
     let symbolic = symbolic?;
-    // Assembled from [4 −1 −2 −1] / 6 of each element; `reaction` is added on the diagonal of the corner.
+    // Assembled from [4 −1 −2 −1] / 6 of each element; `reaction` is added on the diagonal of the
+    // corner.
     let matrix = |reaction: f64| -> Vec<f64> {
         let first_of_corner = symbolic.order() - corner.len();
         let column = |j: usize| {
@@ -76,15 +84,18 @@ fn solve(elements: u32) -> Result<String, Box<dyn Error>> {
     let mut part = whole.clone();
     let ((), restricted) = timed(|| factor.solve_restricted(&reach, &mut part));
     factor.solve(&mut whole);
-    let is_same = equations.iter().all(|&e| part[e as usize].to_bits() == whole[e as usize].to_bits());
+    let is_same =
+        equations.iter().all(|&e| part[e as usize].to_bits() == whole[e as usize].to_bits());
     assert!(is_same, "the restricted solve gives the bits of the full one");
 
     // Another matrix, which differs in the corner only.
     let values = matrix(1.0);
-    let (renewed, refactorization) = timed(|| factor.refactor(values, &mut || ControlFlow::Continue(())));
+    let (renewed, refactorization) =
+        timed(|| factor.refactor(values, &mut || ControlFlow::Continue(())));
     renewed?;
     Ok(format!(
-        "| {} | {} | {ordering:.1} | {analysis:.1} | {factorization:.1} | {refactorization:.2} | {solve:.2} | {restricted:.3} | {error:.1e} |",
+        "| {} | {} | {ordering:.1} | {analysis:.1} | {factorization:.1} | {refactorization:.2} | \
+         {solve:.2} | {restricted:.3} | {error:.1e} |",
         symbolic.order(),
         symbolic.factor_entries(),
     ))

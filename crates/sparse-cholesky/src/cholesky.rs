@@ -1,7 +1,7 @@
 //! Sparse Cholesky factorization and solves over parts of the factor.
 //!
-//! The matrix comes already numbered in elimination order ([`super::EliminationOrder`]), so positions in a
-//! vector are positions in the factor and no permutation happens here.
+//! The matrix comes already numbered in elimination order ([`super::EliminationOrder`]), so
+//! positions in a vector are positions in the factor and no permutation happens here.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -46,7 +46,10 @@ impl Cholesky {
     ///
     /// # Errors
     /// [`FactorizationError`] if an entry is not finite or a pivot not positive.
-    pub fn factor(symbolic: &Arc<SymbolicCholesky>, values: &[f64]) -> Result<Self, FactorizationError> {
+    pub fn factor(
+        symbolic: &Arc<SymbolicCholesky>,
+        values: &[f64],
+    ) -> Result<Self, FactorizationError> {
         let mut factor = Self::empty(symbolic);
         factor.refactor(values.to_vec(), &mut || ControlFlow::Continue(()))?;
         Ok(factor)
@@ -57,11 +60,12 @@ impl Cholesky {
         Self { symbolic: Arc::clone(symbolic), values: Vec::new(), matrix: Vec::new() }
     }
 
-    /// Becomes the factor of another matrix of the same pattern. Asks `checkpoint` every few milliseconds whether to go
-    /// on. After an error it is the factor of no matrix.
+    /// Becomes the factor of another matrix of the same pattern. Asks `checkpoint` every few
+    /// milliseconds whether to go on. After an error it is the factor of no matrix.
     ///
-    /// A supernode is computed again only if an entry of the matrix has changed in its columns or in a descendant's in
-    /// the elimination tree. The values are bit for bit those of [`Self::factor`].
+    /// A supernode is computed again only if an entry of the matrix has changed in its columns or
+    /// in a descendant's in the elimination tree. The values are bit for bit those of
+    /// [`Self::factor`].
     ///
     /// # Errors
     /// As [`Self::factor`], and [`FactorizationError::Stopped`].
@@ -105,9 +109,11 @@ impl Cholesky {
         self.solve_restricted(&self.symbolic.full_reach(), x);
     }
 
-    /// Solves `A x = b` in place for right-hand sides and wanted entries that both lie in the reach.
+    /// Solves `A x = b` in place for right-hand sides and wanted entries that both lie in the
+    /// reach.
     ///
-    /// Entries outside the reach are left as they were. What it writes is bit for bit what a full solve would.
+    /// Entries outside the reach are left as they were. What it writes is bit for bit what a full
+    /// solve would.
     pub fn solve_restricted(&self, reach: &Reach, x: &mut [f64]) {
         self.forward(reach, x);
         self.backward(reach, x);
@@ -125,8 +131,8 @@ impl Cholesky {
 
     /// Overwrites `x` by `L⁻ᵀ x` on the reach.
     ///
-    /// The panels come from last to first, which memory is slow at. So they are taken in groups that fit the cache, and
-    /// each group is read once forward before it is used.
+    /// The panels come from last to first, which memory is slow at. So they are taken in groups
+    /// that fit the cache, and each group is read once forward before it is used.
     pub fn backward(&self, reach: &Reach, x: &mut [f64]) {
         let mut below = Vec::new();
         let mut rest = reach.supernodes();
@@ -134,8 +140,9 @@ impl Cholesky {
         simd_dispatch(|| {
             while let Some(&last) = rest.last() {
                 let end = offsets[last as usize + 1] as usize;
-                let first =
-                    rest.partition_point(|&s| offsets[s as usize] as usize + GROUP < end).min(rest.len() - 1);
+                let first = rest
+                    .partition_point(|&s| offsets[s as usize] as usize + GROUP < end)
+                    .min(rest.len() - 1);
                 let (before, group) = rest.split_at(first);
                 if self.values.len() > CACHED {
                     for &s in group {
@@ -152,7 +159,8 @@ impl Cholesky {
 
     /// The last `count` rows and columns of `A⁻¹`.
     ///
-    /// With `L_cc` the last diagonal block of `L`, it is `YᵀY` where `L_cc Y = I`. Cost `O(count³)`.
+    /// With `L_cc` the last diagonal block of `L`, it is `YᵀY` where `L_cc Y = I`. Cost
+    /// `O(count³)`.
     pub fn trailing_inverse(&self, count: usize) -> SymmetricMatrix {
         let first = self.symbolic.order() - count;
         // Column-major lower triangle of L_cc.
@@ -179,8 +187,8 @@ impl Cholesky {
     }
 }
 
-/// Forward substitution with one panel. What its columns take off the rows below is summed in `below` first and
-/// scattered once.
+/// Forward substitution with one panel. What its columns take off the rows below is summed in
+/// `below` first and scattered once.
 #[inline(always)]
 fn forward_panel((node, panel): (Supernode<'_>, &[f64]), x: &mut [f64], below: &mut Vec<f64>) {
     below.clear();

@@ -16,14 +16,16 @@ pub struct EliminationOrder {
 }
 
 impl EliminationOrder {
-    /// Orders the nodes of a graph by nested dissection, but for the trailing nodes, which come last in the order given.
+    /// Orders the nodes of a graph by nested dissection, but for the trailing nodes, which come
+    /// last in the order given.
     ///
-    /// Afterwards the order is replaced by a postorder of its elimination tree, which changes no fill but puts the
-    /// columns of each supernode side by side.
+    /// Afterwards the order is replaced by a postorder of its elimination tree, which changes no
+    /// fill but puts the columns of each supernode side by side.
     ///
     /// # Invariants
-    /// Eliminating everything before them joins the trailing nodes all, so that they form a chain at the root of the
-    /// tree and keep their order, provided that the rest of the graph is connected.
+    /// Eliminating everything before them joins the trailing nodes all, so that they form a chain
+    /// at the root of the tree and keep their order, provided that the rest of the graph is
+    /// connected.
     pub fn new(graph: &Graph, lattice: &[LatticePoint], trailing: &[u32]) -> Self {
         let mut is_trailing = vec![false; graph.len()];
         for &node in trailing {
@@ -61,8 +63,8 @@ fn positions(node_at: &[u32]) -> Vec<u32> {
 /// Parent of each position in the elimination tree of the graph numbered by `node_at`.
 ///
 /// # Reference
-/// J. W. H. Liu, *The role of elimination trees in sparse factorization*, SIAM J. Matrix Anal. Appl. 11 (1990)
-/// 134–172, algorithm 4.2 (path compression).
+/// J. W. H. Liu, *The role of elimination trees in sparse factorization*, SIAM J. Matrix Anal.
+/// Appl. 11 (1990) 134–172, algorithm 4.2 (path compression).
 fn elimination_tree(node_at: &[u32], graph: &Graph) -> Vec<u32> {
     let n = node_at.len();
     let position = positions(node_at);
@@ -90,7 +92,8 @@ fn elimination_tree(node_at: &[u32], graph: &Graph) -> Vec<u32> {
     parent
 }
 
-/// Positions in postorder of the elimination tree: children in their old order, each before its parent.
+/// Positions in postorder of the elimination tree: children in their old order, each before its
+/// parent.
 fn postorder(node_at: &[u32], graph: &Graph) -> Vec<u32> {
     let parent = elimination_tree(node_at, graph);
     let n = node_at.len();
@@ -136,8 +139,9 @@ mod tests {
             .flat_map(|i| (0..rows - 1).map(move |j| (i, j)))
             .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
             .collect();
-        let lattice =
-            (0..columns).flat_map(|i| (0..rows).map(move |j| LatticePoint { patch: 0, i, j })).collect();
+        let lattice = (0..columns)
+            .flat_map(|i| (0..rows).map(move |j| LatticePoint { patch: 0, i, j }))
+            .collect();
         (Graph::from_cells((columns * rows) as usize, &cells), lattice)
     }
 

@@ -1,12 +1,13 @@
 //! Numeric factorization, supernode by supernode.
 //!
-//! Left-looking: a supernode takes its columns of A, subtracts the update `L_d[rows of s and below] · L_d[rows of s]ᵀ`
-//! of every earlier supernode d that has rows among its columns, and is then factorized as a dense panel. Each finished
-//! supernode is in the list of the supernode that owns its next rows, so no search is needed for the updates.
+//! Left-looking: a supernode takes its columns of A, subtracts the update `L_d[rows of s and
+//! below] · L_d[rows of s]ᵀ` of every earlier supernode d that has rows among its columns, and is
+//! then factorized as a dense panel. Each finished supernode is in the list of the supernode that
+//! owns its next rows, so no search is needed for the updates.
 //!
 //! # Reference
-//! E. G. Ng, B. W. Peyton, *Block sparse Cholesky algorithms on advanced uniprocessor computers*, SIAM J. Sci. Comput. 14
-//! (1993) 1034–1056.
+//! E. G. Ng, B. W. Peyton, *Block sparse Cholesky algorithms on advanced uniprocessor computers*,
+//! SIAM J. Sci. Comput. 14 (1993) 1034–1056.
 
 #![expect(clippy::cast_possible_truncation, reason = "there are fewer than 2^32 equations")]
 
@@ -24,9 +25,10 @@ const NONE: u32 = u32::MAX;
 
 /// Factorizes the matrix with the given lower-triangle values into `factor`.
 ///
-/// Of a `factor` that is complete, only the supernodes that are `outdated` are computed; an empty one grows panel by
-/// panel. Entries above the diagonal of a panel's diagonal block have no meaning. After every
-/// [`WORK_BETWEEN_CHECKPOINTS`] multiplications `checkpoint` says whether to go on.
+/// Of a `factor` that is complete, only the supernodes that are `outdated` are computed; an empty
+/// one grows panel by panel. Entries above the diagonal of a panel's diagonal block have no
+/// meaning. After every [`WORK_BETWEEN_CHECKPOINTS`] multiplications `checkpoint` says whether to
+/// go on.
 pub(super) fn factorize(
     symbolic: &SymbolicCholesky,
     matrix: &[f64],
@@ -67,9 +69,11 @@ pub(super) fn factorize(
         while let Some(update) = pending.pop(s) {
             let source = symbolic.supernode(update.source as usize);
             let first = update.rows_applied as usize;
-            let count = source.rows[first..].partition_point(|&row| (row as usize) < node.columns.end);
+            let count =
+                source.rows[first..].partition_point(|&row| (row as usize) < node.columns.end);
             if is_outdated {
-                let update = Update { values: &done[source.values.clone()], source: &source, first, count };
+                let update =
+                    Update { values: &done[source.values.clone()], source: &source, first, count };
                 workspace.subtract(&update, &node, panel);
                 work += update.work();
                 ask(&mut work)?;
@@ -85,9 +89,13 @@ pub(super) fn factorize(
     Ok(())
 }
 
-/// Whether the values of each supernode change from one matrix to another: if one of its entries does, or a
-/// descendant's.
-pub(super) fn outdated_supernodes(symbolic: &SymbolicCholesky, old: &[f64], new: &[f64]) -> Vec<bool> {
+/// Whether the values of each supernode change from one matrix to another: if one of its entries
+/// does, or a descendant's.
+pub(super) fn outdated_supernodes(
+    symbolic: &SymbolicCholesky,
+    old: &[f64],
+    new: &[f64],
+) -> Vec<bool> {
     let pattern = symbolic.pattern();
     let mut outdated = vec![false; symbolic.supernode_count()];
     for s in 0..outdated.len() {
@@ -100,7 +108,8 @@ pub(super) fn outdated_supernodes(symbolic: &SymbolicCholesky, old: &[f64], new:
     outdated
 }
 
-/// What a finished supernode has still to subtract from later ones: the rows after the first `rows_applied`.
+/// What a finished supernode has still to subtract from later ones: the rows after the first
+/// `rows_applied`.
 #[derive(Clone, Copy)]
 struct PendingUpdate {
     source: u32,
@@ -112,7 +121,8 @@ struct PendingUpdates<'a> {
     symbolic: &'a SymbolicCholesky,
     /// First source in the list of each supernode.
     first: Vec<u32>,
-    /// The next source in the list that a source is in, and how many of its rows have been applied.
+    /// The next source in the list that a source is in, and how many of its rows have been
+    /// applied.
     next: Vec<u32>,
     rows_applied: Vec<u32>,
 }
@@ -123,7 +133,8 @@ impl<'a> PendingUpdates<'a> {
         Self { symbolic, first: none.clone(), rows_applied: vec![0; none.len()], next: none }
     }
 
-    /// Adds an update to the list of the supernode that owns its next row; drops it if no row is left.
+    /// Adds an update to the list of the supernode that owns its next row; drops it if no row is
+    /// left.
     fn push(&mut self, update: PendingUpdate) {
         let PendingUpdate { source, rows_applied } = update;
         let rows = self.symbolic.supernode(source as usize).rows;
@@ -168,7 +179,8 @@ mod tests {
             .filter(|&(i, j)| i + 1 < columns && j + 1 < rows)
             .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
             .collect();
-        let lattice: Vec<LatticePoint> = points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect();
+        let lattice: Vec<LatticePoint> =
+            points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect();
         let graph = Graph::from_cells(lattice.len(), &cells);
         let order = EliminationOrder::new(&graph, &lattice, &[]);
         let symbolic = SymbolicCholesky::new(SymmetricPattern::of_graph(&graph, &order)).unwrap();
@@ -180,7 +192,8 @@ mod tests {
         let pattern = symbolic.pattern();
         let column = |j: usize| {
             let diagonal = if is_stiff(j) { 30.0 } else { 9.0 };
-            std::iter::once(diagonal).chain((1..pattern.column(j).len()).map(|k| -1.0 - 0.01 * k as f64))
+            std::iter::once(diagonal)
+                .chain((1..pattern.column(j).len()).map(|k| -1.0 - 0.01 * k as f64))
         };
         (0..pattern.order()).flat_map(column).collect()
     }
@@ -220,7 +233,8 @@ mod tests {
         let (symbolic, position) = grid();
         let old = matrix(&symbolic, |_| false);
         let changed = position[0];
-        let outdated = outdated_supernodes(&symbolic, &old, &matrix(&symbolic, |j| j == changed as usize));
+        let outdated =
+            outdated_supernodes(&symbolic, &old, &matrix(&symbolic, |j| j == changed as usize));
         let count = outdated.iter().filter(|outdated| **outdated).count();
         assert!(count < outdated.len() / 4, "{count} of {} supernodes", outdated.len());
         // The supernode of that equation and its ancestors.
@@ -267,7 +281,8 @@ mod tests {
                 ControlFlow::Continue(())
             })
             .unwrap();
-        let work: usize = (0..symbolic.supernode_count()).map(|s| symbolic.supernode(s).work()).sum();
+        let work: usize =
+            (0..symbolic.supernode_count()).map(|s| symbolic.supernode(s).work()).sum();
         assert!(
             work > 4 * WORK_BETWEEN_CHECKPOINTS && asked >= 4,
             "{work} multiplications, {asked} checkpoints"

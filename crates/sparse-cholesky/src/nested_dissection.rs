@@ -1,15 +1,18 @@
 //! Nested dissection on structured patches.
 //!
-//! A set of nodes is cut by a line of the lattice into two halves and the separator between them; the halves
-//! are numbered first, each by the same rule, and the separator last. On an n-node quadrilateral mesh this
-//! bounds the entries of the Cholesky factor by `O(n log n)` and the operations by `O(n^1.5)`.
+//! A set of nodes is cut by a line of the lattice into two halves and the separator between them;
+//! the halves are numbered first, each by the same rule, and the separator last. On an n-node
+//! quadrilateral mesh this bounds the entries of the Cholesky factor by `O(n log n)` and the
+//! operations by `O(n^1.5)`.
 //!
 //! # Reference
-//! A. George, *Nested dissection of a regular finite element mesh*, SIAM J. Numer. Anal. 10 (1973) 345–363.
+//! A. George, *Nested dissection of a regular finite element mesh*, SIAM J. Numer. Anal. 10 (1973)
+//! 345–363.
 
 use super::Graph;
 
-/// Place of a node in a structured patch. Neighbouring nodes of one patch differ by at most 1 in `i` and `j`.
+/// Place of a node in a structured patch. Neighbouring nodes of one patch differ by at most 1 in
+/// `i` and `j`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LatticePoint {
     /// Patch number; patches are parted from each other before they are bisected.
@@ -85,14 +88,15 @@ fn bisect(
     let (_, &mut median, _) =
         scratch.select_nth_unstable_by_key(middle, |&n| coordinate(&lattice[n as usize]));
     let cut = coordinate(&lattice[median as usize]).clamp(lowest + 1, highest - 1);
-    let (low, high) = split(nodes, graph, part, scratch, |n| coordinate(&lattice[n as usize]) <= cut);
+    let (low, high) =
+        split(nodes, graph, part, scratch, |n| coordinate(&lattice[n as usize]) <= cut);
     let (low_nodes, rest) = nodes.split_at_mut(low);
     bisect(low_nodes, lattice, graph, part, scratch);
     bisect(&mut rest[..high], lattice, graph, part, scratch);
 }
 
-/// Rearranges `nodes` into `[low, high, separator]` and returns the sizes of the first two. The separator is
-/// made of the low nodes that touch a high one.
+/// Rearranges `nodes` into `[low, high, separator]` and returns the sizes of the first two. The
+/// separator is made of the low nodes that touch a high one.
 fn split(
     nodes: &mut [u32],
     graph: &Graph,
@@ -139,7 +143,8 @@ mod tests {
             .flat_map(|i| (0..m - 1).map(move |j| (i, j)))
             .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
             .collect();
-        let lattice = (0..m).flat_map(|i| (0..m).map(move |j| LatticePoint { patch: 0, i, j })).collect();
+        let lattice =
+            (0..m).flat_map(|i| (0..m).map(move |j| LatticePoint { patch: 0, i, j })).collect();
         (Graph::from_cells((m * m) as usize, &cells), lattice)
     }
 

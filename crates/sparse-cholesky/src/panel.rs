@@ -44,7 +44,8 @@ struct Run {
 
 impl PanelWorkspace {
     pub fn new(symbolic: &SymbolicCholesky) -> Self {
-        let widest = (0..symbolic.supernode_count()).map(|s| symbolic.supernode(s).columns.len()).max();
+        let widest =
+            (0..symbolic.supernode_count()).map(|s| symbolic.supernode(s).columns.len()).max();
         Self {
             panel_row: vec![0; symbolic.order()],
             product: Vec::new(),
@@ -79,7 +80,8 @@ impl PanelWorkspace {
         let &Update { source, values, first, count } = update;
         let (width, height) = (source.columns.len(), source.height());
         let rows = &source.rows[first..];
-        let below = MatRef::from_column_major_slice(values, height, width).subrows(width + first, rows.len());
+        let below = MatRef::from_column_major_slice(values, height, width)
+            .subrows(width + first, rows.len());
         let size = rows.len() * count;
         if self.product.len() < size {
             self.product.resize(size, 0.0);
@@ -99,7 +101,9 @@ impl PanelWorkspace {
             let start = (row as usize - node.columns.start) * node.height();
             let target = &mut panel[start..start + node.height()];
             for &Run { from, to, len } in &self.runs {
-                for (entry, value) in target[to..to + len].iter_mut().zip(&column[from..from + len]) {
+                for (entry, value) in
+                    target[to..to + len].iter_mut().zip(&column[from..from + len])
+                {
                     *entry -= value;
                 }
             }
@@ -107,7 +111,11 @@ impl PanelWorkspace {
     }
 
     /// Turns a panel of the Schur complement into one of the factor.
-    pub fn factorize(&mut self, node: &Supernode<'_>, panel: &mut [f64]) -> Result<(), FactorizationError> {
+    pub fn factorize(
+        &mut self,
+        node: &Supernode<'_>,
+        panel: &mut [f64],
+    ) -> Result<(), FactorizationError> {
         let width = node.columns.len();
         let panel = MatMut::from_column_major_slice_mut(panel, node.height(), width);
         let (mut diagonal, below) = panel.split_at_row_mut(width);

@@ -24,15 +24,21 @@ impl SymmetricPattern {
         Self { column_offsets, rows }
     }
 
-    /// Pattern of a matrix with one equation for each node of a graph, in elimination order: two are coupled if their
-    /// nodes are neighbours.
+    /// Pattern of a matrix with one equation for each node of a graph, in elimination order: two
+    /// are coupled if their nodes are neighbours.
     pub fn of_graph(graph: &Graph, order: &EliminationOrder) -> Self {
         let position = order.positions();
         let (mut column_offsets, mut rows) = (vec![0], Vec::new());
         for (k, &node) in (0u32..).zip(order.nodes()) {
             let start = rows.len();
             rows.push(k);
-            rows.extend(graph.neighbours(node).iter().map(|&m| position[m as usize]).filter(|&row| row > k));
+            rows.extend(
+                graph
+                    .neighbours(node)
+                    .iter()
+                    .map(|&m| position[m as usize])
+                    .filter(|&row| row > k),
+            );
             rows[start..].sort_unstable();
             column_offsets.push(rows.len() as u32);
         }

@@ -1,7 +1,8 @@
 //! Structure of a sparse Cholesky factor: supernodes and their elimination tree.
 //!
-//! The columns of `L` are grouped into supernodes: runs of columns `[start, end)` with one common set of rows below,
-//! stored as a dense column-major panel whose first `end - start` rows are the diagonal block.
+//! The columns of `L` are grouped into supernodes: runs of columns `[start, end)` with one common
+//! set of rows below, stored as a dense column-major panel whose first `end - start` rows are the
+//! diagonal block.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -65,7 +66,11 @@ impl SymbolicCholesky {
         }
         let parent = (0..structure.n_supernodes())
             .map(|s| {
-                structure.supernode(s).pattern().first().map_or(s, |&r| supernode_of[r as usize] as usize)
+                structure
+                    .supernode(s)
+                    .pattern()
+                    .first()
+                    .map_or(s, |&r| supernode_of[r as usize] as usize)
             })
             .collect();
         Ok(Arc::new(Self { pattern, structure, parent, supernode_of }))
@@ -87,16 +92,20 @@ impl SymbolicCholesky {
         let offsets = [structure.col_ptr_for_row_idx(), structure.col_ptr_for_val()];
         let columns = [structure.supernode_begin(), structure.supernode_end(), &self.supernode_of];
         let lists = offsets.iter().chain(&columns).map(|list| size_of_val(*list)).sum::<usize>();
-        self.pattern.bytes() + lists + size_of_val(structure.row_idx()) + size_of_val(self.parent.as_slice())
+        self.pattern.bytes()
+            + lists
+            + size_of_val(structure.row_idx())
+            + size_of_val(self.parent.as_slice())
     }
 
-    /// Entries stored for the factor, including the zeros above the diagonal of each panel's diagonal block.
+    /// Entries stored for the factor, including the zeros above the diagonal of each panel's
+    /// diagonal block.
     pub fn factor_entries(&self) -> usize {
         self.structure.len_val()
     }
 
-    /// The supernodes that a solve touches when its right-hand side and its wanted entries both lie in
-    /// `equations`: theirs and all ancestors of those.
+    /// The supernodes that a solve touches when its right-hand side and its wanted entries both
+    /// lie in `equations`: theirs and all ancestors of those.
     pub fn reach(&self, equations: &[u32]) -> Reach {
         let mut touched = vec![false; self.parent.len()];
         for &equation in equations {
@@ -128,7 +137,8 @@ impl SymbolicCholesky {
         }
     }
 
-    /// Where the panel of each supernode begins among the values of the factor, and where the last one ends.
+    /// Where the panel of each supernode begins among the values of the factor, and where the last
+    /// one ends.
     pub(super) fn value_offsets(&self) -> &[u32] {
         self.structure.col_ptr_for_val()
     }
@@ -161,8 +171,8 @@ impl Reach {
     }
 }
 
-/// A run of columns of the factor with one common set of rows below its diagonal block. Its panel holds both,
-/// column-major.
+/// A run of columns of the factor with one common set of rows below its diagonal block. Its panel
+/// holds both, column-major.
 pub(super) struct Supernode<'a> {
     pub columns: Range<usize>,
     /// Rows below the diagonal block.

@@ -36,7 +36,9 @@ fn describe_material(material: &Deformable, job: &Job) -> Vec<String> {
         format!("E {}", stress(elastic.young_modulus.get())),
         format!("ν {}", short(elastic.poisson_ratio.get())),
     ];
-    items.extend(material.plasticity().map(|law| describe_fields(law.table().label, law.values(), units)));
+    items.extend(
+        material.plasticity().map(|law| describe_fields(law.table().label, law.values(), units)),
+    );
     if let Some(strength) = material.strength() {
         let (least, greatest) = strength.range();
         items.push(format!(
@@ -46,7 +48,9 @@ fn describe_material(material: &Deformable, job: &Job) -> Vec<String> {
         ));
     }
     let initial = material.initial_stress().iter().map(|row| row.sigma_x);
-    if let Some((least, greatest)) = initial.map(|x| (x, x)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) {
+    if let Some((least, greatest)) =
+        initial.map(|x| (x, x)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+    {
         let along = if job.analysis == Analysis::Axisymmetric { "σ_r" } else { "σ_x" };
         items.push(format!("{along} {} to {} before the load", stress(least), stress(greatest)));
     }

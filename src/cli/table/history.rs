@@ -1,4 +1,5 @@
-//! The iteration history as a table: a line for every iteration, or for every increment of a load that is divided.
+//! The iteration history as a table: a line for every iteration, or for every increment of a load
+//! that is divided.
 
 use super::number::significant;
 use crate::cli::style::Style;
@@ -10,7 +11,8 @@ const ENDS: usize = 5;
 
 /// The history, its middle left out when it is long.
 pub(super) fn history(records: &[IterationRecord], style: Style) -> String {
-    let lines: Vec<&[IterationRecord]> = if records.iter().any(|record| record.increment.is_some()) {
+    let lines: Vec<&[IterationRecord]> = if records.iter().any(|record| record.increment.is_some())
+    {
         records.chunk_by(|a, b| a.increment == b.increment).collect()
     } else {
         records.chunks(1).collect()

@@ -1,6 +1,7 @@
 //! Figures with as many digits as they deserve.
 
-/// Writes a number with this many significant digits; very large and very small ones in powers of ten.
+/// Writes a number with this many significant digits; very large and very small ones in powers of
+/// ten.
 pub(in crate::cli) fn significant(value: f64, digits: i32) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -15,11 +16,16 @@ pub(in crate::cli) fn significant(value: f64, digits: i32) -> String {
     format!("{value:.decimals$}")
 }
 
-/// The smallest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below `value`.
+/// The smallest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below
+/// `value`.
 pub(super) fn round_up(value: f64) -> f64 {
     let power = 10_f64.powf(value.log10().floor());
     let steps = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
-    steps.into_iter().map(|step| step * power).find(|step| *step >= value * (1.0 - 1e-12)).unwrap_or(value)
+    steps
+        .into_iter()
+        .map(|step| step * power)
+        .find(|step| *step >= value * (1.0 - 1e-12))
+        .unwrap_or(value)
 }
 
 /// Writes a number without needless digits.

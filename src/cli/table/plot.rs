@@ -1,5 +1,6 @@
-//! The contact pressure drawn with characters: this contact as a line, Hertz as dots. That of a body of revolution is drawn over
-//! the radius, from the axis on; that in three dimensions over x and over y.
+//! The contact pressure drawn with characters: this contact as a line, Hertz as dots. That of a
+//! body of revolution is drawn over the radius, from the axis on; that in three dimensions over x
+//! and over y.
 
 use std::fmt::Write;
 
@@ -40,21 +41,31 @@ struct Ellipse {
     peak_pressure: f64,
 }
 
-/// The pictures of a step with their axes, one below the other; empty when there is nothing to draw.
+/// The pictures of a step with their axes, one below the other; empty when there is nothing to
+/// draw.
 pub(super) fn pressure(step: &StepReport, names: Names, style: Style) -> String {
     let hertz = step
         .hertz
         .as_ref()
         .map(|hertz| Ellipse { half_width: hertz.half_width, peak_pressure: hertz.peak_pressure });
     let nodes = &step.contact.nodes;
-    let mut sections =
-        vec![Section { x: &nodes.x, pressure: &nodes.pressure, hertz, abscissa: names.abscissa() }];
+    let mut sections = vec![Section {
+        x: &nodes.x,
+        pressure: &nodes.pressure,
+        hertz,
+        abscissa: names.abscissa(),
+    }];
     if let Some(whole) = &step.three_dimensional {
         let longer = whole.hertz.map(|ellipse| ellipse.b);
         let hertz = hertz.zip(longer).filter(|_| whole.roller.is_none());
         let hertz = hertz.map(|(hertz, half_width)| Ellipse { half_width, ..hertz });
         let section = &whole.section;
-        sections.push(Section { x: &section.y, pressure: &section.pressure, hertz, abscissa: "y" });
+        sections.push(Section {
+            x: &section.y,
+            pressure: &section.pressure,
+            hertz,
+            abscissa: "y",
+        });
     }
     let peak = step.contact.peak_pressure.max(hertz.map_or(0.0, |hertz| hertz.peak_pressure));
     let pictures: Vec<String> = sections
@@ -68,7 +79,8 @@ pub(super) fn pressure(step: &StepReport, names: Names, style: Style) -> String 
 fn picture(section: &Section<'_>, peak: f64, names: Names, style: Style) -> String {
     let hertz = section.hertz;
     let pressed = section.x.iter().zip(section.pressure).filter(|(_, p)| **p > 0.0);
-    let reach = pressed.map(|(x, _)| x.abs()).fold(hertz.map_or(0.0, |hertz| hertz.half_width), f64::max);
+    let reach =
+        pressed.map(|(x, _)| x.abs()).fold(hertz.map_or(0.0, |hertz| hertz.half_width), f64::max);
     if peak <= 0.0 || reach <= 0.0 {
         return String::new();
     }
@@ -79,7 +91,8 @@ fn picture(section: &Section<'_>, peak: f64, names: Names, style: Style) -> Stri
         dot_ellipse(&mut cells, hertz, scale);
     }
     // Of a body of revolution the curve goes on beyond the axis.
-    let mut before = if names.is_round { level(interpolated(section, scale.x(0)), top) } else { None };
+    let mut before =
+        if names.is_round { level(interpolated(section, scale.x(0)), top) } else { None };
     for column in 0..DOTS_X {
         let here = level(interpolated(section, scale.x(column)), top);
         for level in stroke(before, here) {
@@ -118,7 +131,8 @@ fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: Ellipse, scale: Scale
     while angle < std::f64::consts::PI {
         let (sine, cosine) = angle.sin_cos();
         if let Some(level) = level(hertz.peak_pressure * sine, scale.top) {
-            let column = ((-hertz.half_width * cosine - scale.left) * scale.dots_x()).floor().max(0.0);
+            let column =
+                ((-hertz.half_width * cosine - scale.left) * scale.dots_x()).floor().max(0.0);
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
@@ -148,11 +162,16 @@ fn interpolated(nodes: &Section<'_>, x: f64) -> f64 {
 /// Height of a pressure in dots above the axis; none for no pressure.
 fn level(pressure: f64, top: f64) -> Option<usize> {
     let height = (pressure / top * DOTS_Y as f64).floor();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the picture")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to the picture"
+    )]
     (pressure > 0.0).then(|| height.clamp(0.0, (DOTS_Y - 1) as f64) as usize)
 }
 
-/// The dots of one column that join this height to the one before, so that steep curves do not break.
+/// The dots of one column that join this height to the one before, so that steep curves do not
+/// break.
 fn stroke(before: Option<usize>, here: Option<usize>) -> std::ops::Range<usize> {
     match (before, here) {
         (Some(before), Some(here)) if here > before => before + 1..here + 1,
@@ -231,7 +250,9 @@ fn drawn(cells: &[Cell], style: Style) -> String {
 fn symbol(cell: Cell, style: Style) -> char {
     match (style.unicode, cell.contact, cell.hertz) {
         (_, 0, 0) => ' ',
-        (true, contact, hertz) => char::from_u32(0x2800 + u32::from(contact | hertz)).unwrap_or('?'),
+        (true, contact, hertz) => {
+            char::from_u32(0x2800 + u32::from(contact | hertz)).unwrap_or('?')
+        }
         (false, 0, _) => '.',
         (false, _, _) => '*',
     }

@@ -16,7 +16,8 @@ use crate::http::wire::{JobDocument, Prefix};
 use crate::http::written_body::written;
 use crate::jobs::{JobId, StoreError};
 
-/// Bytes of a job that are held back until the whole of it is there, so that one that is removed meanwhile is answered as such.
+/// Bytes of a job that are held back until the whole of it is there, so that one that is removed
+/// meanwhile is answered as such.
 const HELD: usize = 1 << 20;
 
 /// 200 with the jobs of these ids.
@@ -49,7 +50,12 @@ impl Fetch {
         let count = ids.len();
         let mut before = "{\"jobs\":[".to_owned();
         for id in ids {
-            if self.sender.send(std::mem::replace(&mut before, ",".to_owned()).into()).await.is_err() {
+            if self
+                .sender
+                .send(std::mem::replace(&mut before, ",".to_owned()).into())
+                .await
+                .is_err()
+            {
                 // The client has gone.
                 return Ok(());
             }
@@ -69,7 +75,8 @@ impl Fetch {
     async fn send(&self, id: JobId) -> Result<Result<(), Problem>, StoreError> {
         let found = async {
             check_seen(&self.state, self.caller, id).await?;
-            let job = JobDocument::of(&self.state, self.state.jobs.get(id).await?, &self.prefix).await?;
+            let job =
+                JobDocument::of(&self.state, self.state.jobs.get(id).await?, &self.prefix).await?;
             let head = if job.done { self.state.jobs.result(id).await? } else { None };
             Ok::<_, StoreError>((job, head))
         };
@@ -77,8 +84,9 @@ impl Fetch {
             Ok(found) => found,
             Err(error) => return Ok(Err(error.into())),
         };
-        let item =
-            |job: JobDocument| serde_json::to_vec(&BatchItem::found(job)).map_err(StoreError::unavailable);
+        let item = |job: JobDocument| {
+            serde_json::to_vec(&BatchItem::found(job)).map_err(StoreError::unavailable)
+        };
         let Some(head) = head else {
             let _ = self.sender.send(item(job)?.into()).await;
             return Ok(Ok(()));
@@ -110,8 +118,8 @@ impl Fetch {
         }
     }
 
-    /// Sends the pieces of a job once there are so many that they are not held any longer, and returns those of a job of which
-    /// nothing is sent yet.
+    /// Sends the pieces of a job once there are so many that they are not held any longer, and
+    /// returns those of a job of which nothing is sent yet.
     async fn pass_on(&self, mut pieces: Receiver<Bytes>) -> Option<Vec<Bytes>> {
         let mut held = Some(Vec::new());
         let mut bytes = 0;

@@ -1,4 +1,5 @@
-//! The members of a JSON object as they are written: every one, also those that come twice, each with its own text.
+//! The members of a JSON object as they are written: every one, also those that come twice, each
+//! with its own text.
 
 use std::fmt;
 

@@ -82,12 +82,18 @@ impl Faults {
             return Ok(read);
         }
         let count = self.0.len();
-        let detail = format!("{count} member{} of the request at fault", if count == 1 { "" } else { "s" });
+        let detail =
+            format!("{count} member{} of the request at fault", if count == 1 { "" } else { "s" });
         Err(Problem::new(ProblemType::InvalidBatch, detail).with_errors(self.0))
     }
 
     /// The members of an object whose names are known, each once.
-    fn members<'a>(&mut self, pointer: &str, text: &'a str, known: &[&str]) -> Vec<(String, &'a RawValue)> {
+    fn members<'a>(
+        &mut self,
+        pointer: &str,
+        text: &'a str,
+        known: &[&str],
+    ) -> Vec<(String, &'a RawValue)> {
         let Ok(Members(members)) = serde_json::from_str::<Members<'a>>(text) else {
             self.add(pointer, FaultCode::WrongType, "must be an object");
             return Vec::new();
@@ -97,7 +103,8 @@ impl Faults {
             let shown: String = name.chars().take(40).collect();
             let place = format!("{pointer}/{}", shown.replace('~', "~0").replace('/', "~1"));
             if !known.contains(&name.as_str()) {
-                let detail = format!("unknown member {shown:?}; expected one of: {}", known.join(", "));
+                let detail =
+                    format!("unknown member {shown:?}; expected one of: {}", known.join(", "));
                 self.add(place, FaultCode::UnknownKey, detail);
             } else if kept.iter().any(|(other, _)| *other == name) {
                 self.add(place, FaultCode::DuplicateKey, "must be given once");
@@ -161,7 +168,10 @@ fn text(body: &[u8]) -> Result<&str, Problem> {
 ///
 /// # Errors
 /// A problem with every member at fault.
-pub(in crate::http) fn read_jobs(body: &[u8], callbacks: &CallbackRules) -> Result<Vec<ReadJob>, Problem> {
+pub(in crate::http) fn read_jobs(
+    body: &[u8],
+    callbacks: &CallbackRules,
+) -> Result<Vec<ReadJob>, Problem> {
     let mut faults = Faults::default();
     let items = faults.list(text(body)?, "jobs");
     let mut jobs = Vec::with_capacity(items.len());
@@ -170,14 +180,18 @@ pub(in crate::http) fn read_jobs(body: &[u8], callbacks: &CallbackRules) -> Resu
         let mut job = None;
         let mut read = ReadJob::default();
         let count = faults.0.len();
-        for (name, value) in
-            faults.members(&pointer, item.get(), &["job", "priority", "idempotency_key", "callback_url"])
-        {
+        for (name, value) in faults.members(
+            &pointer,
+            item.get(),
+            &["job", "priority", "idempotency_key", "callback_url"],
+        ) {
             let place = format!("{pointer}/{name}");
             match name.as_str() {
                 "priority" => {
-                    let expected = format!("a whole number between -{MAX_PRIORITY} and {MAX_PRIORITY}");
-                    let is_allowed = |priority: &i16| (-MAX_PRIORITY..=MAX_PRIORITY).contains(priority);
+                    let expected =
+                        format!("a whole number between -{MAX_PRIORITY} and {MAX_PRIORITY}");
+                    let is_allowed =
+                        |priority: &i16| (-MAX_PRIORITY..=MAX_PRIORITY).contains(priority);
                     read.priority = faults.value(place, value, &expected, is_allowed).unwrap_or(0);
                 }
                 "idempotency_key" => {
@@ -186,7 +200,8 @@ pub(in crate::http) fn read_jobs(body: &[u8], callbacks: &CallbackRules) -> Resu
                     read.idempotency_key = faults.value(place, value, expected, is_key);
                 }
                 "callback_url" => {
-                    read.callback_url = faults.value(place.clone(), value, "a text", |_: &String| true);
+                    read.callback_url =
+                        faults.value(place.clone(), value, "a text", |_: &String| true);
                     let checked = read.callback_url.as_deref().map(|url| callbacks.check(url));
                     if let Some(Err(detail)) = checked {
                         faults.add(place, FaultCode::OutOfRange, detail);
@@ -228,7 +243,12 @@ mod tests {
     fn faults(problem: Problem) -> Vec<(String, String)> {
         let problem = serde_json::to_value(problem).unwrap();
         let text = |fault: &serde_json::Value, key: &str| fault[key].as_str().unwrap().to_owned();
-        problem["errors"].as_array().unwrap().iter().map(|f| (text(f, "pointer"), text(f, "code"))).collect()
+        problem["errors"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|f| (text(f, "pointer"), text(f, "code")))
+            .collect()
     }
 
     #[test]
@@ -239,7 +259,10 @@ mod tests {
         );
         let jobs = jobs.unwrap();
         assert_eq!((jobs[0].job.as_ref(), jobs[0].priority), (&br#"{"a" : 1.0e0}"#[..], -3));
-        assert_eq!((jobs[1].job.as_ref(), jobs[1].idempotency_key.as_deref()), (&b"7"[..], Some("x")));
+        assert_eq!(
+            (jobs[1].job.as_ref(), jobs[1].idempotency_key.as_deref()),
+            (&b"7"[..], Some("x"))
+        );
     }
 
     #[test]
@@ -269,7 +292,10 @@ mod tests {
         assert_eq!(code(br#"{"ids": null}"#), "required");
         assert_eq!(code(br#"{"ids": {}}"#), "wrong_type");
         assert_eq!(code(br#"{"ids": []}"#), "wrong_length");
-        assert_eq!(code(format!("{{\"ids\": [{}1]}}", "1,".repeat(MAX_JOBS)).as_bytes()), "wrong_length");
+        assert_eq!(
+            code(format!("{{\"ids\": [{}1]}}", "1,".repeat(MAX_JOBS)).as_bytes()),
+            "wrong_length"
+        );
         assert_eq!(code(br#"{"ids": ["x"]}"#), "wrong_type");
         let problem = serde_json::to_value(read_ids(b"{\"ids\": [").unwrap_err()).unwrap();
         assert_eq!(problem["type"], "/problems/invalid-json");

@@ -1,4 +1,5 @@
-//! `GET /docs/`: the OpenAPI document for a person to read, written as one page of plain HTML in the style of the page at `/`.
+//! `GET /docs/`: the OpenAPI document for a person to read, written as one page of plain HTML in
+//! the style of the page at `/`.
 
 mod operation;
 mod schema;
@@ -18,7 +19,8 @@ use operation::{operation, operations};
 use schema::schemas;
 use text::{escaped, paragraphs};
 
-/// `GET /docs`: addresses in the page are relative to `/docs/`, so that it stands below the path of a proxy too.
+/// `GET /docs`: addresses in the page are relative to `/docs/`, so that it stands below the path
+/// of a proxy too.
 pub(super) async fn to_page() -> Redirect {
     Redirect::permanent("docs/")
 }
@@ -26,7 +28,8 @@ pub(super) async fn to_page() -> Redirect {
 /// `GET /docs/`.
 pub(super) async fn page() -> impl IntoResponse {
     static PAGE: LazyLock<String> = LazyLock::new(|| write(&openapi::document()));
-    let headers: [(HeaderName, &str); 2] = [(CACHE_CONTROL, "no-cache"), (CONTENT_SECURITY_POLICY, POLICY)];
+    let headers: [(HeaderName, &str); 2] =
+        [(CACHE_CONTROL, "no-cache"), (CONTENT_SECURITY_POLICY, POLICY)];
     (headers, Html(PAGE.as_str()))
 }
 
@@ -43,18 +46,21 @@ fn write(document: &Value) -> String {
             let id = escaped(body["operationId"].as_str().unwrap_or_default());
             let _ = writeln!(
                 html,
-                "<li><a href=\"#{id}\"><span class=\"method\">{method}</span> <code>{}</code></a></li>",
+                "<li><a href=\"#{id}\"><span class=\"method\">{method}</span> \
+                 <code>{}</code></a></li>",
                 escaped(path)
             );
         }
         html.push_str("</ul>\n");
     }
     html.push_str(
-        "<h2><a href=\"#schemas\">schemas</a></h2>\n</nav>\n<main id=\"interface\" tabindex=\"-1\">\n",
+        "<h2><a href=\"#schemas\">schemas</a></h2>\n</nav>\n<main id=\"interface\" \
+         tabindex=\"-1\">\n",
     );
     let _ = write!(
         html,
-        "<section aria-label=\"About\">\n<h1>{} {}</h1>\n{}<p>For programs: <a href=\"../openapi.json\">openapi.json</a>.</p>\n</section>\n",
+        "<section aria-label=\"About\">\n<h1>{} {}</h1>\n{}<p>For programs: <a \
+         href=\"../openapi.json\">openapi.json</a>.</p>\n</section>\n",
         escaped(info["title"].as_str().unwrap_or_default()),
         escaped(info["version"].as_str().unwrap_or_default()),
         paragraphs(info["description"].as_str().unwrap_or_default())

@@ -28,11 +28,18 @@ pub(super) fn operations<'a>(
 }
 
 /// One operation.
-pub(super) fn operation(html: &mut String, document: &Value, method: &str, path: &str, body: &Value) {
+pub(super) fn operation(
+    html: &mut String,
+    document: &Value,
+    method: &str,
+    path: &str,
+    body: &Value,
+) {
     let id = escaped(body["operationId"].as_str().unwrap_or_default());
     let _ = write!(
         html,
-        "<article id=\"{id}\" aria-labelledby=\"name-{id}\">\n<h3 id=\"name-{id}\"><span class=\"method\">{method}</span> <code>{}</code></h3>\n\
+        "<article id=\"{id}\" aria-labelledby=\"name-{id}\">\n<h3 id=\"name-{id}\"><span \
+         class=\"method\">{method}</span> <code>{}</code></h3>\n\
          <p class=\"summary\">{}</p>\n{}",
         escaped(path),
         inline(body["summary"].as_str().unwrap_or_default()),
@@ -43,19 +50,25 @@ pub(super) fn operation(html: &mut String, document: &Value, method: &str, path:
         html.push_str("<h4>Body</h4>\n");
         for (media, form) in content {
             let text = inline(body["requestBody"]["description"].as_str().unwrap_or_default());
-            let _ =
-                writeln!(html, "<p><code>{}</code>: {}. {text}</p>", escaped(media), kind(&form["schema"]));
+            let _ = writeln!(
+                html,
+                "<p><code>{}</code>: {}. {text}</p>",
+                escaped(media),
+                kind(&form["schema"])
+            );
             examples(html, document, form);
         }
     }
     calls(html, method, path, body);
     html.push_str("<h4>Answers</h4>\n<dl>\n");
     for (status, response) in body["responses"].as_object().into_iter().flatten() {
-        let forms: Vec<String> = response["content"].as_object().map_or_else(Vec::new, |content| {
-            let form =
-                |(media, form): (&String, &Value)| format!("{} {}", escaped(media), kind(&form["schema"]));
-            content.iter().map(form).collect()
-        });
+        let forms: Vec<String> =
+            response["content"].as_object().map_or_else(Vec::new, |content| {
+                let form = |(media, form): (&String, &Value)| {
+                    format!("{} {}", escaped(media), kind(&form["schema"]))
+                };
+                content.iter().map(form).collect()
+            });
         let _ = writeln!(
             html,
             "<dt><code>{}</code> <span class=\"quiet\">{}</span></dt>\n<dd>{}</dd>",
@@ -84,7 +97,8 @@ fn calls(html: &mut String, method: &str, path: &str, body: &Value) {
     if has_body {
         curl.push_str(" -H 'Content-Type: application/json' -d @job.json");
         arguments.push_str(
-            ", data=open(\"job.json\", \"rb\").read(), headers={\"Content-Type\": \"application/json\"}",
+            ", data=open(\"job.json\", \"rb\").read(), headers={\"Content-Type\": \
+             \"application/json\"}",
         );
     }
     if method != "get" && !(method == "post" && has_body) {
@@ -94,7 +108,8 @@ fn calls(html: &mut String, method: &str, path: &str, body: &Value) {
     let read = if is_json { "json.load(response)" } else { "response.read()" };
     let _ = write!(
         python,
-        "request = urllib.request.Request({arguments})\nwith urllib.request.urlopen(request) as response:\n    answer = {read}"
+        "request = urllib.request.Request({arguments})\nwith urllib.request.urlopen(request) as \
+         response:\n    answer = {read}"
     );
     if !is_json {
         python = python.replace("import json\n", "");
@@ -102,7 +117,8 @@ fn calls(html: &mut String, method: &str, path: &str, body: &Value) {
     for (name, text) in [("curl", curl), ("Python", python)] {
         let _ = writeln!(
             html,
-            "<details><summary>{name}</summary>\n<pre class=\"scroll\" tabindex=\"0\" aria-label=\"{name}: {method} {path}\" role=\"region\">{}</pre>\n</details>",
+            "<details><summary>{name}</summary>\n<pre class=\"scroll\" tabindex=\"0\" \
+             aria-label=\"{name}: {method} {path}\" role=\"region\">{}</pre>\n</details>",
             escaped(&text),
             path = escaped(path)
         );
@@ -131,13 +147,15 @@ fn parameters(html: &mut String, body: &Value) {
 
 /// The examples of a body, folded.
 fn examples(html: &mut String, document: &Value, form: &Value) {
-    for example in form["examples"].as_object().into_iter().flat_map(|examples| examples.values()) {
+    for example in form["examples"].as_object().into_iter().flat_map(|examples| examples.values())
+    {
         let target = example["$ref"].as_str().and_then(|target| target.strip_prefix('#'));
         let example = target.and_then(|target| document.pointer(target)).unwrap_or(example);
         let name = escaped(example["summary"].as_str().unwrap_or("example"));
         let _ = writeln!(
             html,
-            "<details><summary>Example: {name}</summary>\n<pre class=\"scroll\" tabindex=\"0\" aria-label=\"{name}\" role=\"region\">{}</pre>\n</details>",
+            "<details><summary>Example: {name}</summary>\n<pre class=\"scroll\" tabindex=\"0\" \
+             aria-label=\"{name}\" role=\"region\">{}</pre>\n</details>",
             escaped(&format!("{:#}", example["value"]))
         );
     }

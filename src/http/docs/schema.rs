@@ -15,7 +15,8 @@ pub(super) fn schemas(html: &mut String, document: &Value) {
         let name = escaped(name);
         let _ = write!(
             html,
-            "<article id=\"schema-{name}\" aria-labelledby=\"name-{name}\">\n<h3 id=\"name-{name}\"><code>{name}</code></h3>\n{}",
+            "<article id=\"schema-{name}\" aria-labelledby=\"name-{name}\">\n<h3 \
+             id=\"name-{name}\"><code>{name}</code></h3>\n{}",
             paragraphs(schema["description"].as_str().unwrap_or_default())
         );
         if schema["properties"].is_object() {
@@ -71,8 +72,11 @@ pub(super) fn kind(schema: &Value) -> String {
             return parts.iter().map(kind).collect::<Vec<_>>().join(between);
         }
     }
-    if let Some(words) = schema["enum"].as_array().or_else(|| schema["x-extensible-enum"].as_array()) {
-        let words: Vec<_> = words.iter().map(|word| format!("<code>{}</code>", plain(word))).collect();
+    if let Some(words) =
+        schema["enum"].as_array().or_else(|| schema["x-extensible-enum"].as_array())
+    {
+        let words: Vec<_> =
+            words.iter().map(|word| format!("<code>{}</code>", plain(word))).collect();
         return words.join(", ");
     }
     if !schema["const"].is_null() {
@@ -120,8 +124,14 @@ mod tests {
     #[test]
     fn a_value_is_told_in_words() {
         for (schema, expected) in [
-            (json!({"type": "number", "minimum": 0, "exclusiveMaximum": 0.5}), "number, from 0, below 0.5"),
-            (json!({"type": ["string", "null"], "format": "date-time"}), "string or null, date-time"),
+            (
+                json!({"type": "number", "minimum": 0, "exclusiveMaximum": 0.5}),
+                "number, from 0, below 0.5",
+            ),
+            (
+                json!({"type": ["string", "null"], "format": "date-time"}),
+                "string or null, date-time",
+            ),
             (
                 json!({"type": "array", "items": {"type": "array", "items": {"type": "integer"}}}),
                 "list of list of integer",

@@ -23,7 +23,11 @@ pub(super) fn inline(text: &str) -> String {
     let mut written = String::new();
     for (k, part) in text.split('`').enumerate() {
         let part = escaped(part);
-        let _ = if k % 2 == 1 { write!(written, "<code>{part}</code>") } else { write!(written, "{part}") };
+        let _ = if k % 2 == 1 {
+            write!(written, "<code>{part}</code>")
+        } else {
+            write!(written, "{part}")
+        };
     }
     written
 }
@@ -40,7 +44,10 @@ mod tests {
 
     #[test]
     fn text_stays_text() {
-        assert_eq!(inline("a <b> `x < y` & \"c\""), "a &lt;b&gt; <code>x &lt; y</code> &amp; &quot;c&quot;");
+        assert_eq!(
+            inline("a <b> `x < y` & \"c\""),
+            "a &lt;b&gt; <code>x &lt; y</code> &amp; &quot;c&quot;"
+        );
         assert_eq!(paragraphs("one\n\n two \n\n"), "<p>one</p>\n<p>two</p>\n");
     }
 }

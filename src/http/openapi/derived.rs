@@ -1,7 +1,9 @@
-//! Derived schemas, completed: units and signs from the doc comments, and members that are left out.
+//! Derived schemas, completed: units and signs from the doc comments, and members that are left
+//! out.
 //!
-//! A doc comment names what a figure is in brackets, `Half-width a [length >= 0].`: that becomes the unit in either
-//! system and the least value. A member that may be missing is never `null`; one that may be `null` is never missing.
+//! A doc comment names what a figure is in brackets, `Half-width a [length >= 0].`: that becomes
+//! the unit in either system and the least value. A member that may be missing is never `null`;
+//! one that may be `null` is never missing.
 
 use serde_json::{Map, Value, json};
 
@@ -17,16 +19,21 @@ const UNITS: [(&str, &str); 12] = [
     ("stiffness", "Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m)."),
     (
         "energy",
-        "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.",
+        "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three \
+         dimensions.",
     ),
     ("degrees", "Unit: degree."),
-    ("length, stress or 1", "Unit: that of the figure, mm or MPa (SI: m or Pa); plastic strain without one."),
+    (
+        "length, stress or 1",
+        "Unit: that of the figure, mm or MPa (SI: m or Pa); plastic strain without one.",
+    ),
     ("ms", "Unit: ms."),
     ("bytes", "Unit: byte."),
     ("1", "Without unit."),
 ];
 
-/// Lists of points and elements, whose length the derivation does not know: schema, member, length.
+/// Lists of points and elements, whose length the derivation does not know: schema, member,
+/// length.
 const TUPLES: [(&str, &str, usize); 4] = [
     ("Fields", "nodes", 2),
     ("Fields", "displacement", 2),
@@ -45,18 +52,22 @@ pub(super) fn complete(schemas: &mut Map<String, Value>) {
     }
 }
 
-/// Gives a name to what the derivation writes out in place: the parts of a value for each body, and the kinds of load.
+/// Gives a name to what the derivation writes out in place: the parts of a value for each body,
+/// and the kinds of load.
 fn name_parts(schemas: &mut Map<String, Value>) {
     let generic: Vec<_> =
         schemas.keys().filter_map(|name| name.strip_prefix(PER_BODY)).map(str::to_owned).collect();
     for part in generic {
         let Some(mut bodies) = schemas.remove(&format!("{PER_BODY}{part}")) else { continue };
         for side in ["upper", "lower"] {
-            let body =
-                bodies["properties"][side]["oneOf"].as_array_mut().and_then(Vec::pop).unwrap_or_default();
+            let body = bodies["properties"][side]["oneOf"]
+                .as_array_mut()
+                .and_then(Vec::pop)
+                .unwrap_or_default();
             schemas.insert(part.clone(), body);
             bodies["properties"][side] = json!({
-                "description": format!("Of the {side} body; null if it is rigid or the step was stopped."),
+                "description": format!("Of the {side} body; null if it is rigid or the step was \
+                                        stopped."),
                 "oneOf": [{"$ref": format!("{BASE}{part}")}, {"type": "null"}],
             });
         }
@@ -66,7 +77,8 @@ fn name_parts(schemas: &mut Map<String, Value>) {
         let kind = variant["required"][0].as_str().unwrap_or_default().to_owned();
         schemas.insert(prescribed(&kind), variant);
     }
-    let kinds = ["force", "approach"].map(|kind| json!({"$ref": format!("{BASE}{}", prescribed(kind))}));
+    let kinds =
+        ["force", "approach"].map(|kind| json!({"$ref": format!("{BASE}{}", prescribed(kind))}));
     schemas["LoadReport"]["oneOf"] = json!(kinds);
     for (name, member, length) in TUPLES {
         let mut items = &mut schemas[name]["properties"][member]["items"];
@@ -88,8 +100,9 @@ fn prescribed(kind: &str) -> String {
 
 fn complete_object(schema: &mut Value, is_answer: bool) {
     describe(schema);
-    if let Some(target) =
-        schema["$ref"].as_str().and_then(|target| target.strip_prefix(BASE)?.strip_prefix(PER_BODY))
+    if let Some(target) = schema["$ref"]
+        .as_str()
+        .and_then(|target| target.strip_prefix(BASE)?.strip_prefix(PER_BODY))
     {
         schema["$ref"] = json!(format!("{BASE}{target}OfBodies"));
     }
@@ -104,7 +117,11 @@ fn complete_object(schema: &mut Value, is_answer: bool) {
         complete_object(property, is_answer);
     }
     for part in ["oneOf", "allOf", "prefixItems"] {
-        schema[part].as_array_mut().into_iter().flatten().for_each(|part| complete_object(part, is_answer));
+        schema[part]
+            .as_array_mut()
+            .into_iter()
+            .flatten()
+            .for_each(|part| complete_object(part, is_answer));
     }
     if schema["items"].is_object() {
         complete_object(&mut schema["items"], is_answer);
@@ -121,7 +138,8 @@ fn never_null(schema: &mut Value) {
         schema["type"] = first.clone();
     }
     let Some(variants) = schema["oneOf"].as_array() else { return };
-    let others: Vec<_> = variants.iter().filter(|variant| variant["type"] != "null").cloned().collect();
+    let others: Vec<_> =
+        variants.iter().filter(|variant| variant["type"] != "null").cloned().collect();
     if let ([only], Some(members)) = (others.as_slice(), schema.as_object_mut()) {
         members.remove("oneOf");
         members.extend(only.as_object().cloned().unwrap_or_default());

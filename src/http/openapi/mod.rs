@@ -1,9 +1,9 @@
 //! This interface as an OpenAPI 3.1 document.
 //!
-//! Paths, parameters and answers are declared beside each handler and collected by the router that serves them, so
-//! none can be forgotten. The schemas of a job come from the core's tables of fields, those of a result from its types.
-//! Errors follow from what a handler takes in. Tests hold all of it to the real thing (`tests/openapi`), and
-//! `api/openapi.json` to this.
+//! Paths, parameters and answers are declared beside each handler and collected by the router that
+//! serves them, so none can be forgotten. The schemas of a job come from the core's tables of
+//! fields, those of a result from its types. Errors follow from what a handler takes in. Tests
+//! hold all of it to the real thing (`tests/openapi`), and `api/openapi.json` to this.
 
 mod derived;
 mod problems;
@@ -50,7 +50,8 @@ pub fn document() -> Value {
     document["components"]["securitySchemes"] = json!({"api_key": {
         "type": "http",
         "scheme": "bearer",
-        "description": "The token that `brinell key create` prints. Only where the service asks for API keys.",
+        "description": "The token that `brinell key create` prints. Only where the service asks \
+                        for API keys.",
     }});
     if let Some(schemas) = document["components"]["schemas"].as_object_mut() {
         derived::complete(schemas);
@@ -58,7 +59,8 @@ pub fn document() -> Value {
     let schemas = &mut document["components"]["schemas"];
     schemas["Job"]["properties"]["result"] = json!({
         "$ref": format!("{BASE}Report"),
-        "description": "The result; only in the answer to a client that waits, and only if the job is done by then.",
+        "description": "The result; only in the answer to a client that waits, and only if the \
+                        job is done by then.",
     });
     for (key, schema) in [("units", "Units"), ("analysis", "Analysis"), ("tags", "Tags")] {
         schemas["Report"]["properties"][key] = json!({"$ref": format!("{BASE}{schema}")});
@@ -74,7 +76,8 @@ pub fn document() -> Value {
     schemas["Problem"]["properties"]["type"] = open_set(PROBLEM_TYPES, &kinds);
     schemas["Problem"]["properties"]["quota"] = open_set(QUOTAS, &Quota::NAMES);
     schemas["Fault"]["properties"]["code"] = open_set(FAULT_CODES, &words::<FaultCode>());
-    schemas["ValidityNote"]["properties"]["code"] = open_set(VALIDITY_CODES, report::VALIDITY_CODES);
+    schemas["ValidityNote"]["properties"]["code"] =
+        open_set(VALIDITY_CODES, report::VALIDITY_CODES);
     for (name, schema) in schema_of_jobs(BASE) {
         schemas[name] = schema;
     }
@@ -91,11 +94,16 @@ fn info() -> Value {
         "title": "Brinell",
         "version": env!("CARGO_PKG_VERSION"),
         "summary": env!("CARGO_PKG_DESCRIPTION"),
-        "description": "Two bodies are pressed together so hard that they yield: POST a job, get the contact \
-            pressure, the approach, the stresses below the surface and the plastic zone.\n\nFigures are in the \
-            units the job names. Errors are `application/problem+json` (RFC 9457) and name every field at fault.\n\n\
-            Answers may get further members, and sets marked `x-extensible-enum` further words, without a `/v2`: a \
-            client ignores what it does not know. A job is kept with its result until its `expires_at`.",
+        "description": "Two bodies are pressed together so hard that they yield: POST a job, get \
+                        the contact \
+                        pressure, the approach, the stresses below the surface and the plastic \
+                        zone.\n\nFigures are in the \
+                        units the job names. Errors are `application/problem+json` (RFC 9457) and \
+                        name every field at fault.\n\n\
+                        Answers may get further members, and sets marked `x-extensible-enum` \
+                        further words, without a `/v2`: a \
+                        client ignores what it does not know. A job is kept with its result until \
+                        its `expires_at`.",
         "license": {"name": "MIT OR Apache-2.0", "identifier": "MIT OR Apache-2.0"},
     })
 }
@@ -109,7 +117,8 @@ fn tags_of_operations() -> Value {
     ])
 }
 
-/// Puts the files of `api/examples` beside the bodies that jobs come in, and an example of every error.
+/// Puts the files of `api/examples` beside the bodies that jobs come in, and an example of every
+/// error.
 fn show_examples(document: &mut Value) {
     let jobs = super::examples::EXAMPLES.iter().filter_map(|(name, text)| {
         let job: Value = serde_json::from_str(text).ok()?;
@@ -118,7 +127,8 @@ fn show_examples(document: &mut Value) {
     let all: Map<String, Value> = jobs.chain(problems::examples()).collect();
     document["components"]["examples"] = Value::Object(all);
     let reference = |name: &str| json!({"$ref": format!("#/components/examples/{name}")});
-    let jobs = super::examples::EXAMPLES.iter().map(|(name, _)| ((*name).to_owned(), reference(name)));
+    let jobs =
+        super::examples::EXAMPLES.iter().map(|(name, _)| ((*name).to_owned(), reference(name)));
     let jobs = Value::Object(jobs.collect());
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate", "/v1/hertz"] {
         document["paths"][path]["post"]["requestBody"]["content"]["application/json"]["examples"] =
@@ -138,9 +148,11 @@ fn keep_used_examples(document: &mut Value) {
 fn link_jobs(document: &mut Value) {
     let Some(paths) = document["paths"].as_object() else { return };
     let of_job = paths.iter().filter(|(path, _)| path.contains("{id}"));
-    let operations = of_job.flat_map(|(_, item)| item.as_object().into_iter().flat_map(Map::values));
-    let names: Vec<String> =
-        operations.filter_map(|operation| Some(operation["operationId"].as_str()?.to_owned())).collect();
+    let operations =
+        of_job.flat_map(|(_, item)| item.as_object().into_iter().flat_map(Map::values));
+    let names: Vec<String> = operations
+        .filter_map(|operation| Some(operation["operationId"].as_str()?.to_owned()))
+        .collect();
     let link = |name: &String| {
         (name.clone(), json!({"operationId": name, "parameters": {"id": "$response.body#/id"}}))
     };
@@ -165,7 +177,8 @@ pub(super) fn tags() -> RefOr<Schema> {
     named("Tags")
 }
 
-/// Words of a set that may grow: plain text, so that a client made from this document takes a word that is newer.
+/// Words of a set that may grow: plain text, so that a client made from this document takes a word
+/// that is newer.
 fn open_set(description: &str, words: &[&str]) -> Value {
     json!({
         "type": "string",
@@ -175,10 +188,12 @@ fn open_set(description: &str, words: &[&str]) -> Value {
     })
 }
 
-const JOB_STATES: &str = "Where a job stands. `queued` and `running` are passed through, the others are final; `done` \
-    says so of states that are newer than the client.";
-const SOLVE_STATUS: &str = "How a solve ended. Converged means that displacements and out-of-balance force are below \
-    the tolerance and the final state has passed a check of its own.";
+const JOB_STATES: &str = "Where a job stands. `queued` and `running` are passed through, the \
+                          others are final; `done` says so of states that are newer than the \
+                          client.";
+const SOLVE_STATUS: &str = "How a solve ended. Converged means that displacements and \
+                            out-of-balance force are below the tolerance and the final state has \
+                            passed a check of its own.";
 const VALIDITY_CODES: &str = "Stable identifier.";
 const PROBLEM_TYPES: &str =
     "The kind of error: a relative address that this service answers with an explanation.";

@@ -1,5 +1,5 @@
-//! The errors of every operation: those that follow from what it takes in, and those that its handler names under
-//! `x-problems`.
+//! The errors of every operation: those that follow from what it takes in, and those that its
+//! handler names under `x-problems`.
 
 use serde_json::{Map, Value, json};
 use utoipa::openapi::Paths;
@@ -9,13 +9,16 @@ use crate::http::problem_type::ProblemType;
 
 const METHODS: [&str; 3] = ["get", "post", "delete"];
 
-/// Adds to every operation the errors it can answer with, its security, and the id that every answer carries.
+/// Adds to every operation the errors it can answer with, its security, and the id that every
+/// answer carries.
 pub(super) fn declare(document: &mut Value, guarded: &Paths) {
     let Some(paths) = document["paths"].as_object_mut() else { return };
     for (path, item) in paths {
         let is_guarded = guarded.paths.contains_key(path);
         for method in METHODS {
-            let Some(operation) = item.get_mut(method).and_then(Value::as_object_mut) else { continue };
+            let Some(operation) = item.get_mut(method).and_then(Value::as_object_mut) else {
+                continue;
+            };
             let mut kinds = implied(path, method, operation);
             if is_guarded {
                 kinds.extend([
@@ -36,7 +39,8 @@ pub(super) fn declare(document: &mut Value, guarded: &Paths) {
             if let Some(body) = operation.get_mut("requestBody") {
                 body["required"] = json!(true);
             }
-            let Some(responses) = operation.get_mut("responses").and_then(Value::as_object_mut) else {
+            let Some(responses) = operation.get_mut("responses").and_then(Value::as_object_mut)
+            else {
                 continue;
             };
             for kind in kinds {
@@ -88,7 +92,8 @@ fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<Prob
     kinds
 }
 
-/// Adds one kind of error to the answers of an operation; kinds with the same status share an answer.
+/// Adds one kind of error to the answers of an operation; kinds with the same status share an
+/// answer.
 fn add(responses: &mut Map<String, Value>, kind: ProblemType) {
     let response = responses
         .entry(kind.status().as_str())
@@ -148,7 +153,8 @@ mod tests {
 
     #[test]
     fn handlers_name_problems_that_exist() {
-        let document = serde_json::to_value(crate::http::documented_routes().into_openapi()).unwrap();
+        let document =
+            serde_json::to_value(crate::http::documented_routes().into_openapi()).unwrap();
         let mut named = 0;
         for item in document["paths"].as_object().unwrap().values() {
             for operation in METHODS.iter().filter_map(|method| item.get(method)) {

@@ -31,7 +31,8 @@ pub(super) async fn with_result(
     }
 }
 
-/// The job that a client has waited for since it handed it in. One that is done and has no result is an error.
+/// The job that a client has waited for since it handed it in. One that is done and has no result
+/// is an error.
 pub(super) async fn finished(
     state: &HttpState,
     caller: Caller,
@@ -54,8 +55,9 @@ pub(super) fn submitted(job: JobDocument) -> Response {
     addressed(job.into_response(), done, &address)
 }
 
-/// The answer to a client that has waited for a job; where the store is out of reach before the job is done, what was known of it as it was
-/// taken in. Told to try again, the client would hand it in twice.
+/// The answer to a client that has waited for a job; where the store is out of reach before the
+/// job is done, what was known of it as it was taken in. Told to try again, the client would hand
+/// it in twice.
 pub(super) fn unless_out_of_reach(
     answer: Result<Response, Problem>,
     known: JobDocument,

@@ -39,5 +39,7 @@ async fn cancel(state: &HttpState, caller: Caller, prefix: &Prefix, id: JobId) -
         check_seen(state, caller, id).await?;
         JobDocument::of(state, state.jobs.cancel(id, caller.key()).await?, prefix).await
     };
-    cancelled.await.map_or_else(|error| BatchItem::refused(Some(id), error.into()), BatchItem::found)
+    cancelled
+        .await
+        .map_or_else(|error| BatchItem::refused(Some(id), error.into()), BatchItem::found)
 }

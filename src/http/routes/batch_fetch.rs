@@ -12,8 +12,8 @@ use crate::http::{HttpState, Problem};
 
 /// Several jobs with their results
 ///
-/// Those that are done and have a result have it inside, or the parts of it that are wanted. The answer is sent job by job as it
-/// is read. `GET /v1/jobs?id=` has the same jobs without results.
+/// Those that are done and have a result have it inside, or the parts of it that are wanted. The
+/// answer is sent job by job as it is read. `GET /v1/jobs?id=` has the same jobs without results.
 #[utoipa::path(
     post, path = "/v1/batch/fetch", tag = "results", params(SelectionQuery),
     request_body(content = BatchOfIds, content_type = "application/json", description = "The jobs, 100 at most."),

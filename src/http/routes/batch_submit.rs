@@ -14,9 +14,9 @@ use crate::jobs::Submission;
 
 /// Queue several jobs
 ///
-/// Each is checked, counted and answered as it would be by itself: one that is refused does not touch the others. All that are
-/// accepted are queued in one step, in this order. The header `Idempotency-Key` names all of them: the same request again is
-/// answered with the same jobs.
+/// Each is checked, counted and answered as it would be by itself: one that is refused does not
+/// touch the others. All that are accepted are queued in one step, in this order. The header
+/// `Idempotency-Key` names all of them: the same request again is answered with the same jobs.
 #[utoipa::path(
     post, path = "/v1/batch/submit", tag = "jobs",
     params(

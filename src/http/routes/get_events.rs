@@ -1,13 +1,14 @@
-//! `GET /v1/jobs/{id}/events`: a job as server-sent events, from its beginning or from where the client left off.
+//! `GET /v1/jobs/{id}/events`: a job as server-sent events, from its beginning or from where the
+//! client left off.
 //!
 //! | event | id | data |
 //! |---|---|---|
 //! | `state` | none, or `A-N-end` with the last | the job, as `GET /v1/jobs/{id}` |
 //! | `iteration` | `A-N`: the N-th iteration of attempt A | the iteration |
 //!
-//! The stream ends with the job. A client that comes back with `Last-Event-ID: A-N` gets what followed; one that
-//! has seen the end gets 204, which tells it not to come again. When a job is taken up anew, its iterations begin
-//! again under the next attempt.
+//! The stream ends with the job. A client that comes back with `Last-Event-ID: A-N` gets what
+//! followed; one that has seen the end gets 204, which tells it not to come again. When a job is
+//! taken up anew, its iterations begin again under the next attempt.
 
 use std::future::ready;
 use std::time::Duration;
@@ -30,9 +31,10 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
 
 /// A job as server-sent events
 ///
-/// From its beginning, or from where the client left off. `state` events carry the job as `GET /v1/jobs/{id}`
-/// answers it, `iteration` events an iteration each under the id `A-N`, the N-th of attempt A. The last event has
-/// the id `A-N-end`. When a job is taken up anew, its iterations begin again under the next attempt.
+/// From its beginning, or from where the client left off. `state` events carry the job as `GET
+/// /v1/jobs/{id}` answers it, `iteration` events an iteration each under the id `A-N`, the N-th of
+/// attempt A. The last event has the id `A-N-end`. When a job is taken up anew, its iterations
+/// begin again under the next attempt.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/events", tag = "jobs",
     params(
@@ -41,10 +43,13 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
             sent. What is no such id is ignored.", example = "1-12"),
     ),
     responses(
-        (status = OK, description = "The stream, which ends with the job. It is read event by event, not as a whole: \
-            the `data` of a `state` event is a `Job`, that of an `iteration` event an `Iteration`.", body = String,
+        (status = OK, description = "The stream, which ends with the job. It is read event by \
+                                     event, not as a whole: the `data` of a `state` event is a \
+                                     `Job`, that of an `iteration` event an \
+                                     `Iteration`.", body = String,
             content_type = "text/event-stream"),
-        (status = NO_CONTENT, description = "The client has seen the end; it need not come again."),
+        (status = NO_CONTENT, description = "The client has seen the end; it need not come \
+                                             again."),
     ),
     extensions(("x-problems" = json!(["too-many-streams"]))),
 )]
@@ -57,7 +62,9 @@ pub(in crate::http) async fn get_events(
 ) -> Result<Response, Problem> {
     let last = headers.get("last-event-id").and_then(|id| id.to_str().ok());
     let record = state.jobs.get(id).await?;
-    if last.is_some_and(|last| last == EventPosition::end_of(&record)) && record.state.is_finished() {
+    if last.is_some_and(|last| last == EventPosition::end_of(&record))
+        && record.state.is_finished()
+    {
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
     let permit = state.streams.open(caller.key())?;

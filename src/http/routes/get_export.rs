@@ -1,8 +1,8 @@
-//! `GET /v1/jobs/{id}/summary.csv`, `pressure.csv`, `subsurface.csv`, `increments.csv`, …: the result in the
-//! forms that other programs read.
+//! `GET /v1/jobs/{id}/summary.csv`, `pressure.csv`, `subsurface.csv`, `increments.csv`, …: the
+//! result in the forms that other programs read.
 //!
-//! The tables hold every step of a sweep and name it in a column. The others show one step, the last one
-//! unless `?step=` names another, counted from 1 as in the tables.
+//! The tables hold every step of a sweep and name it in a column. The others show one step, the
+//! last one unless `?step=` names another, counted from 1 as in the tables.
 
 use axum::extract::State;
 use axum::response::Response;
@@ -10,7 +10,9 @@ use axum::routing::get;
 use utoipa::IntoParams;
 use utoipa::openapi::extensions::ExtensionsBuilder;
 use utoipa::openapi::header::HeaderBuilder;
-use utoipa::openapi::path::{Operation, OperationBuilder, Parameter, ParameterBuilder, ParameterIn, Paths};
+use utoipa::openapi::path::{
+    Operation, OperationBuilder, Parameter, ParameterBuilder, ParameterIn, Paths,
+};
 use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Content, HttpMethod, Ref, Required, ResponseBuilder};
 use utoipa_axum::router::UtoipaMethodRouter;
@@ -28,7 +30,11 @@ pub(in crate::http) fn exports() -> impl Iterator<Item = UtoipaMethodRouter<Http
         let mut paths = Paths::new();
         let path = format!("/v1/jobs/{{id}}/{}", form.file_name());
         paths.add_path_operation(path, vec![HttpMethod::Get], operation(form));
-        (Vec::new(), paths, get(move |state, caller, job, step| get_export(state, caller, job, step, form)))
+        (
+            Vec::new(),
+            paths,
+            get(move |state, caller, job, step| get_export(state, caller, job, step, form)),
+        )
     })
 }
 
@@ -36,18 +42,29 @@ fn operation(form: Export) -> Operation {
     let (summary, lacking) = match form {
         Export::SummaryCsv => ("One row of figures for each step, as a table", None),
         Export::PressureCsv => ("Contact pressure of all steps, as a table", None),
-        Export::SubsurfaceCsv => ("Stresses over depth of all steps, as a table", Some("not-in-result")),
-        Export::IncrementsCsv => ("Every increment of a history, as a table", Some("not-in-result")),
+        Export::SubsurfaceCsv => {
+            ("Stresses over depth of all steps, as a table", Some("not-in-result"))
+        }
+        Export::IncrementsCsv => {
+            ("Every increment of a history, as a table", Some("not-in-result"))
+        }
         Export::SurfaceCsv => {
             ("Surfaces of all steps, the dent among them, as a table", Some("not-in-result"))
         }
-        Export::FieldVtu => ("Mesh and fields of both bodies, for ParaView", Some("not-in-result")),
-        Export::FieldVtr => {
-            ("Stress and plastic strain in layers, in three dimensions, for ParaView", Some("not-in-result"))
+        Export::FieldVtu => {
+            ("Mesh and fields of both bodies, for ParaView", Some("not-in-result"))
         }
+        Export::FieldVtr => (
+            "Stress and plastic strain in layers, in three dimensions, for ParaView",
+            Some("not-in-result"),
+        ),
         Export::PressureSvg => ("Contact pressure with Hertz's beside it, drawn", None),
-        Export::DepthSvg => ("Stresses over depth with McEwen's beside them, drawn", Some("not-in-result")),
-        Export::LoadApproachSvg => ("Force over approach of all increments, drawn", Some("not-in-result")),
+        Export::DepthSvg => {
+            ("Stresses over depth with McEwen's beside them, drawn", Some("not-in-result"))
+        }
+        Export::LoadApproachSvg => {
+            ("Force over approach of all increments, drawn", Some("not-in-result"))
+        }
         Export::SurfaceSvg => {
             ("Surfaces of both bodies: the dent and its pile-up, drawn", Some("not-in-result"))
         }
@@ -69,7 +86,10 @@ fn operation(form: Export) -> Operation {
     let text = ObjectBuilder::new().schema_type(Type::String);
     let answer = ResponseBuilder::new()
         .description("The file.")
-        .header("Content-Disposition", HeaderBuilder::new().description(Some("A name for the file.")).build())
+        .header(
+            "Content-Disposition",
+            HeaderBuilder::new().description(Some("A name for the file.")).build(),
+        )
         .content(media_type, Content::new(Some(text)));
     OperationBuilder::new()
         .operation_id(Some(format!("get_{}", form.file_name().replace('.', "_"))))
@@ -77,7 +97,9 @@ fn operation(form: Export) -> Operation {
         .summary(Some(summary))
         .parameters(Some(parameters))
         .response("200", answer)
-        .extensions(Some(ExtensionsBuilder::new().add("x-problems", problems.collect::<Vec<_>>()).build()))
+        .extensions(Some(
+            ExtensionsBuilder::new().add("x-problems", problems.collect::<Vec<_>>()).build(),
+        ))
         .build()
 }
 

@@ -26,17 +26,19 @@ use brinell_solver::report::NpyFile;
 
 /// Mesh and nodal fields of a step, as arrays of numbers
 ///
-/// An archive that numpy opens (`.npz`): `lower/von_mises.npy` and so on, in single precision, not compressed. A fifth of
-/// the size of the same fields in the result, and read without parsing.
+/// An archive that numpy opens (`.npz`): `lower/von_mises.npy` and so on, in single precision, not
+/// compressed. A fifth of the size of the same fields in the result, and read without parsing.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/fields/{step}", tag = "results",
     params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
-        ("step" = usize, Path, description = "The step, counted from 1.", minimum = 1, example = 1),
+        ("step" = usize, Path, description = "The step, counted from \
+                                              1.", minimum = 1, example = 1),
         ArraysQuery,
     ),
     responses(
-        (status = OK, description = "The archive.", body = Vec<u8>, content_type = "application/octet-stream", headers(
+        (status = OK, description = "The \
+                                     archive.", body = Vec<u8>, content_type = "application/octet-stream", headers(
             ("ETag" = String, description = "Name of these bytes, for `If-None-Match`."),
         )),
         (status = NOT_MODIFIED, description = "The client has these bytes already."),
@@ -51,20 +53,28 @@ pub(in crate::http) async fn get_fields(
     wanted: Arrays,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let no_step = || Problem::new(ProblemType::StepNotFound, format!("the result has no step {step}"));
-    let number = step.parse::<usize>().ok().and_then(|step| step.checked_sub(1)).ok_or_else(no_step)?;
-    let Some(head) = state.jobs.result(id).await? else { return Err(no_result(&state.jobs.get(id).await?)) };
+    let no_step =
+        || Problem::new(ProblemType::StepNotFound, format!("the result has no step {step}"));
+    let number =
+        step.parse::<usize>().ok().and_then(|step| step.checked_sub(1)).ok_or_else(no_step)?;
+    let Some(head) = state.jobs.result(id).await? else {
+        return Err(no_result(&state.jobs.get(id).await?));
+    };
     if number >= head.steps {
         return Err(no_step());
     }
     let turn = state.turn(caller).await;
     let Some(fields) = state.jobs.fields(id, number).await? else {
-        let detail = "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
+        let detail =
+            "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
         return Err(Problem::new(ProblemType::NotInResult, detail));
     };
     let tag = format!("\"{id}-{}-{step}-npz{}\"", head.attempt, wanted.name());
-    let common: [(HeaderName, &str); 3] =
-        [(CONTENT_TYPE, "application/octet-stream"), (ETAG, &tag), (CACHE_CONTROL, "private, no-cache")];
+    let common: [(HeaderName, &str); 3] = [
+        (CONTENT_TYPE, "application/octet-stream"),
+        (ETAG, &tag),
+        (CACHE_CONTROL, "private, no-cache"),
+    ];
     if result_body::is_known(&tag, &headers) {
         return Ok((StatusCode::NOT_MODIFIED, common).into_response());
     }
@@ -73,8 +83,8 @@ pub(in crate::http) async fn get_fields(
     Ok((common, Body::from_stream(written(ready(turn), write))).into_response())
 }
 
-/// Sends an archive of these files (zip, not compressed); each piece is read and written when the client
-/// takes it.
+/// Sends an archive of these files (zip, not compressed); each piece is read and written when the
+/// client takes it.
 async fn send(
     state: HttpState,
     key: Option<KeyId>,

@@ -21,7 +21,9 @@ use crate::jobs::{Deflated, GzipStream};
 pub(in crate::http) async fn get_openapi(headers: HeaderMap) -> Response {
     let about = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
     match takes_gzip(&headers).then(|| COMPRESSED.clone()).flatten() {
-        Some(text) => (about, [(CONTENT_ENCODING, "gzip")], Extension(CodingChosen), text).into_response(),
+        Some(text) => {
+            (about, [(CONTENT_ENCODING, "gzip")], Extension(CodingChosen), text).into_response()
+        }
         None => (about, openapi::text()).into_response(),
     }
 }

@@ -1,4 +1,5 @@
-//! `GET /v1/jobs/{id}/result`: the report, complete or as far as a stopped job came, or the parts of it that are wanted.
+//! `GET /v1/jobs/{id}/result`: the report, complete or as far as a stopped job came, or the parts
+//! of it that are wanted.
 
 use axum::extract::State;
 use axum::http::header::VARY;
@@ -17,9 +18,9 @@ use brinell_solver::report::Report;
 
 /// The result of a job
 ///
-/// Complete, or as far as a stopped job came; its `status` says which. It is sent step by step as it is read. Where
-/// only some parts are wanted, the others are left out or empty. With `Accept: text/csv` one row of figures for each
-/// step, as `summary.csv`.
+/// Complete, or as far as a stopped job came; its `status` says which. It is sent step by step as
+/// it is read. Where only some parts are wanted, the others are left out or empty. With `Accept:
+/// text/csv` one row of figures for each step, as `summary.csv`.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/result", tag = "results", params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
@@ -31,7 +32,8 @@ use brinell_solver::report::Report;
             (String = "text/csv"),
         ), headers(
             ("ETag" = String, description = "Name of these bytes, for `If-None-Match`; of JSON."),
-            ("Vary" = String, description = "`accept`: the answer is in the form that the client accepts."),
+            ("Vary" = String, description = "`accept`: the answer is in the form that the client \
+                                             accepts."),
         )),
         (status = NOT_MODIFIED, description = "The client has these bytes already."),
     ),

@@ -17,14 +17,16 @@ pub(in crate::http) async fn livez() -> Json<Health> {
 
 /// The service takes jobs
 ///
-/// It is not shutting down, its store is not damaged, can be written to and has room for another job. A full queue is no reason to be taken
-/// out of service.
+/// It is not shutting down, its store is not damaged, can be written to and has room for another
+/// job. A full queue is no reason to be taken out of service.
 #[utoipa::path(
     get, path = "/readyz", tag = "service",
     responses((status = OK, description = "`ready`.", body = Health)),
     extensions(("x-problems" = json!(["shutting-down", "store-unavailable", "damaged-record", "insufficient-storage"]))),
 )]
-pub(in crate::http) async fn readyz(State(state): State<HttpState>) -> Result<Json<Health>, Problem> {
+pub(in crate::http) async fn readyz(
+    State(state): State<HttpState>,
+) -> Result<Json<Health>, Problem> {
     if state.jobs.is_closed() {
         return Err(Problem::new(ProblemType::ShuttingDown, "the service is shutting down"));
     }

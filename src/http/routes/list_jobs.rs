@@ -10,8 +10,8 @@ use crate::http::{HttpState, Problem};
 
 /// Jobs, page by page
 ///
-/// With API keys, the jobs of the asking key; of an administrator's, all. Places in the queue are told job by job
-/// only.
+/// With API keys, the jobs of the asking key; of an administrator's, all. Places in the queue are
+/// told job by job only.
 #[utoipa::path(
     get, path = "/v1/jobs", tag = "jobs", params(ListQuery),
     responses((status = OK, description = "A page of jobs.", body = JobList)),

@@ -1,4 +1,5 @@
-//! `POST /v1/hertz`: the closed form for a job, without a mesh: Hertz's contact and the onset of yield.
+//! `POST /v1/hertz`: the closed form for a job, without a mesh: Hertz's contact and the onset of
+//! yield.
 
 use axum::Json;
 use axum::extract::State;
@@ -10,7 +11,8 @@ use crate::jobs::ClosedForm;
 
 /// The closed form of a job, without a mesh
 ///
-/// Hertz's contact and the onset of yield, for arcs that open away from the contact under a force or forces.
+/// Hertz's contact and the onset of yield, for arcs that open away from the contact under a force
+/// or forces.
 #[utoipa::path(
     post, path = "/v1/hertz", tag = "theory",
     request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),

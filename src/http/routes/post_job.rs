@@ -1,7 +1,8 @@
 //! `POST /v1/jobs`: queue a job.
 //!
-//! With `?wait=N` or `Prefer: wait=N` the answer is 200 with the result inside if the job is done within N seconds.
-//! `Idempotency-Key` makes the submission repeatable: the same body under the same key is the same job.
+//! With `?wait=N` or `Prefer: wait=N` the answer is 200 with the result inside if the job is done
+//! within N seconds. `Idempotency-Key` makes the submission repeatable: the same body under the
+//! same key is the same job.
 
 use axum::extract::State;
 use axum::http::HeaderMap;
@@ -20,7 +21,8 @@ use crate::jobs::Submission;
 /// Queue a job
 ///
 /// The job is checked, its cost estimated, and what is accepted survives a crash. With `wait` the
-/// answer comes when the job is done, with its result inside. With `Idempotency-Key` the submission may be repeated.
+/// answer comes when the job is done, with its result inside. With `Idempotency-Key` the
+/// submission may be repeated.
 #[utoipa::path(
     post, path = "/v1/jobs", tag = "jobs",
     params(
@@ -31,12 +33,15 @@ use crate::jobs::Submission;
     ),
     request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses(
-        (status = OK, description = "The job is done: within the time the client would wait, and then its result is inside; or it was submitted before.", body = JobDocument, content_type = "application/json", headers(
+        (status = OK, description = "The job is done: within the time the client would wait, and \
+                                     then its result is inside; or it was submitted \
+                                     before.", body = JobDocument, content_type = "application/json", headers(
             ("Content-Location" = String, description = "Address of the job."),
             ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
             ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
         )),
-        (status = ACCEPTED, description = "The job is queued, or was before.", body = JobDocument, content_type = "application/json", headers(
+        (status = ACCEPTED, description = "The job is queued, or was \
+                                           before.", body = JobDocument, content_type = "application/json", headers(
             ("Location" = String, description = "Address of the job."),
             ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
             ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),

@@ -28,8 +28,9 @@ const URGENT: i16 = 1;
 
 /// Solve a job and wait for the result
 ///
-/// Waits as long as the service allows, or as `wait` says if that is less. Past it the answer is 202, as that of
-/// `POST /v1/jobs`, and the job goes on. A client that hangs up cancels its job, unless it has an `Idempotency-Key` to ask again with.
+/// Waits as long as the service allows, or as `wait` says if that is less. Past it the answer is
+/// 202, as that of `POST /v1/jobs`, and the job goes on. A client that hangs up cancels its job,
+/// unless it has an `Idempotency-Key` to ask again with.
 #[utoipa::path(
     post, path = "/v1/solve", tag = "jobs",
     request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
@@ -39,13 +40,15 @@ const URGENT: i16 = 1;
         IdempotencyHeader,
     ),
     responses(
-        (status = OK, description = "The job with its result, converged or not; its `status` says which.", body = JobDocument, content_type = "application/json",
+        (status = OK, description = "The job with its result, converged or not; its `status` says \
+                                     which.", body = JobDocument, content_type = "application/json",
             headers(
                 ("Content-Location" = String, description = "Address of the job. A service that keeps its jobs in memory forgets it at a restart."),
                 ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
                 ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
             )),
-        (status = ACCEPTED, description = "The time is over; the job goes on.", body = JobDocument, content_type = "application/json", headers(
+        (status = ACCEPTED, description = "The time is over; the job goes \
+                                           on.", body = JobDocument, content_type = "application/json", headers(
             ("Location" = String, description = "Address of the job."),
             ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
             ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),

@@ -1,8 +1,9 @@
 //! What processes tell each other by `NOTIFY`.
 //!
-//! Each listens on one connection, and tells on another after its changes are committed: a transaction that notifies
-//! takes a lock of the whole database for its commit, and those of all processes would wait for each other's disk. What
-//! is lost when a connection breaks or a process ends is looked up once a second.
+//! Each listens on one connection, and tells on another after its changes are committed: a
+//! transaction that notifies takes a lock of the whole database for its commit, and those of all
+//! processes would wait for each other's disk. What is lost when a connection breaks or a process
+//! ends is looked up once a second.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -36,11 +37,14 @@ impl Announcer {
     /// Starts the task that tells. It ends when the announcer is dropped and all is told.
     pub(super) fn start(pool: &PgPool, node: WorkerId) -> Self {
         // A loss of power takes nothing with it that anybody relies on.
-        let options = PgPoolOptions::new().max_connections(1).acquire_timeout(CONNECT_TIMEOUT).after_connect(
-            |connection, _| {
-                Box::pin(async move { connection.execute("SET synchronous_commit = off").await.map(drop) })
-            },
-        );
+        let options = PgPoolOptions::new()
+            .max_connections(1)
+            .acquire_timeout(CONNECT_TIMEOUT)
+            .after_connect(|connection, _| {
+                Box::pin(async move {
+                    connection.execute("SET synchronous_commit = off").await.map(drop)
+                })
+            });
         let own = options.connect_lazy_with((*pool.connect_options()).clone());
         let (sender, changes) = channel(WAITING);
         tokio::spawn(tell(own, node, changes));
@@ -61,9 +65,11 @@ async fn tell(pool: PgPool, node: WorkerId, mut changes: Receiver<Change>) {
     let mut batch = Vec::with_capacity(BATCH);
     while changes.recv_many(&mut batch, BATCH).await > 0 {
         let messages: Vec<String> = batch.drain(..).map(|change| message(node, change)).collect();
-        let notify = sqlx::query("SELECT pg_notify($1, message) FROM unnest($2::text[]) AS message");
+        let notify =
+            sqlx::query("SELECT pg_notify($1, message) FROM unnest($2::text[]) AS message");
         if let Err(error) = notify.bind(CHANNEL).bind(messages).execute(&pool).await {
-            tracing::warn!(%error, "other processes are not told of changes; they look once a second");
+            tracing::warn!(%error, "other processes are not told of changes; they look once a \
+                                    second");
         }
     }
 }
@@ -104,11 +110,16 @@ pub(super) async fn listen(pool: PgPool, node: WorkerId, notifier: Arc<JobNotifi
     }
 }
 
-async fn listen_once(pool: &PgPool, node: WorkerId, notifier: &JobNotifier) -> Result<(), sqlx::Error> {
+async fn listen_once(
+    pool: &PgPool,
+    node: WorkerId,
+    notifier: &JobNotifier,
+) -> Result<(), sqlx::Error> {
     let mut listener = PgListener::connect_with(pool).await?;
     listener.listen(CHANNEL).await?;
     loop {
-        // Notifications sent before this connection listened are lost: every waiter queries the store again.
+        // Notifications sent before this connection listened are lost: every waiter queries the
+        // store again.
         notifier.announce_gap();
         while let Some(notification) = listener.try_recv().await? {
             if let Some(change) = heard(notification.payload(), node) {
@@ -126,7 +137,9 @@ mod tests {
     #[test]
     fn others_are_heard_and_one_self_is_not() {
         let (here, there, id) = (WorkerId::generate(), WorkerId::generate(), JobId::generate());
-        for change in [Change::Work, Change::Progress(id), Change::Cancel(id), Change::Finished(id)] {
+        for change in
+            [Change::Work, Change::Progress(id), Change::Cancel(id), Change::Finished(id)]
+        {
             assert_eq!(heard(&message(there, change), here), Some(change));
             assert_eq!(heard(&message(here, change), here), None);
         }

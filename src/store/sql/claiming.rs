@@ -35,7 +35,8 @@ pub(in crate::store) const NEXT: &str = "
 const LAST_CHANCE: &str = "SELECT id, memory FROM jobs
     WHERE state = 'queued' AND losses > 0 AND losses >= $1 AND memory <= $2 ORDER BY id LIMIT 1";
 
-const LEASE: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
+const LEASE: &str =
+    "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
         attempts = attempts + 1, iterations = 0, latest = NULL, steps = 0, stored_bytes = 0
     WHERE id = $1 AND state = 'queued'
     RETURNING attempts, traceparent, (SELECT r.body FROM requests r WHERE r.job = jobs.id)";
@@ -97,7 +98,10 @@ impl Room {
 pub(in crate::store) trait Claiming: Send {
     /// Waits for the turn of this worker; whether a lease has run out, and whether a job has lost
     /// its worker before.
-    fn take_turn(&mut self, now: i64) -> impl Future<Output = Result<(bool, bool), StoreError>> + Send;
+    fn take_turn(
+        &mut self,
+        now: i64,
+    ) -> impl Future<Output = Result<(bool, bool), StoreError>> + Send;
     /// Queues the jobs again whose lease ran out; those that nobody takes up again end, and are
     /// returned.
     fn expire(
@@ -147,10 +151,17 @@ macro_rules! claiming {
     ($database:ty, $connection:ty, $turn:literal, $lost:literal) => {
         impl Claiming for $connection {
             async fn take_turn(&mut self, now: i64) -> Result<(bool, bool), StoreError> {
-                Ok(sqlx::query_as::<$database, (bool, bool)>($turn).bind(now).fetch_one(self).await?)
+                Ok(sqlx::query_as::<$database, (bool, bool)>($turn)
+                    .bind(now)
+                    .fetch_one(self)
+                    .await?)
             }
 
-            async fn expire(&mut self, max_attempts: u32, now: i64) -> Result<Vec<JobId>, StoreError> {
+            async fn expire(
+                &mut self,
+                max_attempts: u32,
+                now: i64,
+            ) -> Result<Vec<JobId>, StoreError> {
                 let lost = sqlx::query_as::<$database, (Uuid, i32, bool)>($lost).bind(now);
                 let mut ended = Vec::new();
                 for (id, losses, cancelled) in lost.fetch_all(&mut *self).await? {
@@ -163,7 +174,8 @@ macro_rules! claiming {
                         sqlx::query::<$database>(REQUEUE).bind(id).execute(&mut *self).await?;
                         continue;
                     };
-                    let end = sqlx::query::<$database>(END).bind(id).bind(state.name()).bind(failure);
+                    let end =
+                        sqlx::query::<$database>(END).bind(id).bind(state.name()).bind(failure);
                     end.bind(now).execute(&mut *self).await?;
                     ended.push(JobId::from(id));
                 }
@@ -180,8 +192,10 @@ macro_rules! claiming {
                 let mut claims = Claims::default();
                 let last_chance = bound(request.max_attempts.saturating_sub(1).max(1));
                 if lost {
-                    let alone = sqlx::query_as::<$database, Candidate>(LAST_CHANCE).bind(last_chance);
-                    let alone = alone.bind(bound(request.memory)).fetch_optional(&mut *self).await?;
+                    let alone =
+                        sqlx::query_as::<$database, Candidate>(LAST_CHANCE).bind(last_chance);
+                    let alone =
+                        alone.bind(bound(request.memory)).fetch_optional(&mut *self).await?;
                     if let (Some(job), true) = (alone, request.exclusive) {
                         claims.jobs.extend(self.lease(job, true, request, now).await?);
                         return Ok(claims);
@@ -217,11 +231,12 @@ macro_rules! claiming {
                 request: &ClaimRequest,
                 now: i64,
             ) -> Result<Option<Claim>, StoreError> {
-                let leased = sqlx::query_as::<$database, (i32, Option<String>, Option<Vec<u8>>)>(LEASE)
-                    .bind(id)
-                    .bind(request.owner.uuid())
-                    .bind(until(now, request.lease))
-                    .bind(now);
+                let leased =
+                    sqlx::query_as::<$database, (i32, Option<String>, Option<Vec<u8>>)>(LEASE)
+                        .bind(id)
+                        .bind(request.owner.uuid())
+                        .bind(until(now, request.lease))
+                        .bind(now);
                 let Some((attempt, trace, text)) = leased.fetch_optional(&mut *self).await? else {
                     return Ok(None);
                 };

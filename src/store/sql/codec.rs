@@ -1,4 +1,5 @@
-//! What a job looks like in a row: JSON in text columns, compressed in binary ones, microseconds for times.
+//! What a job looks like in a row: JSON in text columns, compressed in binary ones, microseconds
+//! for times.
 //!
 //! The first version compressed with zstd; what it left is still read.
 
@@ -12,8 +13,8 @@ use sqlx::types::Uuid;
 use thiserror::Error;
 
 use crate::jobs::{
-    Deflated, FailureKind, FieldError, IterationRecord, JobFailure, JobId, JobRecord, JobState, KeyId,
-    StoreError,
+    Deflated, FailureKind, FieldError, IterationRecord, JobFailure, JobId, JobRecord, JobState,
+    KeyId, StoreError,
 };
 
 /// Most bytes anything is unpacked to, should a row be damaged.
@@ -32,9 +33,9 @@ pub(super) fn damaged(what: impl ToString) -> StoreError {
 /// The columns of [`JobRow`], of a table `jobs j`, without the place in the queue.
 macro_rules! job_columns {
     () => {
-        "j.id, j.state, j.tags, j.priority, j.submitter, j.created_at, j.started_at, j.finished_at, j.attempts, \
-         j.cancel_requested, j.iterations, j.latest, j.has_report, j.failure, \
-         EXISTS (SELECT 1 FROM deliveries d WHERE d.job = j.id)"
+        "j.id, j.state, j.tags, j.priority, j.submitter, j.created_at, j.started_at, \
+         j.finished_at, j.attempts, j.cancel_requested, j.iterations, j.latest, j.has_report, \
+         j.failure, EXISTS (SELECT 1 FROM deliveries d WHERE d.job = j.id)"
     };
 }
 pub(super) use job_columns;
@@ -60,7 +61,8 @@ pub(super) type JobRow = (
 );
 
 pub(super) fn job_record(row: JobRow) -> Result<JobRecord, StoreError> {
-    let (id, state, tags, priority, submitter, created, started, finished, attempts, cancel, ..) = row;
+    let (id, state, tags, priority, submitter, created, started, finished, attempts, cancel, ..) =
+        row;
     let (.., iterations, latest, has_report, failure, has_callback, place) = row;
     Ok(JobRecord {
         id: JobId::from(id),
@@ -77,7 +79,11 @@ pub(super) fn job_record(row: JobRow) -> Result<JobRecord, StoreError> {
         iterations: count(iterations)?,
         latest: latest.as_deref().map(from_json::<IterationRecord>).transpose()?,
         has_report,
-        failure: failure.as_deref().map(from_json::<StoredFailure>).transpose()?.map(JobFailure::from),
+        failure: failure
+            .as_deref()
+            .map(from_json::<StoredFailure>)
+            .transpose()?
+            .map(JobFailure::from),
         has_callback,
     })
 }
@@ -107,13 +113,15 @@ struct StoredFailure {
 impl From<StoredFailure> for JobFailure {
     fn from(stored: StoredFailure) -> Self {
         let errors = stored.errors.into_iter();
-        let errors = errors.map(|(pointer, detail)| FieldError::not_solvable(pointer, detail)).collect();
+        let errors =
+            errors.map(|(pointer, detail)| FieldError::not_solvable(pointer, detail)).collect();
         Self { kind: stored.kind, detail: stored.detail, errors }
     }
 }
 
 pub(super) fn failure_json(failure: &JobFailure) -> Result<String, StoreError> {
-    let errors = failure.errors.iter().map(|error| (error.pointer.clone(), error.detail.clone())).collect();
+    let errors =
+        failure.errors.iter().map(|error| (error.pointer.clone(), error.detail.clone())).collect();
     to_json(&StoredFailure { kind: failure.kind, detail: failure.detail.clone(), errors })
 }
 

@@ -17,12 +17,13 @@ const ADD: &str = "INSERT INTO deliveries (job, id, url) VALUES ($1, $2, $3)";
 const SCHEDULE: &str =
     "UPDATE deliveries SET state = 'pending', due_at = (SELECT finished_at FROM jobs WHERE id = $1)
      WHERE job = $1 AND state = 'waiting'";
-const END: &str = "UPDATE deliveries SET state = $3, due_at = $4, status = $5, error = $6, delivered_at = $7
+const END: &str =
+    "UPDATE deliveries SET state = $3, due_at = $4, status = $5, error = $6, delivered_at = $7
      WHERE job = $1 AND attempts = $2 AND state = 'pending'";
 const POSTPONE: &str = "UPDATE deliveries SET due_at = $3, attempts = attempts - 1
      WHERE job = $1 AND attempts = $2 AND state = 'pending'";
-const FIND: &str =
-    "SELECT id, state, attempts, due_at, status, error, delivered_at FROM deliveries WHERE job = $1";
+const FIND: &str = "SELECT id, state, attempts, due_at, status, error, delivered_at FROM \
+                    deliveries WHERE job = $1";
 
 /// An announcement as selected by [`FIND`].
 type FindRow = (Uuid, String, i32, Option<i64>, Option<i32>, Option<String>, Option<i64>);
@@ -38,7 +39,10 @@ pub(in crate::store) trait Deliveries: Send {
         url: String,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Makes the announcement of a job that has just ended due.
-    fn schedule_delivery(&mut self, job: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
+    fn schedule_delivery(
+        &mut self,
+        job: JobId,
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn claim_deliveries(
         &mut self,
         limit: usize,
@@ -57,10 +61,13 @@ pub(in crate::store) trait Deliveries: Send {
     ) -> impl Future<Output = Result<Option<Callback>, StoreError>> + Send;
 }
 
-fn callback((id, state, attempts, due, status, error, delivered): FindRow) -> Result<Callback, StoreError> {
+fn callback(
+    (id, state, attempts, due, status, error, delivered): FindRow,
+) -> Result<Callback, StoreError> {
     Ok(Callback {
         id,
-        state: CallbackState::by_name(&state).ok_or_else(|| damaged(format!("state {state:?}")))?,
+        state: CallbackState::by_name(&state)
+            .ok_or_else(|| damaged(format!("state {state:?}")))?,
         attempts: count(attempts)?,
         next_attempt_at: due.map(time).transpose()?,
         last_status: status.map(count).transpose()?,
@@ -154,7 +161,11 @@ deliveries!(Postgres, PgConnection, " FOR UPDATE SKIP LOCKED");
 
 #[async_trait]
 impl<B: Backend> DeliveryStore for SqlStore<B> {
-    async fn claim_deliveries(&self, limit: usize, lease: Duration) -> Result<Vec<Delivery>, StoreError> {
+    async fn claim_deliveries(
+        &self,
+        limit: usize,
+        lease: Duration,
+    ) -> Result<Vec<Delivery>, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let claimed = Deliveries::claim_deliveries(&mut *transaction, limit, lease, now).await?;
         self.commit(transaction, Written, &[]).await?;
@@ -167,7 +178,8 @@ impl<B: Backend> DeliveryStore for SqlStore<B> {
             Deliveries::end_delivery(&mut *transaction, delivery, end, now).await?;
         }
         // What was postponed and forgotten is due again when its lease ends.
-        let was_postponed = ends.iter().all(|(_, end)| matches!(end, DeliveryEnd::Postponed { .. }));
+        let was_postponed =
+            ends.iter().all(|(_, end)| matches!(end, DeliveryEnd::Postponed { .. }));
         self.commit(transaction, if was_postponed { Written } else { Synced }, &[]).await
     }
 

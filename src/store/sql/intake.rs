@@ -10,11 +10,13 @@ use super::deliveries::Deliveries;
 use super::keys::Keys;
 use super::reading::Reading;
 use crate::jobs::{
-    Enqueued, Idempotency, JobId, JobRecord, JobState, KeyLimits, NewJob, Quota, Retention, SWEEP, StoreError,
+    Enqueued, Idempotency, JobId, JobRecord, JobState, KeyLimits, NewJob, Quota, Retention, SWEEP,
+    StoreError,
 };
 use crate::store::StoreLimits;
 
-const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
+const TAKE_NAME: &str =
+    "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
 const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, reserved_bytes, account, traceparent)
@@ -35,7 +37,8 @@ const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
      WHERE id = $1 AND state IN ('queued', 'running')";
 const HEALTH: &str = "UPDATE health SET written_at = $1";
 const DELETE: &str = "DELETE FROM jobs WHERE id = $1 AND state NOT IN ('queued', 'running')";
-const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE finished_at IS NOT NULL
+const SWEEP_OLD: &str =
+    "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE finished_at IS NOT NULL
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
      ORDER BY finished_at LIMIT $3)";
 
@@ -49,8 +52,9 @@ const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
      WHERE older < (SELECT sum(stored_bytes) FROM jobs WHERE finished_at IS NOT NULL) - $1
      ORDER BY finished_at LIMIT $2)";
 
-/// Jobs that others may be taking in at the same time, of which nothing is seen: a batch on each connection of several servers. A queue
-/// that has room for no more than these counts them one transaction after the other.
+/// Jobs that others may be taking in at the same time, of which nothing is seen: a batch on each
+/// connection of several servers. A queue that has room for no more than these counts them one
+/// transaction after the other.
 const ON_THEIR_WAY: usize = 4000;
 
 /// A place within a transaction.
@@ -83,7 +87,10 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
         now: i64,
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
     /// Marks a place in a transaction, or returns to the one marked last.
-    fn savepoint(&mut self, step: Savepoint) -> impl Future<Output = Result<(), StoreError>> + Send;
+    fn savepoint(
+        &mut self,
+        step: Savepoint,
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Checks that there is room for a job, also by the limits of its key; whether its submitter
     /// has an account.
     fn check_places(
@@ -105,7 +112,11 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
         submitter: Uuid,
         name: &Idempotency,
     ) -> impl Future<Output = Result<Option<JobRecord>, StoreError>> + Send;
-    fn cancel(&mut self, id: JobId, now: i64) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
+    fn cancel(
+        &mut self,
+        id: JobId,
+        now: i64,
+    ) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
     /// Writes one row, which shows that writing works.
     fn record_health(&mut self, now: i64) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn delete(&mut self, id: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
@@ -140,7 +151,8 @@ macro_rules! intake {
                     }
                 };
                 if let Some(name) = &job.idempotency
-                    && let Some(job) = self.replay(job.id, submitter.unwrap_or_default(), name).await?
+                    && let Some(job) =
+                        self.replay(job.id, submitter.unwrap_or_default(), name).await?
                 {
                     return Ok(Enqueued { job, replayed: true });
                 }
@@ -160,7 +172,9 @@ macro_rules! intake {
                     .bind(job.trace.map(|trace| trace.to_string()))
                     .execute(&mut *self)
                     .await?;
-                let request = sqlx::query::<$database>(REQUEST).bind(job.id.uuid()).bind(pack(&job.request)?);
+                let request = sqlx::query::<$database>(REQUEST)
+                    .bind(job.id.uuid())
+                    .bind(pack(&job.request)?);
                 request.execute(&mut *self).await?;
                 self.label(job.id, job.tags).await?;
                 if let Some(url) = job.callback_url {
@@ -187,8 +201,8 @@ macro_rules! intake {
                     places.bind(owner).bind(by_count).bind(by_size)
                 };
                 let mut found = places().fetch_one(&mut *self).await?;
-                let is_nearly_full =
-                    count::<_, usize>(found.0)?.saturating_add(ON_THEIR_WAY) >= limits.queue_capacity;
+                let is_nearly_full = count::<_, usize>(found.0)?.saturating_add(ON_THEIR_WAY)
+                    >= limits.queue_capacity;
                 // Whoever has no key has this lock.
                 if is_nearly_full && job.submitter.is_some() {
                     self.lock_intake().await?;
@@ -204,7 +218,9 @@ macro_rules! intake {
                 let is_low = |limit: &i16| !job.interactive && job.priority > *limit;
                 let quota = if let Some(limit) = key.priority.filter(is_low) {
                     Quota::Priority { limit }
-                } else if let Some(limit) = key.queued.filter(|limit| queued_by_key >= u64::from(*limit)) {
+                } else if let Some(limit) =
+                    key.queued.filter(|limit| queued_by_key >= u64::from(*limit))
+                {
                     Quota::Queued { limit }
                 } else if let Some(limit) =
                     key.stored_bytes.filter(|limit| needed.saturating_add(used) > *limit)
@@ -216,9 +232,14 @@ macro_rules! intake {
                 Err(StoreError::QuotaExceeded { quota })
             }
 
-            async fn label(&mut self, job: JobId, tags: BTreeMap<String, String>) -> Result<(), StoreError> {
+            async fn label(
+                &mut self,
+                job: JobId,
+                tags: BTreeMap<String, String>,
+            ) -> Result<(), StoreError> {
                 for (name, value) in tags {
-                    let tag = sqlx::query::<$database>(TAG).bind(job.uuid()).bind(name).bind(value);
+                    let tag =
+                        sqlx::query::<$database>(TAG).bind(job.uuid()).bind(name).bind(value);
                     tag.execute(&mut *self).await?;
                 }
                 Ok(())
@@ -246,7 +267,8 @@ macro_rules! intake {
                     .fetch_optional(&mut *self)
                     .await?;
                 // Removed in this very moment: the client may ask again.
-                let gone = || StoreError::unavailable("the job of this idempotency key is being removed");
+                let gone =
+                    || StoreError::unavailable("the job of this idempotency key is being removed");
                 let (digest, first) = known.ok_or_else(gone)?;
                 if digest != name.digest {
                     return Err(StoreError::KeyReused);
@@ -255,7 +277,11 @@ macro_rules! intake {
             }
 
             async fn cancel(&mut self, id: JobId, now: i64) -> Result<JobRecord, StoreError> {
-                sqlx::query::<$database>(CANCEL).bind(id.uuid()).bind(now).execute(&mut *self).await?;
+                sqlx::query::<$database>(CANCEL)
+                    .bind(id.uuid())
+                    .bind(now)
+                    .execute(&mut *self)
+                    .await?;
                 self.find(id).await
             }
 
@@ -269,18 +295,25 @@ macro_rules! intake {
             }
 
             async fn delete(&mut self, id: JobId) -> Result<(), StoreError> {
-                let done = sqlx::query::<$database>(DELETE).bind(id.uuid()).execute(&mut *self).await?;
+                let done =
+                    sqlx::query::<$database>(DELETE).bind(id.uuid()).execute(&mut *self).await?;
                 if done.rows_affected() == 1 {
                     return Ok(());
                 }
                 match self.find(id).await?.state {
-                    state @ (JobState::Queued | JobState::Running) => Err(StoreError::Unfinished(state)),
+                    state @ (JobState::Queued | JobState::Running) => {
+                        Err(StoreError::Unfinished(state))
+                    }
                     // Finished between the two statements: the client may ask again.
                     _ => Err(StoreError::Unfinished(JobState::Running)),
                 }
             }
 
-            async fn sweep(&mut self, retention: &Retention, now: i64) -> Result<usize, StoreError> {
+            async fn sweep(
+                &mut self,
+                retention: &Retention,
+                now: i64,
+            ) -> Result<usize, StoreError> {
                 let done = sqlx::query::<$database>(SWEEP_OLD)
                     .bind(cutoff(now, retention.succeeded))
                     .bind(cutoff(now, retention.failed))

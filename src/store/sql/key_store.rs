@@ -24,7 +24,12 @@ impl<B: Backend> KeyStore for SqlStore<B> {
         Keys::keys(&mut *self.backend.read().await?, id).await
     }
 
-    async fn rotate_key(&self, id: KeyId, digest: [u8; 32], overlap: Duration) -> Result<bool, StoreError> {
+    async fn rotate_key(
+        &self,
+        id: KeyId,
+        digest: [u8; 32],
+        overlap: Duration,
+    ) -> Result<bool, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let rotated = Keys::rotate_key(&mut *transaction, id, digest, until(now, overlap)).await?;
         self.commit(transaction, Synced, &[]).await?;

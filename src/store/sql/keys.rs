@@ -11,7 +11,8 @@ const ADD: &str = "INSERT INTO api_keys (id, name, scope, digest, created_at, ex
          max_priority)
      VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10)";
 const REVOKE: &str = "UPDATE api_keys SET revoked_at = $2 WHERE id = $1 AND revoked_at IS NULL";
-const ROTATE: &str = "UPDATE api_keys SET previous_digest = digest, previous_until = $3, digest = $2
+const ROTATE: &str =
+    "UPDATE api_keys SET previous_digest = digest, previous_until = $3, digest = $2
      WHERE id = $1 AND revoked_at IS NULL";
 const LIMIT: &str = "UPDATE api_keys SET expires_at = $2, max_queued = $3, max_running = $4, max_stored = $5, max_priority = $6
      WHERE id = $1 AND revoked_at IS NULL";
@@ -20,8 +21,9 @@ const LIMIT: &str = "UPDATE api_keys SET expires_at = $2, max_queued = $3, max_r
 macro_rules! select_keys {
     ($rest:literal) => {
         concat!(
-            "SELECT id, name, scope, digest, previous_digest, previous_until, max_queued, max_running, max_stored, \
-             max_priority, created_at, expires_at, revoked_at FROM api_keys ",
+            "SELECT id, name, scope, digest, previous_digest, previous_until, max_queued, \
+             max_running, max_stored, max_priority, created_at, expires_at, revoked_at FROM \
+             api_keys ",
             $rest
         )
     };
@@ -50,7 +52,8 @@ type KeyRow = (
 fn api_key(row: KeyRow) -> Result<ApiKey, StoreError> {
     let (id, name, scope, digest, previous, until, ..) = row;
     let (.., queued, running, bytes, priority, created, expires, revoked) = row;
-    let digest_of = |bytes: Vec<u8>| bytes.try_into().map_err(|_| damaged("the length of a digest"));
+    let digest_of =
+        |bytes: Vec<u8>| bytes.try_into().map_err(|_| damaged("the length of a digest"));
     let previous = match (previous, until) {
         (Some(digest), Some(until)) => {
             Some(PreviousSecret { digest: digest_of(digest)?, until: time(until)? })
@@ -84,22 +87,31 @@ fn key_limits((queued, running, bytes, priority): LimitsRow) -> Result<KeyLimits
 
 fn limits_row(limits: KeyLimits) -> LimitsRow {
     let bytes = limits.stored_bytes.map(|bytes| i64::try_from(bytes).unwrap_or(i64::MAX));
-    (limits.queued.map(i64::from), limits.running.map(i64::from), bytes, limits.priority.map(i32::from))
+    (
+        limits.queued.map(i64::from),
+        limits.running.map(i64::from),
+        bytes,
+        limits.priority.map(i32::from),
+    )
 }
 
 /// Keys to a connection.
 pub(in crate::store) trait Keys: Send {
     fn add_key(&mut self, key: ApiKey) -> impl Future<Output = Result<(), StoreError>> + Send;
-    fn keys(&mut self, id: Option<KeyId>) -> impl Future<Output = Result<Vec<ApiKey>, StoreError>> + Send;
-    /// What a submitter may take by the row of his key. Until the end of the transaction nobody else submits under this key, so that
-    /// jobs are counted and names are taken one after the other.
+    fn keys(
+        &mut self,
+        id: Option<KeyId>,
+    ) -> impl Future<Output = Result<Vec<ApiKey>, StoreError>> + Send;
+    /// What a submitter may take by the row of his key. Until the end of the transaction nobody
+    /// else submits under this key, so that jobs are counted and names are taken one after the
+    /// other.
     fn lock_key(
         &mut self,
         key: KeyId,
         now: i64,
     ) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
-    /// The same without a key, and of all jobs that wait. The row of a key is locked before, never after; whoever has no key takes this
-    /// lock before all else.
+    /// The same without a key, and of all jobs that wait. The row of a key is locked before, never
+    /// after; whoever has no key takes this lock before all else.
     fn lock_intake(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn rotate_key(
         &mut self,
@@ -113,7 +125,11 @@ pub(in crate::store) trait Keys: Send {
         limits: KeyLimits,
         expires_at: Option<Timestamp>,
     ) -> impl Future<Output = Result<bool, StoreError>> + Send;
-    fn revoke_key(&mut self, id: KeyId, now: i64) -> impl Future<Output = Result<bool, StoreError>> + Send;
+    fn revoke_key(
+        &mut self,
+        id: KeyId,
+        now: i64,
+    ) -> impl Future<Output = Result<bool, StoreError>> + Send;
 }
 
 macro_rules! keys {
@@ -139,9 +155,8 @@ macro_rules! keys {
 
             async fn keys(&mut self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError> {
                 let rows = match id {
-                    Some(id) => {
-                        sqlx::query_as::<$database, KeyRow>(select_keys!("WHERE id = $1")).bind(id.uuid())
-                    }
+                    Some(id) => sqlx::query_as::<$database, KeyRow>(select_keys!("WHERE id = $1"))
+                        .bind(id.uuid()),
                     None => sqlx::query_as::<$database, KeyRow>(select_keys!("ORDER BY id")),
                 };
                 rows.fetch_all(self).await?.into_iter().map(api_key).collect()
@@ -149,7 +164,9 @@ macro_rules! keys {
 
             async fn lock_key(&mut self, key: KeyId, now: i64) -> Result<KeyLimits, StoreError> {
                 let row = sqlx::query_as::<$database, SubmitterRow>($limits).bind(key.uuid());
-                let Some(row) = row.fetch_optional(self).await? else { return Ok(KeyLimits::default()) };
+                let Some(row) = row.fetch_optional(self).await? else {
+                    return Ok(KeyLimits::default());
+                };
                 let (queued, running, bytes, priority, is_revoked, expires_at) = row;
                 if is_revoked || expires_at.is_some_and(|end| end <= now) {
                     return Err(StoreError::KeyEnded);
@@ -170,7 +187,8 @@ macro_rules! keys {
                 digest: [u8; 32],
                 previous_until: i64,
             ) -> Result<bool, StoreError> {
-                let rotate = sqlx::query::<$database>(ROTATE).bind(id.uuid()).bind(digest.to_vec());
+                let rotate =
+                    sqlx::query::<$database>(ROTATE).bind(id.uuid()).bind(digest.to_vec());
                 Ok(rotate.bind(previous_until).execute(self).await?.rows_affected() == 1)
             }
 
@@ -202,8 +220,8 @@ macro_rules! keys {
 macro_rules! limits_of_key {
     ($lock:literal) => {
         concat!(
-            "SELECT max_queued, max_running, max_stored, max_priority, revoked_at IS NOT NULL, expires_at FROM api_keys \
-             WHERE id = $1",
+            "SELECT max_queued, max_running, max_stored, max_priority, revoked_at IS NOT NULL, \
+             expires_at FROM api_keys WHERE id = $1",
             $lock
         )
     };

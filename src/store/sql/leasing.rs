@@ -8,14 +8,15 @@ use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 use super::claiming::{FORGET, SETTLE, until};
 use super::codec::{failure_json, pack, pack_records, to_json};
 use crate::jobs::{
-    FIELDS_PART, HISTORY_PAGE, IterationRecord, JobId, Lease, LeaseStatus, Outcome, StepResult, StoreError,
+    FIELDS_PART, HISTORY_PAGE, IterationRecord, JobId, Lease, LeaseStatus, Outcome, StepResult,
+    StoreError,
 };
 
 const PROGRESS: &str = "UPDATE jobs SET iterations = iterations + $4, latest = $5
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations";
 const APPEND: &str = "INSERT INTO iterations (job, first, last, records) VALUES ($1, $2, $3, $4)";
-/// The steps of an attempt that has no report are removed, and those that an attempt had before it began anew: whether there are
-/// any is told.
+/// The steps of an attempt that has no report are removed, and those that an attempt had before it
+/// began anew: whether there are any is told.
 const FINISH: &str = "UPDATE jobs SET state = $4, finished_at = $5, has_report = $6, failure = $7,
          iterations = iterations + $8, latest = coalesce($9, latest),
          steps = CASE WHEN $6 THEN coalesce($10, steps) ELSE 0 END,
@@ -95,9 +96,11 @@ fn number_of<T>(items: &[T]) -> i32 {
     i32::try_from(items.len()).unwrap_or(i32::MAX)
 }
 
-/// How many steps there are with these, `None` without any; their bytes; whether they take the place of all others.
+/// How many steps there are with these, `None` without any; their bytes; whether they take the
+/// place of all others.
 fn sum_up(steps: &[StepResult]) -> (Option<i32>, i64, bool) {
-    let bytes = i64::try_from(steps.iter().map(StepResult::bytes).sum::<usize>()).unwrap_or(i64::MAX);
+    let bytes =
+        i64::try_from(steps.iter().map(StepResult::bytes).sum::<usize>()).unwrap_or(i64::MAX);
     let count = steps.last().map(|last| i32::try_from(last.number + 1).unwrap_or(i32::MAX));
     (count, bytes, steps.first().is_some_and(|first| first.number == 0))
 }
@@ -157,7 +160,8 @@ macro_rules! leasing {
                 let Some(latest) = records.last() else { return Ok(()) };
                 let progress = fenced!(sqlx::query_scalar::<$database, i32>(PROGRESS), lease);
                 let progress = progress.bind(number_of(records)).bind(to_json(latest)?);
-                let last = progress.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
+                let last =
+                    progress.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
                 self.append_records(lease.job, last, records).await
             }
 
@@ -170,21 +174,27 @@ macro_rules! leasing {
                 let mut first = last.saturating_sub(number_of(records));
                 for page in records.chunks(HISTORY_PAGE) {
                     let last = first.saturating_add(number_of(page));
-                    let append = sqlx::query::<$database>(APPEND).bind(job.uuid()).bind(first).bind(last);
+                    let append =
+                        sqlx::query::<$database>(APPEND).bind(job.uuid()).bind(first).bind(last);
                     append.bind(pack_records(page)?).execute(&mut *self).await?;
                     first = last;
                 }
                 Ok(())
             }
 
-            async fn record_steps(&mut self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError> {
+            async fn record_steps(
+                &mut self,
+                lease: &Lease,
+                steps: &[StepResult],
+            ) -> Result<(), StoreError> {
                 if steps.is_empty() {
                     return Ok(());
                 }
                 let (count, bytes, begin_anew) = sum_up(steps);
                 let recorded = fenced!(sqlx::query_scalar::<$database, bool>(STEPS), lease);
                 let recorded = recorded.bind(count).bind(bytes).bind(begin_anew);
-                let outdated = recorded.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
+                let outdated =
+                    recorded.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
                 self.append_steps(lease.job, steps, outdated).await
             }
 
@@ -202,8 +212,11 @@ macro_rules! leasing {
                     let report = sqlx::query::<$database>(STEP).bind(job.uuid()).bind(number);
                     report.bind(&step.report.clone().into_bytes()[..]).execute(&mut *self).await?;
                     let fields = step.fields.as_deref().unwrap_or_default();
-                    for (part, first) in fields.chunks(FIELDS_PART).zip((0_i64..).step_by(FIELDS_PART)) {
-                        let insert = sqlx::query::<$database>(FIELDS).bind(job.uuid()).bind(number);
+                    for (part, first) in
+                        fields.chunks(FIELDS_PART).zip((0_i64..).step_by(FIELDS_PART))
+                    {
+                        let insert =
+                            sqlx::query::<$database>(FIELDS).bind(job.uuid()).bind(number);
                         insert.bind(first).bind(part).execute(&mut *self).await?;
                     }
                 }
@@ -225,9 +238,13 @@ macro_rules! leasing {
                 };
                 let (count, bytes, begin_anew) = sum_up(steps);
                 let finish = fenced!(sqlx::query_as::<$database, (i32, bool)>(FINISH), lease);
+                let finish = finish
+                    .bind(outcome.state().name())
+                    .bind(now)
+                    .bind(report.is_some())
+                    .bind(failure);
                 let finish =
-                    finish.bind(outcome.state().name()).bind(now).bind(report.is_some()).bind(failure);
-                let finish = finish.bind(number_of(records)).bind(records.last().map(to_json).transpose()?);
+                    finish.bind(number_of(records)).bind(records.last().map(to_json).transpose()?);
                 let finish = finish.bind(count).bind(bytes).bind(begin_anew);
                 let (iterations, outdated) =
                     finish.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
@@ -238,7 +255,9 @@ macro_rules! leasing {
                 }
                 if let Some(report) = report {
                     self.append_steps(lease.job, steps, outdated).await?;
-                    let report = sqlx::query::<$database>(REPORT).bind(lease.job.uuid()).bind(pack(report)?);
+                    let report = sqlx::query::<$database>(REPORT)
+                        .bind(lease.job.uuid())
+                        .bind(pack(report)?);
                     report.execute(self).await?;
                 } else {
                     self.forget_steps(lease.job).await?;
@@ -249,12 +268,19 @@ macro_rules! leasing {
             async fn forget_steps(&mut self, job: JobId) -> Result<(), StoreError> {
                 let [_, steps, fields] = FORGET;
                 for statement in [steps, fields] {
-                    sqlx::query::<$database>(statement).bind(job.uuid()).execute(&mut *self).await?;
+                    sqlx::query::<$database>(statement)
+                        .bind(job.uuid())
+                        .execute(&mut *self)
+                        .await?;
                 }
                 Ok(())
             }
 
-            async fn release(&mut self, lease: &Lease, now: i64) -> Result<Option<bool>, StoreError> {
+            async fn release(
+                &mut self,
+                lease: &Lease,
+                now: i64,
+            ) -> Result<Option<bool>, StoreError> {
                 let release = fenced!(sqlx::query_scalar::<$database, bool>(RELEASE), lease);
                 let cancelled = release.bind(now).fetch_optional(&mut *self).await?;
                 let forgotten = match cancelled {
@@ -263,7 +289,10 @@ macro_rules! leasing {
                     None => &[],
                 };
                 for forget in forgotten {
-                    sqlx::query::<$database>(*forget).bind(lease.job.uuid()).execute(&mut *self).await?;
+                    sqlx::query::<$database>(*forget)
+                        .bind(lease.job.uuid())
+                        .execute(&mut *self)
+                        .await?;
                 }
                 Ok(cancelled)
             }

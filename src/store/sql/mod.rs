@@ -1,7 +1,7 @@
 //! Jobs in a database: [`SqlStore`] is the [`JobStore`] of every [`Backend`].
 //!
-//! Every change is one transaction: what it writes can be read when it is announced, here and, through the
-//! backend, to other processes.
+//! Every change is one transaction: what it writes can be read when it is announced, here and,
+//! through the backend, to other processes.
 
 mod backend;
 mod claiming;
@@ -25,8 +25,9 @@ use tokio::task::spawn_blocking;
 use super::StoreLimits;
 use crate::jobs::{
     ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FieldsPart, FieldsReader,
-    IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState, JobStore, KeyStore, Lease,
-    LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult, StoreError, Turn,
+    IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState, JobStore,
+    KeyStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult, StoreError,
+    Turn,
 };
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
@@ -39,13 +40,16 @@ use intake::{Intake, Savepoint};
 use leasing::Leasing;
 use reading::Reading;
 
-/// SQLite's code for a full disk or a database at its largest size, and PostgreSQL's for a full disk.
+/// SQLite's code for a full disk or a database at its largest size, and PostgreSQL's for a full
+/// disk.
 const DISK_FULL: [&str; 2] = ["13", "53100"];
 
-/// SQLite's codes for a file that is damaged or none of its own, and PostgreSQL's for damaged data and indices.
+/// SQLite's codes for a file that is damaged or none of its own, and PostgreSQL's for damaged data
+/// and indices.
 const DAMAGED: [&str; 7] = ["11", "26", "267", "523", "779", "XX001", "XX002"];
 
-/// SQLite's code for a write that the system refused, which includes the process's limit on the size of a file.
+/// SQLite's code for a write that the system refused, which includes the process's limit on the
+/// size of a file.
 const WRITE_REFUSED: &str = "778";
 
 impl From<sqlx::Error> for StoreError {
@@ -92,8 +96,8 @@ impl<B: Backend> SqlStore<B> {
         Ok(())
     }
 
-    /// Commits a transaction and announces what it changed. Jobs that have ended are announced to their receivers from here on:
-    /// every end passes here.
+    /// Commits a transaction and announces what it changed. Jobs that have ended are announced to
+    /// their receivers from here on: every end passes here.
     async fn commit(
         &self,
         mut transaction: B::Write,
@@ -183,29 +187,48 @@ impl<B: Backend> JobStore for SqlStore<B> {
         Reading::step(&mut *self.backend.read().await?, id, step).await
     }
 
-    async fn fields(&self, id: JobId, step: usize, at: usize) -> Result<Option<FieldsPart>, StoreError> {
+    async fn fields(
+        &self,
+        id: JobId,
+        step: usize,
+        at: usize,
+    ) -> Result<Option<FieldsPart>, StoreError> {
         Reading::fields(&mut *self.backend.read().await?, id, step, at).await
     }
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let (expired, lost) = transaction.take_turn(now).await?;
-        let ended = if expired { transaction.expire(request.max_attempts, now).await? } else { Vec::new() };
-        let claims = Claiming::claim(&mut *transaction, request, self.limits, expired || lost, now).await?;
+        let ended = if expired {
+            transaction.expire(request.max_attempts, now).await?
+        } else {
+            Vec::new()
+        };
+        let claims =
+            Claiming::claim(&mut *transaction, request, self.limits, expired || lost, now).await?;
         let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
-        let changes: Vec<Change> = ended.into_iter().map(Change::Finished).chain(started).collect();
+        let changes: Vec<Change> =
+            ended.into_iter().map(Change::Finished).chain(started).collect();
         self.commit(transaction, Written, &changes).await?;
         Ok(claims)
     }
 
-    async fn heartbeat(&self, leases: &[Lease], lease: Duration) -> Result<Vec<LeaseStatus>, StoreError> {
+    async fn heartbeat(
+        &self,
+        leases: &[Lease],
+        lease: Duration,
+    ) -> Result<Vec<LeaseStatus>, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let statuses = Leasing::heartbeat(&mut *transaction, leases, lease, now).await?;
         self.commit(transaction, Written, &[]).await?;
         Ok(statuses)
     }
 
-    async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError> {
+    async fn record_progress(
+        &self,
+        lease: &Lease,
+        records: &[IterationRecord],
+    ) -> Result<(), StoreError> {
         let (mut transaction, _) = self.backend.write().await?;
         Leasing::record_progress(&mut *transaction, lease, records).await?;
         self.commit(transaction, Written, &[Change::Progress(lease.job)]).await

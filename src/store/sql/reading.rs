@@ -6,7 +6,8 @@ use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 
 use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack};
 use crate::jobs::{
-    Counts, Deflated, FieldsPart, HISTORY_PAGE, JobFilter, JobId, JobPage, JobRecord, ResultHead, StoreError,
+    Counts, Deflated, FieldsPart, HISTORY_PAGE, JobFilter, JobId, JobPage, JobRecord, ResultHead,
+    StoreError,
 };
 
 /// One job with its place in the queue.
@@ -23,9 +24,10 @@ const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE 
 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
 const IDS_AFTER: &str = "SELECT id FROM jobs WHERE id > $1 ORDER BY id LIMIT $2";
-const HISTORY: &str =
-    "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 AND first < $2 + $3 ORDER BY first";
-const REQUEST: &str = "SELECT r.body FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
+const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 AND \
+                       first < $2 + $3 ORDER BY first";
+const REQUEST: &str =
+    "SELECT r.body FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
 const RESULT: &str = "SELECT r.body, j.steps, j.attempts,
      EXISTS (SELECT 1 FROM field_parts f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
 const STEP: &str = "SELECT body FROM result_steps WHERE job = $1 AND step = $2";
@@ -62,15 +64,25 @@ pub(in crate::store) trait Reading: Send {
         after: usize,
     ) -> impl Future<Output = Result<Vec<PackedRecords>, StoreError>> + Send;
     fn request(&mut self, id: JobId) -> impl Future<Output = Result<Bytes, StoreError>> + Send;
-    fn result(&mut self, id: JobId) -> impl Future<Output = Result<Option<ResultHead>, StoreError>> + Send;
-    fn step(&mut self, id: JobId, step: usize) -> impl Future<Output = Result<Deflated, StoreError>> + Send;
+    fn result(
+        &mut self,
+        id: JobId,
+    ) -> impl Future<Output = Result<Option<ResultHead>, StoreError>> + Send;
+    fn step(
+        &mut self,
+        id: JobId,
+        step: usize,
+    ) -> impl Future<Output = Result<Deflated, StoreError>> + Send;
     fn fields(
         &mut self,
         id: JobId,
         step: usize,
         at: usize,
     ) -> impl Future<Output = Result<Option<FieldsPart>, StoreError>> + Send;
-    fn list(&mut self, filter: &JobFilter) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
+    fn list(
+        &mut self,
+        filter: &JobFilter,
+    ) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
     /// Names of jobs in order, those after `id`.
     fn ids_after(
         &mut self,
@@ -82,8 +94,8 @@ pub(in crate::store) trait Reading: Send {
     fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
 }
 
-// The statements are the same for every database, the types that carry them are not: generic code would need a
-// page of bounds for each of these functions.
+// The statements are the same for every database, the types that carry them are not: generic code
+// would need a page of bounds for each of these functions.
 macro_rules! reading {
     ($database:ty, $connection:ty) => {
         impl Reading for $connection {
@@ -92,17 +104,22 @@ macro_rules! reading {
                 row.fetch_optional(self).await?.map_or(Err(StoreError::NotFound), job_record)
             }
 
-            async fn history(&mut self, id: JobId, after: usize) -> Result<Vec<PackedRecords>, StoreError> {
+            async fn history(
+                &mut self,
+                id: JobId,
+                after: usize,
+            ) -> Result<Vec<PackedRecords>, StoreError> {
                 let found = sqlx::query_scalar::<$database, Uuid>(EXISTS).bind(id.uuid());
                 found.fetch_optional(&mut *self).await?.ok_or(StoreError::NotFound)?;
-                let [after, page] =
-                    [after, HISTORY_PAGE].map(|count| i32::try_from(count).unwrap_or(i32::MAX / 2));
+                let [after, page] = [after, HISTORY_PAGE]
+                    .map(|count| i32::try_from(count).unwrap_or(i32::MAX / 2));
                 let rows = sqlx::query_as::<$database, PackedRecords>(HISTORY).bind(id.uuid());
                 Ok(rows.bind(after).bind(page).fetch_all(self).await?)
             }
 
             async fn request(&mut self, id: JobId) -> Result<Bytes, StoreError> {
-                let row = sqlx::query_scalar::<$database, Option<Vec<u8>>>(REQUEST).bind(id.uuid());
+                let row =
+                    sqlx::query_scalar::<$database, Option<Vec<u8>>>(REQUEST).bind(id.uuid());
                 let packed = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
                 unpack(packed.ok_or_else(|| damaged("no text"))?)
             }
@@ -118,7 +135,8 @@ macro_rules! reading {
 
             async fn step(&mut self, id: JobId, step: usize) -> Result<Deflated, StoreError> {
                 let step = i32::try_from(step).unwrap_or(i32::MAX);
-                let row = sqlx::query_scalar::<$database, Vec<u8>>(STEP).bind(id.uuid()).bind(step);
+                let row =
+                    sqlx::query_scalar::<$database, Vec<u8>>(STEP).bind(id.uuid()).bind(step);
                 let body = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
                 Deflated::from_bytes(body.into()).ok_or_else(|| damaged("a step"))
             }
@@ -130,7 +148,8 @@ macro_rules! reading {
                 at: usize,
             ) -> Result<Option<FieldsPart>, StoreError> {
                 let step = i32::try_from(step).unwrap_or(i32::MAX);
-                let row = sqlx::query_as::<$database, (Option<i64>, Option<Vec<u8>>)>(FIELDS).bind(id.uuid());
+                let row = sqlx::query_as::<$database, (Option<i64>, Option<Vec<u8>>)>(FIELDS)
+                    .bind(id.uuid());
                 let row = row.bind(step).bind(i64::try_from(at).unwrap_or(i64::MAX));
                 let (first, body) = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
                 let Some((first, body)) = first.zip(body) else { return Ok(None) };
@@ -162,14 +181,23 @@ macro_rules! reading {
                 if let Some(key) = filter.submitter {
                     query.push(" AND j.submitter = ").push_bind(key.uuid());
                 }
-                let (after, order) =
-                    if filter.oldest_first { (" AND j.id > ", "") } else { (" AND j.id < ", " DESC") };
+                let (after, order) = if filter.oldest_first {
+                    (" AND j.id > ", "")
+                } else {
+                    (" AND j.id < ", " DESC")
+                };
                 if let Some(cursor) = filter.cursor {
                     query.push(after).push_bind(cursor.uuid());
                 }
                 for (name, value) in &filter.tags {
-                    query.push(" AND EXISTS (SELECT 1 FROM job_tags t WHERE t.job = j.id AND t.name = ");
-                    query.push_bind(name.clone()).push(" AND t.value = ").push_bind(value.clone()).push(")");
+                    query.push(
+                        " AND EXISTS (SELECT 1 FROM job_tags t WHERE t.job = j.id AND t.name = ",
+                    );
+                    query
+                        .push_bind(name.clone())
+                        .push(" AND t.value = ")
+                        .push_bind(value.clone())
+                        .push(")");
                 }
                 let one_more = i64::try_from(filter.limit).unwrap_or(i64::MAX).saturating_add(1);
                 query.push(" ORDER BY j.id").push(order).push(" LIMIT ").push_bind(one_more);
@@ -181,26 +209,38 @@ macro_rules! reading {
                 Ok(JobPage { jobs, next })
             }
 
-            async fn ids_after(&mut self, id: JobId, limit: i64) -> Result<Vec<JobId>, StoreError> {
-                let ids = sqlx::query_scalar::<$database, Uuid>(IDS_AFTER).bind(id.uuid()).bind(limit);
+            async fn ids_after(
+                &mut self,
+                id: JobId,
+                limit: i64,
+            ) -> Result<Vec<JobId>, StoreError> {
+                let ids =
+                    sqlx::query_scalar::<$database, Uuid>(IDS_AFTER).bind(id.uuid()).bind(limit);
                 Ok(ids.fetch_all(self).await?.into_iter().map(JobId::from).collect())
             }
 
             async fn check_tables(&mut self) -> Result<Vec<String>, StoreError> {
                 let mut found = Vec::new();
-                let rows = sqlx::query_scalar::<$database, i64>(HEALTH_ROWS).fetch_one(&mut *self).await?;
+                let rows = sqlx::query_scalar::<$database, i64>(HEALTH_ROWS)
+                    .fetch_one(&mut *self)
+                    .await?;
                 if rows != 1 {
                     found.push(format!("table health: {rows} rows instead of one"));
                 }
-                let lost = sqlx::query_scalar::<$database, Uuid>(WITHOUT_ACCOUNT).fetch_all(self).await?;
-                let line = |id| format!("job {}: it is queued where nobody looks", JobId::from(id));
+                let lost =
+                    sqlx::query_scalar::<$database, Uuid>(WITHOUT_ACCOUNT).fetch_all(self).await?;
+                let line =
+                    |id| format!("job {}: it is queued where nobody looks", JobId::from(id));
                 found.extend(lost.into_iter().map(line));
                 Ok(found)
             }
 
             async fn counts(&mut self) -> Result<Counts, StoreError> {
-                let rows = sqlx::query_as::<$database, (String, i64)>(COUNTS).fetch_all(self).await?;
-                rows.into_iter().map(|(state, jobs)| Ok((state_named(&state)?, count(jobs)?))).collect()
+                let rows =
+                    sqlx::query_as::<$database, (String, i64)>(COUNTS).fetch_all(self).await?;
+                rows.into_iter()
+                    .map(|(state, jobs)| Ok((state_named(&state)?, count(jobs)?)))
+                    .collect()
             }
         }
     };

@@ -4,7 +4,8 @@ use std::fs::Metadata;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file that was there when it was opened. Once it has been removed or replaced, what is written to it is lost with the process.
+/// A file that was there when it was opened. Once it has been removed or replaced, what is written
+/// to it is lost with the process.
 #[derive(Debug)]
 pub(super) struct OwnFile {
     path: PathBuf,
@@ -22,8 +23,13 @@ impl OwnFile {
         let now = self.path.metadata().map(|metadata| identity(&metadata));
         match now {
             Ok(now) if now == self.identity => Ok(()),
-            Ok(_) => Err(io::Error::other(format!("{} was replaced while it was open", self.path.display()))),
-            Err(error) => Err(io::Error::new(error.kind(), format!("{}: {error}", self.path.display()))),
+            Ok(_) => Err(io::Error::other(format!(
+                "{} was replaced while it was open",
+                self.path.display()
+            ))),
+            Err(error) => {
+                Err(io::Error::new(error.kind(), format!("{}: {error}", self.path.display())))
+            }
         }
     }
 }

@@ -9,8 +9,8 @@ use sqlx::{ConnectOptions, Connection};
 
 use super::{DATABASE, STEPS, SqliteError, lock_directory};
 
-/// Restores a backup into a directory that has no database. The file is checked first, and is in place as a whole or not
-/// at all.
+/// Restores a backup into a directory that has no database. The file is checked first, and is in
+/// place as a whole or not at all.
 ///
 /// # Errors
 /// [`SqliteError`].
@@ -32,7 +32,8 @@ async fn check_backup(path: &Path) -> Result<(), SqliteError> {
     // A backup is one file, complete without a log beside it.
     let options = SqliteConnectOptions::new().filename(path).read_only(true).immutable(true);
     let mut connection = options.connect().await.map_err(failed)?;
-    let found = sqlx::query_scalar::<_, String>("PRAGMA quick_check(1)").fetch_one(&mut connection).await;
+    let found =
+        sqlx::query_scalar::<_, String>("PRAGMA quick_check(1)").fetch_one(&mut connection).await;
     let found = found.map_err(failed)?;
     if found != "ok" {
         return Err(refused(found));

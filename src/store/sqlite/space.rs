@@ -14,14 +14,16 @@ impl FreeSpace {
         Self { directory: database.parent().unwrap_or(Path::new(".")).to_owned(), reserve }
     }
 
-    /// Whether less than the reserve is free, `reusable` bytes within the database included. Where the system does not
-    /// tell, there is room.
+    /// Whether less than the reserve is free, `reusable` bytes within the database included. Where
+    /// the system does not tell, there is room.
     pub(super) fn is_low(&self, reusable: u64) -> bool {
-        free_bytes(&self.directory).is_some_and(|free| free.saturating_add(reusable) < self.reserve)
+        free_bytes(&self.directory)
+            .is_some_and(|free| free.saturating_add(reusable) < self.reserve)
     }
 }
 
-/// Bytes that this process may still write to a file system; `None` where the system does not tell.
+/// Bytes that this process may still write to a file system; `None` where the system does not
+/// tell.
 #[cfg(unix)]
 fn free_bytes(directory: &Path) -> Option<u64> {
     let statistics = rustix::fs::statvfs(directory).ok()?;

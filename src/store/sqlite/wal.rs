@@ -11,9 +11,9 @@ use tokio::task::spawn_blocking;
 
 /// The write-ahead log of a database whose commits are not synced by themselves.
 ///
-/// A checkpoint syncs the log before it overwrites a page of the database, and the database before it starts the log
-/// anew (`synchronous = NORMAL`). Hence everything committed before [`WalSync::sync`] began is on the disk when it
-/// returns, either in the log or in the database.
+/// A checkpoint syncs the log before it overwrites a page of the database, and the database before
+/// it starts the log anew (`synchronous = NORMAL`). Hence everything committed before
+/// [`WalSync::sync`] began is on the disk when it returns, either in the log or in the database.
 pub(super) struct WalSync {
     file: Arc<File>,
     /// Calls so far.
@@ -30,7 +30,8 @@ pub(super) fn path(database: &Path) -> PathBuf {
 }
 
 impl WalSync {
-    /// The log of the database at `path`, which is open: the log then exists until the last connection closes.
+    /// The log of the database at `path`, which is open: the log then exists until the last
+    /// connection closes.
     pub(super) async fn open(path: &Path) -> io::Result<Self> {
         let name = self::path(path);
         let open = move || File::options().create(true).append(true).open(name);

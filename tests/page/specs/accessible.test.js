@@ -1,4 +1,7 @@
-/** Every view by axe-core, light and dark, on a wide page and on a phone; nothing sticks out of any of them. */
+/**
+ * Every view by axe-core, light and dark, on a wide page and on a phone; nothing sticks out of any
+ * of them.
+ */
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -22,10 +25,16 @@ async function violations(page, view) {
       rules: { 'target-size': { enabled: true } },
     });
     return violations.flatMap((/** @type {any} */ { id, nodes }) =>
-      nodes.map((/** @type {any} */ node) => `${id}: ${node.html.slice(0, 160)} ${node.any[0]?.message ?? ''}`),
+      nodes.map(
+        (/** @type {any} */ node) =>
+          `${id}: ${node.html.slice(0, 160)} ${node.any[0]?.message ?? ''}`,
+      ),
     );
   });
-  const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+  const [inner, outer] = await page.evaluate(() => [
+    document.documentElement.scrollWidth,
+    innerWidth,
+  ]);
   if (inner > outer) found.push(`${inner} px in ${outer}`);
   return found.map((/** @type {string} */ one) => `${view}: ${one}`);
 }
@@ -44,7 +53,10 @@ for (const [size, options] of /** @type {const} */ ([
         await unfold(page);
         await page.getByLabel('Shape').first().selectOption('profile');
         await page.getByLabel('Hardening').first().selectOption('table');
-        await page.locator('[data-place="/load/force"]').getByRole('button', { name: 'Slider' }).click();
+        await page
+          .locator('[data-place="/load/force"]')
+          .getByRole('button', { name: 'Slider' })
+          .click();
         await page.getByLabel('Points x, height').fill('0 0 0');
         await page.locator('[data-place="/upper/shape/points"] .error:visible').waitFor();
         found.push(...(await violations(page, 'form with a fault')));
@@ -90,7 +102,10 @@ for (const [size, options] of /** @type {const} */ ([
       `the page about the interface, ${size}, ${colorScheme}`,
       async (page) => {
         await page.goto(new URL('docs', page.url()).href);
-        await page.waitForFunction((colours) => document.documentElement.dataset.colours === colours, colorScheme);
+        await page.waitForFunction(
+          (colours) => document.documentElement.dataset.colours === colours,
+          colorScheme,
+        );
         await page.locator('details summary').first().click();
         assert.deepEqual(await violations(page, 'interface'), []);
         // An example, by the keyboard.
@@ -109,15 +124,17 @@ service.test(
     const adjusted = await page.evaluate(() =>
       ['.colours li:not(.unit, .last)', '.legend .swatch', '.stage .surface'].map((part) => {
         const [element] = document.querySelectorAll(part);
-        return getComputedStyle(element, part.startsWith('.colours') ? '::after' : null).forcedColorAdjust;
+        return getComputedStyle(element, part.startsWith('.colours') ? '::after' : null)
+          .forcedColorAdjust;
       }),
     );
     assert.deepEqual(adjusted, ['none', 'none', 'none']);
     const rims = await page.evaluate(() =>
       ['.segments', '.chips'].map(
         (part) =>
-          getComputedStyle(/** @type {Element} */ (document.querySelector(`#panels ${part} :checked + span`)))
-            .outlineStyle,
+          getComputedStyle(
+            /** @type {Element} */ (document.querySelector(`#panels ${part} :checked + span`)),
+          ).outlineStyle,
       ),
     );
     assert.deepEqual(rims, ['solid', 'solid']);
@@ -127,7 +144,10 @@ service.test(
 
 service.test('steps and buttons are called by what they are', async (page) => {
   await shown(page, { load: { forces: [100, 300] } });
-  assert.equal(await page.getByLabel('Step', { exact: true }).getAttribute('aria-valuetext'), '2 of 2: 300.0 N/mm');
+  assert.equal(
+    await page.getByLabel('Step', { exact: true }).getAttribute('aria-valuetext'),
+    '2 of 2: 300.0 N/mm',
+  );
   const alike = await page.locator('#result .panel button').evaluateAll((buttons) => {
     const names = buttons
       .filter((button) => button.checkVisibility())
@@ -137,14 +157,17 @@ service.test('steps and buttons are called by what they are', async (page) => {
   assert.deepEqual(alike, []);
 });
 
-service.test('iterations are those of all steps, or of one, and it is said which', async (page) => {
-  await shown(page, { load: { forces: [100, 300] } });
-  await page
-    .locator('#watch')
-    .getByText(/\d+ iterations in 2 steps/)
-    .waitFor();
-  await page
-    .locator('#headline')
-    .getByText(/iterations? in this step; .* for all steps/)
-    .waitFor({ state: 'attached' });
-});
+service.test(
+  'iterations are those of all steps, or of one, and it is said which',
+  async (page) => {
+    await shown(page, { load: { forces: [100, 300] } });
+    await page
+      .locator('#watch')
+      .getByText(/\d+ iterations in 2 steps/)
+      .waitFor();
+    await page
+      .locator('#headline')
+      .getByText(/iterations? in this step; .* for all steps/)
+      .waitFor({ state: 'attached' });
+  },
+);

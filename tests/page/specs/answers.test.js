@@ -1,4 +1,7 @@
-/** Answers that are lost, late, of somebody else or refused for now: what is said, and that the page goes on by itself. */
+/**
+ * Answers that are lost, late, of somebody else or refused for now: what is said, and that the
+ * page goes on by itself.
+ */
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
@@ -14,7 +17,8 @@ const solve = (page) => page.getByRole('button', { name: 'Solve', exact: true })
 /** @param {Page} page @param {string | RegExp} words */
 const said = (page, words) => page.locator('#solve-state').getByText(words).waitFor();
 /** @param {Page} page @returns {Promise<number>} */
-const jobs = (page) => page.evaluate(async () => (await (await fetch('v1/jobs')).json()).jobs.length);
+const jobs = (page) =>
+  page.evaluate(async () => (await (await fetch('v1/jobs')).json()).jobs.length);
 
 /** Something that is let go. */
 function gate() {
@@ -56,7 +60,10 @@ service.test(
       },
     );
     await solve(page);
-    await said(page, 'The service does not answer. The job is sent again when it does, and is made once.');
+    await said(
+      page,
+      'The service does not answer. The job is sent again when it does, and is made once.',
+    );
     await page.getByText('Connection lost, retrying').waitFor({ state: 'hidden' });
     await said(page, 'The job is sent again when it does');
     open();
@@ -105,11 +112,19 @@ service.test(
     const full = JSON.stringify({ status: 429, detail: 'as many jobs are waiting as may wait' });
     const soon = { 'Retry-After': '1' };
     await atPost(page, answer(200), (route) =>
-      route.fulfill({ status: 429, headers: soon, contentType: 'application/problem+json', body: full }),
+      route.fulfill({
+        status: 429,
+        headers: soon,
+        contentType: 'application/problem+json',
+        body: full,
+      }),
     );
     await solve(page);
     await said(page, /^Something else than the service answers, .* The job is sent again/);
-    await said(page, 'As many jobs are waiting as may wait. The job is sent again until it is taken.');
+    await said(
+      page,
+      'As many jobs are waiting as may wait. The job is sent again until it is taken.',
+    );
     await page.locator(SOLVED).waitFor();
   },
   { amiss: true },
@@ -166,7 +181,9 @@ service.test(
     await page.getByText('1500.0 MPa').waitFor();
     let [refused, held] = [0, true];
     await page.route('**/events', (route) => answer(++refused % 2 ? 429 : 500)(route));
-    await page.route(/\/v1\/jobs\/[^/?]+$/, (route) => (held ? answer(503)(route) : route.continue()));
+    await page.route(/\/v1\/jobs\/[^/?]+$/, (route) =>
+      held ? answer(503)(route) : route.continue(),
+    );
     await solve(page);
     await page.locator('#watch').getByText('No answer yet').waitFor();
     await page.locator('#watch').getByText('it is asked again').waitFor();
@@ -212,19 +229,22 @@ service.test(
   { amiss: true },
 );
 
-service.test('where Hertz’s theory does not apply it is not asked, and the form says why', async (page) => {
-  let asked = 0;
-  page.on('request', (request) => {
-    if (request.url().endsWith('/v1/hertz')) asked += 1;
-  });
-  for (const [example, why] of [
-    ['Pin in a hole', 'one body lies within the other'],
-    ['Crowned face from measured points', 'it takes round surfaces, and a profile is none'],
-  ]) {
-    await page.locator('#example').selectOption({ label: example });
-    await page.locator('#check').getByText(`Hertz’s theory does not apply: ${why}`).waitFor();
-  }
-  await page.getByLabel('Shape').first().selectOption('wedge');
-  await page.locator('#check').getByText('and a wedge is none').waitFor();
-  assert.equal(asked, 0);
-});
+service.test(
+  'where Hertz’s theory does not apply it is not asked, and the form says why',
+  async (page) => {
+    let asked = 0;
+    page.on('request', (request) => {
+      if (request.url().endsWith('/v1/hertz')) asked += 1;
+    });
+    for (const [example, why] of [
+      ['Pin in a hole', 'one body lies within the other'],
+      ['Crowned face from measured points', 'it takes round surfaces, and a profile is none'],
+    ]) {
+      await page.locator('#example').selectOption({ label: example });
+      await page.locator('#check').getByText(`Hertz’s theory does not apply: ${why}`).waitFor();
+    }
+    await page.getByLabel('Shape').first().selectOption('wedge');
+    await page.locator('#check').getByText('and a wedge is none').waitFor();
+    assert.equal(asked, 0);
+  },
+);

@@ -8,7 +8,9 @@ import { figure, plain } from '../../../web/lib/units.js';
 import { LEFT, QUANTITIES, inUnits } from '../../../web/result/converted.js';
 import { inWords } from '../../../web/setup/words.js';
 
-const { schemas } = JSON.parse(readFileSync(new URL('../../../api/openapi.json', import.meta.url), 'utf8')).components;
+const { schemas } = JSON.parse(
+  readFileSync(new URL('../../../api/openapi.json', import.meta.url), 'utf8'),
+).components;
 
 /** What the interface says of a unit, and what the page makes of it. @type {[RegExp, string | undefined][]} */
 const SAID = [
@@ -33,7 +35,10 @@ function* numbers(node, key, said, seen = []) {
   if (node.$ref) {
     const name = node.$ref.split('/').pop();
     if (!seen.includes(name))
-      yield* numbers(schemas[name], key, node.description ?? schemas[name].description ?? said, [...seen, name]);
+      yield* numbers(schemas[name], key, node.description ?? schemas[name].description ?? said, [
+        ...seen,
+        name,
+      ]);
     return;
   }
   const text = node.description ?? said;
@@ -60,18 +65,27 @@ test('initial stresses, work and reversed yield come in the units that are shown
   const set = { length: 'µm', per: 'mm', stress: 'GPa', force: 'kN' };
   const part = {
     subsurface: { lower: { initial_sigma_x: [-204], initial_sigma_z: [10] } },
-    flow: { energy: { work: 2 }, surfaces: { lower: { pile_up_position: 0.5, reverse_area: 0.25 } } },
+    flow: {
+      energy: { work: 2 },
+      surfaces: { lower: { pile_up_position: 0.5, reverse_area: 0.25 } },
+    },
   };
   const converted = inUnits(part, { analysis: 'plane_strain', units: 'mm_N_MPa' }, set);
   const rounded = JSON.parse(
-    JSON.stringify(converted, (_, value) => (typeof value === 'number' ? Number(value.toPrecision(12)) : value)),
+    JSON.stringify(converted, (_, value) =>
+      typeof value === 'number' ? Number(value.toPrecision(12)) : value,
+    ),
   );
   assert.deepEqual(rounded, {
     subsurface: { lower: { initial_sigma_x: [-0.204], initial_sigma_z: [0.01] } },
-    flow: { energy: { work: 2 }, surfaces: { lower: { pile_up_position: 500, reverse_area: 250000 } } },
+    flow: {
+      energy: { work: 2 },
+      surfaces: { lower: { pile_up_position: 500, reverse_area: 250000 } },
+    },
   });
   assert.equal(
-    inUnits({ work: 2 }, { analysis: 'axisymmetric', units: 'mm_N_MPa' }, { ...set, length: 'mm' }).work,
+    inUnits({ work: 2 }, { analysis: 'axisymmetric', units: 'mm_N_MPa' }, { ...set, length: 'mm' })
+      .work,
     2e-3,
   );
 });
@@ -80,7 +94,10 @@ test('what the page writes, it can read', () => {
   for (const value of [4.5e8, -5e-5, 1e8, -1e-7, 5.5e8, 1.23456e12, -0.25, 612.6, 3e-20, 0])
     for (const write of [plain, (/** @type {number} */ one) => figure(one, 6)]) {
       const reading = readNumber(write(value));
-      assert.ok('value' in reading && Math.abs(reading.value - value) <= 1e-5 * Math.abs(value), write(value));
+      assert.ok(
+        'value' in reading && Math.abs(reading.value - value) <= 1e-5 * Math.abs(value),
+        write(value),
+      );
     }
   for (const [text, value] of /** @type {[string, number][]} */ ([
     ['4.5·10⁸', 4.5e8],

@@ -11,22 +11,53 @@ service.test('jobs of any form are shown as far as they go', async (page) => {
   const text = page.locator('#json-text');
   const base = JSON.parse(await text.inputValue());
   const steel = base.upper.material;
-  const by = (/** @type {any} */ plasticity) => ({ ...base.upper, material: { ...steel, plasticity } });
+  const by = (/** @type {any} */ plasticity) => ({
+    ...base.upper,
+    material: { ...steel, plasticity },
+  });
   for (const change of [
-    { upper: null, lower: 5, load: null, mesh: 5, solver: [], output: 'x', tags: [1], units: 7, analysis: {} },
+    {
+      upper: null,
+      lower: 5,
+      load: null,
+      mesh: 5,
+      solver: [],
+      output: 'x',
+      tags: [1],
+      units: 7,
+      analysis: {},
+    },
     { upper: { shape: { type: 'constructor' } }, lower: by({ law: 'toString' }), load: 5 },
-    { upper: { shape: 5, material: 7 }, lower: by(5), load: { history: [5, null, { force: 'x' }] } },
-    { upper: { ...base.upper, shape: { type: 'profile', points: [[1], [null, 2], 'x'], depth: 'q' } } },
+    {
+      upper: { shape: 5, material: 7 },
+      lower: by(5),
+      load: { history: [5, null, { force: 'x' }] },
+    },
+    {
+      upper: {
+        ...base.upper,
+        shape: { type: 'profile', points: [[1], [null, 2], 'x'], depth: 'q' },
+      },
+    },
     { upper: { ...base.upper, shape: { type: '__proto__', points: 5 } }, load: { forces: {} } },
-    { upper: by({ law: 'table', points: null }), lower: by({ law: 'table', points: [] }), load: { history: 5 } },
+    {
+      upper: by({ law: 'table', points: null }),
+      lower: by({ law: 'table', points: [] }),
+      load: { history: 5 },
+    },
     { upper: by({ ...steel.plasticity, over_depth: 5, backstress: 7 }) },
     {
       upper: by({ ...steel.plasticity, over_depth: { hardness: 3 }, backstress: [null, 5] }),
       load: { forces: [null] },
     },
     { upper: { ...base.upper, material: { ...steel, initial_stress: 5 } } },
-    { upper: { ...base.upper, material: { ...steel, initial_stress: [null, { depth: 'x' }, 7] } } },
-    { upper: { ...base.upper, shape: { type: 'cylinder', radius: 1e308 } }, load: { force: -1e308 } },
+    {
+      upper: { ...base.upper, material: { ...steel, initial_stress: [null, { depth: 'x' }, 7] } },
+    },
+    {
+      upper: { ...base.upper, shape: { type: 'cylinder', radius: 1e308 } },
+      load: { force: -1e308 },
+    },
     { load: { force: 'x' } },
     { load: { forces: [] } },
     { load: { approaches: ['x', null] } },
@@ -40,7 +71,11 @@ service.test('jobs of any form are shown as far as they go', async (page) => {
     await page.getByLabel('Units').first().selectOption('SI');
     await page.locator('#form .error:visible, #check .error').first().waitFor();
     const sketch = page.locator('#sketch');
-    assert.doesNotMatch((await sketch.textContent()) ?? '', /NaN|Infinity|undefined/, JSON.stringify(change));
+    assert.doesNotMatch(
+      (await sketch.textContent()) ?? '',
+      /NaN|Infinity|undefined/,
+      JSON.stringify(change),
+    );
   }
   await text.fill(JSON.stringify(base));
   await page.getByText('1500.0 MPa').waitFor();
@@ -56,7 +91,10 @@ service.test('figures of any size are refused in words', async (page) => {
 for (const [what, kept] of /** @type {[string, Record<string, string>][]} */ ([
   ['no JSON', { draft: '{', materials: '[', 'display-units': '{', theme: '{' }],
   ['nothing', { draft: 'null', materials: 'null', 'display-units': 'null', theme: 'null' }],
-  ['something else', { draft: '[]', materials: '[5, null, {"name": 3}]', 'display-units': '{"length": "parsec"}' }],
+  [
+    'something else',
+    { draft: '[]', materials: '[5, null, {"name": 3}]', 'display-units': '{"length": "parsec"}' },
+  ],
 ]))
   service.test(`a browser that has kept ${what} begins anew`, async (page) => {
     await page.evaluate((kept) => {
@@ -87,17 +125,20 @@ for (const hash of [
     { hash, amiss: true },
   );
 
-service.test('a thousand steps are gone through without building their table anew', async (page) => {
-  const forces = Array.from({ length: 1000 }, (_, k) => k + 1);
-  const id = await solved(page, { mesh: { elements_per_half_width: 4 }, load: { forces } });
-  await follow(page, `job=${id}`);
-  const rows = page.locator('#panel-figures tbody tr');
-  await rows.nth(999).waitFor();
-  const first = await rows.first().elementHandle();
-  await page.getByLabel('Step', { exact: true }).focus();
-  await page.keyboard.press('Home');
-  await page.locator('.steps output').getByText('1 of 1000').waitFor();
-  assert.equal(await first?.getAttribute('aria-current'), 'step', 'the same row');
-  assert.equal(await page.locator('#panel-figures [aria-current]').count(), 1);
-  assert.equal((await draft(page)).load.forces.length, 1000);
-});
+service.test(
+  'a thousand steps are gone through without building their table anew',
+  async (page) => {
+    const forces = Array.from({ length: 1000 }, (_, k) => k + 1);
+    const id = await solved(page, { mesh: { elements_per_half_width: 4 }, load: { forces } });
+    await follow(page, `job=${id}`);
+    const rows = page.locator('#panel-figures tbody tr');
+    await rows.nth(999).waitFor();
+    const first = await rows.first().elementHandle();
+    await page.getByLabel('Step', { exact: true }).focus();
+    await page.keyboard.press('Home');
+    await page.locator('.steps output').getByText('1 of 1000').waitFor();
+    assert.equal(await first?.getAttribute('aria-current'), 'step', 'the same row');
+    assert.equal(await page.locator('#panel-figures [aria-current]').count(), 1);
+    assert.equal((await draft(page)).load.forces.length, 1000);
+  },
+);

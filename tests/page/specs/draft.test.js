@@ -11,7 +11,8 @@ const FORCE = '[data-place="/load/force"] input[type=text]';
 /** @param {import('playwright-core').Page} page @param {string} text that the field is to show */
 const shows = (page, text) =>
   page.waitForFunction(
-    ([field, text]) => /** @type {HTMLInputElement} */ (document.querySelector(field))?.value === text,
+    ([field, text]) =>
+      /** @type {HTMLInputElement} */ (document.querySelector(field))?.value === text,
     [FORCE, text],
   );
 
@@ -39,20 +40,23 @@ service.test('a JSON at fault stays until it is put right or given up', async (p
   await shows(page, '612.6106');
 });
 
-service.test('another analysis has the load of a millimetre as a whole, in either units, and says so', async (page) => {
-  for (const [units, force] of [
-    ['mm_N_MPa', '612.6106'],
-    ['SI', '612610.6'],
-  ]) {
-    await page.getByLabel('Units', { exact: true }).selectOption(units);
-    await shows(page, force);
-    await page.getByLabel('Analysis').selectOption('axisymmetric');
-    await shows(page, '612.6106');
-    await page.getByText('The load is that of the whole contact now, in N').waitFor();
-    await page.getByLabel('Analysis').selectOption('plane_stress');
-    await shows(page, force);
-  }
-});
+service.test(
+  'another analysis has the load of a millimetre as a whole, in either units, and says so',
+  async (page) => {
+    for (const [units, force] of [
+      ['mm_N_MPa', '612.6106'],
+      ['SI', '612610.6'],
+    ]) {
+      await page.getByLabel('Units', { exact: true }).selectOption(units);
+      await shows(page, force);
+      await page.getByLabel('Analysis').selectOption('axisymmetric');
+      await shows(page, '612.6106');
+      await page.getByText('The load is that of the whole contact now, in N').waitFor();
+      await page.getByLabel('Analysis').selectOption('plane_stress');
+      await shows(page, force);
+    }
+  },
+);
 
 service.test('what was no figure is read again where its unit has become right', async (page) => {
   await page.locator(FORCE).fill('600 N');
@@ -74,26 +78,31 @@ service.test('what a definition has instead of figures is shown as it is', async
   await text.fill(JSON.stringify({ ...job, load: { history: [{}, { force: 5 }] } }));
   await page.waitForFunction(
     () =>
-      /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/history"] input'))?.value === '{} 5',
+      /** @type {HTMLInputElement} */ (
+        document.querySelector('[data-place="/load/history"] input')
+      )?.value === '{} 5',
   );
 });
 
-service.test('flow theory is left again with the load that needed it, and stays where it was chosen', async (page) => {
-  const theory = async () => (await draft(page)).solver?.theory;
-  const given = page.getByLabel('Given', { exact: true });
-  await given.selectOption('target');
-  await page.getByLabel('Figure', { exact: true }).selectOption('dent_depth');
-  assert.equal(await theory(), 'flow');
-  await page.getByLabel('Figure', { exact: true }).selectOption('permanent_approach');
-  assert.equal(await theory(), 'flow');
-  await page.getByLabel('Figure', { exact: true }).selectOption('peak_pressure');
-  assert.equal(await theory(), 'deformation');
-  await page.getByText('Deformation theory again').waitFor();
-  await page.getByLabel('Theory', { exact: true }).selectOption('flow');
-  await given.selectOption('history');
-  await given.selectOption('force');
-  assert.equal(await theory(), 'flow');
-});
+service.test(
+  'flow theory is left again with the load that needed it, and stays where it was chosen',
+  async (page) => {
+    const theory = async () => (await draft(page)).solver?.theory;
+    const given = page.getByLabel('Given', { exact: true });
+    await given.selectOption('target');
+    await page.getByLabel('Figure', { exact: true }).selectOption('dent_depth');
+    assert.equal(await theory(), 'flow');
+    await page.getByLabel('Figure', { exact: true }).selectOption('permanent_approach');
+    assert.equal(await theory(), 'flow');
+    await page.getByLabel('Figure', { exact: true }).selectOption('peak_pressure');
+    assert.equal(await theory(), 'deformation');
+    await page.getByText('Deformation theory again').waitFor();
+    await page.getByLabel('Theory', { exact: true }).selectOption('flow');
+    await given.selectOption('history');
+    await given.selectOption('force');
+    assert.equal(await theory(), 'flow');
+  },
+);
 
 service.test('loads are repeated one more time at each press', async (page) => {
   await page.getByLabel('Given', { exact: true }).selectOption('history');
@@ -121,8 +130,11 @@ service.test('two tags of one name are refused, and one without a name', async (
   assert.deepEqual((await draft(page)).tags, { a: '1', b: '2' });
 });
 
-service.test('the onset of Hertz says that it does not know stress before the load', async (page) => {
-  await unfold(page);
-  await page.locator('[data-place="/lower/material/stress_kind"] select').selectOption('given');
-  await page.locator('#check').getByText('not known beside stress before the load').waitFor();
-});
+service.test(
+  'the onset of Hertz says that it does not know stress before the load',
+  async (page) => {
+    await unfold(page);
+    await page.locator('[data-place="/lower/material/stress_kind"] select').selectOption('given');
+    await page.locator('#check').getByText('not known beside stress before the load').waitFor();
+  },
+);

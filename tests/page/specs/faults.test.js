@@ -26,8 +26,13 @@ service.test('wrong input shows at its field, and goes when it is put right', as
 service.test('a refused job takes the cursor to its fault', async (page) => {
   await page.getByLabel('Force P').fill('-5');
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.waitForFunction(() => document.activeElement?.getAttribute('aria-invalid') === 'true');
-  assert.equal(await page.getByLabel('Force P').evaluate((input) => input === document.activeElement), true);
+  await page.waitForFunction(
+    () => document.activeElement?.getAttribute('aria-invalid') === 'true',
+  );
+  assert.equal(
+    await page.getByLabel('Force P').evaluate((input) => input === document.activeElement),
+    true,
+  );
 });
 
 service.test('an unknown key in the JSON is named although no field has it', async (page) => {
@@ -46,7 +51,10 @@ const SOFT = {
     plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 0 },
   },
 };
-/** A job that iterates until it is stopped: perfect plasticity in plane stress, which strong coupling never gets to rest. */
+/**
+ * A job that iterates until it is stopped: perfect plasticity in plane stress, which strong
+ * coupling never gets to rest.
+ */
 const ENDLESS = {
   analysis: 'plane_stress',
   upper: SOFT,
@@ -82,9 +90,13 @@ service.test(
     await server.kill();
     await page.getByRole('button', { name: 'Solve', exact: true }).click();
     const said = page.locator('#solve-state');
-    await said.getByText('The service does not answer. The job is sent again when it does').waitFor();
+    await said
+      .getByText('The service does not answer. The job is sent again when it does')
+      .waitFor();
     assert.equal(
-      await said.evaluate((one) => one.checkVisibility() && one.getBoundingClientRect().bottom <= innerHeight),
+      await said.evaluate(
+        (one) => one.checkVisibility() && one.getBoundingClientRect().bottom <= innerHeight,
+      ),
       true,
     );
     await page.getByText('Connection lost, retrying').waitFor();
@@ -120,5 +132,8 @@ service.test('messages speak the language of the form', async (page) => {
   assert.doesNotMatch((await radius.textContent()) ?? '', /_/);
   await page.getByLabel('Given').selectOption('forces');
   await page.locator('[data-place="/load/forces"] input').fill('');
-  await page.locator('[data-place="/load/forces"] .error').getByText('is empty: 1 to 1000 are needed').waitFor();
+  await page
+    .locator('[data-place="/load/forces"] .error')
+    .getByText('is empty: 1 to 1000 are needed')
+    .waitFor();
 });

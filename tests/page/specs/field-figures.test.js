@@ -13,7 +13,8 @@ const FIELDS = { output: { fields: true } };
 /** Waits for a field of other numbers. @param {Page} page @param {RegExp} wanted */
 const labelled = (page, wanted) =>
   page.waitForFunction(
-    (wanted) => new RegExp(wanted).test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
+    (wanted) =>
+      new RegExp(wanted).test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
     wanted.source,
   );
 
@@ -31,7 +32,8 @@ const drawnWords = (page) =>
   });
 
 /** What the cut and the readout give. @param {Page} page */
-const cutWords = async (page) => (await page.locator('.cut .plot').getAttribute('aria-label')) ?? '';
+const cutWords = async (page) =>
+  (await page.locator('.cut .plot').getAttribute('aria-label')) ?? '';
 
 /** @param {Page} page @param {string[]} ends */
 async function typeCut(page, ends) {
@@ -54,13 +56,16 @@ service.test(
     await page.getByLabel('Shown', { exact: true }).selectOption('tau_xy');
     await labelled(page, /^Field of τrz/);
     const [, low, high] =
-      /from (\S+) to (\S+) MPa/.exec((await page.locator('.over').getAttribute('aria-label')) ?? '') ?? [];
+      /from (\S+) to (\S+) MPa/.exec(
+        (await page.locator('.over').getAttribute('aria-label')) ?? '',
+      ) ?? [];
     for (const [said, value] of [
       [low, limits[0]],
       [high, limits[1]],
     ])
       assert.ok(
-        Math.abs(Number(String(said).replace('−', '-')) - Number(value)) < 2e-3 * Math.abs(Number(value)),
+        Math.abs(Number(String(said).replace('−', '-')) - Number(value)) <
+          2e-3 * Math.abs(Number(value)),
         `${said} ${value}`,
       );
     await page.locator('#panel-field .stage .over').scrollIntoViewIfNeeded();
@@ -82,24 +87,30 @@ service.test(
   },
 );
 
-service.test('the least and the largest value of what has a sign are marked, each by its name', async (page) => {
-  const id = await shown(page, { ...FIELDS, load: { force: 612 } });
-  await drawn(page);
-  await drawnWords(page);
-  await page.getByLabel('Shown', { exact: true }).selectOption('sigma_x');
-  await labelled(page, /^Field of σx/);
-  const ends = await page.evaluate(async (id) => {
-    const report = await (await fetch(`v1/jobs/${id}/result`)).json();
-    const all = ['upper', 'lower'].flatMap((body) => report.steps[0].fields[body].sigma_x);
-    return { max: Math.max(...all), min: Math.min(...all) };
-  }, id);
-  assert.ok(ends.max > 0 && -ends.min > ends.max);
-  const { figure } = await import('../../../web/lib/units.js');
-  for (const [name, value] of Object.entries(ends)) {
-    const words = `${name} ${figure(value, 4)} MPa`;
-    await page.waitForFunction((words) => /** @type {any} */ (globalThis).drawnWords.includes(words), words);
-  }
-});
+service.test(
+  'the least and the largest value of what has a sign are marked, each by its name',
+  async (page) => {
+    const id = await shown(page, { ...FIELDS, load: { force: 612 } });
+    await drawn(page);
+    await drawnWords(page);
+    await page.getByLabel('Shown', { exact: true }).selectOption('sigma_x');
+    await labelled(page, /^Field of σx/);
+    const ends = await page.evaluate(async (id) => {
+      const report = await (await fetch(`v1/jobs/${id}/result`)).json();
+      const all = ['upper', 'lower'].flatMap((body) => report.steps[0].fields[body].sigma_x);
+      return { max: Math.max(...all), min: Math.min(...all) };
+    }, id);
+    assert.ok(ends.max > 0 && -ends.min > ends.max);
+    const { figure } = await import('../../../web/lib/units.js');
+    for (const [name, value] of Object.entries(ends)) {
+      const words = `${name} ${figure(value, 4)} MPa`;
+      await page.waitForFunction(
+        (words) => /** @type {any} */ (globalThis).drawnWords.includes(words),
+        words,
+      );
+    }
+  },
+);
 
 service.test('an extreme that is not in the picture has no word there', async (page) => {
   await shown(page, { ...FIELDS, load: { force: 612 } });
@@ -110,14 +121,19 @@ service.test('an extreme that is not in the picture has no word there', async (p
   await page.keyboard.press('ArrowLeft');
   const words = (/** @type {string} */ word) =>
     page.evaluate(
-      (word) => /** @type {any} */ (globalThis).drawnWords.filter((/** @type {string} */ one) => one.startsWith(word)),
+      (word) =>
+        /** @type {any} */ (globalThis).drawnWords.filter((/** @type {string} */ one) =>
+          one.startsWith(word),
+        ),
       word,
     );
   await page.waitForFunction(() => /** @type {any} */ (globalThis).drawnWords.length > 0);
   assert.ok((await words('max ')).length > 0);
   for (let k = 0; k < 12; k++) await page.keyboard.press('+');
   for (let k = 0; k < 20; k++) await page.keyboard.press('ArrowLeft');
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await page.evaluate(
+    () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+  );
   await page.evaluate(() => {
     /** @type {any} */ (globalThis).drawnWords.length = 0;
   });
@@ -126,67 +142,88 @@ service.test('an extreme that is not in the picture has no word there', async (p
   assert.deepEqual(await words('max '), []);
 });
 
-service.test('there are isolines where values change, and none where they are the same', async (page) => {
-  const elastic = { young_modulus: 210e3, poisson_ratio: 0.3 };
-  const body = { shape: { type: 'cylinder', radius: 20 }, material: elastic };
-  const history = [{ force: 300 }, { force: 0 }];
-  await shown(page, { ...FIELDS, upper: body, lower: body, load: { history }, solver: { theory: 'flow' } });
-  await drawn(page);
-  await page.getByLabel('Shown', { exact: true }).selectOption('sigma_x');
-  await labelled(page, /^Field of σx/);
-  const stage = page.locator('#panel-field .stage');
-  const both = async () => {
-    const pictures = [];
-    for (const on of [false, true]) {
-      await page.getByLabel('Isolines').setChecked(on);
-      await page.mouse.move(1, 1);
-      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-      pictures.push((await stage.screenshot()).toString('base64'));
-    }
-    return pictures;
-  };
-  const [plain, lined] = await both();
-  assert.equal(lined, plain, 'without load there is no stress that changes');
-  await page.locator('.steps input').fill('0');
-  await labelled(page, /^Field of σx, from −\d\d\d/);
-  const [before, after] = await both();
-  assert.notEqual(after, before);
-});
+service.test(
+  'there are isolines where values change, and none where they are the same',
+  async (page) => {
+    const elastic = { young_modulus: 210e3, poisson_ratio: 0.3 };
+    const body = { shape: { type: 'cylinder', radius: 20 }, material: elastic };
+    const history = [{ force: 300 }, { force: 0 }];
+    await shown(page, {
+      ...FIELDS,
+      upper: body,
+      lower: body,
+      load: { history },
+      solver: { theory: 'flow' },
+    });
+    await drawn(page);
+    await page.getByLabel('Shown', { exact: true }).selectOption('sigma_x');
+    await labelled(page, /^Field of σx/);
+    const stage = page.locator('#panel-field .stage');
+    const both = async () => {
+      const pictures = [];
+      for (const on of [false, true]) {
+        await page.getByLabel('Isolines').setChecked(on);
+        await page.mouse.move(1, 1);
+        await page.evaluate(
+          () =>
+            new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+        );
+        pictures.push((await stage.screenshot()).toString('base64'));
+      }
+      return pictures;
+    };
+    const [plain, lined] = await both();
+    assert.equal(lined, plain, 'without load there is no stress that changes');
+    await page.locator('.steps input').fill('0');
+    await labelled(page, /^Field of σx, from −\d\d\d/);
+    const [before, after] = await both();
+    assert.notEqual(after, before);
+  },
+);
 
-service.test('limits of the colours are taken as they are written, or refused in words', async (page) => {
-  await shown(page, { ...FIELDS, load: { force: 612 } });
-  await drawn(page);
-  const [least, largest] = [page.getByLabel('Least value coloured'), page.getByLabel('Largest value coloured')];
-  const choice = page.getByLabel('Colours', { exact: true });
-  const legend = page.locator('#panel-field .colours');
-  const before = await legend.textContent();
-  for (const [text, words] of /** @type {[string, RegExp][]} */ ([
-    ['abc', /“abc” is not a number/],
-    ['1e400', /too large/],
-    ['1,200', /can be read as/],
-    ['0', /the least value is the largest one too/],
-    ['3 parsec', /no unit known/],
-  ])) {
-    await largest.fill(text);
+service.test(
+  'limits of the colours are taken as they are written, or refused in words',
+  async (page) => {
+    await shown(page, { ...FIELDS, load: { force: 612 } });
+    await drawn(page);
+    const [least, largest] = [
+      page.getByLabel('Least value coloured'),
+      page.getByLabel('Largest value coloured'),
+    ];
+    const choice = page.getByLabel('Colours', { exact: true });
+    const legend = page.locator('#panel-field .colours');
+    const before = await legend.textContent();
+    for (const [text, words] of /** @type {[string, RegExp][]} */ ([
+      ['abc', /“abc” is not a number/],
+      ['1e400', /too large/],
+      ['1,200', /can be read as/],
+      ['0', /the least value is the largest one too/],
+      ['3 parsec', /no unit known/],
+    ])) {
+      await largest.fill(text);
+      await largest.press('Enter');
+      await page.locator('.tools .fault').getByText(words).waitFor();
+      assert.equal(await choice.inputValue(), 'step', text);
+      assert.equal(await legend.textContent(), before, text);
+      assert.equal(await largest.getAttribute('aria-invalid'), 'true');
+    }
+    await largest.fill('456.789');
     await largest.press('Enter');
-    await page.locator('.tools .fault').getByText(words).waitFor();
-    assert.equal(await choice.inputValue(), 'step', text);
-    assert.equal(await legend.textContent(), before, text);
-    assert.equal(await largest.getAttribute('aria-invalid'), 'true');
-  }
-  await largest.fill('456.789');
-  await largest.press('Enter');
-  await least.fill('0.1234567 GPa');
-  await least.press('Enter');
-  assert.equal(await choice.inputValue(), 'fixed');
-  assert.equal(await page.locator('.tools .fault').textContent(), '');
-  assert.match((await legend.textContent()) ?? '', /^456\.789.*123\.457MPa$/);
-  assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['123.457', '456.789']);
-  await least.fill('');
-  await least.press('Enter');
-  assert.equal(await choice.inputValue(), 'step');
-  assert.equal(await legend.textContent(), before);
-});
+    await least.fill('0.1234567 GPa');
+    await least.press('Enter');
+    assert.equal(await choice.inputValue(), 'fixed');
+    assert.equal(await page.locator('.tools .fault').textContent(), '');
+    assert.match((await legend.textContent()) ?? '', /^456\.789.*123\.457MPa$/);
+    assert.deepEqual(
+      [await least.inputValue(), await largest.inputValue()],
+      ['123.457', '456.789'],
+    );
+    await least.fill('');
+    await least.press('Enter');
+    assert.equal(await choice.inputValue(), 'step');
+    assert.equal(await legend.textContent(), before);
+  },
+);
 
 service.test(
   'limits that are held are the same stresses of a job in other units, and its figures are read back',
@@ -194,7 +231,10 @@ service.test(
     const si = await solved(page, { ...SI, ...FIELDS, load: { force: 612e3 } });
     await shown(page, { ...FIELDS, load: { force: 612 } });
     await drawn(page);
-    const [least, largest] = [page.getByLabel('Least value coloured'), page.getByLabel('Largest value coloured')];
+    const [least, largest] = [
+      page.getByLabel('Least value coloured'),
+      page.getByLabel('Largest value coloured'),
+    ];
     for (const [box, value] of /** @type {const} */ ([
       [least, '100'],
       [largest, '400'],
@@ -208,12 +248,17 @@ service.test(
     await largest.fill('4.5·10⁸');
     await largest.press('Enter');
     assert.equal(await largest.inputValue(), '4.5·10⁸');
-    assert.match((await page.locator('#panel-field .colours').textContent()) ?? '', /^4\.5·10⁸.*10⁸Pa$/);
+    assert.match(
+      (await page.locator('#panel-field .colours').textContent()) ?? '',
+      /^4\.5·10⁸.*10⁸Pa$/,
+    );
     // The cut, near whose surface every figure has a power of ten.
     await page.getByLabel('Cut', { exact: true }).check();
     await typeCut(page, ['0', '0', '0', '-0.00005']);
     await page.getByRole('img', { name: /^von Mises stress along the cut/ }).waitFor();
-    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    );
     const short = await cutWords(page);
     assert.equal(await page.getByLabel('Cut to y').inputValue(), '-0.00005');
     // Through the place of the largest stress, beside a figure that the page has written.
@@ -236,16 +281,27 @@ service.test(
     await typeCut(page, ['0', '-0.6', '0', '0.6']);
     const curves = () =>
       page.evaluate(
-        () => document.querySelector('.cut canvas') && document.querySelector('.cut .plot')?.getAttribute('aria-label'),
+        () =>
+          document.querySelector('.cut canvas') &&
+          document.querySelector('.cut .plot')?.getAttribute('aria-label'),
       );
-    await page.getByRole('img', { name: /^von Mises stress along the cut, at most 5\d\d/ }).waitFor();
+    await page
+      .getByRole('img', { name: /^von Mises stress along the cut, at most 5\d\d/ })
+      .waitFor();
     const before = await curves();
     const picture = page.locator('.cut .plot canvas');
-    const drawnBefore = await picture.evaluate((one) => /** @type {HTMLCanvasElement} */ (one).toDataURL());
+    const drawnBefore = await picture.evaluate((one) =>
+      /** @type {HTMLCanvasElement} */ (one).toDataURL(),
+    );
     await page.getByLabel('Displacement').selectOption('20');
-    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    );
     assert.equal(await curves(), before);
-    assert.equal(await picture.evaluate((one) => /** @type {HTMLCanvasElement} */ (one).toDataURL()), drawnBefore);
+    assert.equal(
+      await picture.evaluate((one) => /** @type {HTMLCanvasElement} */ (one).toDataURL()),
+      drawnBefore,
+    );
     await typeCut(page, ['50', '1', '60', '1']);
     await page.locator('.cut').getByText('The cut misses the bodies.').waitFor();
     assert.equal(await page.locator('.cut .chart').isVisible(), false);
@@ -274,48 +330,66 @@ service.test('the curve of a cut is broken where the line leaves the body', asyn
   const gap = broken.y.indexOf(null);
   assert.ok(gap > 0, JSON.stringify(broken));
   assert.equal(broken.y.lastIndexOf(null), gap);
-  assert.ok(Math.abs(broken.x[gap - 1] - 0.75) < 1e-6 && Math.abs(broken.x[gap + 1] - 1.75) < 1e-6, broken.x.join());
+  assert.ok(
+    Math.abs(broken.x[gap - 1] - 0.75) < 1e-6 && Math.abs(broken.x[gap + 1] - 1.75) < 1e-6,
+    broken.x.join(),
+  );
   assert.deepEqual([broken.x[0], broken.x.at(-1)], [0, 2.5]);
   broken.x.forEach((/** @type {number} */ at, /** @type {number} */ k) => {
     if (k !== gap) assert.ok(Math.abs(broken.y[k] - at - 0.25) < 1e-5, `${broken.y[k]} at ${at}`);
   });
 });
 
-service.test('a field whose graphics the browser takes back says so, and is drawn again', async (page) => {
-  await shown(page, { ...FIELDS, load: { force: 612 } });
-  await drawn(page);
-  await page.evaluate(() => {
-    const surface = /** @type {HTMLCanvasElement} */ (document.querySelector('.stage .surface'));
-    /** @type {any} */ (globalThis).taken = surface.getContext('webgl2')?.getExtension('WEBGL_lose_context');
-    /** @type {any} */ (globalThis).taken.loseContext();
-  });
-  const words = page.getByText('The browser has stopped the graphics');
-  await words.waitFor();
-  await page.locator('#panel-field').getByText('PNG', { exact: true }).click();
-  await page.getByText('There is no picture of it yet').waitFor();
-  await page.evaluate(() => /** @type {any} */ (globalThis).taken.restoreContext());
-  await words.waitFor({ state: 'hidden' });
-  await page.locator('#panel-field .stage:not(.stale)').waitFor();
-});
-
-service.test('one cannot go so close or so far that there is nothing left to see', async (page) => {
-  await shown(page, { ...FIELDS, load: { force: 612 } });
-  await drawn(page);
-  const scale = await page.evaluate(async () => {
-    const { Camera } = await import(/** @type {any} */ ('/web/field/camera.js'));
-    const camera = Object.assign(new Camera(), { width: 400, height: 300 });
-    camera.home(0.5);
-    const whole = camera.scale;
-    return [1.25, 0.8].map((factor) => {
-      for (let k = 0; k < 500; k++) camera.zoom(factor);
-      return camera.scale / whole;
+service.test(
+  'a field whose graphics the browser takes back says so, and is drawn again',
+  async (page) => {
+    await shown(page, { ...FIELDS, load: { force: 612 } });
+    await drawn(page);
+    await page.evaluate(() => {
+      const surface = /** @type {HTMLCanvasElement} */ (document.querySelector('.stage .surface'));
+      /** @type {any} */ (globalThis).taken = surface
+        .getContext('webgl2')
+        ?.getExtension('WEBGL_lose_context');
+      /** @type {any} */ (globalThis).taken.loseContext();
     });
-  });
-  assert.ok(scale[0] <= 1e4 && scale[0] > 100 && scale[1] >= 1e-4 && scale[1] < 0.1, scale.join());
-});
+    const words = page.getByText('The browser has stopped the graphics');
+    await words.waitFor();
+    await page.locator('#panel-field').getByText('PNG', { exact: true }).click();
+    await page.getByText('There is no picture of it yet').waitFor();
+    await page.evaluate(() => /** @type {any} */ (globalThis).taken.restoreContext());
+    await words.waitFor({ state: 'hidden' });
+    await page.locator('#panel-field .stage:not(.stale)').waitFor();
+  },
+);
+
+service.test(
+  'one cannot go so close or so far that there is nothing left to see',
+  async (page) => {
+    await shown(page, { ...FIELDS, load: { force: 612 } });
+    await drawn(page);
+    const scale = await page.evaluate(async () => {
+      const { Camera } = await import(/** @type {any} */ ('/web/field/camera.js'));
+      const camera = Object.assign(new Camera(), { width: 400, height: 300 });
+      camera.home(0.5);
+      const whole = camera.scale;
+      return [1.25, 0.8].map((factor) => {
+        for (let k = 0; k < 500; k++) camera.zoom(factor);
+        return camera.scale / whole;
+      });
+    });
+    assert.ok(
+      scale[0] <= 1e4 && scale[0] > 100 && scale[1] >= 1e-4 && scale[1] < 0.1,
+      scale.join(),
+    );
+  },
+);
 
 service.test('without load a cut begins as long as the largest contact was', async (page) => {
-  await shown(page, { ...FIELDS, load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  await shown(page, {
+    ...FIELDS,
+    load: { history: [{ force: 600 }, { force: 0 }] },
+    solver: { theory: 'flow' },
+  });
   await drawn(page);
   await page.getByLabel('Cut', { exact: true }).check();
   await page.getByRole('img', { name: /^σx along the cut, at most \d+/ }).waitFor();

@@ -25,7 +25,8 @@ function asked(page) {
   page.on('request', (request) => {
     const { pathname, searchParams } = new URL(request.url());
     const [, step] = /\/fields\/(\d+)$/.exec(pathname) ?? [];
-    if (step) list.push({ step: Number(step), arrays: (searchParams.get('arrays') ?? '').split(',') });
+    if (step)
+      list.push({ step: Number(step), arrays: (searchParams.get('arrays') ?? '').split(',') });
   });
   return { take: () => list.splice(0), list };
 }
@@ -37,7 +38,10 @@ const label = (page) => page.locator('#panel-field .stage .over').getAttribute('
 const named = (page, begin) =>
   page.waitForFunction((begin) => {
     const words = document.querySelector('.over')?.getAttribute('aria-label') ?? '';
-    return words.startsWith(`Field of ${begin}`) && !document.querySelector('.stage')?.classList.contains('stale');
+    return (
+      words.startsWith(`Field of ${begin}`) &&
+      !document.querySelector('.stage')?.classList.contains('stale')
+    );
   }, begin);
 
 /** Largest value on both bodies as the service has it. @param {Page} page @param {string} id @param {number} step @param {string} quantity */
@@ -45,7 +49,10 @@ const largest = (page, id, step, quantity) =>
   page.evaluate(async ([id, step, quantity]) => {
     const { readFields } = await import(/** @type {any} */ ('/web/api/npz.js'));
     const { valuesOf } = await import(/** @type {any} */ ('/web/field/quantities.js'));
-    const fields = readFields(await (await fetch(`v1/jobs/${id}/fields/${step}`)).arrayBuffer(), []);
+    const fields = readFields(
+      await (await fetch(`v1/jobs/${id}/fields/${step}`)).arrayBuffer(),
+      [],
+    );
     let most = 0;
     for (const body of [fields.upper, fields.lower])
       for (const value of body ? valuesOf(body, quantity, 0) : []) most = Math.max(most, value);
@@ -58,57 +65,69 @@ async function reaches(page, most) {
   assert.ok(Math.abs(Number(said) - most) < 1e-3 * most, `${said} for ${most}`);
 }
 
-service.test('arrays are fetched when something on the page is made of them, and once', async (page) => {
-  const requests = asked(page);
-  const id = await large(page);
-  const came = page.waitForResponse(/fields\/10\?/);
-  await follow(page, `job=${id}`);
-  await came;
-  await drawn(page);
-  assert.deepEqual(requests.take(), [{ step: STEPS, arrays: [...SHAPE, 'von_mises'] }]);
-  const sizes = [[...SHAPE, 'von_mises'], null].map((arrays) =>
-    page.evaluate(
-      async ([id, query]) => (await (await fetch(`v1/jobs/${id}/fields/10${query}`)).arrayBuffer()).byteLength,
-      [id, arrays ? `?arrays=${arrays}` : ''],
-    ),
-  );
-  const [bytes, whole] = await Promise.all(sizes);
-  requests.take();
-  assert.ok(bytes < 0.7 * whole, `${bytes} of ${whole}`);
-  await reaches(page, await largest(page, id, STEPS, 'von_mises'));
-  requests.take();
+service.test(
+  'arrays are fetched when something on the page is made of them, and once',
+  async (page) => {
+    const requests = asked(page);
+    const id = await large(page);
+    const came = page.waitForResponse(/fields\/10\?/);
+    await follow(page, `job=${id}`);
+    await came;
+    await drawn(page);
+    assert.deepEqual(requests.take(), [{ step: STEPS, arrays: [...SHAPE, 'von_mises'] }]);
+    const sizes = [[...SHAPE, 'von_mises'], null].map((arrays) =>
+      page.evaluate(
+        async ([id, query]) =>
+          (await (await fetch(`v1/jobs/${id}/fields/10${query}`)).arrayBuffer()).byteLength,
+        [id, arrays ? `?arrays=${arrays}` : ''],
+      ),
+    );
+    const [bytes, whole] = await Promise.all(sizes);
+    requests.take();
+    assert.ok(bytes < 0.7 * whole, `${bytes} of ${whole}`);
+    await reaches(page, await largest(page, id, STEPS, 'von_mises'));
+    requests.take();
 
-  const shown = page.getByLabel('Shown', { exact: true });
-  await shown.selectOption('tau_max');
-  await named(page, 'largest shear');
-  assert.deepEqual(requests.take(), [{ step: STEPS, arrays: ['sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'] }]);
-  await reaches(page, await largest(page, id, STEPS, 'tau_max'));
-  requests.take();
-  for (const quantity of ['sigma_1', 'mean_stress', 'displacement_y', 'von_mises', 'tau_max'])
-    await shown.selectOption(quantity);
-  await named(page, 'largest shear');
-  assert.deepEqual(requests.take(), [], 'what these are made of is here');
+    const shown = page.getByLabel('Shown', { exact: true });
+    await shown.selectOption('tau_max');
+    await named(page, 'largest shear');
+    assert.deepEqual(requests.take(), [
+      { step: STEPS, arrays: ['sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'] },
+    ]);
+    await reaches(page, await largest(page, id, STEPS, 'tau_max'));
+    requests.take();
+    for (const quantity of ['sigma_1', 'mean_stress', 'displacement_y', 'von_mises', 'tau_max'])
+      await shown.selectOption(quantity);
+    await named(page, 'largest shear');
+    assert.deepEqual(requests.take(), [], 'what these are made of is here');
 
-  const box = await page.locator('#panel-field .stage .over').boundingBox();
-  assert.ok(box);
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
-  await page.getByText(/^lower body, x .* von Mises .* τmax .* MPa · plastic strain \d.* %$/).waitFor();
-  assert.deepEqual(requests.take(), [{ step: STEPS, arrays: ['equivalent_plastic_strain'] }]);
-  await page.mouse.move(0, 0);
+    const box = await page.locator('#panel-field .stage .over').boundingBox();
+    assert.ok(box);
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
+    await page
+      .getByText(/^lower body, x .* von Mises .* τmax .* MPa · plastic strain \d.* %$/)
+      .waitFor();
+    assert.deepEqual(requests.take(), [{ step: STEPS, arrays: ['equivalent_plastic_strain'] }]);
+    await page.mouse.move(0, 0);
 
-  await page.getByLabel('Step', { exact: true }).focus();
-  await page.keyboard.press('Home');
-  await page.locator('.steps output').getByText(`1 of ${STEPS}`).waitFor();
-  await named(page, 'largest shear');
-  assert.deepEqual(requests.take(), [{ step: 1, arrays: [...SHAPE, 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'] }]);
-  await reaches(page, await largest(page, id, 1, 'tau_max'));
-  requests.take();
-  // The cut, isolines and edges are made of what is drawn.
-  await page.getByLabel('Cut', { exact: true }).check();
-  await page.locator('.cut .plot[aria-label^="largest shear stress τmax along the cut"]').waitFor();
-  for (const flag of ['Isolines', 'Mesh']) await page.getByLabel(flag, { exact: true }).check();
-  assert.deepEqual(requests.take(), []);
-});
+    await page.getByLabel('Step', { exact: true }).focus();
+    await page.keyboard.press('Home');
+    await page.locator('.steps output').getByText(`1 of ${STEPS}`).waitFor();
+    await named(page, 'largest shear');
+    assert.deepEqual(requests.take(), [
+      { step: 1, arrays: [...SHAPE, 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'] },
+    ]);
+    await reaches(page, await largest(page, id, 1, 'tau_max'));
+    requests.take();
+    // The cut, isolines and edges are made of what is drawn.
+    await page.getByLabel('Cut', { exact: true }).check();
+    await page
+      .locator('.cut .plot[aria-label^="largest shear stress τmax along the cut"]')
+      .waitFor();
+    for (const flag of ['Isolines', 'Mesh']) await page.getByLabel(flag, { exact: true }).check();
+    assert.deepEqual(requests.take(), []);
+  },
+);
 
 service.test('one body, round: what is shown and read is fetched', async (page) => {
   const id = await large(page, {
@@ -139,7 +158,15 @@ service.test('one body, round: what is shown and read is fetched', async (page) 
   assert.match(await tile.innerText(), /[1-9]\d*%/);
   assert.deepEqual(
     requests.list.flatMap(({ arrays }) => arrays).sort(),
-    [...SHAPE, 'von_mises', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy', 'equivalent_plastic_strain'].sort(),
+    [
+      ...SHAPE,
+      'von_mises',
+      'sigma_x',
+      'sigma_y',
+      'sigma_z',
+      'tau_xy',
+      'equivalent_plastic_strain',
+    ].sort(),
   );
 });
 
@@ -151,7 +178,8 @@ service.test(
     await drawn(page);
     let broken = 'refuse';
     await page.route('**/fields/**', (route) => {
-      if (broken === 'refuse') return route.fulfill({ status: 500, json: { detail: 'the store is damaged' } });
+      if (broken === 'refuse')
+        return route.fulfill({ status: 500, json: { detail: 'the store is damaged' } });
       if (broken === 'cut') return route.abort();
       return route.continue();
     });
@@ -159,8 +187,16 @@ service.test(
     await page.getByLabel('Shown', { exact: true }).selectOption('sigma_y');
     const said = page.locator('#panel-field .waiting');
     await said.getByText('Could not load σy: the store is damaged.').waitFor();
-    const [message, stage] = [await said.boundingBox(), await page.locator('#panel-field .stage').boundingBox()];
-    assert.ok(message && stage && message.y > stage.y && message.y + message.height < stage.y + stage.height);
+    const [message, stage] = [
+      await said.boundingBox(),
+      await page.locator('#panel-field .stage').boundingBox(),
+    ];
+    assert.ok(
+      message &&
+        stage &&
+        message.y > stage.y &&
+        message.y + message.height < stage.y + stage.height,
+    );
     assert.equal(await label(page), before, 'the picture is still of the other quantity');
     assert.equal(await page.locator('#panel-field .stage.stale').count(), 1);
     await page.getByRole('button', { name: 'Save field as PNG' }).click();
@@ -173,7 +209,9 @@ service.test(
     broken = 'cut';
     await page.getByLabel('Step', { exact: true }).focus();
     await page.keyboard.press('Home');
-    await said.getByText('Could not load the field of this step: the service does not answer.').waitFor();
+    await said
+      .getByText('Could not load the field of this step: the service does not answer.')
+      .waitFor();
     broken = '';
     await named(page, 'σy');
     await reaches(page, await largest(page, id, 1, 'sigma_y'));
@@ -184,7 +222,9 @@ service.test(
     assert.ok(box);
     await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
     await page
-      .getByText(/^lower body, x .* σy .* MPa · the others could not be loaded: the store is damaged$/)
+      .getByText(
+        /^lower body, x .* σy .* MPa · the others could not be loaded: the store is damaged$/,
+      )
       .waitFor();
     broken = '';
     await page.mouse.move(0, 0);
@@ -201,7 +241,9 @@ service.test(
     await follow(page, `job=${id}`);
     await drawn(page);
     const failed = /** @type {string[]} */ ([]);
-    page.on('requestfailed', (request) => failed.push(new URL(request.url()).pathname.split('/').at(-1) ?? ''));
+    page.on('requestfailed', (request) =>
+      failed.push(new URL(request.url()).pathname.split('/').at(-1) ?? ''),
+    );
     let letGo = () => {};
     const held = new Promise((resolve) => {
       letGo = () => resolve(undefined);
@@ -258,7 +300,11 @@ service.test(
     await page.keyboard.press('Home');
     await page.getByRole('button', { name: 'Report' }).click();
     await page.getByRole('button', { name: 'Print or save as PDF' }).waitFor();
-    assert.equal(await page.locator('#sheet .sheet-drawings canvas').count(), 0, 'no picture of another step');
+    assert.equal(
+      await page.locator('#sheet .sheet-drawings canvas').count(),
+      0,
+      'no picture of another step',
+    );
     letGo();
     await page.locator('#sheet .sheet-drawings canvas').waitFor();
   },

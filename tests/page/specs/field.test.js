@@ -1,4 +1,7 @@
-/** The field: drawn in proportion to its elements, once a frame while it moves, read out under the cursor. */
+/**
+ * The field: drawn in proportion to its elements, once a frame while it moves, read out under the
+ * cursor.
+ */
 
 import assert from 'node:assert/strict';
 import { PHONE, suite } from '../browser.js';
@@ -6,7 +9,10 @@ import { drawn, follow, OFF_CENTRE, shown, solved, steel } from '../jobs.js';
 
 /** Elements that are drawn, both halves of both bodies. */
 const ELEMENTS = 40_000;
-/** Largest ratio of the times to draw four times as many elements, which a machine busy with other work lets vary. */
+/**
+ * Largest ratio of the times to draw four times as many elements, which a machine busy with other
+ * work lets vary.
+ */
 const RATIO = 20;
 
 const service = suite();
@@ -22,7 +28,8 @@ const timeToDraw = (page, id) =>
     location.hash = `job=${id}`;
     for (const begin = performance.now(); performance.now() - begin < 60_000;) {
       const [drawn] = performance.getEntriesByName('field-drawn');
-      if (drawn) return drawn.startTime - performance.getEntriesByName('field-received')[0].startTime;
+      if (drawn)
+        return drawn.startTime - performance.getEntriesByName('field-received')[0].startTime;
       await new Promise(requestAnimationFrame);
     }
     throw new Error('the field is not drawn');
@@ -41,14 +48,21 @@ service.test(
     }
     const elements = await page.evaluate(
       async (id) =>
-        (await (await fetch(`v1/jobs/${id}/result?fields=contact,subsurface,plasticity,history`)).json()).mesh.elements,
+        (
+          await (
+            await fetch(`v1/jobs/${id}/result?fields=contact,subsurface,plasticity,history`)
+          ).json()
+        ).mesh.elements,
       large,
     );
     assert.ok(elements > ELEMENTS, `${elements} elements`);
     note(
       `${2 * elements} elements drawn after ${Math.round(best.large)} ms, a quarter of them after ${Math.round(best.small)} ms`,
     );
-    assert.ok(best.large < RATIO * best.small, `${best.large} ms for four times what takes ${best.small} ms`);
+    assert.ok(
+      best.large < RATIO * best.small,
+      `${best.large} ms for four times what takes ${best.small} ms`,
+    );
 
     const box = await page.locator('#panel-field .stage .over').boundingBox();
     assert.ok(box);
@@ -84,7 +98,10 @@ service.test('colours, probe and keys of the field', async (page) => {
 
   await page.locator('#panel-field select').first().selectOption('equivalent_plastic_strain');
   await page.waitForFunction(() =>
-    document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of plastic strain'),
+    document
+      .querySelector('.over')
+      ?.getAttribute('aria-label')
+      ?.startsWith('Field of plastic strain'),
   );
   assert.ok((await page.locator('#panel-field .colours li').count()) > 5);
 
@@ -111,7 +128,11 @@ service.test('a job without fields offers to solve again with them', async (page
 
 /** Shows the reference problem with its field. @param {import('playwright-core').Page} page @param {object} [change] */
 async function reference(page, change = {}) {
-  const id = await shown(page, { mesh: { elements_per_half_width: 10 }, output: { fields: true }, ...change });
+  const id = await shown(page, {
+    mesh: { elements_per_half_width: 10 },
+    output: { fields: true },
+    ...change,
+  });
   await drawn(page);
   return id;
 }
@@ -119,7 +140,8 @@ async function reference(page, change = {}) {
 /** @param {import('playwright-core').Page} page @param {RegExp} wanted */
 const labelled = (page, wanted) =>
   page.waitForFunction(
-    (wanted) => new RegExp(wanted).test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
+    (wanted) =>
+      new RegExp(wanted).test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
     wanted.source,
   );
 
@@ -131,7 +153,13 @@ service.test('stresses that follow from the others are right', async (page) => {
     const mesh = report.steps[0].fields.upper;
     for (const [key, list] of Object.entries(mesh)) mesh[key] = Float32Array.from(list.flat());
     const at = (/** @type {string} */ name) => valuesOf(mesh, name, 0);
-    const [one, two, three, shear, mean] = ['sigma_1', 'sigma_2', 'sigma_3', 'tau_max', 'mean_stress'].map(at);
+    const [one, two, three, shear, mean] = [
+      'sigma_1',
+      'sigma_2',
+      'sigma_3',
+      'tau_max',
+      'mean_stress',
+    ].map(at);
     let worst = 0;
     mesh.von_mises.forEach((/** @type {number} */ q, /** @type {number} */ k) => {
       const [a, b, c] = [one[k], two[k], three[k]];
@@ -146,7 +174,8 @@ service.test('stresses that follow from the others are right', async (page) => {
     });
     return worst / Math.max(...mesh.von_mises);
   }, id);
-  // Nodal values are averages of elements: von Mises of the averages differs a little from the average of von Mises.
+  // Nodal values are averages of elements: von Mises of the averages differs a little from the
+  // average of von Mises.
   assert.ok(worst < 0.05, `${worst}`);
 });
 
@@ -161,7 +190,10 @@ const SOCKET = {
 };
 /** A pin in its hole. */
 const PIN = {
-  upper: { shape: { type: 'cylinder', radius: 10 }, material: { young_modulus: 210e3, poisson_ratio: 0.3 } },
+  upper: {
+    shape: { type: 'cylinder', radius: 10 },
+    material: { young_modulus: 210e3, poisson_ratio: 0.3 },
+  },
   lower: {
     shape: { type: 'hole', radius: 10.02, outer_radius: 100 },
     material: steel(355, 2100),
@@ -176,91 +208,114 @@ for (const [what, change, slack] of /** @type {[string, object, number][]} */ ([
   ['a pin in its hole', PIN, 1e-2],
   ['a ball in its socket', SOCKET, 1e-2],
 ]))
-  service.test(`bodies do not overlap however much their displacements are exaggerated: ${what}`, async (page) => {
-    const id = await reference(page, change);
-    const gaps = await page.evaluate(async (id) => {
-      const { lifts, surfaceNodes } = await import(/** @type {any} */ ('/web/field/lift.js'));
+  service.test(
+    `bodies do not overlap however much their displacements are exaggerated: ${what}`,
+    async (page) => {
+      const id = await reference(page, change);
+      const gaps = await page.evaluate(async (id) => {
+        const { lifts, surfaceNodes } = await import(/** @type {any} */ ('/web/field/lift.js'));
+        const { frameOf } = await import(/** @type {any} */ ('/web/field/frame.js'));
+        const [report, job] = await Promise.all(
+          ['result', 'request'].map(async (part) => (await fetch(`v1/jobs/${id}/${part}`)).json()),
+        );
+        const [step] = report.steps;
+        const [upper, lower] = ['upper', 'lower'].map((name) => {
+          const mesh = {
+            nodes: step.fields[name].nodes.flat(),
+            displacement: step.fields[name].displacement.flat(),
+          };
+          return { mesh, frame: frameOf(job, name, mesh) };
+        });
+        const lift = lifts(upper, lower, step);
+        const { x } = step.contact.nodes;
+        const [up, low] = [surfaceNodes(upper, x), surfaceNodes(lower, x)];
+        return [0, 1, 2, 20].map((factor) => {
+          const lifted = lift(factor);
+          const at = (
+            /** @type {any} */ { mesh },
+            /** @type {number} */ n,
+            /** @type {number} */ by,
+          ) => [
+            mesh.nodes[2 * n] + factor * mesh.displacement[2 * n],
+            mesh.nodes[2 * n + 1] + factor * mesh.displacement[2 * n + 1] + by,
+          ];
+          const gaps = x.flatMap((/** @type {number} */ along, /** @type {number} */ k) => {
+            if (!(up[k] >= 0 && low[k] >= 0)) return [];
+            const [[x1, y1], [x0, y0]] = [
+              at(upper, up[k], lifted.upper),
+              at(lower, low[k], lifted.lower),
+            ];
+            const [across, upward] = lower.frame.outward(along);
+            return [across * (x1 - x0) + upward * (y1 - y0)];
+          });
+          return { least: Math.min(...gaps), raised: lifted.upper, count: gaps.length };
+        });
+      }, id);
+      for (const { least, count } of gaps) {
+        assert.ok(count > 10, `${count} pairs`);
+        assert.ok(least > -1e-6 - slack / 10, `they overlap by ${-least} mm`);
+        assert.ok(least < slack, `and are ${least} mm apart`);
+      }
+    },
+  );
+
+service.test(
+  'a pin stays in its hole, and the outline of its plastic zone follows the hole',
+  async (page) => {
+    const id = await reference(page, PIN);
+    const over = page.locator('#panel-field .stage .over');
+    const box = await over.boundingBox();
+    assert.ok(box);
+    for (const times of ['0', '1', '2', '10']) {
+      await page.getByLabel('Displacement').selectOption(times);
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.4);
+      await page
+        .locator('#panel-field .readout')
+        .getByText(/^upper body/)
+        .waitFor();
+      await page.mouse.move(box.x + 2, box.y + 2);
+    }
+    const far = await page.evaluate(async (id) => {
       const { frameOf } = await import(/** @type {any} */ ('/web/field/frame.js'));
+      const { carried } = await import(/** @type {any} */ ('/web/field/locate.js'));
       const [report, job] = await Promise.all(
         ['result', 'request'].map(async (part) => (await fetch(`v1/jobs/${id}/${part}`)).json()),
       );
-      const [step] = report.steps;
-      const [upper, lower] = ['upper', 'lower'].map((name) => {
-        const mesh = {
-          nodes: step.fields[name].nodes.flat(),
-          displacement: step.fields[name].displacement.flat(),
-        };
-        return { mesh, frame: frameOf(job, name, mesh) };
-      });
-      const lift = lifts(upper, lower, step);
-      const { x } = step.contact.nodes;
-      const [up, low] = [surfaceNodes(upper, x), surfaceNodes(lower, x)];
-      return [0, 1, 2, 20].map((factor) => {
-        const lifted = lift(factor);
-        const at = (/** @type {any} */ { mesh }, /** @type {number} */ n, /** @type {number} */ by) => [
-          mesh.nodes[2 * n] + factor * mesh.displacement[2 * n],
-          mesh.nodes[2 * n + 1] + factor * mesh.displacement[2 * n + 1] + by,
-        ];
-        const gaps = x.flatMap((/** @type {number} */ along, /** @type {number} */ k) => {
-          if (!(up[k] >= 0 && low[k] >= 0)) return [];
-          const [[x1, y1], [x0, y0]] = [at(upper, up[k], lifted.upper), at(lower, low[k], lifted.lower)];
-          const [across, upward] = lower.frame.outward(along);
-          return [across * (x1 - x0) + upward * (y1 - y0)];
-        });
-        return { least: Math.min(...gaps), raised: lifted.upper, count: gaps.length };
-      });
+      const [{ fields, plasticity }] = report.steps;
+      const { nodes, displacement, elements } = fields.lower;
+      const mesh = {
+        nodes: Float32Array.from(nodes.flat()),
+        displacement: Float32Array.from(displacement.flat()),
+        elements: Uint32Array.from(elements.flat()),
+      };
+      const corners = carried(
+        plasticity.lower.outline,
+        { mesh, frame: frameOf(job, 'lower', mesh) },
+        true,
+      ).flat();
+      const { shape } = job.lower;
+      const depths = corners.map(
+        (/** @type {any} */ { x, y }) => Math.hypot(x, shape.radius - y) - shape.radius,
+      );
+      const given = plasticity.lower.outline
+        .flat()
+        .map((/** @type {number[]} */ [, depth]) => depth);
+      return {
+        count: corners.length,
+        worst: Math.max(
+          ...depths.map((/** @type {number} */ depth, /** @type {number} */ k) =>
+            Math.abs(depth - given[k]),
+          ),
+        ),
+        wide: Math.max(...corners.map((/** @type {any} */ { y }) => y)),
+        still: corners.filter((/** @type {any} */ { u, v }) => u === 0 && v === 0).length,
+      };
     }, id);
-    for (const { least, count } of gaps) {
-      assert.ok(count > 10, `${count} pairs`);
-      assert.ok(least > -1e-6 - slack / 10, `they overlap by ${-least} mm`);
-      assert.ok(least < slack, `and are ${least} mm apart`);
-    }
-  });
-
-service.test('a pin stays in its hole, and the outline of its plastic zone follows the hole', async (page) => {
-  const id = await reference(page, PIN);
-  const over = page.locator('#panel-field .stage .over');
-  const box = await over.boundingBox();
-  assert.ok(box);
-  for (const times of ['0', '1', '2', '10']) {
-    await page.getByLabel('Displacement').selectOption(times);
-    await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.4);
-    await page
-      .locator('#panel-field .readout')
-      .getByText(/^upper body/)
-      .waitFor();
-    await page.mouse.move(box.x + 2, box.y + 2);
-  }
-  const far = await page.evaluate(async (id) => {
-    const { frameOf } = await import(/** @type {any} */ ('/web/field/frame.js'));
-    const { carried } = await import(/** @type {any} */ ('/web/field/locate.js'));
-    const [report, job] = await Promise.all(
-      ['result', 'request'].map(async (part) => (await fetch(`v1/jobs/${id}/${part}`)).json()),
-    );
-    const [{ fields, plasticity }] = report.steps;
-    const { nodes, displacement, elements } = fields.lower;
-    const mesh = {
-      nodes: Float32Array.from(nodes.flat()),
-      displacement: Float32Array.from(displacement.flat()),
-      elements: Uint32Array.from(elements.flat()),
-    };
-    const corners = carried(plasticity.lower.outline, { mesh, frame: frameOf(job, 'lower', mesh) }, true).flat();
-    const { shape } = job.lower;
-    const depths = corners.map((/** @type {any} */ { x, y }) => Math.hypot(x, shape.radius - y) - shape.radius);
-    const given = plasticity.lower.outline.flat().map((/** @type {number[]} */ [, depth]) => depth);
-    return {
-      count: corners.length,
-      worst: Math.max(
-        ...depths.map((/** @type {number} */ depth, /** @type {number} */ k) => Math.abs(depth - given[k])),
-      ),
-      wide: Math.max(...corners.map((/** @type {any} */ { y }) => y)),
-      still: corners.filter((/** @type {any} */ { u, v }) => u === 0 && v === 0).length,
-    };
-  }, id);
-  assert.ok(far.count > 20 && far.worst < 1e-6, JSON.stringify(far));
-  assert.ok(far.wide > 1, 'it reaches up the flanks of the hole');
-  assert.equal(far.still, 0, 'and moves with it');
-});
+    assert.ok(far.count > 20 && far.worst < 1e-6, JSON.stringify(far));
+    assert.ok(far.wide > 1, 'it reaches up the flanks of the hole');
+    assert.equal(far.still, 0, 'and moves with it');
+  },
+);
 
 service.test('the range of colours is held over the steps, and can be given', async (page) => {
   await reference(page, { load: { forces: [100, 200, 400] } });
@@ -296,7 +351,9 @@ service.test('a cut anywhere has its curve', async (page) => {
   );
   await page.getByLabel('Shown', { exact: true }).selectOption('sigma_y');
   await page.waitForFunction(() =>
-    /^σy along the cut/.test(document.querySelector('.cut .plot')?.getAttribute('aria-label') ?? ''),
+    /^σy along the cut/.test(
+      document.querySelector('.cut .plot')?.getAttribute('aria-label') ?? '',
+    ),
   );
   const box = await page.locator('#panel-field .stage .over').boundingBox();
   assert.ok(box);
@@ -304,7 +361,10 @@ service.test('a cut anywhere has its curve', async (page) => {
   await page.mouse.down();
   await page.mouse.move(box.x + 250, box.y + 45);
   await page.mouse.up();
-  await page.waitForFunction(() => document.querySelectorAll('.cut .legend li').length === 1, undefined);
+  await page.waitForFunction(
+    () => document.querySelectorAll('.cut .legend li').length === 1,
+    undefined,
+  );
   const words = await plot.getAttribute('aria-label');
   // By figures, as from the keyboard: outside of the bodies there is nothing.
   for (const [name, value] of [
@@ -335,42 +395,48 @@ service.test(
   PHONE,
 );
 
-service.test('figures are on the page before any field, and fields come a step at a time', async (page) => {
-  const asked = /** @type {string[]} */ ([]);
-  let letGo = () => {};
-  const held = new Promise((resolve) => {
-    letGo = () => resolve(undefined);
-  });
-  const step = (/** @type {string} */ url) => /\/fields\/(\d+)/.exec(url)?.[1];
-  page.on('request', (request) => asked.push(...[step(request.url()) ?? []].flat()));
-  await page.route('**/fields/**', async (route) => {
-    await held;
-    await route.continue();
-  });
-  const id = await solved(page, { load: { forces: [100, 300, 612] }, output: { fields: true } });
-  const first = page.waitForRequest((request) => step(request.url()) !== undefined);
-  await follow(page, `job=${id}`);
-  await first;
-  await page.locator('#headline').getByText('612.00').waitFor();
-  await page.getByText('Loading the field of this step').waitFor();
-  assert.equal(await page.locator('[data-status=running]').count(), 0, 'nothing runs any more');
-  assert.deepEqual(asked, ['3'], 'the step that is shown, and no other');
-  letGo();
-  await drawn(page);
-  await page.getByText('Loading the field of this step').waitFor({ state: 'hidden' });
-  await page.getByLabel('Step', { exact: true }).focus();
-  await page.keyboard.press('Home');
-  await labelled(page, /^Field of von Mises stress, from .* to 3\d\d/);
-  assert.deepEqual([...new Set(asked)].sort(), ['1', '2', '3']);
-  assert.equal(asked.length, 3, 'each once');
-});
+service.test(
+  'figures are on the page before any field, and fields come a step at a time',
+  async (page) => {
+    const asked = /** @type {string[]} */ ([]);
+    let letGo = () => {};
+    const held = new Promise((resolve) => {
+      letGo = () => resolve(undefined);
+    });
+    const step = (/** @type {string} */ url) => /\/fields\/(\d+)/.exec(url)?.[1];
+    page.on('request', (request) => asked.push(...[step(request.url()) ?? []].flat()));
+    await page.route('**/fields/**', async (route) => {
+      await held;
+      await route.continue();
+    });
+    const id = await solved(page, { load: { forces: [100, 300, 612] }, output: { fields: true } });
+    const first = page.waitForRequest((request) => step(request.url()) !== undefined);
+    await follow(page, `job=${id}`);
+    await first;
+    await page.locator('#headline').getByText('612.00').waitFor();
+    await page.getByText('Loading the field of this step').waitFor();
+    assert.equal(await page.locator('[data-status=running]').count(), 0, 'nothing runs any more');
+    assert.deepEqual(asked, ['3'], 'the step that is shown, and no other');
+    letGo();
+    await drawn(page);
+    await page.getByText('Loading the field of this step').waitFor({ state: 'hidden' });
+    await page.getByLabel('Step', { exact: true }).focus();
+    await page.keyboard.press('Home');
+    await labelled(page, /^Field of von Mises stress, from .* to 3\d\d/);
+    assert.deepEqual([...new Set(asked)].sort(), ['1', '2', '3']);
+    assert.equal(asked.length, 3, 'each once');
+  },
+);
 
 service.test(
   'limits of the colours that are held stay the same stresses in other units, the least one first',
   async (page) => {
     await shown(page, { load: { force: 612.6106 }, output: { fields: true } });
     await drawn(page);
-    const [least, largest] = [page.getByLabel('Least value coloured'), page.getByLabel('Largest value coloured')];
+    const [least, largest] = [
+      page.getByLabel('Least value coloured'),
+      page.getByLabel('Largest value coloured'),
+    ];
     for (const [box, limit] of /** @type {const} */ ([
       [largest, '400'],
       [least, '100'],
@@ -387,7 +453,10 @@ service.test(
     await largest.fill('800');
     await largest.press('Tab');
     assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['600', '800']);
-    assert.match((await page.locator('#panel-field .colours').textContent()) ?? '', /^800.*600MPa$/);
+    assert.match(
+      (await page.locator('#panel-field .colours').textContent()) ?? '',
+      /^800.*600MPa$/,
+    );
     await largest.fill('400');
     await largest.press('Tab');
     await page.getByText('600 is above 400').waitFor();
@@ -397,6 +466,9 @@ service.test(
     await page.getByText('Units shown').click();
     await page.getByLabel('Unit of stress').selectOption('GPa');
     assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['0.1', '0.4']);
-    assert.match((await page.locator('#panel-field .colours').textContent()) ?? '', /^0\.4.*0\.1GPa$/);
+    assert.match(
+      (await page.locator('#panel-field .colours').textContent()) ?? '',
+      /^0\.4.*0\.1GPa$/,
+    );
   },
 );

@@ -9,14 +9,25 @@ const service = suite();
 service.test('a history of loads is typed, brought back to 0 and undone', async (page) => {
   await page.getByLabel('Given').selectOption('history');
   assert.deepEqual((await draft(page)).load, { history: [{ force: 612.6106 }, { force: 0 }] });
-  assert.equal((await draft(page)).solver.theory, 'flow', 'only flow theory knows what a load leaves behind');
+  assert.equal(
+    (await draft(page)).solver.theory,
+    'flow',
+    'only flow theory knows what a load leaves behind',
+  );
   const loads = page.getByLabel('Loads in turn');
   await loads.fill('500 α0.02 300');
-  assert.deepEqual((await draft(page)).load.history, [{ force: 500 }, { approach: 0.02 }, { force: 300 }]);
+  assert.deepEqual((await draft(page)).load.history, [
+    { force: 500 },
+    { approach: 0.02 },
+    { force: 300 },
+  ]);
   await page.getByRole('button', { name: 'and back to 0' }).click();
   assert.equal(await loads.inputValue(), '500 α0.02 300 0');
   await page.getByLabel('Units').selectOption('SI');
-  assert.deepEqual((await draft(page)).load.history.slice(0, 2), [{ force: 500000 }, { approach: 0.00002 }]);
+  assert.deepEqual((await draft(page)).load.history.slice(0, 2), [
+    { force: 500000 },
+    { approach: 0.00002 },
+  ]);
   await loads.fill('500 oops');
   await page
     .locator('[data-place="/load/history"] .error')
@@ -79,7 +90,10 @@ service.test(
       (await page.locator('#panel-dent .readout').textContent()) ?? '',
     );
     assert.ok(Math.abs(Number(said?.[1]) - loss) < 0.01 * loss, `${said} instead of ${loss}`);
-    await page.locator('#panel-sweep .legend').getByText('force, straight between solved loads').waitFor();
+    await page
+      .locator('#panel-sweep .legend')
+      .getByText('force, straight between solved loads')
+      .waitFor();
     // Those pieces begin and end at points that are solved.
     const [solid, dashed] = await page
       .locator('#panel-sweep .plot g[clip-path] path')
@@ -104,9 +118,16 @@ service.test(
   async (page) => {
     const history = [{ force: 600 }, { force: 0 }, { force: 900 }, { force: 0 }];
     const id = await shown(page, { load: { history }, solver: { theory: 'flow' } });
-    const report = await page.evaluate(async (id) => (await fetch(`v1/jobs/${id}/result`)).json(), id);
+    const report = await page.evaluate(
+      async (id) => (await fetch(`v1/jobs/${id}/result`)).json(),
+      id,
+    );
     const solved = report.steps.flatMap((/** @type {any} */ { flow: { increments } }) =>
-      increments.force.map((/** @type {number} */ force, /** @type {number} */ k) => ({ force, k, increments })),
+      increments.force.map((/** @type {number} */ force, /** @type {number} */ k) => ({
+        force,
+        k,
+        increments,
+      })),
     );
     const panel = page.locator('#panel-sweep');
     for (const [choice, key] of [
@@ -129,7 +150,10 @@ service.test(
     }
     await panel.getByRole('radio', { name: 'dP/dα', exact: true }).check();
     const slopes = await points(page);
-    const ends = report.steps.map((/** @type {any} */ { contact, contact_stiffness: slope }) => [contact.force, slope]);
+    const ends = report.steps.map((/** @type {any} */ { contact, contact_stiffness: slope }) => [
+      contact.force,
+      slope,
+    ]);
     for (const [force, slope] of ends)
       assert.ok(
         slopes.some(({ x, y }) => x === force && (y === slope || slope === null)),
@@ -139,7 +163,10 @@ service.test(
     // Of increments the result has no strain.
     await panel.getByRole('radio', { name: 'Strain', exact: true }).check();
     assert.equal((await points(page)).length, 1 + history.length);
-    await panel.locator('.legend').getByText('plastic strain, known at the ends of loads alone').waitFor();
+    await panel
+      .locator('.legend')
+      .getByText('plastic strain, known at the ends of loads alone')
+      .waitFor();
   },
 );
 
@@ -158,31 +185,39 @@ service.test('what is not solved has dots of its own, the same there and back', 
       assert.ok(choice === 'Approach' ? y0 > y1 : x0 < x1, `${piece} begins at its lower force`);
     }
   }
-  const dash = await panel.locator('.plot g[clip-path] path').nth(1).getAttribute('stroke-dasharray');
+  const dash = await panel
+    .locator('.plot g[clip-path] path')
+    .nth(1)
+    .getAttribute('stroke-dasharray');
   const main = await (await page.request.get(`${service.url}/web/main.js`)).text();
   const dashes = JSON.parse(`[${/DASHES = \[undefined, (.*)\];/.exec(main)?.[1]}]`);
   assert.equal(dashes.length, 5);
   assert.ok(!dashes.some((/** @type {number[]} */ one) => one.join(' ') === dash), `${dash}`);
 });
 
-service.test('figures at the ends of the axes and points on the frame are drawn whole', async (page) => {
-  const history = [{ force: 5000 }, { force: 0 }];
-  await shown(page, { analysis: 'axisymmetric', load: { history }, solver: { theory: 'flow' } });
-  const panel = page.locator('#panel-sweep');
-  for (const choice of ['Approach', 'Peak', 'Half-width', 'Strain', 'dP/dα']) {
-    await panel.getByRole('radio', { name: choice, exact: true }).check();
-    const drawing = panel.locator('.plot svg');
-    const cut = await drawing.evaluate((one) => {
-      const { left, right } = one.getBoundingClientRect();
-      return [...one.querySelectorAll('text, circle')].flatMap((part) => {
-        const box = part.getBoundingClientRect();
-        const clipped = part.closest('[clip-path]') !== null;
-        return clipped || box.left < left || box.right > right ? [part.textContent || part.outerHTML] : [];
+service.test(
+  'figures at the ends of the axes and points on the frame are drawn whole',
+  async (page) => {
+    const history = [{ force: 5000 }, { force: 0 }];
+    await shown(page, { analysis: 'axisymmetric', load: { history }, solver: { theory: 'flow' } });
+    const panel = page.locator('#panel-sweep');
+    for (const choice of ['Approach', 'Peak', 'Half-width', 'Strain', 'dP/dα']) {
+      await panel.getByRole('radio', { name: choice, exact: true }).check();
+      const drawing = panel.locator('.plot svg');
+      const cut = await drawing.evaluate((one) => {
+        const { left, right } = one.getBoundingClientRect();
+        return [...one.querySelectorAll('text, circle')].flatMap((part) => {
+          const box = part.getBoundingClientRect();
+          const clipped = part.closest('[clip-path]') !== null;
+          return clipped || box.left < left || box.right > right
+            ? [part.textContent || part.outerHTML]
+            : [];
+        });
       });
-    });
-    assert.deepEqual(cut, [], choice);
-  }
-});
+      assert.deepEqual(cut, [], choice);
+    }
+  },
+);
 
 service.test('bodies that stay elastic have no loop of force over approach', async (page) => {
   const history = [{ force: 150 }, { force: 50 }, { force: 0 }];
@@ -190,25 +225,37 @@ service.test('bodies that stay elastic have no loop of force over approach', asy
   const sweep = page.locator('#panel-sweep .plot');
   await sweep.locator('.uplot').waitFor();
   assert.equal(await sweep.locator('svg').count(), 0);
-  await shown(page, { load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  await shown(page, {
+    load: { history: [{ force: 600 }, { force: 0 }] },
+    solver: { theory: 'flow' },
+  });
   await sweep.locator('svg').waitFor();
 });
 
-service.test('beside dented bodies Hertz’s figures are said to be of undented ones', async (page) => {
-  const history = [{ force: 600 }, { force: 0 }, { force: 700 }, { force: 100 }];
-  await shown(page, { load: { history }, solver: { theory: 'flow' } });
-  const [headline, legend] = [page.locator('#headline'), page.locator('#panel-pressure .legend')];
-  await headline.getByText('Hertz, undented ').first().waitFor();
-  await headline.getByText('× first yield before any dent by elastic theory').waitFor();
-  await legend.getByText('Hertz, undented bodies').waitFor();
-  await page.locator('#panel-depth .legend').getByText(', elastic, undented').first().waitFor();
-  await page.locator('#report').click();
-  await page.locator('#sheet').getByRole('columnheader', { name: 'Hertz, undented bodies' }).waitFor();
-  await page.keyboard.press('Escape');
-  // Under a load beyond all before it the dent makes no difference.
-  for (const step of [0, 2]) {
-    await page.locator('.steps input').fill(String(step));
-    await legend.getByText('Hertz, elastic').waitFor();
-    assert.equal(await headline.getByText('undented').count(), 0);
-  }
-});
+service.test(
+  'beside dented bodies Hertz’s figures are said to be of undented ones',
+  async (page) => {
+    const history = [{ force: 600 }, { force: 0 }, { force: 700 }, { force: 100 }];
+    await shown(page, { load: { history }, solver: { theory: 'flow' } });
+    const [headline, legend] = [
+      page.locator('#headline'),
+      page.locator('#panel-pressure .legend'),
+    ];
+    await headline.getByText('Hertz, undented ').first().waitFor();
+    await headline.getByText('× first yield before any dent by elastic theory').waitFor();
+    await legend.getByText('Hertz, undented bodies').waitFor();
+    await page.locator('#panel-depth .legend').getByText(', elastic, undented').first().waitFor();
+    await page.locator('#report').click();
+    await page
+      .locator('#sheet')
+      .getByRole('columnheader', { name: 'Hertz, undented bodies' })
+      .waitFor();
+    await page.keyboard.press('Escape');
+    // Under a load beyond all before it the dent makes no difference.
+    for (const step of [0, 2]) {
+      await page.locator('.steps input').fill(String(step));
+      await legend.getByText('Hertz, elastic').waitFor();
+      assert.equal(await headline.getByText('undented').count(), 0);
+    }
+  },
+);

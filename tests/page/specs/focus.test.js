@@ -1,4 +1,6 @@
-/** The focus is never lost: whatever is built anew, who works by keyboard goes on where they were. */
+/**
+ * The focus is never lost: whatever is built anew, who works by keyboard goes on where they were.
+ */
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
@@ -88,29 +90,42 @@ service.test('in the list of jobs, which is fetched again and again', async (pag
   for (const part of ['button.open', 'input']) {
     await row.locator(part).focus();
     const before = await row.elementHandle();
-    await page.locator('#jobs-filter select').evaluate((choice) => choice.dispatchEvent(new Event('change')));
+    await page
+      .locator('#jobs-filter select')
+      .evaluate((choice) => choice.dispatchEvent(new Event('change')));
     await page.waitForFunction((row) => !row?.isConnected, before);
-    assert.equal(await row.locator(part).evaluate((one) => one === document.activeElement), true, part);
+    assert.equal(
+      await row.locator(part).evaluate((one) => one === document.activeElement),
+      true,
+      part,
+    );
   }
 });
 
-service.test('on the choice that one walks through, though fields come and go above it', async (page) => {
-  const given = page.locator('[data-place="/load/kind"] select');
-  await given.focus();
-  // History asks for flow theory, which gives both bodies a backstress.
-  for (const kind of ['forces', 'approach', 'approaches', 'history', 'onset', 'target']) {
-    await page.keyboard.press('ArrowDown');
-    assert.equal(await at(page), '/load/kind SELECT');
-    assert.equal(await given.inputValue(), kind);
-  }
-  const poisson = page.locator('[data-place="/lower/material/poisson_ratio"] input[type=text]');
-  const law = page.locator('[data-place="/upper/material/law"] select');
-  await law.selectOption('elastic');
-  await poisson.focus();
-  await page.keyboard.press('Control+z');
-  assert.ok((await law.inputValue()) !== 'elastic');
-  assert.equal(await at(page), '/lower/material/poisson_ratio INPUT', 'fields above are there again');
-});
+service.test(
+  'on the choice that one walks through, though fields come and go above it',
+  async (page) => {
+    const given = page.locator('[data-place="/load/kind"] select');
+    await given.focus();
+    // History asks for flow theory, which gives both bodies a backstress.
+    for (const kind of ['forces', 'approach', 'approaches', 'history', 'onset', 'target']) {
+      await page.keyboard.press('ArrowDown');
+      assert.equal(await at(page), '/load/kind SELECT');
+      assert.equal(await given.inputValue(), kind);
+    }
+    const poisson = page.locator('[data-place="/lower/material/poisson_ratio"] input[type=text]');
+    const law = page.locator('[data-place="/upper/material/law"] select');
+    await law.selectOption('elastic');
+    await poisson.focus();
+    await page.keyboard.press('Control+z');
+    assert.ok((await law.inputValue()) !== 'elastic');
+    assert.equal(
+      await at(page),
+      '/lower/material/poisson_ratio INPUT',
+      'fields above are there again',
+    );
+  },
+);
 
 service.test('choices are typed by their whole names', async (page) => {
   for (const [place, typed, value] of [
@@ -164,5 +179,9 @@ service.test('on a button before a field that is gone', async (page) => {
   const after = await page.evaluate(() => sessionStorage.getItem('draft'));
   assert.notEqual(after, before, 'the field is gone');
   await page.keyboard.type('7');
-  assert.equal(await page.evaluate(() => sessionStorage.getItem('draft')), after, 'what is typed goes into no other');
+  assert.equal(
+    await page.evaluate(() => sessionStorage.getItem('draft')),
+    after,
+    'what is typed goes into no other',
+  );
 });

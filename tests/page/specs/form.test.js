@@ -12,7 +12,8 @@ const FORCE = '[data-place="/load/force"] input[type=text]';
 /** @param {import('playwright-core').Page} page @param {string} text that the field is to show */
 const shows = (page, text) =>
   page.waitForFunction(
-    ([field, text]) => /** @type {HTMLInputElement} */ (document.querySelector(field))?.value === text,
+    ([field, text]) =>
+      /** @type {HTMLInputElement} */ (document.querySelector(field))?.value === text,
     [FORCE, text],
   );
 
@@ -27,7 +28,11 @@ service.test('a field that has the cursor follows the draft when one goes back',
   await page.goBack();
   await page.locator('#headline').getByText('612.00').waitFor();
   await shows(page, '612');
-  assert.equal(await force.evaluate((input) => input === document.activeElement), true, 'the cursor stays');
+  assert.equal(
+    await force.evaluate((input) => input === document.activeElement),
+    true,
+    'the cursor stays',
+  );
   assert.equal((await draft(page)).load.force, 612);
   await force.press('Control+Z');
   await shows(page, '900');
@@ -38,7 +43,10 @@ service.test('a form that is built anew fills the field that has the cursor', as
   const id = await sent(page, { analysis: 'axisymmetric', load: { force: 4321 } });
   await page.locator(FORCE).focus();
   await follow(page, `job=${id}`);
-  await page.locator('[data-place="/upper/shape/type"] option').getByText('Sphere').waitFor({ state: 'attached' });
+  await page
+    .locator('[data-place="/upper/shape/type"] option')
+    .getByText('Sphere')
+    .waitFor({ state: 'attached' });
   await shows(page, '4321');
 });
 
@@ -54,7 +62,11 @@ service.test('what is typed stays as it is typed until one leaves the field', as
   await page.getByText('Mesh, solver, output, tags').click();
   const elements = page.getByLabel('Elements per half-width', { exact: true });
   await elements.fill('');
-  assert.equal(await elements.inputValue(), '', 'an emptied field is not filled while it is typed in');
+  assert.equal(
+    await elements.inputValue(),
+    '',
+    'an emptied field is not filled while it is typed in',
+  );
   await elements.blur();
   assert.equal(await elements.inputValue(), '20', 'and then shows what holds');
 });
@@ -86,7 +98,10 @@ service.test('what a job leaves out is shown as it holds', async (page) => {
   assert.equal(await page.getByLabel('Support').first().inputValue(), 'clamped');
   const empty = await page
     .locator('#form select')
-    .evaluateAll((all) => all.filter((one) => /** @type {HTMLSelectElement} */ (one).selectedIndex < 0).length);
+    .evaluateAll(
+      (all) =>
+        all.filter((one) => /** @type {HTMLSelectElement} */ (one).selectedIndex < 0).length,
+    );
   assert.equal(empty, 0, 'no choice is blank');
 });
 
@@ -103,17 +118,20 @@ service.test('half a JSON beside the form is not solved around', async (page) =>
   await page.locator('#headline').getByText('500.00').waitFor();
 });
 
-service.test('the note of a conversion goes when it is undone, and what was pasted stays', async (page) => {
-  await page.getByLabel('Hardening').first().selectOption('table');
-  const place = page.locator('[data-place="/upper/material/plasticity/points"]');
-  await paste(place.locator('textarea'), '0 0\n0.001 210\n0.002 420\n0.01 500\n0.1 600');
-  await place.getByText('5 points read').waitFor();
-  await page.getByRole('button', { name: 'From total strain' }).click();
-  await place.getByText('converted to plastic strain').waitFor();
-  await page.getByRole('button', { name: 'Undo' }).click();
-  assert.equal((await draft(page)).upper.material.plasticity.points.length, 5);
-  assert.equal(await place.locator('.note').textContent(), '');
-});
+service.test(
+  'the note of a conversion goes when it is undone, and what was pasted stays',
+  async (page) => {
+    await page.getByLabel('Hardening').first().selectOption('table');
+    const place = page.locator('[data-place="/upper/material/plasticity/points"]');
+    await paste(place.locator('textarea'), '0 0\n0.001 210\n0.002 420\n0.01 500\n0.1 600');
+    await place.getByText('5 points read').waitFor();
+    await page.getByRole('button', { name: 'From total strain' }).click();
+    await place.getByText('converted to plastic strain').waitFor();
+    await page.getByRole('button', { name: 'Undo' }).click();
+    assert.equal((await draft(page)).upper.material.plasticity.points.length, 5);
+    assert.equal(await place.locator('.note').textContent(), '');
+  },
+);
 
 service.test('changes are undone and done again', async (page) => {
   await page.locator(FORCE).fill('777');
@@ -146,7 +164,11 @@ const paste = (field, text) =>
     data.setData('text/plain', text);
     /** @type {HTMLTextAreaElement} */ (input).focus();
     /** @type {HTMLTextAreaElement} */ (input).select();
-    const event = new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true });
+    const event = new ClipboardEvent('paste', {
+      clipboardData: data,
+      bubbles: true,
+      cancelable: true,
+    });
     if (!input.dispatchEvent(event)) return;
     /** @type {HTMLTextAreaElement} */ (input).value = text;
     input.dispatchEvent(new InputEvent('input', { bubbles: true }));
@@ -224,7 +246,10 @@ service.test('a smooth profile is drawn smooth, one of straight lines straight',
 
 service.test('a faulty table is one message with its line', async (page) => {
   const points = await profile(page);
-  const rows = Array.from({ length: 21 }, (_, k) => `${k - 10} ${k === 4 ? 'oops' : k === 6 ? '1 2' : 0}`);
+  const rows = Array.from(
+    { length: 21 },
+    (_, k) => `${k - 10} ${k === 4 ? 'oops' : k === 6 ? '1 2' : 0}`,
+  );
   await paste(points, rows.join('\n'));
   const error = page.locator('[data-place="/upper/shape/points"] .error');
   await error.getByText('line 5: “oops” is not a number (and 1 more line)').waitFor();
@@ -234,7 +259,9 @@ service.test('a faulty table is one message with its line', async (page) => {
   await error.getByText('line 1: “1,000” can be read as 1.000 or as 1000').waitFor();
   await paste(points, '0 0\n1 0\n0.5 0\n0.2 0\n0.1 0');
   await page.waitForFunction(() =>
-    document.querySelector('[data-place="/upper/shape/points"] .error')?.textContent?.includes('line 3'),
+    document
+      .querySelector('[data-place="/upper/shape/points"] .error')
+      ?.textContent?.includes('line 3'),
   );
   assert.equal(await page.locator('#setup .error:visible').count(), 1);
 });
@@ -259,13 +286,23 @@ service.test(
     ]) {
       await points.fill('0 0\n1 0');
       await file('heights.csv', letters);
-      await place.getByText('3 points read; 1 header line read; column 2 converted from µm').waitFor();
+      await place
+        .getByText('3 points read; 1 header line read; column 2 converted from µm')
+        .waitFor();
       assert.deepEqual((await draft(page)).upper.shape.points, read);
     }
     for (const [name, content, said] of /** @type {[string, Buffer, string][]} */ ([
-      ['heights.xlsx', Buffer.from([0x50, 0x4b, 3, 4, 0, 0, 8]), 'Not taken: “heights.xlsx” is no text'],
+      [
+        'heights.xlsx',
+        Buffer.from([0x50, 0x4b, 3, 4, 0, 0, 8]),
+        'Not taken: “heights.xlsx” is no text',
+      ],
       ['none.csv', Buffer.from('\n'), 'Not taken: no figures in it'],
-      ['long.csv', Buffer.from('0;0\n'.repeat(200_000)), 'Not taken: 200000 lines of figures: at most 10000'],
+      [
+        'long.csv',
+        Buffer.from('0;0\n'.repeat(200_000)),
+        'Not taken: 200000 lines of figures: at most 10000',
+      ],
       ['huge.csv', Buffer.alloc(5e6, '0;0\n'), 'Not taken: “huge.csv” is too large'],
     ])) {
       await file(name, content);
@@ -283,9 +320,13 @@ service.test('a tensile test becomes a hardening table', async (page) => {
   const chooser = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Open CSV…' }).click();
   const csv = 'strain [%];stress [MPa]\n0;0\n0,1;210\n0,2;420\n1;500\n5;560\n10;580\n';
-  await (await chooser).setFiles({ name: 'tensile.csv', mimeType: 'text/csv', buffer: Buffer.from(csv) });
+  await (
+    await chooser
+  ).setFiles({ name: 'tensile.csv', mimeType: 'text/csv', buffer: Buffer.from(csv) });
   const place = page.locator('[data-place="/upper/material/plasticity/points"]');
-  await place.getByText('6 points read; 1 header line read; decimal commas read; column 1 converted from %').waitFor();
+  await place
+    .getByText('6 points read; 1 header line read; decimal commas read; column 1 converted from %')
+    .waitFor();
   await page.getByRole('button', { name: 'From engineering values' }).click();
   await place.getByText('3 elastic points left out').waitFor();
   const { points } = (await draft(page)).upper.material.plasticity;
@@ -319,11 +360,18 @@ service.test(
     await page.locator('[data-preset=lower]').selectOption('Race of pump P-12');
     assert.equal((await draft(page)).lower.material.plasticity.yield_stress, 772);
     await page.getByLabel('Units').selectOption('SI');
-    assert.equal(await page.locator('[data-preset=lower]').inputValue(), 'Race of pump P-12', 'in other units too');
+    assert.equal(
+      await page.locator('[data-preset=lower]').inputValue(),
+      'Race of pump P-12',
+      'in other units too',
+    );
     await page.locator('[data-forget=lower]').click();
     await dialog.getByRole('button', { name: 'Forget' }).click();
     assert.equal(await page.locator('[data-preset=lower]').inputValue(), '');
-    assert.equal(await page.locator('[data-preset=lower] option').getByText('Race of pump P-12').count(), 0);
+    assert.equal(
+      await page.locator('[data-preset=lower] option').getByText('Race of pump P-12').count(),
+      0,
+    );
   },
 );
 
@@ -340,80 +388,112 @@ service.test('figures of another draft are not seen', async (page) => {
   assert.equal(await seen(), true);
   await page.locator(FORCE).fill('272.27');
   assert.equal(await seen(), false);
-  assert.equal(await page.locator('#panel-pressure .plot').isVisible(), false, 'nor is their curve');
+  assert.equal(
+    await page.locator('#panel-pressure .plot').isVisible(),
+    false,
+    'nor is their curve',
+  );
   letGo();
   await page.locator('#check').getByText('1000.0 MPa').waitFor();
   assert.equal(await page.locator('#panel-pressure .plot').isVisible(), true);
 });
 
-service.test('steels of the library say where their figures are from, and convert with the units', async (page) => {
-  const choice = page.locator('[data-preset=lower]');
-  const source = page.locator('[data-source=lower]');
-  for (const name of await choice.locator('option').allTextContents()) {
-    if (name === 'own figures') continue;
-    await choice.selectOption(name);
-    assert.match((await source.textContent()) ?? '', /EN |ISO|Pavlina|Jiang|static rating/, name);
-  }
-  await choice.selectOption({ label: 'Gear steel 18CrNiMo7-6, case 1 mm' });
-  await source.getByText('the least of ISO 6336-5').waitFor();
-  assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.case_depth, 1);
-  await page.getByLabel('Units').selectOption('SI');
-  assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.case_depth, 0.001);
-  assert.equal(await choice.inputValue(), 'Gear steel 18CrNiMo7-6, case 1 mm');
-  await page.locator('[data-place="/lower/material/law"] select').selectOption('voce');
-  assert.equal(
-    (await draft(page)).lower.material.plasticity.over_depth.hardness.core,
-    266,
-    'another law, the same case',
-  );
-});
+service.test(
+  'steels of the library say where their figures are from, and convert with the units',
+  async (page) => {
+    const choice = page.locator('[data-preset=lower]');
+    const source = page.locator('[data-source=lower]');
+    for (const name of await choice.locator('option').allTextContents()) {
+      if (name === 'own figures') continue;
+      await choice.selectOption(name);
+      assert.match(
+        (await source.textContent()) ?? '',
+        /EN |ISO|Pavlina|Jiang|static rating/,
+        name,
+      );
+    }
+    await choice.selectOption({ label: 'Gear steel 18CrNiMo7-6, case 1 mm' });
+    await source.getByText('the least of ISO 6336-5').waitFor();
+    assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.case_depth, 1);
+    await page.getByLabel('Units').selectOption('SI');
+    assert.equal(
+      (await draft(page)).lower.material.plasticity.over_depth.hardness.case_depth,
+      0.001,
+    );
+    assert.equal(await choice.inputValue(), 'Gear steel 18CrNiMo7-6, case 1 mm');
+    await page.locator('[data-place="/lower/material/law"] select').selectOption('voce');
+    assert.equal(
+      (await draft(page)).lower.material.plasticity.over_depth.hardness.core,
+      266,
+      'another law, the same case',
+    );
+  },
+);
 
-service.test('initial stress is a table over depth, drawn and checked line by line', async (page) => {
-  const kind = page.locator('[data-place="/lower/material/stress_kind"] select');
-  const place = page.locator('[data-place="/lower/material/initial_stress"]');
-  const rows = async () => (await draft(page)).lower.material.initial_stress;
-  await unfold(page);
-  await kind.selectOption('given');
-  await page.locator('[data-preview=lower-stress] svg').waitFor();
-  const typical = await rows();
-  assert.equal(typical.length, 5);
-  // The material yields at 500 MPa, and the stress by itself does not.
-  assert.ok(typical.every((/** @type {any} */ row) => Math.abs(row.sigma_x) <= 300 && row.sigma_z === row.sigma_x));
-  await place.locator('textarea').fill('0 -200\n0,1 -100 -100');
-  await place.locator('.error').getByText('line 1 has 2 columns, not three').waitFor();
-  await place.locator('textarea').fill('0 -200 -150\n0,1 -100 -100\n0,1 0 0');
-  await place.locator('.error').getByText('line 3: must be greater than the depth before').waitFor();
-  await place.locator('textarea').fill('0 -900 0\n0.3 0 0');
-  await place.locator('.error').getByText('yields by itself').waitFor();
-  await paste(place.locator('textarea'), 'depth [µm];σ_x [MPa];σ_z [MPa]\n0;-200;-150\n300;0;0');
-  await place.getByText('2 points read; 1 header line read; column 1 converted from µm').waitFor();
-  assert.deepEqual(await rows(), [
-    { depth: 0, sigma_x: -200, sigma_z: -150 },
-    { depth: 0.3, sigma_x: 0, sigma_z: 0 },
-  ]);
-  await page.getByLabel('Units').selectOption('SI');
-  assert.deepEqual((await rows())[1], { depth: 0.0003, sigma_x: 0, sigma_z: 0 });
-  assert.deepEqual((await rows())[0], { depth: 0, sigma_x: -2e8, sigma_z: -1.5e8 });
-  await page.locator('[data-place="/lower/material/law"] select').selectOption('voce');
-  assert.equal((await rows()).length, 2, 'another law, the same stress');
-  await page.getByLabel('Analysis').selectOption('axisymmetric');
-  await place.locator('.error').getByText('line 1: must equal').waitFor();
-  await place.locator('textarea').fill('');
-  await place.locator('.error').getByText('is empty').waitFor();
-  assert.equal(await place.locator('textarea').evaluate((area) => area === document.activeElement), true);
-  await paste(place.locator('textarea'), '0 -1e8 -1e8\n0.0003 0 0');
-  assert.equal((await rows()).length, 2, 'another table is pasted where one was taken out');
-  await kind.selectOption('none');
-  assert.equal(await rows(), undefined);
-  assert.equal(await place.count(), 0);
-});
+service.test(
+  'initial stress is a table over depth, drawn and checked line by line',
+  async (page) => {
+    const kind = page.locator('[data-place="/lower/material/stress_kind"] select');
+    const place = page.locator('[data-place="/lower/material/initial_stress"]');
+    const rows = async () => (await draft(page)).lower.material.initial_stress;
+    await unfold(page);
+    await kind.selectOption('given');
+    await page.locator('[data-preview=lower-stress] svg').waitFor();
+    const typical = await rows();
+    assert.equal(typical.length, 5);
+    // The material yields at 500 MPa, and the stress by itself does not.
+    assert.ok(
+      typical.every(
+        (/** @type {any} */ row) => Math.abs(row.sigma_x) <= 300 && row.sigma_z === row.sigma_x,
+      ),
+    );
+    await place.locator('textarea').fill('0 -200\n0,1 -100 -100');
+    await place.locator('.error').getByText('line 1 has 2 columns, not three').waitFor();
+    await place.locator('textarea').fill('0 -200 -150\n0,1 -100 -100\n0,1 0 0');
+    await place
+      .locator('.error')
+      .getByText('line 3: must be greater than the depth before')
+      .waitFor();
+    await place.locator('textarea').fill('0 -900 0\n0.3 0 0');
+    await place.locator('.error').getByText('yields by itself').waitFor();
+    await paste(place.locator('textarea'), 'depth [µm];σ_x [MPa];σ_z [MPa]\n0;-200;-150\n300;0;0');
+    await place
+      .getByText('2 points read; 1 header line read; column 1 converted from µm')
+      .waitFor();
+    assert.deepEqual(await rows(), [
+      { depth: 0, sigma_x: -200, sigma_z: -150 },
+      { depth: 0.3, sigma_x: 0, sigma_z: 0 },
+    ]);
+    await page.getByLabel('Units').selectOption('SI');
+    assert.deepEqual((await rows())[1], { depth: 0.0003, sigma_x: 0, sigma_z: 0 });
+    assert.deepEqual((await rows())[0], { depth: 0, sigma_x: -2e8, sigma_z: -1.5e8 });
+    await page.locator('[data-place="/lower/material/law"] select').selectOption('voce');
+    assert.equal((await rows()).length, 2, 'another law, the same stress');
+    await page.getByLabel('Analysis').selectOption('axisymmetric');
+    await place.locator('.error').getByText('line 1: must equal').waitFor();
+    await place.locator('textarea').fill('');
+    await place.locator('.error').getByText('is empty').waitFor();
+    assert.equal(
+      await place.locator('textarea').evaluate((area) => area === document.activeElement),
+      true,
+    );
+    await paste(place.locator('textarea'), '0 -1e8 -1e8\n0.0003 0 0');
+    assert.equal((await rows()).length, 2, 'another table is pasted where one was taken out');
+    await kind.selectOption('none');
+    assert.equal(await rows(), undefined);
+    assert.equal(await place.count(), 0);
+  },
+);
 
 service.test('terms of the backstress are a table where flow theory is chosen', async (page) => {
   assert.equal(await page.getByLabel('Backstress C, γ').count(), 0);
   await page.getByLabel('Theory').selectOption('flow');
   const terms = page.getByLabel('Backstress C, γ').first();
   await terms.fill('60000 400\n5000; 0');
-  await page.locator('[data-place="/upper/material/plasticity/backstress"] .error').getByText('line 1').waitFor();
+  await page
+    .locator('[data-place="/upper/material/plasticity/backstress"] .error')
+    .getByText('line 1')
+    .waitFor();
   await terms.fill('60000 400\n5000 0');
   const upper = async () => (await draft(page)).upper.material.plasticity.backstress;
   assert.deepEqual(await upper(), [
@@ -424,27 +504,33 @@ service.test('terms of the backstress are a table where flow theory is chosen', 
   assert.deepEqual((await upper())[0], { modulus: 6e10, rate: 400 });
   assert.equal(await terms.inputValue(), '60000000000  400\n5000000000  0');
   await terms.fill('1e9 -3');
-  await page.locator('[data-place="/upper/material/plasticity/backstress"] .error').getByText('line 1: ').waitFor();
+  await page
+    .locator('[data-place="/upper/material/plasticity/backstress"] .error')
+    .getByText('line 1: ')
+    .waitFor();
   await terms.fill('');
   assert.equal(await upper(), undefined);
 });
 
-service.test('a slider begins at nothing too, and a choice that is not made says so', async (page) => {
-  const place = page.locator('[data-place="/upper/material/plasticity/tangent_modulus"]');
-  await place.locator('input').fill('0');
-  await place.getByRole('button', { name: 'Slider' }).click();
-  await place.getByRole('slider').press('End');
-  assert.equal((await draft(page)).upper.material.plasticity.tangent_modulus, 10500);
-  await page.getByLabel('Shape').first().selectOption('profile');
-  const between = page.getByLabel('Between points');
-  assert.equal(await between.locator('option:checked').textContent(), 'smooth');
-  await between.selectOption('automatic');
-  assert.equal((await draft(page)).upper.shape.interpolation, undefined);
-  await page.locator('#example').focus();
-  assert.equal(await between.locator('option:checked').textContent(), 'automatic');
-  await between.selectOption('linear');
-  assert.equal((await draft(page)).upper.shape.interpolation, 'linear');
-});
+service.test(
+  'a slider begins at nothing too, and a choice that is not made says so',
+  async (page) => {
+    const place = page.locator('[data-place="/upper/material/plasticity/tangent_modulus"]');
+    await place.locator('input').fill('0');
+    await place.getByRole('button', { name: 'Slider' }).click();
+    await place.getByRole('slider').press('End');
+    assert.equal((await draft(page)).upper.material.plasticity.tangent_modulus, 10500);
+    await page.getByLabel('Shape').first().selectOption('profile');
+    const between = page.getByLabel('Between points');
+    assert.equal(await between.locator('option:checked').textContent(), 'smooth');
+    await between.selectOption('automatic');
+    assert.equal((await draft(page)).upper.shape.interpolation, undefined);
+    await page.locator('#example').focus();
+    assert.equal(await between.locator('option:checked').textContent(), 'automatic');
+    await between.selectOption('linear');
+    assert.equal((await draft(page)).upper.shape.interpolation, 'linear');
+  },
+);
 
 service.test('a force is looked for by what it does', async (page) => {
   await page.getByLabel('Given').selectOption('target');
@@ -455,7 +541,10 @@ service.test('a force is looked for by what it does', async (page) => {
   assert.deepEqual((await draft(page)).load, { target: { dent_depth: 1e-6 } });
   await page.getByRole('button', { name: 'Undo' }).click();
   await page.getByLabel('Theory').selectOption('deformation');
-  await page.locator('[data-place="/load/target/dent_depth"] .error').getByText('unloading').waitFor();
+  await page
+    .locator('[data-place="/load/target/dent_depth"] .error')
+    .getByText('unloading')
+    .waitFor();
   await page.getByLabel('Figure', { exact: true }).selectOption('half_width');
   await page.getByText('Mesh, solver, output, tags').click();
   await page.getByLabel('Elements per half-width', { exact: true }).fill('8');
@@ -463,7 +552,10 @@ service.test('a force is looked for by what it does', async (page) => {
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.locator('[data-status=succeeded]').waitFor();
   const found = page.locator('#headline > dl > div', { hasText: 'Force found' });
-  assert.match((await found.textContent()) ?? '', /for a half-width of 0\.2 mm, reached 0\.[12]\d+/);
+  assert.match(
+    (await found.textContent()) ?? '',
+    /for a half-width of 0\.2 mm, reached 0\.[12]\d+/,
+  );
   await page.getByText('Units shown').click();
   await page.getByLabel('Unit of length').selectOption('µm');
   await found.getByText('for a half-width of 200 µm').waitFor();
@@ -481,7 +573,9 @@ service.test('every example converges', async (page) => {
       const codes = (answer.result?.steps ?? []).flatMap((/** @type {any} */ step) =>
         step.validity.map((/** @type {any} */ one) => one.code),
       );
-      states.push(`${title}: ${answer.result?.status ?? JSON.stringify(answer)} ${[...new Set(codes)].join(' ')}`);
+      states.push(
+        `${title}: ${answer.result?.status ?? JSON.stringify(answer)} ${[...new Set(codes)].join(' ')}`,
+      );
     }
     return states;
   });
@@ -498,44 +592,52 @@ service.test('a profile that is chosen is one that is taken', async (page) => {
   }
 });
 
-service.test('a body is copied as it is, not as it was when the form was put together', async (page) => {
-  await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('33');
-  await page.locator('#example').focus();
-  await page.keyboard.press('Control+z');
-  await page.keyboard.press('Control+y');
-  await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('44');
-  await page.getByRole('button', { name: 'same as lower' }).click();
-  assert.equal((await draft(page)).upper.shape.radius, 44);
-});
+service.test(
+  'a body is copied as it is, not as it was when the form was put together',
+  async (page) => {
+    await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('33');
+    await page.locator('#example').focus();
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+y');
+    await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('44');
+    await page.getByRole('button', { name: 'same as lower' }).click();
+    assert.equal((await draft(page)).upper.shape.radius, 44);
+  },
+);
 
-service.test('shapes, strengths and laws that are chosen after other units are as large', async (page) => {
-  const lower = async () => (await draft(page)).lower;
-  const choose = (/** @type {string} */ place, /** @type {string} */ value) =>
-    page.locator(`[data-place="/lower${place}"] select`).selectOption(value);
-  await page.locator('[data-place="/units"] select').selectOption('SI');
-  const shapes = await page
-    .locator('[data-place="/lower/shape/type"] option')
-    .evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
-  for (const type of shapes) {
-    await choose('/shape/type', 'cylinder');
-    await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('0.02');
-    await choose('/shape/type', type);
-    for (const [key, value] of Object.entries((await lower()).shape))
-      if (typeof value === 'number' && !['exponent', 'angle'].includes(key))
-        assert.ok(value < 1, `${type}: ${key} ${value} m`);
-  }
-  await unfold(page);
-  for (const kind of ['factors', 'hardness']) {
-    await choose('/material/plasticity/depth_kind', kind);
-    const { over_depth: given } = (await lower()).material.plasticity;
-    const rows = Array.isArray(given) ? given : given.hardness.profile;
-    assert.ok(rows.at(-1)[0] < 0.1, JSON.stringify(given));
-  }
-  await choose('/material/plasticity/depth_kind', 'case');
-  assert.equal((await lower()).material.plasticity.over_depth.hardness.case_depth, 0.001);
-  await choose('/material/law', 'rigid');
-  await choose('/material/law', 'bilinear');
-  const { young_modulus: modulus, plasticity } = (await lower()).material;
-  assert.equal(modulus, 2.1e11);
-  assert.equal(plasticity.yield_stress, 5e8);
-});
+service.test(
+  'shapes, strengths and laws that are chosen after other units are as large',
+  async (page) => {
+    const lower = async () => (await draft(page)).lower;
+    const choose = (/** @type {string} */ place, /** @type {string} */ value) =>
+      page.locator(`[data-place="/lower${place}"] select`).selectOption(value);
+    await page.locator('[data-place="/units"] select').selectOption('SI');
+    const shapes = await page
+      .locator('[data-place="/lower/shape/type"] option')
+      .evaluateAll((options) =>
+        options.map((option) => /** @type {HTMLOptionElement} */ (option).value),
+      );
+    for (const type of shapes) {
+      await choose('/shape/type', 'cylinder');
+      await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('0.02');
+      await choose('/shape/type', type);
+      for (const [key, value] of Object.entries((await lower()).shape))
+        if (typeof value === 'number' && !['exponent', 'angle'].includes(key))
+          assert.ok(value < 1, `${type}: ${key} ${value} m`);
+    }
+    await unfold(page);
+    for (const kind of ['factors', 'hardness']) {
+      await choose('/material/plasticity/depth_kind', kind);
+      const { over_depth: given } = (await lower()).material.plasticity;
+      const rows = Array.isArray(given) ? given : given.hardness.profile;
+      assert.ok(rows.at(-1)[0] < 0.1, JSON.stringify(given));
+    }
+    await choose('/material/plasticity/depth_kind', 'case');
+    assert.equal((await lower()).material.plasticity.over_depth.hardness.case_depth, 0.001);
+    await choose('/material/law', 'rigid');
+    await choose('/material/law', 'bilinear');
+    const { young_modulus: modulus, plasticity } = (await lower()).material;
+    assert.equal(modulus, 2.1e11);
+    assert.equal(plasticity.yield_stress, 5e8);
+  },
+);

@@ -70,26 +70,29 @@ service.test('a comparison that is taken back before it is here stays away', asy
   assert.equal(await box.isChecked(), false);
 });
 
-service.test('a comparison of a link that was left is not laid over the next job', async (page) => {
-  const [one, other, next] = [
-    await solved(page),
-    await solved(page, { load: { force: 300 } }),
-    await solved(page, { load: { force: 200 } }),
-  ];
-  const { asked, letGo } = await hold(page, other);
-  await follow(page, `job=${one}&with=${other}`);
-  await asked;
-  await follow(page, `job=${next}`);
-  await page.locator('#headline').getByText('200.00').waitFor();
-  const came = page.waitForResponse((response) => response.url().includes(`${other}/result`));
-  letGo();
-  await (await came).finished();
-  await page.goBack();
-  await page.locator('#panel-figures tbody tr').nth(1).waitFor();
-  await page.goForward();
-  await page.locator('#headline').getByText('200.00').waitFor();
-  assert.equal(await page.locator('#panel-figures tbody tr').count(), 1);
-});
+service.test(
+  'a comparison of a link that was left is not laid over the next job',
+  async (page) => {
+    const [one, other, next] = [
+      await solved(page),
+      await solved(page, { load: { force: 300 } }),
+      await solved(page, { load: { force: 200 } }),
+    ];
+    const { asked, letGo } = await hold(page, other);
+    await follow(page, `job=${one}&with=${other}`);
+    await asked;
+    await follow(page, `job=${next}`);
+    await page.locator('#headline').getByText('200.00').waitFor();
+    const came = page.waitForResponse((response) => response.url().includes(`${other}/result`));
+    letGo();
+    await (await came).finished();
+    await page.goBack();
+    await page.locator('#panel-figures tbody tr').nth(1).waitFor();
+    await page.goForward();
+    await page.locator('#headline').getByText('200.00').waitFor();
+    assert.equal(await page.locator('#panel-figures tbody tr').count(), 1);
+  },
+);
 
 service.test('a report is left by Escape, and by Back', async (page) => {
   await shown(page, { load: { force: 300 }, output: { fields: true } });
@@ -106,29 +109,32 @@ service.test('a report is left by Escape, and by Back', async (page) => {
   await page.locator('#headline').getByText('300.00').waitFor();
 });
 
-service.test('whoever solves again while a field is loading sees the field of the new job', async (page) => {
-  let letGo = () => {};
-  const held = new Promise((resolve) => {
-    letGo = () => resolve(undefined);
-  });
-  let first = true;
-  await page.route('**/fields/**', async (route) => {
-    if (first) {
-      first = false;
-      await held;
-    }
-    await route.continue().catch(() => {});
-  });
-  const id = await solved(page, { load: { force: 300 }, output: { fields: true } });
-  await follow(page, `job=${id}`);
-  await page.getByText('Loading the field of this step').waitFor();
-  await page.getByLabel('Force P').fill('612.6106');
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.locator('#headline').getByText('612.61').waitFor();
-  await drawn(page);
-  letGo();
-  await page.waitForFunction(() =>
-    / to 5[0-9][0-9][.]/.test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
-  );
-  assert.equal(await page.locator('#panel-field .stage.stale').count(), 0);
-});
+service.test(
+  'whoever solves again while a field is loading sees the field of the new job',
+  async (page) => {
+    let letGo = () => {};
+    const held = new Promise((resolve) => {
+      letGo = () => resolve(undefined);
+    });
+    let first = true;
+    await page.route('**/fields/**', async (route) => {
+      if (first) {
+        first = false;
+        await held;
+      }
+      await route.continue().catch(() => {});
+    });
+    const id = await solved(page, { load: { force: 300 }, output: { fields: true } });
+    await follow(page, `job=${id}`);
+    await page.getByText('Loading the field of this step').waitFor();
+    await page.getByLabel('Force P').fill('612.6106');
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.locator('#headline').getByText('612.61').waitFor();
+    await drawn(page);
+    letGo();
+    await page.waitForFunction(() =>
+      / to 5[0-9][0-9][.]/.test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
+    );
+    assert.equal(await page.locator('#panel-field .stage.stale').count(), 0);
+  },
+);

@@ -29,8 +29,9 @@ service.test(
     const other = await service.visit(address);
     await other.page.waitForFunction(
       () =>
-        /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input[type=text]'))
-          ?.value === '321',
+        /** @type {HTMLInputElement} */ (
+          document.querySelector('[data-place="/load/force"] input[type=text]')
+        )?.value === '321',
     );
     await other.close();
   },
@@ -67,57 +68,80 @@ service.test('the peak of a job in SI is in pascals', async (page) => {
     .waitFor();
 });
 
-service.test('jobs of the list are cancelled at once and deleted after a question, by keyboard too', async (page) => {
-  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-  const compared = await solved(page, { tags: { press: 'beside' } });
-  const id = await shown(page, { tags: { press: 'shown' } });
-  await follow(page, `job=${id}&with=${compared}`);
-  const legend = page.locator('#panel-pressure .legend');
-  await legend.getByText('beside').waitFor();
-  for (const [name, one] of /** @type {const} */ ([
-    ['beside', compared],
-    ['shown', id],
-  ])) {
-    const remove = page.getByRole('button', { name: `Delete ${name}` });
-    await remove.focus();
+service.test(
+  'jobs of the list are cancelled at once and deleted after a question, by keyboard too',
+  async (page) => {
+    await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+    const compared = await solved(page, { tags: { press: 'beside' } });
+    const id = await shown(page, { tags: { press: 'shown' } });
+    await follow(page, `job=${id}&with=${compared}`);
+    const legend = page.locator('#panel-pressure .legend');
+    await legend.getByText('beside').waitFor();
+    for (const [name, one] of /** @type {const} */ ([
+      ['beside', compared],
+      ['shown', id],
+    ])) {
+      const remove = page.getByRole('button', { name: `Delete ${name}` });
+      await remove.focus();
+      await page.keyboard.press('Enter');
+      await page.keyboard.press('Escape');
+      assert.equal(
+        await page.evaluate(async (one) => (await fetch(`v1/jobs/${one}`)).status, one),
+        200,
+      );
+      await remove.focus();
+      await page.keyboard.press('Enter');
+      await page.getByRole('dialog').getByText(`“${name}” and its result are removed`).waitFor();
+      await page.keyboard.press('Enter');
+      await remove.waitFor({ state: 'detached' });
+      assert.equal(
+        await page.evaluate(async (one) => (await fetch(`v1/jobs/${one}`)).status, one),
+        404,
+      );
+      assert.notEqual(await page.evaluate(() => document.activeElement?.tagName), 'BODY');
+    }
+    await legend.getByText('this contact').waitFor();
+    await page.locator('[data-status=removed]').waitFor();
+    const long = {
+      tags: { press: 'long' },
+      mesh: { elements_per_half_width: 100 },
+      load: { forces: [100, 200, 300] },
+    };
+    await sent(page, long);
+    const cancel = page.getByRole('button', { name: 'Cancel long' });
+    await cancel.focus();
     await page.keyboard.press('Enter');
-    await page.keyboard.press('Escape');
-    assert.equal(await page.evaluate(async (one) => (await fetch(`v1/jobs/${one}`)).status, one), 200);
-    await remove.focus();
-    await page.keyboard.press('Enter');
-    await page.getByRole('dialog').getByText(`“${name}” and its result are removed`).waitFor();
-    await page.keyboard.press('Enter');
-    await remove.waitFor({ state: 'detached' });
-    assert.equal(await page.evaluate(async (one) => (await fetch(`v1/jobs/${one}`)).status, one), 404);
-    assert.notEqual(await page.evaluate(() => document.activeElement?.tagName), 'BODY');
-  }
-  await legend.getByText('this contact').waitFor();
-  await page.locator('[data-status=removed]').waitFor();
-  const long = { tags: { press: 'long' }, mesh: { elements_per_half_width: 100 }, load: { forces: [100, 200, 300] } };
-  await sent(page, long);
-  const cancel = page.getByRole('button', { name: 'Cancel long' });
-  await cancel.focus();
-  await page.keyboard.press('Enter');
-  await page.locator('#jobs-list').getByText('Cancelled').waitFor();
-  await page.getByRole('button', { name: 'Delete long' }).waitFor();
-});
+    await page.locator('#jobs-list').getByText('Cancelled').waitFor();
+    await page.getByRole('button', { name: 'Delete long' }).waitFor();
+  },
+);
 
-service.test('a job that another deletes is said to be, as soon as the list is fetched', async (page) => {
-  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-  const id = await shown(page, { load: { force: 321 } });
-  await page.evaluate((id) => fetch(`v1/jobs/${id}`, { method: 'DELETE' }), id);
-  await page.locator('[data-status=removed]').waitFor();
-  assert.notEqual(await page.locator('#headline .figure').count(), 0, 'its figures stay');
-});
+service.test(
+  'a job that another deletes is said to be, as soon as the list is fetched',
+  async (page) => {
+    await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+    const id = await shown(page, { load: { force: 321 } });
+    await page.evaluate((id) => fetch(`v1/jobs/${id}`, { method: 'DELETE' }), id);
+    await page.locator('[data-status=removed]').waitFor();
+    assert.notEqual(await page.locator('#headline .figure').count(), 0, 'its figures stay');
+  },
+);
 
 service.test('everything can be taken along', async (page) => {
   const id = await solved(page, { output: { fields: true } });
   await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
   await page.getByText('Download', { exact: true }).click();
-  // Flow theory alone has increments and surfaces, half-spaces alone have layers; one load has no curve.
+  // Flow theory alone has increments and surfaces, half-spaces alone have layers; one load has no
+  // curve.
   const disabled = await page.locator('.menu button:disabled').allTextContents();
-  const none = ['Increments, CSV', 'Surfaces, CSV', 'Layers, VTR', 'Force over approach, SVG', 'Surfaces, SVG'];
+  const none = [
+    'Increments, CSV',
+    'Surfaces, CSV',
+    'Layers, VTR',
+    'Force over approach, SVG',
+    'Surfaces, SVG',
+  ];
   assert.deepEqual(disabled, none);
   for (const button of await page.locator('.menu button:enabled').all()) {
     const name = await button.textContent();
@@ -146,10 +170,15 @@ service.test('a loop is a picture too, on the ground of the page', async (page) 
   await shown(page, { load: { history }, solver: { theory: 'flow' } });
   const sweep = page.locator('#panel-sweep');
   await sweep.locator('.plot svg').waitFor();
-  const [file] = await Promise.all([page.waitForEvent('download'), sweep.getByText('PNG').click()]);
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    sweep.getByText('PNG').click(),
+  ]);
   const bytes = [...(await readFile(await file.path()))];
   const ink = await page.evaluate(async (bytes) => {
-    const bitmap = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
+    const bitmap = await createImageBitmap(
+      new Blob([new Uint8Array(bytes)], { type: 'image/png' }),
+    );
     const { width, height } = bitmap;
     const context = new OffscreenCanvas(width, height).getContext('2d');
     context?.drawImage(bitmap, 0, 0);
@@ -169,9 +198,13 @@ service.test('a loop is a picture too, on the ground of the page', async (page) 
 service.test(
   'a service that wants a key is given it',
   async (page, { server }) => {
-    const key = execFileSync(server.binary, ['key', 'create', '--scope', 'write', '--data-dir', server.data, 'page'], {
-      encoding: 'utf8',
-    });
+    const key = execFileSync(
+      server.binary,
+      ['key', 'create', '--scope', 'write', '--data-dir', server.data, 'page'],
+      {
+        encoding: 'utf8',
+      },
+    );
     const token = /brn\S+|[\w.-]{30,}/.exec(key)?.[0] ?? '';
     await page.getByLabel('Key', { exact: true }).fill(token);
     await page.getByRole('button', { name: 'Use key' }).click();
@@ -192,7 +225,10 @@ for (const [name, options] of /** @type {const} */ ([
       await page.getByRole('button', { name: 'Solve', exact: true }).click();
       await page.locator('[data-status=succeeded]').waitFor();
       await drawn(page);
-      const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      const [inner, outer] = await page.evaluate(() => [
+        document.documentElement.scrollWidth,
+        innerWidth,
+      ]);
       assert.ok(inner <= outer, `${inner} px in ${outer}`);
       const nameless = await page.evaluate(() =>
         [...document.querySelectorAll('button, input, select, textarea, [role=img]')]
@@ -247,7 +283,9 @@ service.test('the list says why older jobs do not come', async (page) => {
       .url()
       .replace(/limit=\d+/, 'limit=1');
     const older = url.includes('cursor=') && refused;
-    return older ? route.fulfill({ status: 429, json: { detail: 'too many questions' } }) : route.continue({ url });
+    return older
+      ? route.fulfill({ status: 429, json: { detail: 'too many questions' } })
+      : route.continue({ url });
   });
   await page.getByRole('button', { name: 'Jobs', exact: true }).click();
   await page.getByText('1 shown', { exact: true }).waitFor();
@@ -261,7 +299,11 @@ service.test('the list says why older jobs do not come', async (page) => {
 service.test('pictures of the convergence have both of its charts', async (page) => {
   await shown(page);
   const panel = page.locator('#panel-convergence');
-  const [file] = await Promise.all([page.waitForEvent('download'), panel.getByText('SVG').click()]);
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    panel.getByText('SVG').click(),
+  ]);
   const text = await readFile(await file.path(), 'utf8');
-  for (const words of ['out-of-balance force', 'approach', 'peak pressure']) assert.ok(text.includes(words), words);
+  for (const words of ['out-of-balance force', 'approach', 'peak pressure'])
+    assert.ok(text.includes(words), words);
 });

@@ -26,7 +26,9 @@ const name = (page) =>
 const alongside = (page) =>
   page.evaluate(() => {
     const bar = document.activeElement?.closest('[role=toolbar]');
-    return bar ? [...bar.querySelectorAll('button, a')].filter((one) => one.checkVisibility()).length : 1;
+    return bar
+      ? [...bar.querySelectorAll('button, a')].filter((one) => one.checkVisibility()).length
+      : 1;
   });
 
 /** @param {Page} page @param {RegExp} wanted */
@@ -75,7 +77,10 @@ service.test('set up, solve, look around in the field', async (page) => {
   await press(page, /^Step$/, 'Home');
   await page.locator('.steps output').getByText('1 of 3').waitFor();
   await press(page, /^von Mises$/, 'Space');
-  await page.locator('#panel-depth .legend').getByText('von Mises', { exact: true }).waitFor({ state: 'detached' });
+  await page
+    .locator('#panel-depth .legend')
+    .getByText('von Mises', { exact: true })
+    .waitFor({ state: 'detached' });
   await press(page, /^Shown$/, 'End');
   await press(page, /^Cut$/, 'Space');
   await press(page, /^Field of displacement uy/, '+', 'ArrowUp');
@@ -97,7 +102,10 @@ service.test(
     await press(page, /^Markdown: figures$/, 'Enter');
     await page.getByText('Markdown copied').waitFor();
     await press(page, /^Download$/, 'Enter');
-    const [file] = await Promise.all([page.waitForEvent('download'), press(page, /^Pressure, CSV$/, 'Enter')]);
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      press(page, /^Pressure, CSV$/, 'Enter'),
+    ]);
     assert.match(file.suggestedFilename(), /pressure\.csv$/);
     await page.keyboard.press('Escape');
     assert.equal(await page.locator('details.menu[open]').count(), 0);
@@ -118,7 +126,9 @@ service.test('write the job, undo, move a slider', async (page) => {
   const job = JSON.parse(await page.locator('#json-text').inputValue());
   await page.keyboard.insertText(JSON.stringify({ ...job, load: { force: 400 } }));
   const force = page.locator('[data-place="/load/force"] input[type=text]');
-  await page.waitForFunction(() => JSON.parse(sessionStorage.getItem('draft') ?? 'null')?.load.force === 400);
+  await page.waitForFunction(
+    () => JSON.parse(sessionStorage.getItem('draft') ?? 'null')?.load.force === 400,
+  );
   await press(page, /^Undo$/, 'Enter');
   assert.equal(await force.inputValue(), '612.6106');
   await tabTo(page, /^Force/);
@@ -163,11 +173,16 @@ service.test('arrows go along a toolbar, and Tab leaves it', async (page) => {
 
 service.test('open points from a file', async (page) => {
   await type(page, /^Hardening/, 'Table');
-  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), press(page, /^Open CSV…$/, 'Enter')]);
+  const [chooser] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    press(page, /^Open CSV…$/, 'Enter'),
+  ]);
   const buffer = Buffer.from('strain;stress [MPa]\n0;500\n0,01;600\n0,1;750\n');
   await chooser.setFiles({ name: 'points.csv', mimeType: 'text/csv', buffer });
   await page.waitForFunction(
-    () => JSON.parse(sessionStorage.getItem('draft') ?? 'null')?.upper.material.plasticity.points?.length === 3,
+    () =>
+      JSON.parse(sessionStorage.getItem('draft') ?? 'null')?.upper.material.plasticity.points
+        ?.length === 3,
   );
   const { plasticity } = (await draft(page)).upper.material;
   assert.deepEqual(plasticity.points.map(Object.values), [
@@ -219,7 +234,9 @@ service.test('two links before everything lead to the result and to Solve', asyn
     await page.reload();
     await page.getByText('1500.0 MPa').waitFor();
     for (let k = 0; k < stops; k++) await page.keyboard.press('Tab');
-    const seen = await page.evaluate(() => document.activeElement?.getBoundingClientRect().left ?? -1);
+    const seen = await page.evaluate(
+      () => document.activeElement?.getBoundingClientRect().left ?? -1,
+    );
     assert.ok(seen >= 0, 'the link is seen');
     await page.keyboard.press('Enter');
     assert.equal(await page.evaluate(() => document.activeElement?.id), id);

@@ -1,4 +1,6 @@
-/** API keys: none, wrong ones, one that is revoked while somebody works, one that may only read. */
+/**
+ * API keys: none, wrong ones, one that is revoked while somebody works, one that may only read.
+ */
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

@@ -7,8 +7,12 @@ import { placeWords } from '../../../web/result/labels.js';
 const BOX = { left: 50, right: 450, top: 10, bottom: 210 };
 
 test('words stand at the end of a level line, above it', () => {
-  assert.deepEqual(placeWords([{ across: 'y', at: 100, width: 80 }], [], BOX), [{ x: 366, y: 95 }]);
-  assert.deepEqual(placeWords([{ across: 'y', at: 100, width: 80, left: true }], [], BOX), [{ x: 54, y: 95 }]);
+  assert.deepEqual(placeWords([{ across: 'y', at: 100, width: 80 }], [], BOX), [
+    { x: 366, y: 95 },
+  ]);
+  assert.deepEqual(placeWords([{ across: 'y', at: 100, width: 80, left: true }], [], BOX), [
+    { x: 54, y: 95 },
+  ]);
 });
 
 test('words go below a line where a curve runs above it', () => {

@@ -19,7 +19,8 @@ const beyond = (page) =>
         : []),
       ...[...document.querySelectorAll('body *')]
         .filter((one) => {
-          if (!one.checkVisibility() || one.getBoundingClientRect().right <= width + 0.5) return false;
+          if (!one.checkVisibility() || one.getBoundingClientRect().right <= width + 0.5)
+            return false;
           for (let at = one.parentElement; at; at = at.parentElement)
             if (getComputedStyle(at).overflowX !== 'visible') return false;
           return true;
@@ -57,7 +58,8 @@ service.test(
     await shown(page, { load: { forces: [100, 300, 612] }, output: { fields: true } });
     await drawn(page);
     await page.getByLabel('Cut', { exact: true }).check();
-    for (const part of ['JSON', 'Jobs']) await page.getByRole('button', { name: part, exact: true }).click();
+    for (const part of ['JSON', 'Jobs'])
+      await page.getByRole('button', { name: part, exact: true }).click();
     await page.locator('#jobs-list .load').first().waitFor();
     await page.getByText('Units shown').click();
     await page.locator('#headline summary').last().click();
@@ -74,7 +76,8 @@ service.test(
   'legends of compared sweeps are no wider than the narrowest phone',
   async (page) => {
     const ids = [];
-    for (const force of [300, 400]) ids.push(await solved(page, { load: { forces: [100, 200, force] } }));
+    for (const force of [300, 400])
+      ids.push(await solved(page, { load: { forces: [100, 200, force] } }));
     await follow(page, `job=${ids[0]}&with=${ids[1]}`);
     await page.locator('#panel-differences tbody tr').first().waitFor();
     await page.locator('#panel-depth .legend').getByText('plastic strain').first().waitFor();
@@ -102,12 +105,20 @@ service.test(
   'Solve stays in reach while the form is gone through',
   async (page) => {
     const solve = page.getByRole('button', { name: 'Solve', exact: true });
-    for (const place of ['/analysis', '/upper/shape/radius', '/lower/material/young_modulus', '/load/force']) {
+    for (const place of [
+      '/analysis',
+      '/upper/shape/radius',
+      '/lower/material/young_modulus',
+      '/load/force',
+    ]) {
       const field = page.locator(`[data-place="${place}"] :is(input[type=text], select)`);
       await field.scrollIntoViewIfNeeded();
       await field.focus();
       const [seen, button] = await Promise.all([field.boundingBox(), solve.boundingBox()]);
-      assert.ok(seen && button && button.y >= 0 && button.y + button.height <= 844, `${place}: ${button?.y}`);
+      assert.ok(
+        seen && button && button.y >= 0 && button.y + button.height <= 844,
+        `${place}: ${button?.y}`,
+      );
       assert.ok(seen.y + seen.height <= button.y, `${place} is not behind the bar with Solve`);
     }
   },

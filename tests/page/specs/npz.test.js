@@ -14,8 +14,16 @@ function little(...numbers) {
 
 /** An array of numpy. @param {string} kind @param {string} shape @param {Float32Array | Uint32Array} values */
 function npy(kind, shape, values) {
-  const text = `{'descr': '${kind}', 'fortran_order': False, 'shape': ${shape}, }`.padEnd(117) + '\n';
-  const start = [0x93, ...Buffer.from('NUMPY'), 1, 0, ...little(text.length, 2), ...Buffer.from(text)];
+  const text =
+    `{'descr': '${kind}', 'fortran_order': False, 'shape': ${shape}, }`.padEnd(117) + '\n';
+  const start = [
+    0x93,
+    ...Buffer.from('NUMPY'),
+    1,
+    0,
+    ...little(text.length, 2),
+    ...Buffer.from(text),
+  ];
   return [...start, ...new Uint8Array(values.buffer)];
 }
 
@@ -25,12 +33,31 @@ function zip(files) {
   for (const [name, data] of files) {
     const [at, size, letters] = [bytes.length, data.length, [...Buffer.from(name)]];
     const common = [...little(20, 2, 8, 2, 0, 2, 0, 4)];
-    bytes.push(...little(0x04034b50, 4), ...common, ...little(0, 4, 0, 4, 0, 4, letters.length, 2, 0, 2));
+    bytes.push(
+      ...little(0x04034b50, 4),
+      ...common,
+      ...little(0, 4, 0, 4, 0, 4, letters.length, 2, 0, 2),
+    );
     bytes.push(...letters, ...data, ...little(0x08074b50, 4, 0, 4, size, 4, size, 4));
     directory.push(...little(0x02014b50, 4, 20, 2), ...common, ...little(0, 4, size, 4, size, 4));
     directory.push(...little(letters.length, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0, 4, at, 4), ...letters);
   }
-  const end = little(0x06054b50, 4, 0, 4, files.length, 2, files.length, 2, directory.length, 4, bytes.length, 4, 0, 2);
+  const end = little(
+    0x06054b50,
+    4,
+    0,
+    4,
+    files.length,
+    2,
+    files.length,
+    2,
+    directory.length,
+    4,
+    bytes.length,
+    4,
+    0,
+    2,
+  );
   return Uint8Array.from([...bytes, ...directory, ...end]).buffer;
 }
 

@@ -1,4 +1,6 @@
-/** Figures as people type and paste them: read right, or refused in words; never something else. */
+/**
+ * Figures as people type and paste them: read right, or refused in words; never something else.
+ */
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -63,7 +65,8 @@ test('a list is read as it is meant, or refused', () => {
     ['100…600', /^a range is written as 100…1200\/12/],
   ])) {
     const result = readList(text, 'line_force', 'mm_N_MPa');
-    if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
+    if (read instanceof RegExp)
+      assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
     else assert.deepEqual(result, { values: read }, text);
   }
 });
@@ -78,13 +81,17 @@ test('loads in turn are read as they are meant, or refused', () => {
   for (const [text, read] of /** @type {[string, object[] | RegExp][]} */ ([
     ['600 → 0 → 600', [{ force: 600 }, { force: 0 }, { force: 600 }]],
     ['α 0.01 mm, 0', [{ approach: 0.01 }, { force: 0 }]],
-    ['0.6 0 kN/mm α10 α20 µm', [{ force: 600 }, { force: 0 }, { approach: 0.01 }, { approach: 0.02 }]],
+    [
+      '0.6 0 kN/mm α10 α20 µm',
+      [{ force: 600 }, { force: 0 }, { approach: 0.01 }, { approach: 0.02 }],
+    ],
     ['600,0', /can be one number or several/],
     ['600\u202f000\u202f0', /can be one number or several/],
     ['600 0 x', /^load 2: “x” is no unit known here/],
   ])) {
     const result = readHistory(text, 'line_force', 'mm_N_MPa');
-    if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
+    if (read instanceof RegExp)
+      assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
     else assert.deepEqual(result, { loads: read }, text);
   }
 });
@@ -96,9 +103,15 @@ test('loads in turn are written with their letters, units and digits', () => {
   for (const [history, words] of /** @type {[object[], string][]} */ ([
     [forces(600, 0, 600.123456789), 'P 600 → 0 → 600.123456789 N/mm'],
     [[{ approach: 0.01 }, ...forces(800, 0)], 'α 0.01 mm → P 800 → 0 N/mm'],
-    [[...forces(612.610612345678), { approach: 0.0212345678912 }], 'P 612.610612346 N/mm → α 0.0212345678912 mm'],
+    [
+      [...forces(612.610612345678), { approach: 0.0212345678912 }],
+      'P 612.610612346 N/mm → α 0.0212345678912 mm',
+    ],
     [[1, 2, 1, 2, 1].map((k) => ({ approach: k / 100 })), 'α 5 loads up to 0.02 mm'],
-    [[...forces(800, 200, 1200, 300), { approach: 0.05 }], '5 loads, P up to 1200 N/mm, α up to 0.05 mm'],
+    [
+      [...forces(800, 200, 1200, 300), { approach: 0.05 }],
+      '5 loads, P up to 1200 N/mm, α up to 0.05 mm',
+    ],
     [forces(1, 0, 2, 0, 3), 'P 5 loads up to 3 N/mm'],
   ]))
     assert.equal(historyWords(history, UNITS), words);
@@ -123,8 +136,14 @@ test('rows of figures are written in the order of their columns, and are the sam
   ];
   const straight = turned.map(({ depth, sigma_x, sigma_z }) => ({ depth, sigma_x, sigma_z }));
   assert.equal(writeWhole(turned), '0 −200 −123; 0.3 0 0');
-  assert.equal(writeWhole([{ rate: 0.123456789, modulus: 20000.12345678 }]), '20000.1234568, 0.123456789');
-  const job = (/** @type {object[]} */ rows) => ({ lower: { material: { initial_stress: rows } }, load: { force: 1 } });
+  assert.equal(
+    writeWhole([{ rate: 0.123456789, modulus: 20000.12345678 }]),
+    '20000.1234568, 0.123456789',
+  );
+  const job = (/** @type {object[]} */ rows) => ({
+    lower: { material: { initial_stress: rows } },
+    load: { force: 1 },
+  });
   assert.deepEqual(differences([job(turned), job(straight)]), []);
   const [found] = differences([job(turned), job([straight[0], { ...straight[1], sigma_x: 1 }])]);
   assert.deepEqual(found.texts, ['0 −200 −123; 0.3 0 0', '0 −200 −123; 0.3 1 0']);
@@ -143,7 +162,8 @@ const TABLES = {
 /** @param {keyof TABLES} kind @param {string} text @param {number[][] | RegExp} read what comes of it, or how it is refused */
 function reads(kind, text, read) {
   const result = readTable(text, TABLES[kind][0], 'mm_N_MPa', TABLES[kind][1]);
-  if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
+  if (read instanceof RegExp)
+    assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
   else assert.deepEqual('points' in result ? result.points : result, read, text);
 }
 
@@ -172,7 +192,10 @@ test('figures of a table are read, or the first line at fault is said', () => {
         [1, 3],
       ],
     ],
-    ['1.000;2,5\n2.000;3,5', /^line 1: “1.000” has a decimal point, and others have a decimal comma/],
+    [
+      '1.000;2,5\n2.000;3,5',
+      /^line 1: “1.000” has a decimal point, and others have a decimal comma/,
+    ],
     ['0.1 mm\t5 µm', /^line 1: “0.1 mm” is not a number/],
     ['0x10 5', /^line 1: “0x10” is not a number/],
     ['0 1e400', /^line 1: “1e400” is too large/],
@@ -230,12 +253,20 @@ test('names and units above a table are known, or refused', () => {
     ['strength', 'ε_p · 10³\tq', /^line 1: “ε_p · 10³” is not known here/],
     ['strength', 'ε_p [10⁻³]\tq [MPa]', /^line 1: “10⁻³” is no unit known here/],
     ['strength', '10^3 strain\tstress', /^line 1: “10\^3 strain” is not a number/],
-    ['strength', 'eng. strain\teng. stress', /^line 1: “eng. strain” is not plastic strain or true stress: leave/],
+    [
+      'strength',
+      'eng. strain\teng. stress',
+      /^line 1: “eng. strain” is not plastic strain or true stress: leave/,
+    ],
     ['strength', 'total strain\tstress', /^line 1: “total strain” is not plastic strain/],
     ['strength', 'stress\tTotal strain', /^line 1: “Total strain” is not plastic strain/],
     ['strength', 'yield\tstress', /^line 1: “yield” is not known here/],
     ['factors', 'z\t%', /^line 1: “%” is no unit known here for column 2/],
-    ['hardness', 'Depth [mm]\tHRC', /^line 1: “HRC” is another scale, .* Vickers hardness HV: convert/],
+    [
+      'hardness',
+      'Depth [mm]\tHRC',
+      /^line 1: “HRC” is another scale, .* Vickers hardness HV: convert/,
+    ],
     ['hardness', 'z\tHardness_HB', /“HB” is another scale/],
     ['hardness', 'z\tHBW 2.5/187.5', /“HBW” is another scale/],
     ['hardness', 'z\tHK0.5', /“HK” is another scale/],
@@ -267,22 +298,33 @@ test('stresses are taken by the names of their directions', () => {
 test('every hyphen before a digit is a minus, and no line of figures is taken for a header', () => {
   for (const minus of ['-', '−', '–', '\u2010', '\u2011', '\u2012', '\ufe63', '\uff0d']) {
     reads('profile', `${minus}10\t${minus}2.5\n0\t0`, [[-10, -2.5], [0, 0]]); // prettier-ignore
-    assert.deepEqual(readList(`${minus}10 5 ${minus}2`, undefined, 'mm_N_MPa'), { values: [-10, 5, -2] }, minus);
+    assert.deepEqual(
+      readList(`${minus}10 5 ${minus}2`, undefined, 'mm_N_MPa'),
+      { values: [-10, 5, -2] },
+      minus,
+    );
     assert.deepEqual(readNumber(`${minus}1.5e${minus}2`), { value: -0.015 }, minus);
   }
   for (const sign of ['\u2014', '\u2015', '~', '±', '<'])
     reads('profile', `${sign}10\t${sign}2.5\n0\t0`, /^line 1: “.10” is not a number/);
 });
 
-service.test('a hardness typed in another scale is refused, in its own it is read', async (page) => {
-  await unfold(page);
-  await page.locator('[data-place="/lower/material/plasticity/depth_kind"] select').selectOption('case');
-  const place = page.locator('[data-place="/lower/material/plasticity/over_depth/hardness/surface"]');
-  await place.locator('input[type=text]').fill('60 HRC');
-  await place.getByText('“HRC” is no unit known here for this figure').waitFor();
-  await place.locator('input[type=text]').fill('700 HV10');
-  assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.surface, 700);
-});
+service.test(
+  'a hardness typed in another scale is refused, in its own it is read',
+  async (page) => {
+    await unfold(page);
+    await page
+      .locator('[data-place="/lower/material/plasticity/depth_kind"] select')
+      .selectOption('case');
+    const place = page.locator(
+      '[data-place="/lower/material/plasticity/over_depth/hardness/surface"]',
+    );
+    await place.locator('input[type=text]').fill('60 HRC');
+    await place.getByText('“HRC” is no unit known here for this figure').waitFor();
+    await place.locator('input[type=text]').fill('700 HV10');
+    assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.surface, 700);
+  },
+);
 
 service.test(
   'a list at fault is refused at its field, stays as it is typed, and may be left for another load',
@@ -296,29 +338,37 @@ service.test(
     await page.getByLabel('Radius').first().focus();
     assert.equal(await place.locator('input').inputValue(), '100,200,300');
     await place.locator('input').fill('100; 200 N/mm');
-    await page.waitForFunction(() => document.querySelectorAll('[aria-invalid=true]').length === 0);
+    await page.waitForFunction(
+      () => document.querySelectorAll('[aria-invalid=true]').length === 0,
+    );
     assert.deepEqual((await draft(page)).load.forces, [100, 200]);
     await page.getByLabel('Given').selectOption('history');
     await page.locator('[data-place="/load/history"] input').fill('600,0');
-    await page.locator('[data-place="/load/history"]').getByText('can be one number or several').waitFor();
+    await page
+      .locator('[data-place="/load/history"]')
+      .getByText('can be one number or several')
+      .waitFor();
     await page.getByLabel('Units').selectOption('SI');
     await page.getByLabel('Given').selectOption('approach');
     assert.deepEqual((await draft(page)).load, { approach: 2e-5 });
   },
 );
 
-service.test('what is no figure is not drawn as one, and is no place for a slider', async (page) => {
-  const place = page.locator('[data-place="/upper/shape/radius"]');
-  await place.locator('input').fill('0x10');
-  await place.getByText('“0x10” is not a number').waitFor();
-  assert.doesNotMatch((await page.locator('#sketch').textContent()) ?? '', /R 16/);
-  await place.getByRole('button', { name: 'Slider' }).click();
-  assert.equal(await place.getByRole('slider').count(), 0);
-  await page.getByRole('button', { name: 'JSON', exact: true }).click();
-  const text = page.locator('#json-text');
-  await text.fill((await text.inputValue()).replace('612.6106', '1e400'));
-  await page.locator('#json-state').getByText('“force” is too large for a number').waitFor();
-});
+service.test(
+  'what is no figure is not drawn as one, and is no place for a slider',
+  async (page) => {
+    const place = page.locator('[data-place="/upper/shape/radius"]');
+    await place.locator('input').fill('0x10');
+    await place.getByText('“0x10” is not a number').waitFor();
+    assert.doesNotMatch((await page.locator('#sketch').textContent()) ?? '', /R 16/);
+    await place.getByRole('button', { name: 'Slider' }).click();
+    assert.equal(await place.getByRole('slider').count(), 0);
+    await page.getByRole('button', { name: 'JSON', exact: true }).click();
+    const text = page.locator('#json-text');
+    await text.fill((await text.inputValue()).replace('612.6106', '1e400'));
+    await page.locator('#json-state').getByText('“force” is too large for a number').waitFor();
+  },
+);
 
 service.test('a message goes with the figure that it is about', async (page) => {
   const place = page.locator('[data-place="/load/force"]');
@@ -361,15 +411,18 @@ service.test('an open slider follows its field, and the units of the job', async
   assert.equal(await slider.count(), 0, 'what is no figure has no slider');
 });
 
-service.test('a slider beside a figure that is refused moves among those that are taken', async (page) => {
-  const place = page.locator('[data-place="/upper/shape/radius"]');
-  await place.locator('input[type=text]').fill('-5');
-  await place.locator('input[aria-invalid=true]').waitFor();
-  await place.getByRole('button', { name: 'Slider' }).click();
-  await place.getByRole('slider').press('Home');
-  assert.equal((await draft(page)).upper.shape.radius, 6.67);
-  await page.locator('[data-status=live]').getByText('solved in').waitFor();
-});
+service.test(
+  'a slider beside a figure that is refused moves among those that are taken',
+  async (page) => {
+    const place = page.locator('[data-place="/upper/shape/radius"]');
+    await place.locator('input[type=text]').fill('-5');
+    await place.locator('input[aria-invalid=true]').waitFor();
+    await place.getByRole('button', { name: 'Slider' }).click();
+    await place.getByRole('slider').press('Home');
+    assert.equal((await draft(page)).upper.shape.radius, 6.67);
+    await page.locator('[data-status=live]').getByText('solved in').waitFor();
+  },
+);
 
 service.test('typing and sliding are undone one after the other', async (page) => {
   const place = page.locator('[data-place="/upper/shape/radius"]');
@@ -425,7 +478,11 @@ service.test('the words at a history and at a figure', async (page) => {
   await page.getByLabel('Given').selectOption('history');
   const history = page.locator('[data-place="/load/history"]');
   await history.locator('input').fill('600 -> 0 => 700');
-  assert.deepEqual((await draft(page)).load.history, [{ force: 600 }, { force: 0 }, { force: 700 }]);
+  assert.deepEqual((await draft(page)).load.history, [
+    { force: 600 },
+    { force: 0 },
+    { force: 700 },
+  ]);
   await page.locator('[data-place="/upper/shape/radius"] input[type=text]').fill('20');
   await history.locator('input').fill('600 0 -1');
   await history.getByText('load 3: must be 0 or greater, got -1').waitFor();
@@ -443,7 +500,9 @@ test('what the service tells programs is told to people in their words', () => {
     'ends within about 0.0362 mm: must be between 10⁻⁶ and 10⁸ mm',
   );
   assert.equal(
-    inWords('at x = 0.000000 mm of a profile: set its `interpolation` to "linear" if this is a corner'),
+    inWords(
+      'at x = 0.000000 mm of a profile: set its `interpolation` to "linear" if this is a corner',
+    ),
     'at x = 0 mm of a profile: set “Between points” to “linear” if this is a corner',
   );
   const described = allFields().map(({ description = '' }) => ofTable(description));

@@ -15,7 +15,10 @@ const service = suite();
 
 /** The contact of the first step, as the service has it. @param {Page} page @param {string} id @returns {Promise<any>} */
 const contactOf = (page, id) =>
-  page.evaluate(async (id) => (await (await fetch(`v1/jobs/${id}/result`)).json()).steps[0].contact, id);
+  page.evaluate(
+    async (id) => (await (await fetch(`v1/jobs/${id}/result`)).json()).steps[0].contact,
+    id,
+  );
 
 /** The first drawing of the report: its curves and the box of its axes. @param {Page} page */
 const firstDrawing = (page) =>
@@ -24,11 +27,18 @@ const firstDrawing = (page) =>
     .first()
     .evaluate((drawing) => {
       const rect = /** @type {Element} */ (drawing.querySelector('clipPath rect'));
-      const [left, width, top, height] = ['x', 'width', 'y', 'height'].map((name) => Number(rect.getAttribute(name)));
-      const curves = [...drawing.querySelectorAll('g[clip-path] path')].map((path) =>
-        [...(path.getAttribute('d') ?? '').matchAll(/[ML](\S+) ([^ML]+)/g)].map(([, x, y]) => [Number(x), Number(y)]),
+      const [left, width, top, height] = ['x', 'width', 'y', 'height'].map((name) =>
+        Number(rect.getAttribute(name)),
       );
-      const words = [...drawing.querySelectorAll('text')].map(({ textContent }) => textContent ?? '');
+      const curves = [...drawing.querySelectorAll('g[clip-path] path')].map((path) =>
+        [...(path.getAttribute('d') ?? '').matchAll(/[ML](\S+) ([^ML]+)/g)].map(([, x, y]) => [
+          Number(x),
+          Number(y),
+        ]),
+      );
+      const words = [...drawing.querySelectorAll('text')].map(
+        ({ textContent }) => textContent ?? '',
+      );
       return { box: { left, right: left + width, top, bottom: top + height }, curves, words };
     });
 
@@ -42,13 +52,22 @@ service.test('the pressure is in its chart wherever the contact lies', async (pa
   await over.hover({ position: { x: size.width / 2, y: 20 } });
   const at = await page.locator('#panel-pressure .legend .at').textContent();
   const middle = (patches[0].left + patches[0].right) / 2;
-  assert.ok(Math.abs(Number(/at (\S+) mm/.exec(at ?? '')?.[1]) - middle) < 0.2 * half, `${at} instead of ${middle}`);
+  assert.ok(
+    Math.abs(Number(/at (\S+) mm/.exec(at ?? '')?.[1]) - middle) < 0.2 * half,
+    `${at} instead of ${middle}`,
+  );
   await page.locator('#report').click();
   const { box, curves, words } = await firstDrawing(page);
   const pressed = curves[0].filter(([, y]) => y < box.bottom - 1).map(([x]) => x);
   assert.ok(pressed.length > 8, `${pressed.length} places`);
-  assert.ok(Math.min(...pressed) > box.left && Math.max(...pressed) < box.right, 'all of it is within the axes');
-  assert.ok(Math.max(...pressed) - Math.min(...pressed) > 0.5 * (box.right - box.left), 'and takes most of them');
+  assert.ok(
+    Math.min(...pressed) > box.left && Math.max(...pressed) < box.right,
+    'all of it is within the axes',
+  );
+  assert.ok(
+    Math.max(...pressed) - Math.min(...pressed) > 0.5 * (box.right - box.left),
+    'and takes most of them',
+  );
   assert.ok(
     words.some((text) => /^a \d/.test(text)),
     words.join(' | '),
@@ -58,7 +77,10 @@ service.test('the pressure is in its chart wherever the contact lies', async (pa
 service.test(
   'contacts of compared jobs are all in the chart, and none is shown where none of them touches',
   async (page) => {
-    const [beside, middle] = [await solved(page, OFF_CENTRE), await solved(page, { load: { force: 300 } })];
+    const [beside, middle] = [
+      await solved(page, OFF_CENTRE),
+      await solved(page, { load: { force: 300 } }),
+    ];
     await follow(page, `job=${beside}&with=${middle}`);
     await page.locator('#panel-figures tbody tr').nth(1).waitFor();
     await page.locator('#report').click();
@@ -68,7 +90,10 @@ service.test(
       assert.ok(Math.min(...pressed) > box.left && Math.max(...pressed) < box.right);
     }
     await page.keyboard.press('Escape');
-    const unloaded = { load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } };
+    const unloaded = {
+      load: { history: [{ force: 600 }, { force: 0 }] },
+      solver: { theory: 'flow' },
+    };
     const ids = [
       await solved(page, unloaded),
       await solved(page, { ...unloaded, load: { history: [{ force: 500 }, { force: 0 }] } }),
@@ -91,7 +116,10 @@ const raised = (height) => {
 service.test('the field begins at the contact, and so does a cut', async (page) => {
   for (const height of [0, 5]) {
     const { upper, lower, ...rest } = raised(height);
-    const id = await shown(page, height ? { upper: lower, lower: upper, ...rest } : { upper, lower, ...rest });
+    const id = await shown(
+      page,
+      height ? { upper: lower, lower: upper, ...rest } : { upper, lower, ...rest },
+    );
     await drawn(page);
     const { patches } = await contactOf(page, id);
     const over = page.locator('#panel-field .stage .over');
@@ -119,36 +147,46 @@ service.test('the field begins at the contact, and so does a cut', async (page) 
     await page.mouse.move(box.x + box.width / 2, box.y + 0.45 * box.height);
     await readout.getByText(/^upper body, x/).waitFor();
     await page.getByLabel('Cut', { exact: true }).check();
-    await page.getByRole('img', { name: /^von Mises stress along the cut, at most \d+/ }).waitFor();
-    assert.ok(Math.abs(Number(await page.getByLabel('Cut from x').inputValue()) - middle) < 1e-3 * middle);
+    await page
+      .getByRole('img', { name: /^von Mises stress along the cut, at most \d+/ })
+      .waitFor();
+    assert.ok(
+      Math.abs(Number(await page.getByLabel('Cut from x').inputValue()) - middle) < 1e-3 * middle,
+    );
     assert.equal(await page.locator('.cut .legend li').count(), 2, 'it crosses both bodies');
     await page.getByLabel('Cut', { exact: true }).uncheck();
   }
 });
 
-service.test('the plastic zone lies in its body, whatever height its profile counts from', async (page) => {
-  const highest = [];
-  for (const height of [0, 5]) {
-    const id = await solved(page, raised(height));
-    highest.push(
-      await page.evaluate(async (id) => {
-        const { frameOf } = await import(/** @type {any} */ ('/web/field/frame.js'));
-        const [report, job] = await Promise.all(
-          ['result', 'request'].map(async (part) => (await fetch(`v1/jobs/${id}/${part}`)).json()),
-        );
-        const [{ fields, plasticity }] = report.steps;
-        const frame = frameOf(job, 'upper', { nodes: fields.upper.nodes.flat() });
-        const heights = plasticity.upper.outline
-          .flat()
-          .map((/** @type {number[]} */ [along, depth]) => frame.point(along, depth)[1]);
-        return [Math.min(...heights), Math.max(...heights)];
-      }, id),
-    );
-  }
-  const [[low, high], other] = highest;
-  assert.ok(low > -0.5 && high > low && high < 5, `${low} … ${high}`);
-  for (const [k, value] of [low, high].entries()) assert.ok(Math.abs(other[k] - value) < 0.02, `${other[k]} ${value}`);
-});
+service.test(
+  'the plastic zone lies in its body, whatever height its profile counts from',
+  async (page) => {
+    const highest = [];
+    for (const height of [0, 5]) {
+      const id = await solved(page, raised(height));
+      highest.push(
+        await page.evaluate(async (id) => {
+          const { frameOf } = await import(/** @type {any} */ ('/web/field/frame.js'));
+          const [report, job] = await Promise.all(
+            ['result', 'request'].map(async (part) =>
+              (await fetch(`v1/jobs/${id}/${part}`)).json(),
+            ),
+          );
+          const [{ fields, plasticity }] = report.steps;
+          const frame = frameOf(job, 'upper', { nodes: fields.upper.nodes.flat() });
+          const heights = plasticity.upper.outline
+            .flat()
+            .map((/** @type {number[]} */ [along, depth]) => frame.point(along, depth)[1]);
+          return [Math.min(...heights), Math.max(...heights)];
+        }, id),
+      );
+    }
+    const [[low, high], other] = highest;
+    assert.ok(low > -0.5 && high > low && high < 5, `${low} … ${high}`);
+    for (const [k, value] of [low, high].entries())
+      assert.ok(Math.abs(other[k] - value) < 0.02, `${other[k]} ${value}`);
+  },
+);
 
 test('the ends of a contact go with the surface that they are on', () => {
   const mesh = {
@@ -157,7 +195,10 @@ test('the ends of a contact go with the surface that they are on', () => {
     elements: new Uint32Array(),
   };
   const body = { shape: { type: 'block', width: 4, depth: 1 } };
-  const surface = surfaceOf({ mesh, frame: frameOf({ upper: body, lower: body }, 'lower', mesh) }, [-1, 0, 1, 2]);
+  const surface = surfaceOf(
+    { mesh, frame: frameOf({ upper: body, lower: body }, 'lower', mesh) },
+    [-1, 0, 1, 2],
+  );
   // The mesh may be given back.
   mesh.displacement.fill(NaN);
   assert.deepEqual(surface(1.5), { x: 1.5, y: 0, u: 0.25, v: -1.5 });

@@ -1,4 +1,6 @@
-/** A service that goes away in the middle, and comes back: nothing has to be loaded again by hand. */
+/**
+ * A service that goes away in the middle, and comes back: nothing has to be loaded again by hand.
+ */
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -39,7 +41,10 @@ service.test(
       route.fulfill({ status: 404, json: { detail: 'there is no such job' } }),
     );
     await server.again();
-    await page.locator('[data-status=removed]').getByText('press Solve to solve it again').waitFor();
+    await page
+      .locator('[data-status=removed]')
+      .getByText('press Solve to solve it again')
+      .waitFor();
     assert.match(await page.title(), /^Removed/);
   },
   { own: ['--workers', '1'], amiss: true },
@@ -114,7 +119,9 @@ service.test(
       await route.continue().catch(() => {});
     });
     await page.getByLabel('Step', { exact: true }).press('Home');
-    await page.getByText('Could not load the field of this step: the service does not answer').waitFor();
+    await page
+      .getByText('Could not load the field of this step: the service does not answer')
+      .waitFor();
     await server.again();
     await page.locator('#panel-field .stage:not(.stale)').waitFor();
     await page.locator('.waiting').waitFor({ state: 'hidden' });

@@ -24,9 +24,16 @@ test('a sweep says which step it is at and what time is left', () => {
   assert.equal(words([]), 'meshing and factorizing');
   assert.equal(words([3]), 'step 1 of 10, iteration 3, out of balance 0.0010');
   // Seven steps of 4 s are left of this one on.
-  assert.equal(words([3, 5, 2, 2]), 'step 4 of 10, about 28 s left, iteration 2, out of balance 0.0010');
+  assert.equal(
+    words([3, 5, 2, 2]),
+    'step 4 of 10, about 28 s left, iteration 2, out of balance 0.0010',
+  );
   assert.match(words(Array(10).fill(2)), /^step 10 of 10, about 4 s left/);
-  assert.match(words(Array(13).fill(2)), /^step 10 of 10, iteration/, 'steps of a mesh that grew are done again');
+  assert.match(
+    words(Array(13).fill(2)),
+    /^step 10 of 10, iteration/,
+    'steps of a mesh that grew are done again',
+  );
   assert.match(words([3], /** @type {any} */ ({ load: { force: 1 } })), /^iteration 3/);
   const increment = { load: 1, loads: 2, number: 3, count: 8 };
   const last = { iteration: 4, elapsed_ms: 9, equilibrium_residual: 1e-3, increment };

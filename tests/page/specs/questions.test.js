@@ -12,37 +12,50 @@ const service = suite();
 /** @param {import('playwright-core').Page} page */
 const cards = (page) => page.locator('#headline dl dt').allTextContents();
 /** @param {import('playwright-core').Page} page @param {string} name */
-const card = (page, name) => page.locator('#headline dl > div', { has: page.getByText(name, { exact: true }) });
+const card = (page, name) =>
+  page.locator('#headline dl > div', { has: page.getByText(name, { exact: true }) });
 
-service.test('a force that is looked for comes first, and so does an onset of yield', async (page) => {
-  await shown(page, { load: { target: { peak_pressure: 900 } } });
-  assert.equal((await cards(page))[0], 'Force found');
-  await shown(page, { load: { onset: true } });
-  assert.equal((await cards(page))[0], 'First yield');
-});
+service.test(
+  'a force that is looked for comes first, and so does an onset of yield',
+  async (page) => {
+    await shown(page, { load: { target: { peak_pressure: 900 } } });
+    assert.equal((await cards(page))[0], 'Force found');
+    await shown(page, { load: { onset: true } });
+    assert.equal((await cards(page))[0], 'First yield');
+  },
+);
 
-service.test('a case says how much of its strength is used, and that of the core', async (page) => {
-  const law = { law: 'bilinear', yield_stress: 1000, tangent_modulus: 2100 };
-  const over_depth = { hardness: { surface: 720, core: 380, case_depth: 1 } };
-  const body = {
-    shape: { type: 'cylinder', radius: 20 },
-    material: { ...steel(), plasticity: { ...law, over_depth } },
-  };
-  await shown(page, { upper: body, lower: body, load: { force: 1500 } });
-  assert.deepEqual((await cards(page)).slice(0, 2), ['Utilization', 'Utilization of the core']);
-  await card(page, 'Utilization of the core').getByText('below the case').waitFor();
-  const depth = page.locator('#panel-depth');
-  await depth.locator('.legend').getByText('utilization', { exact: true }).waitFor();
-  const [file] = await Promise.all([page.waitForEvent('download'), depth.getByText('SVG', { exact: true }).click()]);
-  const drawing = await readFile(await file.path(), 'utf8');
-  for (const words of ['case depth', /utilization \d+\.?\d* %/, 'depth at x = 0'])
-    assert.match(drawing, new RegExp(words));
-  // One of the two is read on the right.
-  await depth.locator('[data-component=equivalent_plastic_strain]').click();
-  await depth.locator('.legend').getByText('utilization', { exact: true }).waitFor({ state: 'detached' });
-  await shown(page, { load: { force: 300 } });
-  assert.equal(await depth.locator('[data-component=utilization]').count(), 0);
-});
+service.test(
+  'a case says how much of its strength is used, and that of the core',
+  async (page) => {
+    const law = { law: 'bilinear', yield_stress: 1000, tangent_modulus: 2100 };
+    const over_depth = { hardness: { surface: 720, core: 380, case_depth: 1 } };
+    const body = {
+      shape: { type: 'cylinder', radius: 20 },
+      material: { ...steel(), plasticity: { ...law, over_depth } },
+    };
+    await shown(page, { upper: body, lower: body, load: { force: 1500 } });
+    assert.deepEqual((await cards(page)).slice(0, 2), ['Utilization', 'Utilization of the core']);
+    await card(page, 'Utilization of the core').getByText('below the case').waitFor();
+    const depth = page.locator('#panel-depth');
+    await depth.locator('.legend').getByText('utilization', { exact: true }).waitFor();
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      depth.getByText('SVG', { exact: true }).click(),
+    ]);
+    const drawing = await readFile(await file.path(), 'utf8');
+    for (const words of ['case depth', /utilization \d+\.?\d* %/, 'depth at x = 0'])
+      assert.match(drawing, new RegExp(words));
+    // One of the two is read on the right.
+    await depth.locator('[data-component=equivalent_plastic_strain]').click();
+    await depth
+      .locator('.legend')
+      .getByText('utilization', { exact: true })
+      .waitFor({ state: 'detached' });
+    await shown(page, { load: { force: 300 } });
+    assert.equal(await depth.locator('[data-component=utilization]').count(), 0);
+  },
+);
 
 service.test('rolling shakes down up to a pressure that is said', async (page) => {
   await shown(page, { load: { force: 612.6106 } });
@@ -64,57 +77,69 @@ service.test('the stress that is left has the names of axisymmetry', async (page
     await page.locator('#panel-depth .legend').getByText(name, { exact: true }).waitFor();
 });
 
-service.test('a comparison begins in the list, without an open job, and keeps its ticks', async (page) => {
-  const [one, other] = [await solved(page, { load: { force: 300 } }), await solved(page, { load: { force: 400 } })];
-  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-  const rows = page.locator('#jobs-list li');
-  await rows.first().getByText('cylinder on cylinder, Reference problem').waitFor();
-  const box = (/** @type {string} */ id) => page.getByLabel(`Compare ${id.slice(-8)}`);
-  await rows.first().getByText('Compare', { exact: true }).waitFor();
-  await box(one).check();
-  await page.locator('[data-status=succeeded]').waitFor();
-  await box(other).check();
-  await page.locator('#panel-differences tbody tr').first().waitFor();
-  assert.deepEqual([await box(one).isChecked(), await box(other).isChecked()], [true, true]);
-  const third = await solved(page, { load: { force: 500 } });
-  await page.getByLabel('Search jobs').fill('');
-  await rows.nth(2).waitFor();
-  await rows
-    .filter({ hasText: third.slice(-8) })
-    .locator('.open')
-    .click();
-  await page.locator('#headline').getByText('500.00').waitFor();
-  await page.locator('#panel-differences tbody tr').first().waitFor();
-  assert.equal(await box(other).isChecked(), true);
-});
+service.test(
+  'a comparison begins in the list, without an open job, and keeps its ticks',
+  async (page) => {
+    const [one, other] = [
+      await solved(page, { load: { force: 300 } }),
+      await solved(page, { load: { force: 400 } }),
+    ];
+    await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+    const rows = page.locator('#jobs-list li');
+    await rows.first().getByText('cylinder on cylinder, Reference problem').waitFor();
+    const box = (/** @type {string} */ id) => page.getByLabel(`Compare ${id.slice(-8)}`);
+    await rows.first().getByText('Compare', { exact: true }).waitFor();
+    await box(one).check();
+    await page.locator('[data-status=succeeded]').waitFor();
+    await box(other).check();
+    await page.locator('#panel-differences tbody tr').first().waitFor();
+    assert.deepEqual([await box(one).isChecked(), await box(other).isChecked()], [true, true]);
+    const third = await solved(page, { load: { force: 500 } });
+    await page.getByLabel('Search jobs').fill('');
+    await rows.nth(2).waitFor();
+    await rows
+      .filter({ hasText: third.slice(-8) })
+      .locator('.open')
+      .click();
+    await page.locator('#headline').getByText('500.00').waitFor();
+    await page.locator('#panel-differences tbody tr').first().waitFor();
+    assert.equal(await box(other).isChecked(), true);
+  },
+);
 
-service.test('the report of a comparison has every set-up, and keeps what it is headed with', async (page) => {
-  const one = await solved(page, { load: { force: 300 }, tags: { title: 'Press roll', part: '4711' } });
-  const other = await solved(page, { load: { force: 400 } });
-  await follow(page, `job=${one}&with=${other}`);
-  await page.locator('#panel-differences tbody tr').first().waitFor();
-  const sheet = page.getByRole('main', { name: 'Report' });
-  await page.getByRole('button', { name: 'Report' }).click();
-  await sheet
-    .getByRole('heading', { name: /^Set-up: / })
-    .nth(1)
-    .waitFor();
-  assert.equal(await sheet.getByRole('row', { name: /^Material Reference problem/ }).count(), 2);
-  await sheet.getByRole('region', { name: 'Differences' }).getByText('Force [N/mm]').waitFor();
-  assert.equal(await sheet.getByLabel('Title').inputValue(), 'Press roll');
-  assert.equal(await sheet.getByLabel('Part').inputValue(), '4711');
-  await sheet.getByLabel('Author').fill('A. Engineer');
-  await page.reload();
-  await page.locator('#panel-differences tbody tr').first().waitFor();
-  await page.getByRole('button', { name: 'Report' }).click();
-  assert.equal(await sheet.getByLabel('Author').inputValue(), 'A. Engineer');
-  await page.keyboard.press('Escape');
-  const [file] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'CSV: figures' }).click(),
-  ]);
-  assert.equal((await readFile(await file.path())).subarray(0, 3).toString('hex'), 'efbbbf');
-});
+service.test(
+  'the report of a comparison has every set-up, and keeps what it is headed with',
+  async (page) => {
+    const one = await solved(page, {
+      load: { force: 300 },
+      tags: { title: 'Press roll', part: '4711' },
+    });
+    const other = await solved(page, { load: { force: 400 } });
+    await follow(page, `job=${one}&with=${other}`);
+    await page.locator('#panel-differences tbody tr').first().waitFor();
+    const sheet = page.getByRole('main', { name: 'Report' });
+    await page.getByRole('button', { name: 'Report' }).click();
+    await sheet
+      .getByRole('heading', { name: /^Set-up: / })
+      .nth(1)
+      .waitFor();
+    assert.equal(await sheet.getByRole('row', { name: /^Material Reference problem/ }).count(), 2);
+    await sheet.getByRole('region', { name: 'Differences' }).getByText('Force [N/mm]').waitFor();
+    assert.equal(await sheet.getByLabel('Title').inputValue(), 'Press roll');
+    assert.equal(await sheet.getByLabel('Part').inputValue(), '4711');
+    await sheet.getByLabel('Author').fill('A. Engineer');
+    await page.reload();
+    await page.locator('#panel-differences tbody tr').first().waitFor();
+    await page.getByRole('button', { name: 'Report' }).click();
+    assert.equal(await sheet.getByLabel('Author').inputValue(), 'A. Engineer');
+    await page.keyboard.press('Escape');
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'CSV: figures' }).click(),
+    ]);
+    assert.equal((await readFile(await file.path())).subarray(0, 3).toString('hex'), 'efbbbf');
+  },
+);
 
 service.test(
   'a trace from right to left, off its middle and in micrometres is put right by a press each',
@@ -125,7 +150,9 @@ service.test(
     await points.evaluate((area) => {
       const clipboardData = new DataTransfer();
       clipboardData.setData('text', '9 -900\n6 -400\n4 0\n2 -400\n-1 -900\n');
-      area.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+      area.dispatchEvent(
+        new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }),
+      );
     });
     const place = page.locator('[data-place="/upper/shape/points"]');
     await place.getByText('taken from the last to the first').waitFor();
@@ -139,7 +166,8 @@ service.test(
 );
 
 test('Rockwell C becomes Vickers as in published tables', () => {
-  // DIN 50150, table A.1, between the rows that the page has; then ASTM E 140, another set of steels.
+  // DIN 50150, table A.1, between the rows that the page has; then ASTM E 140, another set of
+  // steels.
   for (const [rockwell, vickers] of [
     [21.3, 245],
     [31, 310],
@@ -162,18 +190,24 @@ test('Rockwell C becomes Vickers as in published tables', () => {
   for (const beyond of [20, 58]) assert.ok(Number.isNaN(vickersOf(beyond, 'HRC')));
 });
 
-service.test('a hardness on the Rockwell scale is taken by the table of ISO 18265', async (page) => {
-  await page.getByRole('button', { name: 'From hardness…' }).first().click();
-  const dialog = page.getByRole('dialog');
-  await dialog.getByLabel('Hardness').fill('58');
-  await dialog.getByLabel('Scale').selectOption('HRC');
-  await dialog.getByRole('button', { name: 'Use' }).click();
-  await dialog.getByText('20.3 to 56.3 HRC').waitFor();
-  await dialog.getByLabel('Hardness').fill('40.8');
-  await dialog.getByRole('button', { name: 'Use' }).click();
-  // 400 HV.
-  assert.equal(await page.getByLabel('Yield stress').first().inputValue(), String(Math.round(2.876 * 400 - 90.7)));
-});
+service.test(
+  'a hardness on the Rockwell scale is taken by the table of ISO 18265',
+  async (page) => {
+    await page.getByRole('button', { name: 'From hardness…' }).first().click();
+    const dialog = page.getByRole('dialog');
+    await dialog.getByLabel('Hardness').fill('58');
+    await dialog.getByLabel('Scale').selectOption('HRC');
+    await dialog.getByRole('button', { name: 'Use' }).click();
+    await dialog.getByText('20.3 to 56.3 HRC').waitFor();
+    await dialog.getByLabel('Hardness').fill('40.8');
+    await dialog.getByRole('button', { name: 'Use' }).click();
+    // 400 HV.
+    assert.equal(
+      await page.getByLabel('Yield stress').first().inputValue(),
+      String(Math.round(2.876 * 400 - 90.7)),
+    );
+  },
+);
 
 service.test('JSON with a key that no job has says so beside it', async (page) => {
   await page.getByRole('button', { name: 'JSON', exact: true }).click();

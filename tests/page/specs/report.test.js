@@ -18,12 +18,18 @@ async function sheet(page) {
 
 service.test('every force of a sweep is written, and every load of a history', async (page) => {
   await shown(page, { load: { forces: [100, 150, 200, 280, 300] } });
-  await (await sheet(page)).getByRole('row', { name: 'Forces P 100 150 200 280 300 N/mm' }).waitFor();
+  await (
+    await sheet(page)
+  )
+    .getByRole('row', { name: 'Forces P 100 150 200 280 300 N/mm' })
+    .waitFor();
   await page.keyboard.press('Escape');
   const history = [300, 0, 400, 0, 500, 0].map((force) => ({ force }));
   await shown(page, { load: { history }, solver: { theory: 'flow' } });
   const whole = await sheet(page);
-  await whole.getByRole('row', { name: 'Loads in turn P 300 → 0 → 400 → 0 → 500 → 0 N/mm' }).waitFor();
+  await whole
+    .getByRole('row', { name: 'Loads in turn P 300 → 0 → 400 → 0 → 500 → 0 N/mm' })
+    .waitFor();
 });
 
 service.test('a step without load has no columns of Hertz, and no stiffness', async (page) => {
@@ -40,7 +46,15 @@ service.test('a step without load has no columns of Hertz, and no stiffness', as
   await page.keyboard.press('Escape');
   await page.getByLabel('Step', { exact: true }).fill('0');
   await stiffness.getByText('slope of load over approach').waitFor();
-  assert.equal(await (await sheet(page)).locator('.answers').getByRole('columnheader', { name: 'Hertz' }).count(), 1);
+  assert.equal(
+    await (
+      await sheet(page)
+    )
+      .locator('.answers')
+      .getByRole('columnheader', { name: 'Hertz' })
+      .count(),
+    1,
+  );
 });
 
 service.test('figures that were put in are written in all their digits', async (page) => {
@@ -78,21 +92,27 @@ for (const [analysis, name, force] of /** @type {const} */ ([
       return pin && around && pin > 0.4 * around;
     });
     const place = await sheet(page);
-    assert.equal((await place.getByRole('heading', { level: 1 }).textContent())?.toLowerCase(), name);
+    assert.equal(
+      (await place.getByRole('heading', { level: 1 }).textContent())?.toLowerCase(),
+      name,
+    );
   });
 
 service.test(
   'a report of jobs compared is no wider than the narrowest phone',
   async (page) => {
     const ids = [];
-    for (const force of [300, 400]) ids.push(await solved(page, { load: { forces: [100, 200, force] } }));
+    for (const force of [300, 400])
+      ids.push(await solved(page, { load: { forces: [100, 200, force] } }));
     await follow(page, `job=${ids[0]}&with=${ids[1]}`);
     await page.locator('#panel-differences tbody tr').first().waitFor();
     await sheet(page);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 320);
     const beyond = await page
       .locator('#sheet table.inputs :is(td, th)')
-      .evaluateAll((all) => all.filter((one) => one.getBoundingClientRect().right > innerWidth).length);
+      .evaluateAll(
+        (all) => all.filter((one) => one.getBoundingClientRect().right > innerWidth).length,
+      );
     assert.equal(beyond, 0);
   },
   { ...PHONE, viewport: { width: 320, height: 700 } },
@@ -105,7 +125,10 @@ service.test('a report is no wider for what its tags say', async (page) => {
 });
 
 service.test('cards stand in rows of about the same length', async (page) => {
-  await shown(page, { load: { history: [{ force: 300 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  await shown(page, {
+    load: { history: [{ force: 300 }, { force: 0 }] },
+    solver: { theory: 'flow' },
+  });
   for (const width of [1250, 1100]) {
     await page.setViewportSize({ width, height: 900 });
     await page.waitForFunction((width) => {
@@ -120,7 +143,10 @@ service.test('cards stand in rows of about the same length', async (page) => {
 service.test(
   'the report of an unloaded step has what the load has left, and every figure of the page',
   async (page) => {
-    await shown(page, { load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
+    await shown(page, {
+      load: { history: [{ force: 600 }, { force: 0 }] },
+      solver: { theory: 'flow' },
+    });
     const cards = await page.locator('#headline dl dt').allTextContents();
     const place = await sheet(page);
     const rows = await place.locator('.answers tbody th').allTextContents();
@@ -134,37 +160,58 @@ service.test(
     ]);
     assert.deepEqual(cards, rows);
     // Bodies that are apart have no pressure, width or stiffness.
-    const none = ['Peak pressure', 'Half-width', 'Mean pressure', 'Contact stiffness', 'Unloading stiffness'];
+    const none = [
+      'Peak pressure',
+      'Half-width',
+      'Mean pressure',
+      'Contact stiffness',
+      'Unloading stiffness',
+    ];
     for (const name of none) assert.ok(!rows.includes(name), name);
-    const depth = await place.locator('.answers tbody tr').first().locator('td').first().textContent();
+    const depth = await place
+      .locator('.answers tbody tr')
+      .first()
+      .locator('td')
+      .first()
+      .textContent();
     assert.ok(Number(depth?.replace(/·10.*/, '')) > 0, `${depth}`);
     await page.keyboard.press('Escape');
     await shown(page, {
       analysis: 'axisymmetric',
       load: { target: { max_plastic_strain: 0.002 } },
     });
-    await (await sheet(page)).getByText(/^for a largest plastic strain of 0\.2 %, reached 0\.\d+ %$/).waitFor();
+    await (
+      await sheet(page)
+    )
+      .getByText(/^for a largest plastic strain of 0\.2 %, reached 0\.\d+ %$/)
+      .waitFor();
     await page.locator('#sheet .answers').getByText('Force found').waitFor();
   },
 );
 
-service.test('a report is one sheet of A4 or Letter, and lies as the printer has it', async (page) => {
-  const job = await page.evaluate(async () => {
-    const { examples } = await (await fetch('v1/examples')).json();
-    return examples.find((/** @type {{name: string}} */ { name }) => name === 'ramberg_osgood').job;
-  });
-  await shown(page, { ...job, mesh: { elements_per_half_width: 8 }, output: { fields: true } });
-  await drawn(page);
-  const place = await sheet(page);
-  await place.locator('canvas').waitFor();
-  await page.emulateMedia({ media: 'print' });
-  for (const format of ['A4', 'Letter']) {
-    const pdf = (await page.pdf({ format, preferCSSPageSize: true })).toString('latin1');
-    assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
-  }
-  const wide = (await page.pdf({ format: 'Letter', landscape: true, preferCSSPageSize: true })).toString('latin1');
-  assert.match(wide, /\/MediaBox\s*\[0 0 79\d(\.\d+)? 61\d/);
-});
+service.test(
+  'a report is one sheet of A4 or Letter, and lies as the printer has it',
+  async (page) => {
+    const job = await page.evaluate(async () => {
+      const { examples } = await (await fetch('v1/examples')).json();
+      return examples.find((/** @type {{name: string}} */ { name }) => name === 'ramberg_osgood')
+        .job;
+    });
+    await shown(page, { ...job, mesh: { elements_per_half_width: 8 }, output: { fields: true } });
+    await drawn(page);
+    const place = await sheet(page);
+    await place.locator('canvas').waitFor();
+    await page.emulateMedia({ media: 'print' });
+    for (const format of ['A4', 'Letter']) {
+      const pdf = (await page.pdf({ format, preferCSSPageSize: true })).toString('latin1');
+      assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
+    }
+    const wide = (
+      await page.pdf({ format: 'Letter', landscape: true, preferCSSPageSize: true })
+    ).toString('latin1');
+    assert.match(wide, /\/MediaBox\s*\[0 0 79\d(\.\d+)? 61\d/);
+  },
+);
 
 service.test(
   'no figure of a report is broken on a phone',
@@ -193,16 +240,23 @@ service.test(
   PHONE,
 );
 
-service.test('a report calls the half-width of a round contact its radius, and has no empty rows', async (page) => {
-  const examples = await page.evaluate(async () => (await (await fetch('v1/examples')).json()).examples);
-  const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'pin_in_hole');
-  await shown(page, { ...job, analysis: 'axisymmetric', load: { forces: [100, 200] } });
-  const place = await sheet(page);
-  await place.getByRole('columnheader', { name: /^contact radius/ }).waitFor();
-  assert.equal(await place.getByRole('columnheader', { name: /^half-width/ }).count(), 0);
-  for (const row of await place.locator('.inputs tbody tr').all())
-    assert.doesNotMatch(await row.innerText(), /—\s+—/, 'a figure that neither body has');
-});
+service.test(
+  'a report calls the half-width of a round contact its radius, and has no empty rows',
+  async (page) => {
+    const examples = await page.evaluate(
+      async () => (await (await fetch('v1/examples')).json()).examples,
+    );
+    const { job } = examples.find(
+      (/** @type {{name: string}} */ { name }) => name === 'pin_in_hole',
+    );
+    await shown(page, { ...job, analysis: 'axisymmetric', load: { forces: [100, 200] } });
+    const place = await sheet(page);
+    await place.getByRole('columnheader', { name: /^contact radius/ }).waitFor();
+    assert.equal(await place.getByRole('columnheader', { name: /^half-width/ }).count(), 0);
+    for (const row of await place.locator('.inputs tbody tr').all())
+      assert.doesNotMatch(await row.innerText(), /—\s+—/, 'a figure that neither body has');
+  },
+);
 
 service.test('every example is a report of one page', async (page) => {
   const names = await page.evaluate(async () => {
@@ -213,16 +267,26 @@ service.test('every example is a report of one page', async (page) => {
     const id = await page.evaluate(async (name) => {
       const { examples } = await (await fetch('v1/examples')).json();
       const { job } = examples.find((/** @type {{name: string}} */ one) => one.name === name);
-      const coarse = { ...job, mesh: { elements_per_half_width: 6 }, output: { ...job.output, fields: true } };
+      const coarse = {
+        ...job,
+        mesh: { elements_per_half_width: 6 },
+        output: { ...job.output, fields: true },
+      };
       const headers = { 'Content-Type': 'application/json' };
-      const answer = await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(coarse) });
+      const answer = await fetch('v1/jobs', {
+        method: 'POST',
+        headers,
+        body: JSON.stringify(coarse),
+      });
       const { id } = await answer.json();
       await fetch(`v1/jobs/${id}?wait=100`);
       performance.clearMarks();
       return id;
     }, name);
     await follow(page, `job=${id}`);
-    await page.locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])').waitFor();
+    await page
+      .locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])')
+      .waitFor();
     await drawn(page);
     await sheet(page);
     const pdf = await page.pdf({ format: 'A4' });

@@ -28,12 +28,18 @@ service.test(
       .trim()
       .split('\n')
       .map((line) => line.split('\t'));
-    assert.deepEqual([lines.length, lines[0][1], lines[0][4]], [4, 'force [N/mm]', 'peak pressure [MPa]']);
+    assert.deepEqual(
+      [lines.length, lines[0][1], lines[0][4]],
+      [4, 'force [N/mm]', 'peak pressure [MPa]'],
+    );
     assert.equal(Number(lines[3][1]), 612);
     assert.ok(lines[3][4].length > 10, 'figures go out in full');
     await panel.getByRole('button', { name: 'Markdown' }).click();
     await page.getByText('Markdown copied').waitFor();
-    assert.match(await clipboard(page), /^\| step \| force \[N\/mm\] \|.*\n\| --: \| --: \|.*\n\| 1 \| 100\.00 \|/);
+    assert.match(
+      await clipboard(page),
+      /^\| step \| force \[N\/mm\] \|.*\n\| --: \| --: \|.*\n\| 1 \| 100\.00 \|/,
+    );
     await panel.getByRole('button', { name: 'LaTeX' }).click();
     await page.getByText('LaTeX copied').waitFor();
     const latex = await clipboard(page);
@@ -60,7 +66,10 @@ service.test('a sweep has every figure over its load', async (page) => {
     ['dP/dα', /^dP\/dα over force, .* N\/mm²/],
   ]) {
     await panel.getByRole('radio', { name: String(choice), exact: true }).check();
-    assert.match((await panel.locator('.plot').getAttribute('aria-label')) ?? '', /** @type {RegExp} */ (words));
+    assert.match(
+      (await panel.locator('.plot').getAttribute('aria-label')) ?? '',
+      /** @type {RegExp} */ (words),
+    );
   }
 });
 
@@ -92,7 +101,8 @@ service.test(
     for (const force of [300, 400, 500]) ids.push(await solved(page, { load: { force } }));
     await follow(page, `job=${ids[0]}&with=${ids[1]},${ids[2]}`);
     const legend = page.locator('#panel-pressure .legend');
-    for (const force of [300, 400, 500]) await legend.getByText(`P ${force} N/mm`, { exact: true }).waitFor();
+    for (const force of [300, 400, 500])
+      await legend.getByText(`P ${force} N/mm`, { exact: true }).waitFor();
     const dashes = await legend
       .locator('.swatch path')
       .evaluateAll((all) => all.map((one) => one.getAttribute('stroke-dasharray')));
@@ -124,7 +134,10 @@ service.test('results are shown in other units than the job has', async (page) =
   assert.match(texts[0], /^1\.18\d+GPa$/);
   assert.match(texts[1], /^3[01]\d\.\d+µm$/);
   assert.match(texts[3], /^0\.61261kN\/mm$/);
-  assert.match((await page.locator('#panel-field .stage .over').getAttribute('aria-label')) ?? '', /to 0\.5\d+ GPa\.$/);
+  assert.match(
+    (await page.locator('#panel-field .stage .over').getAttribute('aria-label')) ?? '',
+    /to 0\.5\d+ GPa\.$/,
+  );
   assert.match(
     (await page.locator('#panel-depth .plot').getAttribute('aria-label')) ?? '',
     /GPa, at a depth of \d+(\.\d+)? µm/,
@@ -141,9 +154,17 @@ service.test('results are shown in other units than the job has', async (page) =
 service.test(
   'a report is one sheet with inputs, figures, error bars, remarks and where it comes from',
   async (page) => {
-    const id = await shown(page, { load: { force: 612.6106 }, output: { fields: true }, tags: { pump: 'P-12' } });
+    const id = await shown(page, {
+      load: { force: 612.6106 },
+      output: { fields: true },
+      tags: { pump: 'P-12' },
+    });
     await drawn(page);
-    await page.locator('.bar-of-error').first().getByRole('button', { name: 'Explanation' }).click();
+    await page
+      .locator('.bar-of-error')
+      .first()
+      .getByRole('button', { name: 'Explanation' })
+      .click();
     await page.getByText('an infinitely fine mesh').first().waitFor();
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Report' }).click();
@@ -191,19 +212,27 @@ service.test('charts go out as vector drawings with legend and units', async (pa
   }
 });
 
-service.test('the title of a drawing stays within it, however long the name of the job', async (page) => {
-  const title = await page.evaluate(async () => {
-    const { chartSvg } = await import(/** @type {any} */ ('/web/result/chart-svg.js'));
-    const plot = { x: 'x', y: 'y', curves: [{ label: 'one', colour: '--curve-1', x: [0, 1], y: [0, 1] }], words: '' };
-    const drawing = chartSvg(plot, `Contact pressure, ${'W'.repeat(60)}, 612.6 N/mm`, 520, 240);
-    document.body.append(drawing);
-    const { right } = drawing.querySelector('text').getBoundingClientRect();
-    const end = drawing.getBoundingClientRect().right;
-    drawing.remove();
-    return [right, end];
-  });
-  assert.ok(title[0] > 0 && title[0] <= title[1], title.join(' of '));
-});
+service.test(
+  'the title of a drawing stays within it, however long the name of the job',
+  async (page) => {
+    const title = await page.evaluate(async () => {
+      const { chartSvg } = await import(/** @type {any} */ ('/web/result/chart-svg.js'));
+      const plot = {
+        x: 'x',
+        y: 'y',
+        curves: [{ label: 'one', colour: '--curve-1', x: [0, 1], y: [0, 1] }],
+        words: '',
+      };
+      const drawing = chartSvg(plot, `Contact pressure, ${'W'.repeat(60)}, 612.6 N/mm`, 520, 240);
+      document.body.append(drawing);
+      const { right } = drawing.querySelector('text').getBoundingClientRect();
+      const end = drawing.getBoundingClientRect().right;
+      drawing.remove();
+      return [right, end];
+    });
+    assert.ok(title[0] > 0 && title[0] <= title[1], title.join(' of '));
+  },
+);
 
 service.test('a job that did not converge has no error bars', async (page) => {
   await shown(page, { solver: { max_iterations: 2, tolerance: 1e-12 } });
@@ -213,9 +242,16 @@ service.test('a job that did not converge has no error bars', async (page) => {
 });
 
 service.test('a sweep with one answer has no curve', async (page) => {
-  await shown(page, { load: { forces: [1, 612] }, solver: { max_iterations: 2, tolerance: 1e-9 } });
+  await shown(page, {
+    load: { forces: [1, 612] },
+    solver: { max_iterations: 2, tolerance: 1e-9 },
+  });
   const states = await page.locator('#panel-figures tbody tr').allTextContents();
-  assert.equal(states.filter((row) => !row.includes('not converged')).length, 1, states.join(' | '));
+  assert.equal(
+    states.filter((row) => !row.includes('not converged')).length,
+    1,
+    states.join(' | '),
+  );
   assert.equal(await page.locator('#panel-sweep').isVisible(), false);
 });
 
@@ -228,7 +264,10 @@ service.test('an elastic job has no axis for plastic strain', async (page) => {
 service.test('in axisymmetry directions are r, θ and z', async (page) => {
   await shown(page, { analysis: 'axisymmetric', load: { force: 2000 }, output: { fields: true } });
   await drawn(page);
-  const names = await page.getByLabel('Shown', { exact: true }).locator('option').allTextContents();
+  const names = await page
+    .getByLabel('Shown', { exact: true })
+    .locator('option')
+    .allTextContents();
   for (const name of ['σr', 'σz', 'σθ', 'τrz', 'displacement ur', 'displacement uz'])
     assert.ok(names.includes(name), name);
   assert.ok(!names.includes('σx'));
@@ -238,7 +277,9 @@ service.test('in axisymmetry directions are r, θ and z', async (page) => {
 
 service.test('what is found has an error bar, what is prescribed has none', async (page) => {
   const barred = async () => {
-    const cards = page.locator('#headline dl.figures > div', { has: page.locator('.bar-of-error') });
+    const cards = page.locator('#headline dl.figures > div', {
+      has: page.locator('.bar-of-error'),
+    });
     return cards.locator('dt').allTextContents();
   };
   const columns = async () => {
@@ -248,33 +289,53 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
   await shown(page, { load: { approach: 0.01 } });
   assert.deepEqual(await barred(), ['Peak pressure', 'Half-width', 'Force']);
   assert.match((await columns()).join(), /^force N\/mm,peak pressure MPa,half-width mm/);
-  assert.match((await page.locator('#headline .remarks').textContent()) ?? '', /within ± .* for the force\. /);
+  assert.match(
+    (await page.locator('#headline .remarks').textContent()) ?? '',
+    /within ± .* for the force\. /,
+  );
   await shown(page, { load: { force: 300 }, output: { contact_stiffness: true } });
-  assert.deepEqual(await barred(), ['Peak pressure', 'Half-width', 'Approach', 'Contact stiffness']);
+  assert.deepEqual(await barred(), [
+    'Peak pressure',
+    'Half-width',
+    'Approach',
+    'Contact stiffness',
+  ]);
   assert.match((await columns()).join(), /^approach mm,peak pressure MPa,half-width mm,dP/);
 });
 
-service.test('iterations go out with names and units, in files that name the job and its step', async (page) => {
-  const id = await shown(page, SWEEP);
-  await page.getByText('Units shown').click();
-  await page.getByLabel('Unit of length').selectOption('µm');
-  await page.keyboard.press('Escape');
-  const taken = async (/** @type {string} */ panel, /** @type {string} */ kind) => {
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator(`#panel-${panel}`).getByText(kind, { exact: true }).click(),
-    ]);
-    return file;
-  };
-  const file = await taken('iterations', 'CSV');
-  assert.equal(file.suggestedFilename(), `${id.slice(-8)}-µm-step-3-iterations.csv`);
-  const [head, first] = (await readFile(await file.path(), 'utf8')).split('\n');
-  assert.match(head, /^\ufeffno\.,out of balance,.*,approach \[µm\],peak pressure \[MPa\],.*,time \[ms\]$/);
-  assert.equal(first.split(',').length, head.split(',').length);
-  await page.getByLabel('Step', { exact: true }).fill('0');
-  assert.equal((await taken('depth', 'SVG')).suggestedFilename(), `${id.slice(-8)}-µm-step-1-depth.svg`);
-  assert.equal((await taken('figures', 'CSV')).suggestedFilename(), `${id.slice(-8)}-µm-figures.csv`);
-});
+service.test(
+  'iterations go out with names and units, in files that name the job and its step',
+  async (page) => {
+    const id = await shown(page, SWEEP);
+    await page.getByText('Units shown').click();
+    await page.getByLabel('Unit of length').selectOption('µm');
+    await page.keyboard.press('Escape');
+    const taken = async (/** @type {string} */ panel, /** @type {string} */ kind) => {
+      const [file] = await Promise.all([
+        page.waitForEvent('download'),
+        page.locator(`#panel-${panel}`).getByText(kind, { exact: true }).click(),
+      ]);
+      return file;
+    };
+    const file = await taken('iterations', 'CSV');
+    assert.equal(file.suggestedFilename(), `${id.slice(-8)}-µm-step-3-iterations.csv`);
+    const [head, first] = (await readFile(await file.path(), 'utf8')).split('\n');
+    assert.match(
+      head,
+      /^\ufeffno\.,out of balance,.*,approach \[µm\],peak pressure \[MPa\],.*,time \[ms\]$/,
+    );
+    assert.equal(first.split(',').length, head.split(',').length);
+    await page.getByLabel('Step', { exact: true }).fill('0');
+    assert.equal(
+      (await taken('depth', 'SVG')).suggestedFilename(),
+      `${id.slice(-8)}-µm-step-1-depth.svg`,
+    );
+    assert.equal(
+      (await taken('figures', 'CSV')).suggestedFilename(),
+      `${id.slice(-8)}-µm-figures.csv`,
+    );
+  },
+);
 
 service.test('initial stresses in the chart have the unit of its axis', async (page) => {
   const id = await solved(page, {
@@ -301,7 +362,9 @@ service.test('initial stresses in the chart have the unit of its axis', async (p
   await page.keyboard.press('Escape');
   const plot = page.locator('#panel-depth .u-over');
   await plot.hover({ position: { x: 3, y: 30 } });
-  const before = page.locator('#panel-depth .legend li', { hasText: 'before the load' }).locator('b');
+  const before = page
+    .locator('#panel-depth .legend li', { hasText: 'before the load' })
+    .locator('b');
   await before.getByText(/^−0\.\d+ GPa$/).waitFor();
   await page
     .locator('#panel-depth .legend')
@@ -316,24 +379,37 @@ service.test('what a sweep has over its load follows the order of a history', as
   await panel.getByRole('radio', { name: 'Strain', exact: true }).check();
   const [rest, ...places] = await panel
     .locator('.plot svg circle')
-    .evaluateAll((all) => all.map((one) => [Number(one.getAttribute('cx')), Number(one.getAttribute('cy'))]));
+    .evaluateAll((all) =>
+      all.map((one) => [Number(one.getAttribute('cx')), Number(one.getAttribute('cy'))]),
+    );
   assert.equal(places.length, 4);
   assert.equal(rest[0], places[1][0], 'from the bodies at rest on');
-  assert.ok(places[1][0] < places[3][0] && places[3][0] < places[0][0] && places[0][0] < places[2][0], 'in turn');
+  assert.ok(
+    places[1][0] < places[3][0] && places[3][0] < places[0][0] && places[0][0] < places[2][0],
+    'in turn',
+  );
   // Plastic strain never falls: upward is a smaller place.
-  for (let k = 1; k < 4; k++) assert.ok(places[k][1] <= places[k - 1][1] + 1e-6, JSON.stringify(places));
+  for (let k = 1; k < 4; k++)
+    assert.ok(places[k][1] <= places[k - 1][1] + 1e-6, JSON.stringify(places));
 });
 
 service.test('a part of a chart that was dragged up is not kept for another job', async (page) => {
-  const [one, other] = [await solved(page, { load: { force: 300 } }), await solved(page, { load: { force: 600 } })];
+  const [one, other] = [
+    await solved(page, { load: { force: 300 } }),
+    await solved(page, { load: { force: 600 } }),
+  ];
   const pixels = () =>
     page.evaluate(() =>
-      /** @type {HTMLCanvasElement | null} */ (document.querySelector('#panel-pressure .plot canvas'))?.toDataURL(),
+      /** @type {HTMLCanvasElement | null} */ (
+        document.querySelector('#panel-pressure .plot canvas')
+      )?.toDataURL(),
     );
   const words = (/** @type {string} */ force) =>
     page.locator('#headline').getByText(`${force}.00`, { exact: false }).first().waitFor();
   const settle = () =>
-    page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    );
   await follow(page, `job=${one}`);
   await words('300');
   await follow(page, `job=${other}`);
@@ -354,41 +430,47 @@ service.test('a part of a chart that was dragged up is not kept for another job'
   await words('600');
   await page.waitForFunction(
     (whole) =>
-      /** @type {HTMLCanvasElement | null} */ (document.querySelector('#panel-pressure .plot canvas'))?.toDataURL() ===
-      whole,
+      /** @type {HTMLCanvasElement | null} */ (
+        document.querySelector('#panel-pressure .plot canvas')
+      )?.toDataURL() === whole,
     whole,
   );
 });
 
-service.test('the loop of a history is read out point by point, and a radius begins at the axis', async (page) => {
-  await shown(page, {
-    analysis: 'axisymmetric',
-    load: { history: [{ force: 4000 }, { force: 0 }] },
-    solver: { theory: 'flow' },
-  });
-  const [file] = await Promise.all([
-    page.waitForEvent('download'),
-    page.locator('#panel-dent').getByText('SVG', { exact: true }).click(),
-  ]);
-  const drawing = await readFile(await file.path(), 'utf8');
-  assert.match(drawing, />r {2}\[mm\]</);
-  const ticks = [...drawing.matchAll(/text-anchor="middle"[^>]*>([−\d.]+)</g)].map(([, text]) => text);
-  assert.ok(ticks.length > 2 && ticks.every((text) => !text.startsWith('−')), ticks.join());
-  const panel = page.locator('#panel-sweep');
-  const dot = panel.locator('.plot circle').nth(2);
-  await dot.scrollIntoViewIfNeeded();
-  const box = await dot.boundingBox();
-  assert.ok(box);
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await panel
-    .locator('.legend')
-    .getByText(/^at 0\.\d+ mm$/)
-    .waitFor();
-  await panel
-    .locator('.legend')
-    .getByText(/^[\d.]+ N$/)
-    .waitFor();
-});
+service.test(
+  'the loop of a history is read out point by point, and a radius begins at the axis',
+  async (page) => {
+    await shown(page, {
+      analysis: 'axisymmetric',
+      load: { history: [{ force: 4000 }, { force: 0 }] },
+      solver: { theory: 'flow' },
+    });
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator('#panel-dent').getByText('SVG', { exact: true }).click(),
+    ]);
+    const drawing = await readFile(await file.path(), 'utf8');
+    assert.match(drawing, />r {2}\[mm\]</);
+    const ticks = [...drawing.matchAll(/text-anchor="middle"[^>]*>([−\d.]+)</g)].map(
+      ([, text]) => text,
+    );
+    assert.ok(ticks.length > 2 && ticks.every((text) => !text.startsWith('−')), ticks.join());
+    const panel = page.locator('#panel-sweep');
+    const dot = panel.locator('.plot circle').nth(2);
+    await dot.scrollIntoViewIfNeeded();
+    const box = await dot.boundingBox();
+    assert.ok(box);
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await panel
+      .locator('.legend')
+      .getByText(/^at 0\.\d+ mm$/)
+      .waitFor();
+    await panel
+      .locator('.legend')
+      .getByText(/^[\d.]+ N$/)
+      .waitFor();
+  },
+);
 
 service.test('places on the surface of a hole are said to be along its arc', async (page) => {
   await shown(page, {

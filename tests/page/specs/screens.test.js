@@ -1,6 +1,7 @@
 /**
- * Every view beside a picture of it, a quarter as wide and high: what moves, wraps or vanishes is seen, letters are not.
- * `BRINELL_WRITE=1 node --test specs/screens.test.js` takes the pictures anew; look at them before they are committed.
+ * Every view beside a picture of it, a quarter as wide and high: what moves, wraps or vanishes is
+ * seen, letters are not. `BRINELL_WRITE=1 node --test specs/screens.test.js` takes the pictures
+ * anew; look at them before they are committed.
  */
 
 import assert from 'node:assert/strict';
@@ -19,7 +20,8 @@ const service = suite();
 /** The first picture that the next one equals: a busy machine draws late. @param {() => Promise<Buffer>} take @returns {Promise<Buffer>} */
 async function settled(take) {
   let [before, now] = [await take(), await take()];
-  for (let again = 0; again < 20 && !before.equals(now); again += 1) [before, now] = [now, await take()];
+  for (let again = 0; again < 20 && !before.equals(now); again += 1)
+    [before, now] = [now, await take()];
   return now;
 }
 
@@ -27,13 +29,22 @@ async function settled(take) {
 async function little(page, png) {
   const text = await page.evaluate(
     async ([png, size]) => {
-      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
-      const canvas = new OffscreenCanvas(Math.round(image.width * size), Math.round(image.height * size));
+      const image = await createImageBitmap(
+        await (await fetch(`data:image/png;base64,${png}`)).blob(),
+      );
+      const canvas = new OffscreenCanvas(
+        Math.round(image.width * size),
+        Math.round(image.height * size),
+      );
       const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
       context.imageSmoothingQuality = 'high';
       context.drawImage(image, 0, 0, canvas.width, canvas.height);
       const blob = await canvas.convertToBlob({ type: 'image/webp', quality: 0.8 });
-      return btoa(Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join(''));
+      return btoa(
+        Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) =>
+          String.fromCharCode(byte),
+        ).join(''),
+      );
     },
     /** @type {const} */ ([png.toString('base64'), SIZE]),
   );
@@ -46,7 +57,9 @@ const compared = (page, pictures) =>
     async ([texts, brightness]) => {
       const images = [];
       for (const text of texts)
-        images.push(await createImageBitmap(await (await fetch(`data:image/webp;base64,${text}`)).blob()));
+        images.push(
+          await createImageBitmap(await (await fetch(`data:image/webp;base64,${text}`)).blob()),
+        );
       const sizes = images.map(({ width, height }) => `${width} × ${height}`);
       const [width, height] = [images[0].width, Math.min(...images.map((image) => image.height))];
       const [one, other] = images.map((image) => {
@@ -58,7 +71,10 @@ const compared = (page, pictures) =>
       });
       let count = 0;
       for (let k = 0; k < one.length; k += 4)
-        if ([0, 1, 2].some((channel) => Math.abs(one[k + channel] - other[k + channel]) > brightness)) count += 1;
+        if (
+          [0, 1, 2].some((channel) => Math.abs(one[k + channel] - other[k + channel]) > brightness)
+        )
+          count += 1;
       return { sizes, differ: count / (width * height) };
     },
     /** @type {const} */ ([pictures.map((one) => one.toString('base64')), BRIGHTNESS]),
@@ -84,7 +100,10 @@ for (const [name, options, show, fullPage] of [...OF_DOCUMENTS, ...OTHERS])
       }
       const { sizes, differ } = await compared(blank, [await readFile(file), now]);
       const [wide, high] = [0, 1].map((k) => sizes.map((size) => Number(size.split(' × ')[k])));
-      assert.ok(wide[0] === wide[1] && Math.abs(high[0] - high[1]) <= 0.02 * high[0] + 2, sizes.join(', '));
+      assert.ok(
+        wide[0] === wide[1] && Math.abs(high[0] - high[1]) <= 0.02 * high[0] + 2,
+        sizes.join(', '),
+      );
       assert.ok(differ < SHARE, `${(100 * differ).toFixed(2)} % of the pixels differ`);
     },
     // An unloaded job on the usual mesh takes its time in a debug build.

@@ -15,31 +15,48 @@ service.test('a form is filled, a contact solved, its pressure drawn', async (pa
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.waitForSelector(SOLVED);
   const words = await page.locator('#panel-pressure .plot').getAttribute('aria-label');
-  assert.match(words ?? '', /^Contact pressure over x: highest \d{4}\.\d MPa, half-width 0\.\d+ mm; Hertz, elastic/);
+  assert.match(
+    words ?? '',
+    /^Contact pressure over x: highest \d{4}\.\d MPa, half-width 0\.\d+ mm; Hertz, elastic/,
+  );
   // A curve is drawn with the frame after its words: on a busy machine that may be a while.
   await page.waitForFunction(inked, { within: '#panel-pressure', name: '--curve-1', pixels: 200 });
-  assert.equal(await page.locator('#panel-pressure .legend li').count(), 2, 'this contact and Hertz');
-  for (const panel of ['field', 'depth', 'convergence', 'iterations']) await page.locator(`#panel-${panel}`).waitFor();
+  assert.equal(
+    await page.locator('#panel-pressure .legend li').count(),
+    2,
+    'this contact and Hertz',
+  );
+  for (const panel of ['field', 'depth', 'convergence', 'iterations'])
+    await page.locator(`#panel-${panel}`).waitFor();
 });
 
-service.test('what Hertz says and the JSON follow the form, and the form the JSON', async (page) => {
-  const peak = page.locator('.hertz dd').nth(1);
-  await page.getByText('1500.0 MPa').waitFor();
-  await page.getByLabel('Force P').fill('272.27');
-  await page.waitForFunction(() => document.querySelectorAll('.hertz dd')[1]?.textContent?.startsWith('1000'));
-  assert.match((await peak.textContent()) ?? '', /MPa$/);
-  await page.getByRole('button', { name: 'JSON', exact: true }).click();
-  const text = page.locator('#json-text');
-  const job = JSON.parse(await text.inputValue());
-  assert.equal(job.load.force, 272.27);
-  job.lower.shape = { type: 'block', width: 120, depth: 90 };
-  await text.fill(JSON.stringify(job));
-  await page.getByLabel('Width w').waitFor();
-  assert.equal(await page.getByLabel('Width w').inputValue(), '120');
-  await text.fill('{"analysis": ');
-  await page.locator('#json-text[aria-invalid=true]').waitFor();
-  assert.equal(await page.getByLabel('Width w').inputValue(), '120', 'half a text changes nothing');
-});
+service.test(
+  'what Hertz says and the JSON follow the form, and the form the JSON',
+  async (page) => {
+    const peak = page.locator('.hertz dd').nth(1);
+    await page.getByText('1500.0 MPa').waitFor();
+    await page.getByLabel('Force P').fill('272.27');
+    await page.waitForFunction(() =>
+      document.querySelectorAll('.hertz dd')[1]?.textContent?.startsWith('1000'),
+    );
+    assert.match((await peak.textContent()) ?? '', /MPa$/);
+    await page.getByRole('button', { name: 'JSON', exact: true }).click();
+    const text = page.locator('#json-text');
+    const job = JSON.parse(await text.inputValue());
+    assert.equal(job.load.force, 272.27);
+    job.lower.shape = { type: 'block', width: 120, depth: 90 };
+    await text.fill(JSON.stringify(job));
+    await page.getByLabel('Width w').waitFor();
+    assert.equal(await page.getByLabel('Width w').inputValue(), '120');
+    await text.fill('{"analysis": ');
+    await page.locator('#json-text[aria-invalid=true]').waitFor();
+    assert.equal(
+      await page.getByLabel('Width w').inputValue(),
+      '120',
+      'half a text changes nothing',
+    );
+  },
+);
 
 service.test('units change, the physics stays', async (page) => {
   await page.getByLabel('Units').selectOption('SI');
@@ -54,7 +71,10 @@ service.test('a sweep has its curve, and every step can be seen', async (page) =
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.waitForSelector(SOLVED);
   await page.locator('#panel-sweep').waitFor();
-  assert.match((await page.locator('#panel-sweep .plot').getAttribute('aria-label')) ?? '', /6 points up to 600/);
+  assert.match(
+    (await page.locator('#panel-sweep .plot').getAttribute('aria-label')) ?? '',
+    /6 points up to 600/,
+  );
   const force = page.locator('.steps output');
   assert.match((await force.textContent()) ?? '', /^6 of 6: 600\.0+ N\/mm/);
   await page.getByLabel('Step', { exact: true }).focus();
@@ -103,7 +123,8 @@ service.test('figures follow a slider, and the last one wins', async (page, { no
       slider.value = String(60 + 3 * k);
       slider.dispatchEvent(new Event('input', { bubbles: true }));
       const moved = performance.now();
-      while (card() === last && performance.now() - moved < 20_000) await new Promise(requestAnimationFrame);
+      while (card() === last && performance.now() - moved < 20_000)
+        await new Promise(requestAnimationFrame);
       forces.push(card());
     }
     return { forces, rate: 20e3 / (performance.now() - begin) };
@@ -119,9 +140,12 @@ service.test('figures follow a slider, and the last one wins', async (page, { no
     }
     slider.dispatchEvent(new Event('change', { bubbles: true }));
   });
-  const last = Number(await page.locator('[data-place="/load/force"] input[type=text]').inputValue());
+  const last = Number(
+    await page.locator('[data-place="/load/force"] input[type=text]').inputValue(),
+  );
   await page.waitForFunction(
-    (last) => parseFloat(document.querySelectorAll('#headline .figure')[3]?.textContent ?? '') === last,
+    (last) =>
+      parseFloat(document.querySelectorAll('#headline .figure')[3]?.textContent ?? '') === last,
     last,
   );
   await page.locator('[data-status=live]').getByText('press Solve to keep it as a job').waitFor();
@@ -136,10 +160,13 @@ service.test(
     const id = await sent(page, { load: { forces }, mesh: { elements_per_half_width: 20 } });
     await page.evaluate(() => {
       const said = /** @type {string[]} */ (/** @type {any} */ (globalThis).said = []);
-      new MutationObserver(() => said.push(document.querySelector('#watch .words')?.textContent ?? '')).observe(
-        /** @type {Node} */ (document.querySelector('#watch')),
-        { childList: true, subtree: true, characterData: true },
-      );
+      new MutationObserver(() =>
+        said.push(document.querySelector('#watch .words')?.textContent ?? ''),
+      ).observe(/** @type {Node} */ (document.querySelector('#watch')), {
+        childList: true,
+        subtree: true,
+        characterData: true,
+      });
     });
     await follow(page, `job=${id}`);
     await page.getByText(/^step [3-9]\d* of 400/).waitFor();
@@ -149,7 +176,10 @@ service.test(
     await words.getByText(/^\d+ of 400 loads are solved(; step \d+ is not an answer)?$/).waitFor();
     const said = (await words.textContent()) ?? '';
     const many = await page.locator('#panel-figures tbody tr').count();
-    const done = await page.locator('#panel-figures tbody tr').getByText('converged', { exact: true }).count();
+    const done = await page
+      .locator('#panel-figures tbody tr')
+      .getByText('converged', { exact: true })
+      .count();
     assert.equal(Number(/^\d+/.exec(said)), done);
     assert.ok(done >= 2 && many < 400, said);
     const steps = await page.evaluate(() =>
@@ -199,24 +229,27 @@ service.test('what a slider has solved is no job of the list', async (page) => {
   assert.equal(await page.evaluate(async (id) => (await fetch(`v1/jobs/${id}`)).status, id), 404);
 });
 
-service.test('a slider says what it leaves running, and that the finest answer is under way', async (page) => {
-  const id = await sent(page, {
-    mesh: { elements_per_half_width: 40 },
-    load: { forces: Array.from({ length: 400 }, (_, k) => 100 + k) },
-  });
-  await follow(page, `job=${id}`);
-  await page.locator('[data-status=running]').waitFor();
-  await page.getByLabel('Given', { exact: true }).selectOption('approach');
-  await page.route('**/v1/solve', (route) => {
-    // The coarse one alone is answered.
-    if (route.request().postDataJSON().mesh.elements_per_half_width === 10) route.continue();
-  });
-  const place = page.locator('[data-place="/upper/shape/radius"]');
-  await place.getByRole('button', { name: 'Slider' }).click();
-  await place.getByRole('slider').press('ArrowRight');
-  await page.locator('#toast').getByText('The job before goes on').waitFor();
-  await page.locator('[data-status=live]').getByText('solving on 40 elements').waitFor();
-  await page.goBack();
-  await page.locator('[data-status=running]').getByRole('button', { name: 'Cancel' }).click();
-  await page.locator('[data-status=cancelled]').waitFor();
-});
+service.test(
+  'a slider says what it leaves running, and that the finest answer is under way',
+  async (page) => {
+    const id = await sent(page, {
+      mesh: { elements_per_half_width: 40 },
+      load: { forces: Array.from({ length: 400 }, (_, k) => 100 + k) },
+    });
+    await follow(page, `job=${id}`);
+    await page.locator('[data-status=running]').waitFor();
+    await page.getByLabel('Given', { exact: true }).selectOption('approach');
+    await page.route('**/v1/solve', (route) => {
+      // The coarse one alone is answered.
+      if (route.request().postDataJSON().mesh.elements_per_half_width === 10) route.continue();
+    });
+    const place = page.locator('[data-place="/upper/shape/radius"]');
+    await place.getByRole('button', { name: 'Slider' }).click();
+    await place.getByRole('slider').press('ArrowRight');
+    await page.locator('#toast').getByText('The job before goes on').waitFor();
+    await page.locator('[data-status=live]').getByText('solving on 40 elements').waitFor();
+    await page.goBack();
+    await page.locator('[data-status=running]').getByRole('button', { name: 'Cancel' }).click();
+    await page.locator('[data-status=cancelled]').waitFor();
+  },
+);

@@ -13,7 +13,8 @@ service.test(
   'a result of 0.2.0 is shown with its figures, its field and its line over depth',
   async (page, { server }) => {
     await server.kill();
-    for (const rest of ['brinell.db-wal', 'brinell.db-shm']) await rm(join(server.data, rest), { force: true });
+    for (const rest of ['brinell.db-wal', 'brinell.db-shm'])
+      await rm(join(server.data, rest), { force: true });
     await copyFile(STORED, join(server.data, 'brinell.db'));
     await server.again();
     const { jobs } = await (await fetch(`${server.url}/v1/jobs`)).json();

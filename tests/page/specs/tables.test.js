@@ -17,7 +17,11 @@ const TABLE = {
     ['=1+1', 0.1 + 0.2, 0.5, 4],
   ],
   write: (/** @type {string | number | null} */ cell) =>
-    cell === 1.5e-7 ? '1.5·10⁻⁷' : typeof cell === 'number' ? String(cell).replace('-', '−') : (cell ?? ''),
+    cell === 1.5e-7
+      ? '1.5·10⁻⁷'
+      : typeof cell === 'number'
+        ? String(cell).replace('-', '−')
+        : (cell ?? ''),
 };
 
 test('CSV has a name for every column, quotes what has to be, and holds no formula', () => {
@@ -38,9 +42,15 @@ test('Markdown keeps a job in its cell', () => {
 test('LaTeX escapes what is not a letter', () => {
   const lines = toLatex(TABLE).split('\n');
   assert.equal(lines[0], '\\begin{tabular}{lrrr}');
-  assert.equal(lines[2], 'job & approach [mm] & approach $\\pm$ [\\%] & dP/d$\\alpha$ [N/mm$^{2}$] \\\\');
+  assert.equal(
+    lines[2],
+    'job & approach [mm] & approach $\\pm$ [\\%] & dP/d$\\alpha$ [N/mm$^{2}$] \\\\',
+  );
   const [cell, figure, , slope] = lines[4].split(' & ');
-  assert.equal(cell, "a\\textbackslash{}b \\{x\\}\\_1 \\$5 \\textasciitilde{}\\textasciicircum{}$<$b$>$$|$c''d 2 \\%");
+  assert.equal(
+    cell,
+    "a\\textbackslash{}b \\{x\\}\\_1 \\$5 \\textasciitilde{}\\textasciicircum{}$<$b$>$$|$c''d 2 \\%",
+  );
   assert.equal(figure, '1.5$\\cdot$10$^{-7}$');
   assert.equal(slope, '$-$3 \\\\');
 });

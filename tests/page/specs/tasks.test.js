@@ -1,7 +1,8 @@
 /**
- * Twelve tasks from cold, as a new user does them: `node --test specs/tasks.test.js` says actions, seconds and stumbles of each, which
- * `docs/notes/page_tasks.md` has. An action is a press, a choice, a text that is typed or pasted. A stumble is an answer that is not
- * among the first tiles, or not seen without scrolling, and a message that refuses something.
+ * Twelve tasks from cold, as a new user does them: `node --test specs/tasks.test.js` says actions,
+ * seconds and stumbles of each, which `docs/notes/page_tasks.md` has. An action is a press, a
+ * choice, a text that is typed or pasted. A stumble is an answer that is not among the first
+ * tiles, or not seen without scrolling, and a message that refuses something.
  */
 
 import assert from 'node:assert/strict';
@@ -81,7 +82,9 @@ class User {
     await area.evaluate((area, text) => {
       const clipboardData = new DataTransfer();
       clipboardData.setData('text', text);
-      area.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+      area.dispatchEvent(
+        new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }),
+      );
     }, text);
     await this.#look();
   }
@@ -101,7 +104,8 @@ class User {
     if (at >= FIRST) this.stumbles.push(`“${name}” is tile ${at + 1}`);
     const box = await tiles.nth(at).boundingBox();
     const { height } = this.page.viewportSize() ?? { height: 0 };
-    if (!box || box.y < 0 || box.y + box.height > height) this.stumbles.push(`“${name}” is not seen without scrolling`);
+    if (!box || box.y < 0 || box.y + box.height > height)
+      this.stumbles.push(`“${name}” is not seen without scrolling`);
     return tiles.nth(at).innerText();
   }
 }
@@ -126,7 +130,10 @@ const TASKS = [
       await user.choose('/load/kind', 'History of loads');
       await user.type('/load/history', '2000 0');
       await user.solve();
-      assert.match(await user.reads('Depth of the dent, lower body'), /below the undeformed surface/);
+      assert.match(
+        await user.reads('Depth of the dent, lower body'),
+        /below the undeformed surface/,
+      );
       assert.match(await user.reads('Pile-up, lower body'), /mm/);
       assert.match(await page.locator('#headline').innerText(), /Residual tension/);
       await page.locator('#panel-depth .legend').getByText('σθ', { exact: true }).waitFor();
@@ -139,7 +146,10 @@ const TASKS = [
       await user.example('Case-hardened roller on a hardened block');
       await user.solve();
       assert.match(await user.reads('Utilization, upper body'), /most at a depth of/);
-      await page.locator('#panel-depth .legend').getByText('utilization', { exact: true }).waitFor();
+      await page
+        .locator('#panel-depth .legend')
+        .getByText('utilization', { exact: true })
+        .waitFor();
     },
   ],
   [
@@ -148,7 +158,10 @@ const TASKS = [
     async (user, page) => {
       await user.choose('/upper/shape/type', 'Profile');
       // From right to left, off its middle, heights in micrometres.
-      const trace = Array.from({ length: 81 }, (_, k) => [9 - k / 5, -1e3 * ((8 - k / 5 - 0.5) ** 2 / 60)]);
+      const trace = Array.from({ length: 81 }, (_, k) => [
+        9 - k / 5,
+        -1e3 * ((8 - k / 5 - 0.5) ** 2 / 60),
+      ]);
       const rows = trace.map(([x, z]) => `${x.toFixed(2)}\t${z.toFixed(3)}`.replaceAll('.', ','));
       await user.paste('/upper/shape/points', `x [mm]\tz [µm]\n${rows.join('\n')}\n`);
       await user.press('Top to 0', page.locator('[data-place="/upper/shape/points"]'));
@@ -183,7 +196,10 @@ const TASKS = [
       await user.choose('/load/target_kind', 'Depth of the dent');
       await user.type('/load/target/dent_depth', '0.001');
       await user.solve();
-      assert.match(await user.reads('Force found'), /for a depth of the dent of 0\.001 mm, reached 0\.0010/);
+      assert.match(
+        await user.reads('Force found'),
+        /for a depth of the dent of 0\.001 mm, reached 0\.0010/,
+      );
       assert.equal((await draft(page)).solver.theory, 'flow');
     },
   ],
@@ -213,7 +229,8 @@ const TASKS = [
       await user.press('Report');
       const sheet = page.getByRole('main', { name: 'Report' });
       await sheet.getByRole('region', { name: 'Differences' }).waitFor();
-      for (const material of ['Steel S355', 'Steel 42CrMo4 +QT']) await sheet.getByText(material).first().waitFor();
+      for (const material of ['Steel S355', 'Steel 42CrMo4 +QT'])
+        await sheet.getByText(material).first().waitFor();
     },
   ],
   [
@@ -245,7 +262,10 @@ const TASKS = [
       await user.type('/load/force', '5000');
       await user.solve();
       assert.match(await user.reads('Edge pressure'), /of that in the middle/);
-      await page.locator('#panel-spread .legend').getByText('line load', { exact: true }).waitFor();
+      await page
+        .locator('#panel-spread .legend')
+        .getByText('line load', { exact: true })
+        .waitFor();
     },
   ],
   [
@@ -254,7 +274,10 @@ const TASKS = [
     async (user, page) => {
       await user.example('Dent of an ellipsoid, in three dimensions');
       await user.solve();
-      assert.match(await user.reads('Depth of the dent, lower body'), /below the undeformed surface/);
+      assert.match(
+        await user.reads('Depth of the dent, lower body'),
+        /below the undeformed surface/,
+      );
       await page.locator('#panel-map canvas[aria-label^="Map of the dent"]').waitFor();
     },
   ],
@@ -267,8 +290,11 @@ const TASKS = [
       await user.choose('/lower/shape/type', 'Plane surface');
       await user.choose('/upper/surface_kind', 'Heights');
       const wave = (/** @type {number} */ i, /** @type {number} */ j) =>
-        1e-4 * (Math.cos(0.7 * i + 0.2 * j) + Math.cos(0.9 * j - 0.3 * i)) - 2e-6 * ((i - 24) ** 2 + (j - 24) ** 2);
-      const rows = Array.from({ length: 48 }, (_, i) => Array.from({ length: 48 }, (_, j) => wave(i, j).toFixed(7)));
+        1e-4 * (Math.cos(0.7 * i + 0.2 * j) + Math.cos(0.9 * j - 0.3 * i)) -
+        2e-6 * ((i - 24) ** 2 + (j - 24) ** 2);
+      const rows = Array.from({ length: 48 }, (_, i) =>
+        Array.from({ length: 48 }, (_, j) => wave(i, j).toFixed(7)),
+      );
       await user.paste('/upper/surface/heights', rows.map((row) => row.join('\t')).join('\n'));
       await user.type('/upper/surface/spacing_x', '0.003');
       await user.type('/upper/surface/spacing_y', '0.003');
@@ -288,7 +314,9 @@ for (const [name, actions, work] of TASKS)
     const user = new User(page);
     await work(user, page);
     const seconds = (performance.now() - user.begun) / 1000;
-    note(`| ${name} | ${user.actions} | ${seconds.toFixed(1)} s | ${user.stumbles.join('; ') || 'none'} |`);
+    note(
+      `| ${name} | ${user.actions} | ${seconds.toFixed(1)} s | ${user.stumbles.join('; ') || 'none'} |`,
+    );
     assert.deepEqual(user.stumbles, []);
     assert.equal(user.actions, actions);
   });

@@ -79,22 +79,23 @@ async function pointField(page, across, down) {
   await page.mouse.move(box.x + box.width * across, box.y + box.height * down);
 }
 
-service.test('the field is seen in the planes y = 0 and x = 0, stresses under their names there', async (page) => {
-  await shown(page, BALL);
-  await drawn(page);
-  const field = page.locator('#panel-field');
-  await pointField(page, 0.6, 0.6);
-  await field.getByText(/^lower body, x 0\.\d*, z 0\.\d* mm: .*· τxz /).waitFor();
-  await field.getByRole('radio', { name: 'x = 0', exact: true }).check();
-  await pointField(page, 0.6, 0.52);
-  await field.getByText(/^lower body, y 0\.\d*, z 0\.\d* mm: .*· τyz /).waitFor();
-  assert.deepEqual((await field.locator('select').first().locator('option').allInnerTexts()).slice(-4), [
-    'σy',
-    'σz',
-    'σx',
-    'τyz',
-  ]);
-});
+service.test(
+  'the field is seen in the planes y = 0 and x = 0, stresses under their names there',
+  async (page) => {
+    await shown(page, BALL);
+    await drawn(page);
+    const field = page.locator('#panel-field');
+    await pointField(page, 0.6, 0.6);
+    await field.getByText(/^lower body, x 0\.\d*, z 0\.\d* mm: .*· τxz /).waitFor();
+    await field.getByRole('radio', { name: 'x = 0', exact: true }).check();
+    await pointField(page, 0.6, 0.52);
+    await field.getByText(/^lower body, y 0\.\d*, z 0\.\d* mm: .*· τyz /).waitFor();
+    assert.deepEqual(
+      (await field.locator('select').first().locator('option').allInnerTexts()).slice(-4),
+      ['σy', 'σz', 'σx', 'τyz'],
+    );
+  },
+);
 
 /** A rigid ellipsoid that has been pressed into a plane. */
 const DENT = {
@@ -102,7 +103,10 @@ const DENT = {
   upper: { shape: { type: 'curved', radius_x: 10, radius_y: 50 }, material: { rigid: true } },
   lower: {
     shape: { type: 'flat' },
-    material: { ...STEEL, plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 } },
+    material: {
+      ...STEEL,
+      plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
+    },
   },
   load: { history: [{ force: 317.1424 }, { force: 0 }] },
   mesh: { elements_per_half_width: 5 },
@@ -110,19 +114,24 @@ const DENT = {
   output: { fields: true },
 };
 
-service.test('what a load has left is a map of the dent, as deep as its tile says', async (page) => {
-  await shown(page, DENT);
-  await drawn(page);
-  await page.locator('#panel-map canvas[aria-label^="Map of the dent"]').waitFor();
-  const tile = await page.locator('.figures > div', { hasText: 'Depth of the dent' }).innerText();
-  const deep = Number(/0\.\d+/.exec(tile)?.[0]);
-  await point(page, 0.48, 0.46);
-  await readout(page)
-    .getByText(/dent 0\.\d* mm$/)
-    .waitFor();
-  const seen = Number(/dent (0\.\d+) mm/.exec(await readout(page).innerText())?.[1]);
-  assert.ok(Math.abs(seen / deep - 1) < 0.02, `${seen}, ${deep}`);
-});
+service.test(
+  'what a load has left is a map of the dent, as deep as its tile says',
+  async (page) => {
+    await shown(page, DENT);
+    await drawn(page);
+    await page.locator('#panel-map canvas[aria-label^="Map of the dent"]').waitFor();
+    const tile = await page
+      .locator('.figures > div', { hasText: 'Depth of the dent' })
+      .innerText();
+    const deep = Number(/0\.\d+/.exec(tile)?.[0]);
+    await point(page, 0.48, 0.46);
+    await readout(page)
+      .getByText(/dent 0\.\d* mm$/)
+      .waitFor();
+    const seen = Number(/dent (0\.\d+) mm/.exec(await readout(page).innerText())?.[1]);
+    assert.ok(Math.abs(seen / deep - 1) < 0.02, `${seen}, ${deep}`);
+  },
+);
 
 service.test(
   'a roller has the fields of its profile alone, its edge pressure and its load along the axis',
@@ -153,44 +162,54 @@ service.test(
 /** A cap of heights [mm], a line for each x. @param {number} many */
 const cap = (many) =>
   Array.from({ length: many }, (_, i) =>
-    Array.from({ length: many }, (_, j) => -1e-5 * ((i - (many - 1) / 2) ** 2 + (j - (many - 1) / 2) ** 2)),
+    Array.from(
+      { length: many },
+      (_, j) => -1e-5 * ((i - (many - 1) / 2) ** 2 + (j - (many - 1) / 2) ** 2),
+    ),
   );
 
-service.test('heights are pasted, opened from a file of NumPy, refused with their line, and solved', async (page) => {
-  await page.getByLabel('Analysis', { exact: true }).selectOption('three_dimensional');
-  for (const k of [0, 1]) await page.getByLabel('Shape', { exact: true }).nth(k).selectOption('flat');
-  await page.getByLabel('Surface', { exact: true }).first().selectOption('given');
-  const box = page.getByLabel('Heights h', { exact: true });
-  await box.fill('0 1\n2 x');
-  await page.getByText('line 2 has a height that is no number').first().waitFor();
-  const rows = cap(16);
-  const text = rows.map((row) => row.join('\t')).join('\n');
-  await box.fill('');
-  await box.evaluate((input, text) => {
-    const clipboardData = new DataTransfer();
-    clipboardData.setData('text', text);
-    input.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
-  }, text);
-  await page.getByText('16 × 16 heights read').waitFor();
-  const head = `{'descr': '<f8', 'fortran_order': False, 'shape': (20, 20), }`.padEnd(117) + '\n';
-  const file = Buffer.concat([
-    Buffer.from([0x93, 0x4e, 0x55, 0x4d, 0x50, 0x59, 1, 0, head.length, 0]),
-    Buffer.from(head),
-    Buffer.from(Float64Array.from(cap(20).flat()).buffer),
-  ]);
-  await page
-    .locator('[data-place="/upper/surface/heights"] input[type=file]')
-    .setInputFiles({ name: 'cap.npy', mimeType: 'application/octet-stream', buffer: file });
-  await page.getByText('20 × 20 heights read').waitFor();
-  await page.getByLabel(/^Force P/).fill('0.5');
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  const area = page.locator('.figures > div', { hasText: 'Real contact area' });
-  assert.match(await area.innerText(), /\d+\.\d+ ?%/);
-  await page
-    .locator('#panel-spread')
-    .getByText(/^Real contact area /)
-    .waitFor();
-});
+service.test(
+  'heights are pasted, opened from a file of NumPy, refused with their line, and solved',
+  async (page) => {
+    await page.getByLabel('Analysis', { exact: true }).selectOption('three_dimensional');
+    for (const k of [0, 1])
+      await page.getByLabel('Shape', { exact: true }).nth(k).selectOption('flat');
+    await page.getByLabel('Surface', { exact: true }).first().selectOption('given');
+    const box = page.getByLabel('Heights h', { exact: true });
+    await box.fill('0 1\n2 x');
+    await page.getByText('line 2 has a height that is no number').first().waitFor();
+    const rows = cap(16);
+    const text = rows.map((row) => row.join('\t')).join('\n');
+    await box.fill('');
+    await box.evaluate((input, text) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text', text);
+      input.dispatchEvent(
+        new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }),
+      );
+    }, text);
+    await page.getByText('16 × 16 heights read').waitFor();
+    const head =
+      `{'descr': '<f8', 'fortran_order': False, 'shape': (20, 20), }`.padEnd(117) + '\n';
+    const file = Buffer.concat([
+      Buffer.from([0x93, 0x4e, 0x55, 0x4d, 0x50, 0x59, 1, 0, head.length, 0]),
+      Buffer.from(head),
+      Buffer.from(Float64Array.from(cap(20).flat()).buffer),
+    ]);
+    await page
+      .locator('[data-place="/upper/surface/heights"] input[type=file]')
+      .setInputFiles({ name: 'cap.npy', mimeType: 'application/octet-stream', buffer: file });
+    await page.getByText('20 × 20 heights read').waitFor();
+    await page.getByLabel(/^Force P/).fill('0.5');
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    const area = page.locator('.figures > div', { hasText: 'Real contact area' });
+    assert.match(await area.innerText(), /\d+\.\d+ ?%/);
+    await page
+      .locator('#panel-spread')
+      .getByText(/^Real contact area /)
+      .waitFor();
+  },
+);
 
 service.test('a job without maps offers to make them', async (page) => {
   await shown(page, { ...BALL, output: { fields: false } });
@@ -224,16 +243,19 @@ service.test('each load of a sweep has its map, in the units that are shown', as
   await follow(page, `job=${id}`);
 });
 
-service.test('a cylinder becomes a sphere where three dimensions are chosen, and a cylinder again', async (page) => {
-  const analysis = page.getByLabel('Analysis', { exact: true });
-  const shapes = page.getByLabel('Shape', { exact: true });
-  const types = () => Promise.all([shapes.nth(0), shapes.nth(1)].map((one) => one.inputValue()));
-  await analysis.selectOption({ label: 'Three dimensions' });
-  assert.deepEqual(await types(), ['sphere', 'sphere']);
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.locator('.figures > div', { hasText: 'Longer semi-axis' }).waitFor();
-  await analysis.selectOption({ label: 'Axisymmetric' });
-  assert.deepEqual(await types(), ['cylinder', 'cylinder']);
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.locator('.figures > div', { hasText: 'Contact radius' }).waitFor();
-});
+service.test(
+  'a cylinder becomes a sphere where three dimensions are chosen, and a cylinder again',
+  async (page) => {
+    const analysis = page.getByLabel('Analysis', { exact: true });
+    const shapes = page.getByLabel('Shape', { exact: true });
+    const types = () => Promise.all([shapes.nth(0), shapes.nth(1)].map((one) => one.inputValue()));
+    await analysis.selectOption({ label: 'Three dimensions' });
+    assert.deepEqual(await types(), ['sphere', 'sphere']);
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.locator('.figures > div', { hasText: 'Longer semi-axis' }).waitFor();
+    await analysis.selectOption({ label: 'Axisymmetric' });
+    assert.deepEqual(await types(), ['cylinder', 'cylinder']);
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.locator('.figures > div', { hasText: 'Contact radius' }).waitFor();
+  },
+);

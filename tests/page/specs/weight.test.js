@@ -1,4 +1,7 @@
-/** What the page costs to begin with: bytes as they are sent, and the time until one can work with it. */
+/**
+ * What the page costs to begin with: bytes as they are sent, and the time until one can work with
+ * it.
+ */
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
@@ -8,27 +11,35 @@ const service = suite();
 /** Bytes [kB] of the whole page, compressed, and time [ms] until it is usable. */
 const [MOST, SOON] = [260, 1500];
 
-service.test('the page is below 260 kB, asks nobody else and is usable in 1.5 s', async (page, { server, note }) => {
-  const sent = /** @type {Promise<[string, number]>[]} */ ([]);
-  page.on('requestfinished', (request) => {
-    const size = request.sizes().then(({ responseBodySize }) => responseBodySize);
-    sent.push(size.then((bytes) => [new URL(request.url()).pathname, bytes]));
-  });
-  const browser = await page.context().newCDPSession(page);
-  const times = [];
-  for (let visit = 0; visit < 3; visit += 1) {
-    await page.goto('about:blank');
-    await browser.send('Network.clearBrowserCache');
-    sent.length = 0;
-    const begun = performance.now();
-    await page.goto(server.url);
-    await page.getByText('1500.0 MPa').waitFor();
-    await page.locator('#panel-pressure .plot canvas').waitFor();
-    times.push(performance.now() - begun);
-  }
-  const sizes = (await Promise.all(sent)).filter(([path]) => !path.startsWith('/v1/'));
-  const whole = sizes.reduce((sum, [, bytes]) => sum + bytes, 0) / 1000;
-  note(`${sizes.length} files, ${whole.toFixed(1)} kB; usable after ${Math.min(...times).toFixed(0)} ms`);
-  assert.ok(sizes.length > 80 && whole > 50 && whole < MOST, `${sizes.length} files, ${whole} kB`);
-  assert.ok(Math.min(...times) < SOON, times.join(', '));
-});
+service.test(
+  'the page is below 260 kB, asks nobody else and is usable in 1.5 s',
+  async (page, { server, note }) => {
+    const sent = /** @type {Promise<[string, number]>[]} */ ([]);
+    page.on('requestfinished', (request) => {
+      const size = request.sizes().then(({ responseBodySize }) => responseBodySize);
+      sent.push(size.then((bytes) => [new URL(request.url()).pathname, bytes]));
+    });
+    const browser = await page.context().newCDPSession(page);
+    const times = [];
+    for (let visit = 0; visit < 3; visit += 1) {
+      await page.goto('about:blank');
+      await browser.send('Network.clearBrowserCache');
+      sent.length = 0;
+      const begun = performance.now();
+      await page.goto(server.url);
+      await page.getByText('1500.0 MPa').waitFor();
+      await page.locator('#panel-pressure .plot canvas').waitFor();
+      times.push(performance.now() - begun);
+    }
+    const sizes = (await Promise.all(sent)).filter(([path]) => !path.startsWith('/v1/'));
+    const whole = sizes.reduce((sum, [, bytes]) => sum + bytes, 0) / 1000;
+    note(
+      `${sizes.length} files, ${whole.toFixed(1)} kB; usable after ${Math.min(...times).toFixed(0)} ms`,
+    );
+    assert.ok(
+      sizes.length > 80 && whole > 50 && whole < MOST,
+      `${sizes.length} files, ${whole} kB`,
+    );
+    assert.ok(Math.min(...times) < SOON, times.join(', '));
+  },
+);

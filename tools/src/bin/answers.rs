@@ -1,8 +1,8 @@
-//! Prints the reports of seeded random jobs, one line of JSON for each, without the times they took: to compare what two versions
-//! of the solver answer.
+//! Prints the reports of seeded random jobs, one line of JSON for each, without the times they
+//! took: to compare what two versions of the solver answer.
 //!
-//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`; with names of files of jobs instead of the count those are
-//! solved, and the seconds of each are told.
+//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`; with names of files of
+//! jobs instead of the count those are solved, and the seconds of each are told.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 

@@ -1,10 +1,12 @@
-//! How long a job can go on after it has been told to stop: the longest times between two questions to its observer.
+//! How long a job can go on after it has been told to stop: the longest times between two
+//! questions to its observer.
 //!
-//! usage: `cargo run --release -p brinell-tools --bin checkpoints -- ELEMENTS [COUPLING]`, elements over the half-width of the reference problem
-//! with two different bodies and all output, 140 for about a million equations. Prints the longest times, in order, where
-//! they ended, and how they divide into pieces of work that are timed;
-//! then stops the job at moments spread over its course and prints how long each took to end. All times are processor times
-//! of the solving thread (Linux), which other work on the machine does not lengthen.
+//! usage: `cargo run --release -p brinell-tools --bin checkpoints -- ELEMENTS [COUPLING]`,
+//! elements over the half-width of the reference problem with two different bodies and all output,
+//! 140 for about a million equations. Prints the longest times, in order, where they ended, and
+//! how they divide into pieces of work that are timed; then stops the job at moments spread over
+//! its course and prints how long each took to end. All times are processor times of the solving
+//! thread (Linux), which other work on the machine does not lengthen.
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;
@@ -39,7 +41,11 @@ impl Observer for Watch {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         let now = spent();
         self.asked.push(now);
-        if now >= self.stop_at { ControlFlow::Break(Interrupt::Cancelled) } else { ControlFlow::Continue(()) }
+        if now >= self.stop_at {
+            ControlFlow::Break(Interrupt::Cancelled)
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 
     fn elapsed(&self) -> Duration {
@@ -52,12 +58,15 @@ impl Observer for Watch {
 /// Processor time of this thread.
 fn spent() -> Duration {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    Duration::from_nanos(text.split(' ').next().and_then(|nanoseconds| nanoseconds.parse().ok()).unwrap_or(0))
+    Duration::from_nanos(
+        text.split(' ').next().and_then(|nanoseconds| nanoseconds.parse().ok()).unwrap_or(0),
+    )
 }
 
 fn job(elements: u32, coupling: &str) -> Result<Job, JobError> {
     let mut job: Value =
-        serde_json::from_str(include_str!("../../../api/examples/two_cylinders.json")).unwrap_or_default();
+        serde_json::from_str(include_str!("../../../api/examples/two_cylinders.json"))
+            .unwrap_or_default();
     job["mesh"] = json!({"elements_per_half_width": elements});
     job["solver"] = json!({"coupling": coupling});
     job["output"] = json!({"fields": true, "subsurface": true});
@@ -94,7 +103,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .windows(2)
             .map(|pair| format!("{:.0}", 1e3 * pair[1].saturating_sub(pair[0]).as_secs_f64()));
         let parts = parts.filter(|part| part != "0").collect::<Vec<_>>().join(" + ");
-        println!("  {:7.1} ms until {:6.2} s: {parts}", 1e3 * gap.as_secs_f64(), end.as_secs_f64());
+        println!(
+            "  {:7.1} ms until {:6.2} s: {parts}",
+            1e3 * gap.as_secs_f64(),
+            end.as_secs_f64()
+        );
     }
     for k in 1..=STOPS {
         let wait = whole * k / (STOPS + 1);

@@ -1,8 +1,9 @@
-//! Compares contact stiffnesses with differences of the approach under loads of ±1, ±3 and ±10 %, each load a job of its own, over
-//! random jobs of the whole format; the last difference counts.
+//! Compares contact stiffnesses with differences of the approach under loads of ±1, ±3 and ±10 %,
+//! each load a job of its own, over random jobs of the whole format; the last difference counts.
 //!
-//! `cargo run --release -p brinell-tools --bin contact_stiffness -- 80` counts 80 jobs; a second argument is the seed, a third of
-//! any kind prints every job that is beyond one per cent. Files of jobs in place of a number are compared one by one.
+//! `cargo run --release -p brinell-tools --bin contact_stiffness -- 80` counts 80 jobs; a second
+//! argument is the seed, a third of any kind prints every job that is beyond one per cent. Files
+//! of jobs in place of a number are compared one by one.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
@@ -33,7 +34,8 @@ fn last_force(job: &Value) -> Option<f64> {
         .filter(|force| *force > 0.0)
 }
 
-/// The job with its last force multiplied by so much; single where loads do not depend on those before.
+/// The job with its last force multiplied by so much; single where loads do not depend on those
+/// before.
 fn at(job: &Value, factor: f64) -> Option<Value> {
     let force = factor * last_force(job)?;
     let mut job = job.clone();
@@ -47,7 +49,8 @@ fn at(job: &Value, factor: f64) -> Option<Value> {
     } else {
         job["load"] = json!({"force": force});
     }
-    job["output"] = json!({"subsurface": false, "contact_stiffness": (factor - 1.0).abs() < f64::EPSILON});
+    job["output"] =
+        json!({"subsurface": false, "contact_stiffness": (factor - 1.0).abs() < f64::EPSILON});
     Some(job)
 }
 
@@ -65,8 +68,9 @@ fn compare(job: &Value) -> Option<Compared> {
     let force = last_force(job)?;
     let solve = |factor: f64| {
         let job = Job::from_json(at(job, factor)?.to_string().as_bytes()).ok()?;
-        let report =
-            report::run(&job, &mut Unobserved).ok().filter(|r| r.status == SolveStatus::Converged)?;
+        let report = report::run(&job, &mut Unobserved)
+            .ok()
+            .filter(|r| r.status == SolveStatus::Converged)?;
         report.steps.into_iter().last()
     };
     let step = solve(1.0)?;
@@ -76,7 +80,8 @@ fn compare(job: &Value) -> Option<Compared> {
         *slope = 2.0 * by * force / (solve(1.0 + by)?.approach - solve(1.0 - by)?.approach);
     }
     let bodies = [&step.plasticity.upper, &step.plasticity.lower];
-    let strains = bodies.into_iter().flatten().map(|body| body.max_equivalent_plastic_strain.unwrap_or(1.0));
+    let strains =
+        bodies.into_iter().flatten().map(|body| body.max_equivalent_plastic_strain.unwrap_or(1.0));
     let plastic = strains.fold(0.0, f64::max);
     let theory = if job["solver"]["theory"] == "flow" { "flow" } else { "deformation" };
     let analysis = job["analysis"].as_str().unwrap_or("plane_strain").replace('_', " ");
@@ -89,15 +94,19 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut found: BTreeMap<String, Vec<[f64; 2]>> = BTreeMap::new();
     let mut take = |job: &Value, is_verbose: bool, name: &str| -> bool {
-        let Some(Compared { kind, stiffness, bar, slopes, codes }) = compare(job) else { return false };
+        let Some(Compared { kind, stiffness, bar, slopes, codes }) = compare(job) else {
+            return false;
+        };
         let errors = slopes.map(|slope| stiffness / slope - 1.0);
-        // Differences over less scatter with the approach, which depends on the mesh by a few thousandths.
+        // Differences over less scatter with the approach, which depends on the mesh by a few
+        // thousandths.
         let error = errors[2].abs();
         if is_verbose {
             let [one, three, ten] = errors.map(|error| 100.0 * error);
             let (told, bar) = (if error > bar { "MISSED" } else { "" }, 100.0 * bar);
             println!(
-                "{name} {kind}: K {stiffness:.5e} {one:+.2} % {three:+.2} % {ten:+.2} %, bar {bar:.2} % {told} {codes:?}"
+                "{name} {kind}: K {stiffness:.5e} {one:+.2} % {three:+.2} % {ten:+.2} %, bar \
+                 {bar:.2} % {told} {codes:?}"
             );
             if error > 0.01 {
                 println!("  {job}");
@@ -112,25 +121,28 @@ fn main() {
     let mut done = 0;
     while done < count {
         let mut job = random_job::job(&mut random, &MESHES);
-        job["solver"]
-            .as_object_mut()
-            .map(|solver| (solver.remove("coupling"), solver.remove("contact"), solver.remove("increments")));
+        job["solver"].as_object_mut().map(|solver| {
+            (solver.remove("coupling"), solver.remove("contact"), solver.remove("increments"))
+        });
         let is_verbose = arguments.len() > 2;
         done += usize::from(take(&job, is_verbose, &format!("{done}")));
     }
     for name in arguments.iter().filter(|_| count == 0) {
-        let job = std::fs::read_to_string(name).ok().and_then(|text| serde_json::from_str(&text).ok());
+        let job =
+            std::fs::read_to_string(name).ok().and_then(|text| serde_json::from_str(&text).ok());
         if !job.is_some_and(|job| take(&job, true, name)) {
             println!("{name}: no answer");
         }
     }
     println!(
-        "| jobs | count | within 1 % | within 3 % | worst | bars that hold | not 20 times too wide |\n|---|---|---|---|---|---|---|"
+        "| jobs | count | within 1 % | within 3 % | worst | bars that hold | not 20 times too \
+         wide |\n|---|---|---|---|---|---|---|"
     );
     for (kind, all) in found {
         let n = all.len() as f64;
-        let share =
-            |holds: &dyn Fn(&[f64; 2]) -> bool| 100.0 * all.iter().filter(|r| holds(r)).count() as f64 / n;
+        let share = |holds: &dyn Fn(&[f64; 2]) -> bool| {
+            100.0 * all.iter().filter(|r| holds(r)).count() as f64 / n
+        };
         println!(
             "| {kind} | {n} | {:.0} % | {:.0} % | {:.1} % | {:.0} % | {:.0} % |",
             share(&|[error, _]| *error <= 0.01),

@@ -1,8 +1,11 @@
-//! Counts how often the error bars hold, over random jobs of ordinary shapes, each against the same job on a mesh four times as dense.
+//! Counts how often the error bars hold, over random jobs of ordinary shapes, each against the
+//! same job on a mesh four times as dense.
 //!
-//! `cargo run --release -p brinell-tools --bin error_bars -- 100 20261125 deformation` counts 100 jobs from the seed 20261125 under the
-//! theory `deformation`; `flow` counts those under flow theory. Steps in which nothing yields are apart. Jobs are solved within a minute on
-//! each mesh. With a fourth argument of any kind every figure is written as a line of JSON, for floors to be fitted to.
+//! `cargo run --release -p brinell-tools --bin error_bars -- 100 20261125 deformation` counts 100
+//! jobs from the seed 20261125 under the theory `deformation`; `flow` counts those under flow
+//! theory. Steps in which nothing yields are apart. Jobs are solved within a minute on each mesh.
+//! With a fourth argument of any kind every figure is written as a line of JSON, for floors to be
+//! fitted to.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
@@ -15,7 +18,9 @@ use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
 use brinell_solver::report::{BodyErrors, PerBody, estimate_error};
-use brinell_solver::solver::{self, CoarseFigures, Interrupt, Observer, SolveStatus, StepSolution};
+use brinell_solver::solver::{
+    self, CoarseFigures, Interrupt, Observer, SolveStatus, StepSolution,
+};
 use random_job::Random;
 use serde_json::{Value, json};
 
@@ -71,12 +76,16 @@ fn next(random: &mut Random, theory: &str) -> Value {
         if is_flow != (theory == "flow") || shapes.iter().any(is_exotic) {
             continue;
         }
-        let is_pin_in_groove = job["analysis"] != "axisymmetric" && shapes == ["cylinder", "groove"];
+        let is_pin_in_groove =
+            job["analysis"] != "axisymmetric" && shapes == ["cylinder", "groove"];
         if is_pin_in_groove {
             let radius = job["lower"]["shape"]["radius"].as_f64().unwrap_or(1.0);
-            job["lower"]["shape"] = json!({"type": "hole", "radius": radius, "outer_radius": HOLE * radius});
+            job["lower"]["shape"] =
+                json!({"type": "hole", "radius": radius, "outer_radius": HOLE * radius});
         }
-        job["solver"].as_object_mut().map(|solver| (solver.remove("coupling"), solver.remove("contact")));
+        job["solver"]
+            .as_object_mut()
+            .map(|solver| (solver.remove("coupling"), solver.remove("contact")));
         let elements = job["mesh"]["elements_per_half_width"].as_u64().unwrap_or(10);
         job["mesh"]["elements_per_half_width"] =
             json!(if is_flow { elements.min(MOST_OF_FLOW) } else { elements });
@@ -89,8 +98,17 @@ fn bars(job: &Job, step: &StepSolution) -> [Option<f64>; CoarseFigures::COUNT] {
     let Some(errors) = estimate_error(job, step) else { return [None; CoarseFigures::COUNT] };
     let of_body = |body: Option<BodyErrors>| {
         body.map_or([None; 7], |body| {
-            let [largest, mean] = [body.max_equivalent_plastic_strain, body.mean_equivalent_plastic_strain];
-            [largest, mean, body.area, body.depth, body.pile_up, body.least_stress, body.utilization]
+            let [largest, mean] =
+                [body.max_equivalent_plastic_strain, body.mean_equivalent_plastic_strain];
+            [
+                largest,
+                mean,
+                body.area,
+                body.depth,
+                body.pile_up,
+                body.least_stress,
+                body.utilization,
+            ]
         })
     };
     let PerBody { upper, lower } = errors.bodies.unwrap_or(PerBody { upper: None, lower: None });
@@ -147,7 +165,8 @@ fn main() {
             json!(FINER * job["mesh"]["elements_per_half_width"].as_u64().unwrap_or(10));
         let parse = |job: &Value| Job::from_json(job.to_string().as_bytes()).ok();
         let (Some(parsed), Some(parsed_finer)) = (parse(&job), parse(&finer)) else { continue };
-        let Some((found, exact)) = solve(&parsed).and_then(|found| Some((found, solve(&parsed_finer)?)))
+        let Some((found, exact)) =
+            solve(&parsed).and_then(|found| Some((found, solve(&parsed_finer)?)))
         else {
             continue;
         };
@@ -160,10 +179,12 @@ fn main() {
             unknown_peaks_before += usize::from(!step.increments.is_empty() && bars[0].is_none());
             let [found, exact] = [&step, exact].map(|step| step.figures().values());
             // Bodies alike are counted once.
-            let is_shared =
-                found[CONTACT.len()..CONTACT.len() + BODY.len()] == found[CONTACT.len() + BODY.len()..];
+            let is_shared = found[CONTACT.len()..CONTACT.len() + BODY.len()]
+                == found[CONTACT.len() + BODY.len()..];
             let figures = CONTACT.len() + if is_shared { 1 } else { 2 } * BODY.len();
-            for k in (0..figures).filter(|k| exact[*k] != 0.0 && found[*k] != 0.0 && bars[*k] != Some(0.0)) {
+            for k in (0..figures)
+                .filter(|k| exact[*k] != 0.0 && found[*k] != 0.0 && bars[*k] != Some(0.0))
+            {
                 let figure = if k < CONTACT.len() + BODY.len() { k } else { k - BODY.len() };
                 let error = (exact[k] / found[k] - 1.0).abs().max(1e-12);
                 let of_figure = counted.entry((figure, yields(&step))).or_default();
@@ -184,7 +205,10 @@ fn main() {
         }
     }
     println!("\n{solved} of {count} jobs have two answers, with {steps} steps\n");
-    println!("| figure | | hold | median bar | over the error | without a bar |\n|---|---|---|---|---|---|");
+    println!(
+        "| figure | | hold | median bar | over the error | without a bar \
+         |\n|---|---|---|---|---|---|"
+    );
     for ((figure, yields), of_figure) in counted {
         let name = CONTACT.iter().chain(&BODY).nth(figure).copied().unwrap_or_default();
         let kind = if yields { theory.as_str() } else { "nothing yields" };

@@ -1,5 +1,5 @@
-//! Figure 4 of the paper, by this program: `cargo run --release -p brinell-tools --bin figures` writes the pressure over the
-//! contact and the stresses over depth to `docs/figures/`.
+//! Figure 4 of the paper, by this program: `cargo run --release -p brinell-tools --bin figures`
+//! writes the pressure over the contact and the stresses over depth to `docs/figures/`.
 
 use brinell_solver::job::Job;
 use brinell_solver::report::export::{depth_svg, pressure_svg};

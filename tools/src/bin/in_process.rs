@@ -1,7 +1,9 @@
-//! How many jobs a second these cores solve without a service around them: `brinell solve` in a loop, on one thread
-//! a core, which share a factor cache as those of the service do. `scripts/throughput.py` holds the service against it.
+//! How many jobs a second these cores solve without a service around them: `brinell solve` in a
+//! loop, on one thread a core, which share a factor cache as those of the service do.
+//! `scripts/throughput.py` holds the service against it.
 //!
-//! usage: `cargo run --release -p brinell-tools --features service --bin in_process -- JOB.json SECONDS`
+//! usage: `cargo run --release -p brinell-tools --features service --bin in_process -- JOB.json
+//! SECONDS`
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,9 +1,11 @@
-//! Does every law, shape pairing, analysis and coupling converge? Prints a table of outcomes in Markdown.
+//! Does every law, shape pairing, analysis and coupling converge? Prints a table of outcomes in
+//! Markdown.
 //!
-//! `cargo run --release -p brinell-tools --bin outcomes`; a contact whose elastic peak pressure is 3, 4 and 5 yield stresses, ten
-//! elements over the half-width, tolerance 1e-6. A number is the count of iterations, a word why there is no answer.
-//! `cargo run --release -p brinell-tools --bin outcomes flow` prints what flow theory makes of the same cylinders and spheres, up to the
-//! force and back to none, beside deformation theory.
+//! `cargo run --release -p brinell-tools --bin outcomes`; a contact whose elastic peak pressure is
+//! 3, 4 and 5 yield stresses, ten elements over the half-width, tolerance 1e-6. A number is the
+//! count of iterations, a word why there is no answer. `cargo run --release -p brinell-tools --bin
+//! outcomes flow` prints what flow theory makes of the same cylinders and spheres, up to the force
+//! and back to none, beside deformation theory.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
@@ -57,12 +59,16 @@ fn outcome(job: &Value) -> String {
 
 fn by_law() {
     let [cylinder, ..] = surfaces();
-    println!("| analysis | law | p0/σ_y | {} |\n|---|---|---|---|---|---|---|", COUPLINGS.join(" | "));
+    println!(
+        "| analysis | law | p0/σ_y | {} |\n|---|---|---|---|---|---|---|",
+        COUPLINGS.join(" | ")
+    );
     for analysis in ANALYSES {
         for (name, law) in &laws() {
             for ratio in [3.0, 4.0, 5.0] {
-                let row = COUPLINGS
-                    .map(|coupling| outcome(&job(analysis, coupling, law, [&cylinder, &cylinder], ratio)));
+                let row = COUPLINGS.map(|coupling| {
+                    outcome(&job(analysis, coupling, law, [&cylinder, &cylinder], ratio))
+                });
                 println!("| {analysis} | {name} | {ratio} | {} |", row.join(" | "));
             }
         }
@@ -74,19 +80,22 @@ fn by_shape() {
     println!("\n| upper | lower | p0/σ_y | {} |\n|---|---|---|---|---|---|", ANALYSES.join(" | "));
     for pair in pairs(&surfaces) {
         for ratio in [3.0, 4.0, 5.0] {
-            let row = ANALYSES.map(|analysis| outcome(&job(analysis, "accelerated", law, pair, ratio)));
+            let row =
+                ANALYSES.map(|analysis| outcome(&job(analysis, "accelerated", law, pair, ratio)));
             println!("| {} | {} | {ratio} | {} |", pair[0].name, pair[1].name, row.join(" | "));
         }
     }
 }
 
-/// Up to the force and back to none by flow theory: increments and iterations, by how much deformation theory differs, and
-/// what is left of the approach.
+/// Up to the force and back to none by flow theory: increments and iterations, by how much
+/// deformation theory differs, and what is left of the approach.
 fn flow() {
     let [cylinder, ..] = surfaces();
     println!(
-        "| analysis | law | p0/σ_y | increments | iterations up | back | peak of deformation theory | its approach \
-         | approach left | largest plastic strain | reverse yield |\n|---|---|---|---|---|---|---|---|---|---|---|"
+        "| analysis | law | p0/σ_y | increments | iterations up | back | peak of deformation \
+         theory | its approach \
+         | approach left | largest plastic strain | reverse yield \
+         |\n|---|---|---|---|---|---|---|---|---|---|---|"
     );
     for analysis in ANALYSES {
         for (name, law) in &laws() {
@@ -105,7 +114,8 @@ fn up_and_back(asked: &Value) -> String {
     history["solver"]["theory"] = json!("flow");
     let solved = |job: &Value| {
         let job = Job::from_value(job).map_err(|error| format!("{error:?}"))?;
-        report::run(&job, &mut Patience(Instant::now(), 10 * PATIENCE)).map_err(|error| error.to_string())
+        report::run(&job, &mut Patience(Instant::now(), 10 * PATIENCE))
+            .map_err(|error| error.to_string())
     };
     let (flow, deformation) = match (solved(&history), solved(asked)) {
         (Ok(flow), Ok(deformation)) => (flow, deformation),
@@ -119,7 +129,8 @@ fn up_and_back(asked: &Value) -> String {
     }
     let increments = up.flow.as_ref().map_or(0, |flow| flow.increments.force.len());
     let dents = back.flow.as_ref().and_then(|flow| flow.surfaces.upper.as_ref());
-    let strain = up.plasticity.upper.as_ref().map_or(0.0, |zone| zone.mean_equivalent_plastic_strain);
+    let strain =
+        up.plasticity.upper.as_ref().map_or(0.0, |zone| zone.mean_equivalent_plastic_strain);
     let differs = |a: f64, b: f64| 100.0 * (a / b - 1.0);
     format!(
         "{increments} | {} | {} | {:+.1} % | {:+.1} % | {:.1} % | {:.2} % | {}",

@@ -1,6 +1,7 @@
 //! Runs the verification cases and writes `docs/verification.md`.
 //!
-//! `cargo run --release -p brinell-tools --bin verification_table -- --write`; without `--write` it prints the page.
+//! `cargo run --release -p brinell-tools --bin verification_table -- --write`; without `--write`
+//! it prints the page.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
@@ -10,7 +11,8 @@ use std::fmt::Write;
 use std::time::Instant;
 
 use brinell_solver::analytical::{
-    ElasticConstants, HertzLine, HertzPoint, disc_approach, prandtl_mean_pressure, shear_yield_von_mises,
+    ElasticConstants, HertzLine, HertzPoint, disc_approach, prandtl_mean_pressure,
+    shear_yield_von_mises,
 };
 use brinell_solver::job::Job;
 use brinell_solver::report::{self, EllipticReference, StepReport};
@@ -52,7 +54,12 @@ struct Check {
     of: fn(&StepReport) -> f64,
 }
 
-fn check(quantity: &'static str, reference: f64, source: &'static str, of: fn(&StepReport) -> f64) -> Check {
+fn check(
+    quantity: &'static str,
+    reference: f64,
+    source: &'static str,
+    of: fn(&StepReport) -> f64,
+) -> Check {
     Check { quantity, reference, source, of }
 }
 
@@ -117,11 +124,20 @@ fn line_contacts(cases: &mut Vec<Case>) {
     let discs = HertzLine::new(force, 10.0, 0.5 * E);
     cases.push(Case {
         name: "equal discs, plane stress",
-        job: equal("plane_stress", &cylinder(20.0, "roller", &Value::Null), &json!({"force": force}), 20),
+        job: equal(
+            "plane_stress",
+            &cylinder(20.0, "roller", &Value::Null),
+            &json!({"force": force}),
+            20,
+        ),
         checks: vec![check("peak [MPa]", discs.peak_pressure(), "Hertz", peak)],
     });
-    let block =
-        body(&json!({"type": "block", "width": 200.0, "depth": 200.0}), "clamped", 70_000.0, &Value::Null);
+    let block = body(
+        &json!({"type": "block", "width": 200.0, "depth": 200.0}),
+        "clamped",
+        70_000.0,
+        &Value::Null,
+    );
     cases.push(Case {
         name: "steel cylinder on aluminium block",
         job: json!({"analysis": "plane_strain", "upper": cylinder(50.0, "clamped", &Value::Null), "lower": block,
@@ -165,8 +181,8 @@ fn longer_semi_axis(step: &StepReport) -> f64 {
     step.three_dimensional.as_ref().map_or(f64::NAN, |whole| whole.b)
 }
 
-/// A rigid ellipsoid of radii 10 mm and so many times that on a half-space, under a Hertz peak of so much; and Hertz's peak,
-/// semi-axes and approach.
+/// A rigid ellipsoid of radii 10 mm and so many times that on a half-space, under a Hertz peak of
+/// so much; and Hertz's peak, semi-axes and approach.
 fn half_spaces(
     radius_ratio: f64,
     peak_pressure: f64,
@@ -195,7 +211,8 @@ fn contacts_in_three_dimensions(cases: &mut Vec<Case>) -> Result<(), Box<dyn Err
         ("ellipsoid, radii 1 : 50", 50.0),
     ] {
         for cells in [10, 20] {
-            let (job, [pressure, a, b, shift]) = half_spaces(radius_ratio, 1500.0, &Value::Null, cells)?;
+            let (job, [pressure, a, b, shift]) =
+                half_spaces(radius_ratio, 1500.0, &Value::Null, cells)?;
             let checks = vec![
                 check("peak [MPa]", pressure, "Hertz", peak),
                 check("semi-axis a [mm]", a, "Hertz", half_width),
@@ -255,12 +272,24 @@ fn plastic_contacts(cases: &mut Vec<Case>) {
     let figures = [
         ("cylinders at 3 σ_y, clamped", "clamped", 612.6106, 1182.6, 0.017_919, "prototype"),
         ("cylinders at 4 σ_y, clamped", "clamped", 1089.0855, 1338.2, 0.032_604, "prototype"),
-        ("cylinders at 3 σ_y, roller", "roller", 612.6106, 1183.8, 0.018_481, "quadratic elements, Newton"),
+        (
+            "cylinders at 3 σ_y, roller",
+            "roller",
+            612.6106,
+            1183.8,
+            0.018_481,
+            "quadratic elements, Newton",
+        ),
     ];
     for (name, support, force, pressure, shift, source) in figures {
         cases.push(Case {
             name,
-            job: equal("plane_strain", &cylinder(20.0, support, &law), &json!({"force": force}), 20),
+            job: equal(
+                "plane_strain",
+                &cylinder(20.0, support, &law),
+                &json!({"force": force}),
+                20,
+            ),
             checks: vec![
                 check("peak [MPa]", pressure, source, peak),
                 check("approach [mm]", shift, source, approach),
@@ -270,7 +299,12 @@ fn plastic_contacts(cases: &mut Vec<Case>) {
     let power = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
     cases.push(Case {
         name: "Ramberg–Osgood cylinders, roller",
-        job: equal("plane_strain", &cylinder(20.0, "roller", &power), &json!({"force": 612.6106}), 20),
+        job: equal(
+            "plane_strain",
+            &cylinder(20.0, "roller", &power),
+            &json!({"force": 612.6106}),
+            20,
+        ),
         checks: vec![
             check("peak [MPa]", 1248.1, "prototype", peak),
             check("peak [MPa]", 1243.0, "CalculiX 2.20", peak),
@@ -352,14 +386,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Compares two pages: words exactly, figures to three digits or the last one shown. The last column of a
-/// row is a time, which nobody promises.
+/// Compares two pages: words exactly, figures to three digits or the last one shown. The last
+/// column of a row is a time, which nobody promises.
 fn compare(old: &str, new: &str) -> Result<(), Box<dyn Error>> {
     let words = |page: &str| -> Vec<String> {
-        let untimed = |line: &str| match line.strip_suffix(" |").and_then(|row| row.rsplit_once(" | ")) {
-            Some((row, time)) if time.parse::<f64>().is_ok() => row.to_owned(),
-            _ => line.to_owned(),
-        };
+        let untimed =
+            |line: &str| match line.strip_suffix(" |").and_then(|row| row.rsplit_once(" | ")) {
+                Some((row, time)) if time.parse::<f64>().is_ok() => row.to_owned(),
+                _ => line.to_owned(),
+            };
         page.lines()
             .flat_map(|line| untimed(line).split(' ').map(str::to_owned).collect::<Vec<_>>())
             .collect()
@@ -373,5 +408,6 @@ fn compare(old: &str, new: &str) -> Result<(), Box<dyn Error>> {
     if different.is_empty() && old.len() == new.len() {
         return Ok(());
     }
-    Err(format!("docs/verification.md is out of date, --write writes it anew: {different:?}").into())
+    Err(format!("docs/verification.md is out of date, --write writes it anew: {different:?}")
+        .into())
 }

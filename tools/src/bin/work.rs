@@ -1,7 +1,8 @@
 //! Counts the work of random jobs beside that of others of their size.
 //!
-//! `cargo run --release -p brinell-tools --bin work -- 300` solves 300 jobs and prints those that took more than 20 times the
-//! median of theirs, with the remarks that say why; a second argument is the seed.
+//! `cargo run --release -p brinell-tools --bin work -- 300` solves 300 jobs and prints those that
+//! took more than 20 times the median of theirs, with the remarks that say why; a second argument
+//! is the seed.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
@@ -47,7 +48,8 @@ fn main() {
             records().map(|record| record.initial_stress_updates).sum(),
             records().map(|record| record.factorizations).sum(),
         ];
-        let codes = report.steps.iter().flat_map(|step| &step.validity).map(|note| note.code.clone());
+        let codes =
+            report.steps.iter().flat_map(|step| &step.validity).map(|note| note.code.clone());
         let mut codes: Vec<String> = codes.collect();
         codes.sort();
         codes.dedup();
@@ -67,7 +69,8 @@ fn main() {
     for Taken { time, seconds, counts, codes, job } in all.iter().rev().take(40) {
         let [iterations, updates, factorizations] = counts;
         println!(
-            "{:6.1} times: {seconds:6.2} s, {iterations} iterations, {updates} updates, {factorizations} factorizations {codes:?}",
+            "{:6.1} times: {seconds:6.2} s, {iterations} iterations, {updates} updates, \
+             {factorizations} factorizations {codes:?}",
             time / median
         );
         if *time > 20.0 * median {

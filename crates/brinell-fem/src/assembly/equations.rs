@@ -33,8 +33,8 @@ impl From<Vec<[bool; 2]>> for Restraint {
 impl Restraint {
     /// Holds the support and, on a half model, the tangential component along the symmetry axis.
     ///
-    /// A roller support of a full model leaves the body free to slide; its node nearest the middle is held
-    /// tangentially, which takes up no force.
+    /// A roller support of a full model leaves the body free to slide; its node nearest the middle
+    /// is held tangentially, which takes up no force.
     pub fn new(mesh: &Mesh, support: Support) -> Self {
         let mut held = vec![[false; 2]; mesh.nodes.len()];
         for &node in &mesh.support_nodes {
@@ -45,7 +45,9 @@ impl Restraint {
         }
         if mesh.axis_nodes.is_empty() && support == Support::Roller {
             let offset = |node: &u32| mesh.nodes[*node as usize][0].abs();
-            if let Some(&middle) = mesh.support_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b))) {
+            if let Some(&middle) =
+                mesh.support_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b)))
+            {
                 held[middle as usize][0] = true;
             }
         }
@@ -55,8 +57,9 @@ impl Restraint {
 
 /// Equation number of every free displacement component, in elimination order.
 ///
-/// The components of the contact nodes along y come last, in order of x, and before them those along x, so that the
-/// flexibility of the contact is of the trailing block of the inverse stiffness.
+/// The components of the contact nodes along y come last, in order of x, and before them those
+/// along x, so that the flexibility of the contact is of the trailing block of the inverse
+/// stiffness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Equations {
     /// `[x, y]` for each node; held components have the number one past the last equation.
@@ -71,16 +74,18 @@ impl Equations {
         size_of_val(self.number.as_slice()) + size_of_val(self.origin.as_slice())
     }
 
-    /// Numbers the free components node by node in elimination order; the last `contact_count` nodes of the
-    /// order are the contact nodes, whose normal components follow after all else.
+    /// Numbers the free components node by node in elimination order; the last `contact_count`
+    /// nodes of the order are the contact nodes, whose normal components follow after all else.
     pub fn new(order: &EliminationOrder, restraint: &Restraint, contact_count: usize) -> Self {
         let nodes = order.nodes();
         let (body, contact) = nodes.split_at(nodes.len() - contact_count);
         let both = body.iter().flat_map(|&node| [(node, 0), (node, 1)]);
         let tangential = contact.iter().map(|&node| (node, 0));
         let normal = contact.iter().map(|&node| (node, 1));
-        let is_free = |&(node, component): &(u32, u8)| !restraint.held[node as usize][component as usize];
-        let origin: Vec<(u32, u8)> = both.chain(tangential).chain(normal).filter(is_free).collect();
+        let is_free =
+            |&(node, component): &(u32, u8)| !restraint.held[node as usize][component as usize];
+        let origin: Vec<(u32, u8)> =
+            both.chain(tangential).chain(normal).filter(is_free).collect();
         let held = origin.len() as u32;
         let mut number = vec![[held; 2]; nodes.len()];
         for (equation, &(node, component)) in (0u32..).zip(&origin) {
@@ -99,8 +104,9 @@ impl Equations {
         self.origin.is_empty()
     }
 
-    /// Equation numbers `[x, y]` of a node; [`Self::len`] stands for a held component. Vectors that are
-    /// addressed by these numbers have one entry more than there are equations, always zero.
+    /// Equation numbers `[x, y]` of a node; [`Self::len`] stands for a held component. Vectors
+    /// that are addressed by these numbers have one entry more than there are equations, always
+    /// zero.
     pub fn of_node(&self, node: u32) -> [u32; 2] {
         self.number[node as usize]
     }
@@ -119,7 +125,8 @@ impl Equations {
             .collect()
     }
 
-    /// Sparsity of the stiffness matrix: two components are coupled if their nodes share an element.
+    /// Sparsity of the stiffness matrix: two components are coupled if their nodes share an
+    /// element.
     pub fn pattern(&self, graph: &Graph) -> SymmetricPattern {
         let held = self.len() as u32;
         let mut offsets = Vec::with_capacity(self.len() + 1);

@@ -19,7 +19,8 @@ impl ElementReduction {
         if points.iter().all(Option::is_none) {
             return None;
         }
-        let moduli = PAIRS.map(|(i, j)| points.map(|moduli| moduli.map_or(0.0, |moduli| moduli[(i, j)])));
+        let moduli =
+            PAIRS.map(|(i, j)| points.map(|moduli| moduli.map_or(0.0, |moduli| moduli[(i, j)])));
         Some(Self { moduli })
     }
 
@@ -94,7 +95,8 @@ mod tests {
             let elastic = element_stiffness(&quad, bulk, &[whole; 4]);
             let addition = ElementReduction::new(&[Some(moduli); 4]).unwrap().stiffness(&quad);
             let expected = element_stiffness(&quad, bulk, &[left; 4]);
-            let entries = |k: &ElementStiffness| k.as_flattened().as_flattened().as_flattened().to_vec();
+            let entries =
+                |k: &ElementStiffness| k.as_flattened().as_flattened().as_flattened().to_vec();
             let sum = entries(&elastic).into_iter().zip(entries(&addition)).map(|(a, b)| a + b);
             for (found, expected) in sum.zip(entries(&expected)) {
                 assert!((found - expected).abs() < 1e-9);

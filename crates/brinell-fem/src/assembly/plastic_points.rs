@@ -4,19 +4,22 @@
 //! P_e = Σ_elements ∫ Bᵀ σ_0 dV,   σ_0 = D_e ε - σ = 2 (G - G_s) e,   K_e u = R + P_e
 //! ```
 //!
-//! The paper prints its eq. (2.1) with a minus sign; with its own (2.3) only the plus satisfies equilibrium.
+//! The paper prints its eq. (2.1) with a minus sign; with its own (2.3) only the plus satisfies
+//! equilibrium.
 //!
-//! The stiffness need not be the elastic one. With any moduli `D = D_e - C` in its place the same holds for the load
+//! The stiffness need not be the elastic one. With any moduli `D = D_e - C` in its place the same
+//! holds for the load
 //!
 //! ```text
 //! P = Σ ∫ Bᵀ (D ε - σ) dV = P_e - Σ ∫ Bᵀ C ε dV,   K u = R + P
 //! ```
 //!
-//! and the closer D is to the tangent of the law at the answer, the less P changes on the way there.
+//! and the closer D is to the tangent of the law at the answer, the less P changes on the way
+//! there.
 //!
 //! # Reference
-//! Jiang Jinqing, Shang Shiying, *A total initial-stress method for elasto-plastic contact problems*,
-//! eqs. (2.1)–(2.5).
+//! Jiang Jinqing, Shang Shiying, *A total initial-stress method for elasto-plastic contact
+//! problems*, eqs. (2.1)–(2.5).
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -30,7 +33,8 @@ use brinell_material::{
 };
 use dense_cholesky::simd_dispatch;
 
-/// A constitutive model of any state, as bodies hold it: built once, and asked for the regions of its meshes.
+/// A constitutive model of any state, as bodies hold it: built once, and asked for the regions of
+/// its meshes.
 pub trait MaterialModel: Debug + Send + Sync {
     /// Elastic moduli.
     fn elastic(&self) -> ElasticModuli;
@@ -41,7 +45,8 @@ pub trait MaterialModel: Debug + Send + Sync {
     /// Whether the answer depends on the way there, so that loads are a history.
     fn has_memory(&self) -> bool;
 
-    /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body \[mm\].
+    /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body
+    /// \[mm\].
     fn strength(&self, position: [f64; 2]) -> f64;
 
     /// Whether [`Self::strength`] is not the same everywhere.
@@ -117,8 +122,12 @@ impl<M: ConstitutiveModel> MaterialModel for M {
         equations: &Equations,
         inside: &[bool],
     ) -> Box<dyn PlasticPoints> {
-        let mut region =
-            Region { model: self, elements: Vec::new(), states: Vec::new(), reductions: Vec::new() };
+        let mut region = Region {
+            model: self,
+            elements: Vec::new(),
+            states: Vec::new(),
+            reductions: Vec::new(),
+        };
         region.extend(unloaded, equations, inside, &[]);
         Box::new(region)
     }
@@ -128,11 +137,13 @@ impl<M: ConstitutiveModel> MaterialModel for M {
     }
 }
 
-/// The Gauss points of a body that may yield: their geometry, their law, and the states of the last accepted increment.
+/// The Gauss points of a body that may yield: their geometry, their law, and the states of the
+/// last accepted increment.
 pub trait PlasticPoints: Debug + Send + Sync {
-    /// Refers the load to a stiffness with the tangent moduli at the strains `[ε_xx, ε_yy, ε_zz, γ_xy]` that `strain`
-    /// gives for the points of each element of the region, from its index in the mesh and its quadrilateral; to the
-    /// elastic stiffness where none of these strains is beyond yield.
+    /// Refers the load to a stiffness with the tangent moduli at the strains `[ε_xx, ε_yy, ε_zz,
+    /// γ_xy]` that `strain` gives for the points of each element of the region, from its index in
+    /// the mesh and its quadrilateral; to the elastic stiffness where none of these strains is
+    /// beyond yield.
     fn linearize(
         &mut self,
         reference: ReferenceModuli,
@@ -145,24 +156,32 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// Whether the load refers to the elastic stiffness.
     fn refers_to_elastic(&self) -> bool;
 
-    /// Shows the elements whose stiffness is reduced, by their index in the mesh, and what that adds to it.
+    /// Shows the elements whose stiffness is reduced, by their index in the mesh, and what that
+    /// adds to it.
     fn reduced_elements(&self, visit: &mut dyn FnMut(usize, &ElementStiffness));
 
-    /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both are addressed
-    /// by equation number and have one entry more than there are equations, for the held components; that entry
-    /// of `load` is left zero. Returns the Gauss points beyond yield.
+    /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both
+    /// are addressed by equation number and have one entry more than there are equations, for the
+    /// held components; that entry of `load` is left zero. Returns the Gauss points beyond yield.
     fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize;
 
-    /// Accepts an increment that ends at the displacements `u` \[mm\], by equation: its states are from now on those that
-    /// everything else begins from.
+    /// Accepts an increment that ends at the displacements `u` \[mm\], by equation: its states are
+    /// from now on those that everything else begins from.
     fn commit(&mut self, u: &[f64]);
 
-    /// Takes in the elements that are `inside` and not in the region yet. They have been elastic so far, on the straight way
-    /// to the displacements `u` of the last accepted increment; empty before the first one.
-    fn extend(&mut self, unloaded: &Unloaded<'_>, equations: &Equations, inside: &[bool], u: &[f64]);
+    /// Takes in the elements that are `inside` and not in the region yet. They have been elastic
+    /// so far, on the straight way to the displacements `u` of the last accepted increment; empty
+    /// before the first one.
+    fn extend(
+        &mut self,
+        unloaded: &Unloaded<'_>,
+        equations: &Equations,
+        inside: &[bool],
+        u: &[f64],
+    );
 
-    /// Stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\] that are reached from the last accepted
-    /// increment; elements outside of the region are taken from rest.
+    /// Stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\] that are reached from
+    /// the last accepted increment; elements outside of the region are taken from rest.
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
 }
 
@@ -218,8 +237,8 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
                 self.model.tangent(strain.map(|component| component[g]), &states[g], reference)
             });
             is_beyond_yield |= reduced.iter().flatten().any(|point| point.is_beyond_yield);
-            element.reduction =
-                ElementReduction::new(&reduced.map(|point| Some(point?.moduli))).map(|reduction| {
+            element.reduction = ElementReduction::new(&reduced.map(|point| Some(point?.moduli)))
+                .map(|reduction| {
                     self.reductions.push(reduction);
                     self.reductions.len() - 1
                 });
@@ -243,7 +262,10 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
     fn reduced_elements(&self, visit: &mut dyn FnMut(usize, &ElementStiffness)) {
         for element in &self.elements {
             if let Some(k) = element.reduction {
-                visit(element.index, &simd_dispatch(|| self.reductions[k].stiffness(&element.quad)));
+                visit(
+                    element.index,
+                    &simd_dispatch(|| self.reductions[k].stiffness(&element.quad)),
+                );
             }
         }
     }
@@ -271,7 +293,13 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
         }
     }
 
-    fn extend(&mut self, unloaded: &Unloaded<'_>, equations: &Equations, inside: &[bool], u: &[f64]) {
+    fn extend(
+        &mut self,
+        unloaded: &Unloaded<'_>,
+        equations: &Equations,
+        inside: &[bool],
+        u: &[f64],
+    ) {
         let mesh = unloaded.mesh;
         let mut is_new = inside.to_vec();
         for element in &self.elements {
@@ -303,13 +331,17 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
 
 impl<M: ConstitutiveModel> Region<M> {
     /// The states of the points of any element of the mesh; at rest outside of the region.
-    fn states_by_element(&self, unloaded: &Unloaded<'_>) -> impl Fn(usize) -> [M::State; QUADRATURE_POINTS] {
+    fn states_by_element(
+        &self,
+        unloaded: &Unloaded<'_>,
+    ) -> impl Fn(usize) -> [M::State; QUADRATURE_POINTS] {
         let mut place = vec![None; unloaded.mesh.elements.len()];
         for (k, element) in self.elements.iter().enumerate() {
             place[element.index] = Some(k);
         }
         move |element| {
-            place[element].map_or_else(|| unloaded.states(&*self.model, element), |k: usize| self.states[k])
+            place[element]
+                .map_or_else(|| unloaded.states(&*self.model, element), |k: usize| self.states[k])
         }
     }
 

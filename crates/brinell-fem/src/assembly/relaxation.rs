@@ -4,17 +4,17 @@
 //! K u_0 = -∫ Bᵀ σ_g dV,   σ_r = σ_g + D ε(u_0)        ∫ Bᵀ σ_r dV = 0
 //! ```
 //!
-//! The displacements u_0 are not kept: the outline of a job is that of the body with its stress in it. A stress that depends on
-//! the depth below a plane alone is in equilibrium as it is, and is not relaxed: its tractions on the side walls are what the
-//! body beyond them would exert.
+//! The displacements u_0 are not kept: the outline of a job is that of the body with its stress in
+//! it. A stress that depends on the depth below a plane alone is in equilibrium as it is, and is
+//! not relaxed: its tractions on the side walls are what the body beyond them would exert.
 
 use super::{Equations, PointStresses};
 use crate::element::{QUADRATURE_POINTS, Quad, StressState};
 use crate::mesh::Mesh;
 use brinell_material::{ElasticModuli, OutOfPlane, PerPoint};
 
-/// A stress that is given from place to place, at the points of a mesh. As in every element the mean pressure is taken, which
-/// the plain strain matrix and that of B-bar do the same work with.
+/// A stress that is given from place to place, at the points of a mesh. As in every element the
+/// mean pressure is taken, which the plain strain matrix and that of B-bar do the same work with.
 pub fn given_stress(
     mesh: &Mesh,
     stress_state: StressState,
@@ -40,7 +40,8 @@ pub fn given_stress(
     (0..mesh.elements.len()).map(at_element).collect()
 }
 
-/// `∫ Bᵀ σ dV` by equation, with the extra entry that stands for held components left zero \[N/mm\].
+/// `∫ Bᵀ σ dV` by equation, with the extra entry that stands for held components left zero
+/// \[N/mm\].
 pub fn initial_force(
     mesh: &Mesh,
     stress_state: StressState,
@@ -50,7 +51,8 @@ pub fn initial_force(
     let mut force = vec![0.0; equations.len() + 1];
     for (element, points) in stress.iter().enumerate() {
         let quad = Quad::new(&mesh.corners(element), stress_state);
-        let components: [PerPoint; 4] = std::array::from_fn(|k| std::array::from_fn(|g| points[g][k]));
+        let components: [PerPoint; 4] =
+            std::array::from_fn(|k| std::array::from_fn(|g| points[g][k]));
         for (&node, at_node) in mesh.elements[element].iter().zip(quad.nodal_forces(&components)) {
             for (&k, f) in equations.of_node(node).iter().zip(at_node) {
                 force[k as usize] += f;
@@ -72,7 +74,8 @@ pub fn relaxed_stress(
     let out_of_plane = super::out_of_plane(stress_state);
     let at_element = |(element, given): (usize, &[[f64; 4]; QUADRATURE_POINTS])| {
         let quad = Quad::new(&mesh.corners(element), stress_state);
-        let mut strain = quad.strain(&mesh.elements[element].map(|node| displacement[node as usize]));
+        let mut strain =
+            quad.strain(&mesh.elements[element].map(|node| displacement[node as usize]));
         if out_of_plane == OutOfPlane::Strained {
             quad.average_dilatation(&mut strain);
         }

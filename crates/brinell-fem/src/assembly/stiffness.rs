@@ -10,8 +10,8 @@ use crate::element::{ElementStiffness, Quad, StressState};
 use crate::mesh::Mesh;
 use sparse_cholesky::SymmetricPattern;
 
-/// Sums element stiffnesses into the entries of a pattern, always in the order of the elements, so that the
-/// sums are the same in every run.
+/// Sums element stiffnesses into the entries of a pattern, always in the order of the elements, so
+/// that the sums are the same in every run.
 #[derive(Debug, Clone, Copy)]
 pub struct StiffnessAssembler<'a> {
     /// Mesh of the body.
@@ -25,8 +25,12 @@ pub struct StiffnessAssembler<'a> {
 }
 
 impl StiffnessAssembler<'_> {
-    /// Lower-triangle values of the stiffness matrix \[N/mm per mm\], from the stiffness of each element.
-    pub fn assemble(&self, mut stiffness_of: impl FnMut(usize, &Quad) -> ElementStiffness) -> Vec<f64> {
+    /// Lower-triangle values of the stiffness matrix \[N/mm per mm\], from the stiffness of each
+    /// element.
+    pub fn assemble(
+        &self,
+        mut stiffness_of: impl FnMut(usize, &Quad) -> ElementStiffness,
+    ) -> Vec<f64> {
         let mut values = vec![0.0; self.pattern.entry_count()];
         for (element, nodes) in self.mesh.elements.iter().enumerate() {
             let quad = Quad::new(&self.mesh.corners(element), self.stress_state);

@@ -18,7 +18,8 @@ pub struct GaussPoint {
     pub stress: [f64; 4],
     /// Equivalent plastic strain.
     pub equivalent_plastic_strain: f64,
-    /// Equivalent strain `√(2/3 e:e)` of the total strain, in plane stress as if its volume were kept.
+    /// Equivalent strain `√(2/3 e:e)` of the total strain, in plane stress as if its volume were
+    /// kept.
     pub equivalent_strain: f64,
     /// Secant shear modulus G_s \[MPa\].
     pub secant_shear: f64,
@@ -35,8 +36,8 @@ pub struct GaussPoint {
 }
 
 impl GaussPoint {
-    /// The strain that decides whether strains are small: the equivalent plastic one or, where that accumulates over a history
-    /// of loads, the equivalent strain if it is less.
+    /// The strain that decides whether strains are small: the equivalent plastic one or, where
+    /// that accumulates over a history of loads, the equivalent strain if it is less.
     pub fn strain(&self, accumulates: bool) -> f64 {
         if accumulates {
             self.equivalent_plastic_strain.min(self.equivalent_strain)
@@ -45,8 +46,8 @@ impl GaussPoint {
         }
     }
 
-    /// The mean over an element, weighted by volume, at the centroid of the points; it stands for the whole element and
-    /// has yielded if one of its points has.
+    /// The mean over an element, weighted by volume, at the centroid of the points; it stands for
+    /// the whole element and has yielded if one of its points has.
     pub fn mean(points: &[Self; QUADRATURE_POINTS]) -> Self {
         let weight: f64 = points.iter().map(|point| point.weight).sum();
         let mean = |value: &dyn Fn(&Self) -> f64| {
@@ -78,7 +79,8 @@ pub struct StressField {
     pub internal_force: Vec<[f64; 2]>,
 }
 
-/// Evaluates a model at nodal displacements `[u_x, u_y]` \[mm\], from the states of the points of each element.
+/// Evaluates a model at nodal displacements `[u_x, u_y]` \[mm\], from the states of the points of
+/// each element.
 pub(super) fn evaluate<M: ConstitutiveModel>(
     model: &M,
     unloaded: &Unloaded<'_>,
@@ -136,7 +138,8 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
 fn equivalent([xx, yy, zz, shear]: [f64; 4], out_of_plane: OutOfPlane) -> f64 {
     let zz = if out_of_plane == OutOfPlane::Strained { zz } else { -(xx + yy) };
     let mean = (xx + yy + zz) / 3.0;
-    let squares = (xx - mean).powi(2) + (yy - mean).powi(2) + (zz - mean).powi(2) + 0.5 * shear * shear;
+    let squares =
+        (xx - mean).powi(2) + (yy - mean).powi(2) + (zz - mean).powi(2) + 0.5 * shear * shear;
     (squares / 1.5).sqrt()
 }
 

@@ -1,6 +1,7 @@
 //! The bilinear map from the reference square `[-1, 1]²` to a quadrilateral, and back.
 //!
-//! `x(ξ, η) = Σ N_i x_i` with `N_i = ¼ (1 + ξ_i ξ)(1 + η_i η)`, corners anticlockwise from `(-1, -1)`.
+//! `x(ξ, η) = Σ N_i x_i` with `N_i = ¼ (1 + ξ_i ξ)(1 + η_i η)`, corners anticlockwise from `(-1,
+//! -1)`.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -14,7 +15,8 @@ pub fn shape_functions([xi, eta]: [f64; 2]) -> [f64; 4] {
 
 /// `[ξ, η]` of a point in, or near, a quadrilateral; coordinates beyond ±2 are cut off there.
 ///
-/// Newton's method, which is exact after one step on a parallelogram and takes a few on a convex quadrilateral.
+/// Newton's method, which is exact after one step on a parallelogram and takes a few on a convex
+/// quadrilateral.
 pub fn natural_coordinates(corners: &[[f64; 2]; 4], point: [f64; 2]) -> [f64; 2] {
     // x(ξ, η) = m + p ξ + q η + r ξη.
     let combine = |signs: [f64; 4]| -> Vector2<f64> {
@@ -49,11 +51,18 @@ mod tests {
         let corners = [[0.0, 0.0], [2.0, 0.3], [2.4, 1.9], [-0.2, 1.5]];
         for expected in [[0.0, 0.0], [0.3, -0.7], [1.0, 1.0], [-1.0, 0.2], [1.4, -1.2]] {
             let shape = shape_functions(expected);
-            let point: [f64; 2] =
-                std::array::from_fn(|k| shape.iter().zip(&corners).map(|(n, corner)| n * corner[k]).sum());
+            let point: [f64; 2] = std::array::from_fn(|k| {
+                shape.iter().zip(&corners).map(|(n, corner)| n * corner[k]).sum()
+            });
             let found = natural_coordinates(&corners, point);
-            assert!((0..2).all(|k| (found[k] - expected[k]).abs() < 1e-12), "{found:?} for {expected:?}");
+            assert!(
+                (0..2).all(|k| (found[k] - expected[k]).abs() < 1e-12),
+                "{found:?} for {expected:?}"
+            );
         }
-        assert_eq!(natural_coordinates(&corners, [1e3, 1e3]).map(f64::abs).map(|t| t <= 2.0), [true; 2]);
+        assert_eq!(
+            natural_coordinates(&corners, [1e3, 1e3]).map(f64::abs).map(|t| t <= 2.0),
+            [true; 2]
+        );
     }
 }

@@ -1,16 +1,16 @@
 //! The 4-node quadrilateral with mean dilatation (B-bar).
 //!
-//! Plastic flow keeps volume, and a plain Q4 cannot: four independent volumetric constraints an element lock
-//! it. B-bar replaces the dilatation at each Gauss point by its mean over the element, one constraint an
-//! element, and leaves the deviator alone:
+//! Plastic flow keeps volume, and a plain Q4 cannot: four independent volumetric constraints an
+//! element lock it. B-bar replaces the dilatation at each Gauss point by its mean over the
+//! element, one constraint an element, and leaves the deviator alone:
 //!
 //! ```text
 //! ε̄ = dev(B u) + ⅓ (1/V ∫ tr(B u) dV) 1
 //! ```
 //!
 //! # Reference
-//! T. J. R. Hughes, *Generalization of selective integration procedures to anisotropic and nonlinear media*,
-//! Int. J. Numer. Meth. Engng 15 (1980) 1413–1418.
+//! T. J. R. Hughes, *Generalization of selective integration procedures to anisotropic and
+//! nonlinear media*, Int. J. Numer. Meth. Engng 15 (1980) 1413–1418.
 
 mod bilinear_map;
 mod quad;

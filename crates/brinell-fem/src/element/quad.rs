@@ -13,26 +13,31 @@ pub enum StressState {
     PlaneStrain,
     /// σ_zz = 0, unit thickness.
     PlaneStress,
-    /// Body of revolution about `x = 0`: x is the radius, ε_zz = u_x / x the hoop strain, the thickness 2πx.
+    /// Body of revolution about `x = 0`: x is the radius, ε_zz = u_x / x the hoop strain, the
+    /// thickness 2πx.
     Axisymmetric,
 }
 
-/// Gradients `∂N_i/∂x`, `∂N_i/∂y` and integration weights of one quadrilateral. Gauss point g lies at `corner g / √3`.
+/// Gradients `∂N_i/∂x`, `∂N_i/∂y` and integration weights of one quadrilateral. Gauss point g lies
+/// at `corner g / √3`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quad {
     /// `gradient_x[i][g] = ∂N_i/∂x` at point g \[1/mm\].
     pub gradient_x: [PerPoint; 4],
     /// `gradient_y[i][g] = ∂N_i/∂y` at point g \[1/mm\].
     pub gradient_y: [PerPoint; 4],
-    /// `over_radius[i][g] = N_i / x` at point g of a body of revolution \[1/mm\]; zero in plane analyses.
+    /// `over_radius[i][g] = N_i / x` at point g of a body of revolution \[1/mm\]; zero in plane
+    /// analyses.
     pub over_radius: [PerPoint; 4],
-    /// Weight times Jacobian determinant times thickness \[mm² in plane analyses, mm³ in axisymmetry\].
+    /// Weight times Jacobian determinant times thickness \[mm² in plane analyses, mm³ in
+    /// axisymmetry\].
     pub weight: PerPoint,
     /// Third direction.
     pub stress_state: StressState,
 }
 
-/// `SHAPE_AT_POINTS[i][g] = N_i` at Gauss point g: `(1 ± 1/√3)²/4` at the same corner and the opposite one, 1/6 beside.
+/// `SHAPE_AT_POINTS[i][g] = N_i` at Gauss point g: `(1 ± 1/√3)²/4` at the same corner and the
+/// opposite one, 1/6 beside.
 pub const SHAPE_AT_POINTS: [PerPoint; 4] = {
     const SAME: f64 = 0.622_008_467_928_146_2;
     const OPPOSITE: f64 = 0.044_658_198_738_520_45;
@@ -81,11 +86,14 @@ impl Quad {
             }
         }
         let (mut gradient_x, mut gradient_y, mut over_radius) = ([zero; 4], [zero; 4], [zero; 4]);
-        let mut weight: PerPoint = std::array::from_fn(|g| x_xi[g] * y_eta[g] - y_xi[g] * x_eta[g]);
+        let mut weight: PerPoint =
+            std::array::from_fn(|g| x_xi[g] * y_eta[g] - y_xi[g] * x_eta[g]);
         for i in 0..4 {
             for g in 0..QUADRATURE_POINTS {
-                gradient_x[i][g] = (y_eta[g] * along_xi[i][g] - y_xi[g] * along_eta[i][g]) / weight[g];
-                gradient_y[i][g] = (x_xi[g] * along_eta[i][g] - x_eta[g] * along_xi[i][g]) / weight[g];
+                gradient_x[i][g] =
+                    (y_eta[g] * along_xi[i][g] - y_xi[g] * along_eta[i][g]) / weight[g];
+                gradient_y[i][g] =
+                    (x_xi[g] * along_eta[i][g] - x_eta[g] * along_xi[i][g]) / weight[g];
             }
         }
         if stress_state == StressState::Axisymmetric {
@@ -126,7 +134,8 @@ impl Quad {
         self.weight.iter().sum()
     }
 
-    /// `mean[i] = 1/V ∫ [∂N_i/∂x + N_i/x, ∂N_i/∂y] dV`: the dilatation of the element is `Σ mean[i] · u_i`.
+    /// `mean[i] = 1/V ∫ [∂N_i/∂x + N_i/x, ∂N_i/∂y] dV`: the dilatation of the element is `Σ
+    /// mean[i] · u_i`.
     pub fn mean_divergence(&self) -> [[f64; 2]; 4] {
         let volume = self.volume();
         std::array::from_fn(|i| {
@@ -137,8 +146,9 @@ impl Quad {
         })
     }
 
-    /// Displacement gradients at all points, `[ε_xx, ε_yy, ε_zz, γ_xy][g]`, from the nodal displacements
-    /// `[u_x, u_y]` of the four nodes; the dilatation is the local one, not the mean.
+    /// Displacement gradients at all points, `[ε_xx, ε_yy, ε_zz, γ_xy][g]`, from the nodal
+    /// displacements `[u_x, u_y]` of the four nodes; the dilatation is the local one, not the
+    /// mean.
     #[inline(always)]
     pub fn strain(&self, u: &[[f64; 2]; 4]) -> [PerPoint; 4] {
         let [mut xx, mut yy, mut zz, mut shear] = [[0.0; QUADRATURE_POINTS]; 4];
@@ -156,8 +166,8 @@ impl Quad {
 
     /// Dilatation of the element, the mean over its volume.
     pub fn mean_dilatation(&self, strain: &[PerPoint; 4]) -> f64 {
-        let weighted =
-            (0..QUADRATURE_POINTS).map(|g| (strain[0][g] + strain[1][g] + strain[2][g]) * self.weight[g]);
+        let weighted = (0..QUADRATURE_POINTS)
+            .map(|g| (strain[0][g] + strain[1][g] + strain[2][g]) * self.weight[g]);
         weighted.sum::<f64>() / self.volume()
     }
 
@@ -175,8 +185,9 @@ impl Quad {
 
     /// Nodal forces `∫ Bᵀ σ dV` of stresses `[σ_xx, σ_yy, σ_zz, τ_xy][g]`.
     ///
-    /// `B` is the plain strain matrix. For a deviatoric stress it gives what B-bar would, because the two
-    /// differ in the dilatation alone; likewise for a pressure that is constant over the element.
+    /// `B` is the plain strain matrix. For a deviatoric stress it gives what B-bar would, because
+    /// the two differ in the dilatation alone; likewise for a pressure that is constant over the
+    /// element.
     #[inline(always)]
     pub fn nodal_forces(&self, stress: &[PerPoint; 4]) -> [[f64; 2]; 4] {
         let mut weighted = *stress;
@@ -187,7 +198,8 @@ impl Quad {
         }
         let [sx, sy, sz, shear] = &weighted;
         let mut forces = [[0.0; 2]; 4];
-        // A loop and not a map over the nodes: that would not be inlined, and so not be compiled for wide vectors.
+        // A loop and not a map over the nodes: that would not be inlined, and so not be compiled
+        // for wide vectors.
         for (i, force) in forces.iter_mut().enumerate() {
             let (nx, ny, nr) = (&self.gradient_x[i], &self.gradient_y[i], &self.over_radius[i]);
             for g in 0..QUADRATURE_POINTS {
@@ -260,10 +272,15 @@ mod tests {
         let stress: [[f64; 4]; 4] =
             std::array::from_fn(|c| std::array::from_fn(|g| (1.0 + c as f64) * (g as f64 - 1.2)));
         let strain = quad.strain(&u);
-        let internal: f64 =
-            (0..4).map(|g| quad.weight[g] * (0..4).map(|c| strain[c][g] * stress[c][g]).sum::<f64>()).sum();
-        let external: f64 =
-            quad.nodal_forces(&stress).iter().zip(&u).map(|(f, v)| f[0] * v[0] + f[1] * v[1]).sum();
+        let internal: f64 = (0..4)
+            .map(|g| quad.weight[g] * (0..4).map(|c| strain[c][g] * stress[c][g]).sum::<f64>())
+            .sum();
+        let external: f64 = quad
+            .nodal_forces(&stress)
+            .iter()
+            .zip(&u)
+            .map(|(f, v)| f[0] * v[0] + f[1] * v[1])
+            .sum();
         assert!((internal - external).abs() < 1e-13);
     }
 }

@@ -2,19 +2,20 @@
 
 use super::{QUADRATURE_POINTS, Quad, StressState};
 
-/// `stiffness[i][j]` couples node i to node j: rows `[x, y]` of i, columns `[x, y]` of j \[N/mm per mm\].
+/// `stiffness[i][j]` couples node i to node j: rows `[x, y]` of i, columns `[x, y]` of j \[N/mm
+/// per mm\].
 pub type ElementStiffness = [[[[f64; 2]; 2]; 4]; 4];
 
-/// Stiffness of an element for a bulk modulus K and shear moduli `G[g]` that may differ from point to point (the
-/// secant stiffness of deformation theory) \[MPa\].
+/// Stiffness of an element for a bulk modulus K and shear moduli `G[g]` that may differ from point
+/// to point (the secant stiffness of deformation theory) \[MPa\].
 ///
 /// ```text
 /// plane strain, axisymmetry   ∫ 2G dev(ε):dev(ε) dV + V K (b̄ u)²        B-bar, b̄ the mean divergence
 /// plane stress                ∫ 2G ε:ε + λ' (ε_xx + ε_yy)² dV            λ' = 2Gλ/(λ + 2G), λ = K - 2G/3
 /// ```
 ///
-/// In plane stress the thickness is free to change, so that nothing can lock and no mean is taken. The matrix is
-/// symmetric; all sixteen node blocks are filled.
+/// In plane stress the thickness is free to change, so that nothing can lock and no mean is taken.
+/// The matrix is symmetric; all sixteen node blocks are filled.
 pub fn element_stiffness(
     quad: &Quad,
     bulk_modulus: f64,
@@ -30,7 +31,8 @@ pub fn element_stiffness(
         let shear = shear_moduli[g];
         Moduli {
             shear: quad.weight[g] * shear,
-            dilatational: quad.weight[g] * dilatational_modulus(quad.stress_state, bulk_modulus, shear),
+            dilatational: quad.weight[g]
+                * dilatational_modulus(quad.stress_state, bulk_modulus, shear),
         }
     });
     for i in 0..4 {
@@ -67,14 +69,20 @@ fn dilatational_modulus(stress_state: StressState, bulk_modulus: f64, shear: f64
 }
 
 /// `∫ 2G ε_i:ε_j + M tr ε_i tr ε_j dV` for unit displacements of nodes i and j.
-fn pair_stiffness(quad: &Quad, moduli: &[Moduli; QUADRATURE_POINTS], i: usize, j: usize) -> [[f64; 2]; 2] {
+fn pair_stiffness(
+    quad: &Quad,
+    moduli: &[Moduli; QUADRATURE_POINTS],
+    i: usize,
+    j: usize,
+) -> [[f64; 2]; 2] {
     let (ix, iy, ir) = (&quad.gradient_x[i], &quad.gradient_y[i], &quad.over_radius[i]);
     let (jx, jy, jr) = (&quad.gradient_x[j], &quad.gradient_y[j], &quad.over_radius[j]);
     let (mut xx, mut xy, mut yx, mut yy) = (0.0, 0.0, 0.0, 0.0);
     for (g, moduli) in moduli.iter().enumerate() {
         let Moduli { shear, dilatational } = *moduli;
         let (it, jt) = (ix[g] + ir[g], jx[g] + jr[g]);
-        xx += shear * (2.0 * (ix[g] * jx[g] + ir[g] * jr[g]) + iy[g] * jy[g]) + dilatational * it * jt;
+        xx += shear * (2.0 * (ix[g] * jx[g] + ir[g] * jr[g]) + iy[g] * jy[g])
+            + dilatational * it * jt;
         xy += shear * iy[g] * jx[g] + dilatational * it * jy[g];
         yx += shear * ix[g] * jy[g] + dilatational * iy[g] * jt;
         yy += shear * (2.0 * iy[g] * jy[g] + ix[g] * jx[g]) + dilatational * iy[g] * jy[g];
@@ -116,7 +124,8 @@ mod tests {
 
     #[test]
     fn homogeneous_strain_has_hookes_energy() {
-        // K (tr ε)² + 2G dev ε : dev ε for ε_xx = 1e-3, ε_yy = -2e-3, γ_xy = 3e-3 and the ε_zz of each case.
+        // K (tr ε)² + 2G dev ε : dev ε for ε_xx = 1e-3, ε_yy = -2e-3, γ_xy = 3e-3 and the ε_zz of
+        // each case.
         let (bulk, shear) = (175.0, 80.0);
         let lame: f64 = bulk - 2.0 / 3.0 * shear;
         let u = SKEWED.map(|[x, y]| [1e-3 * x + 1.5e-3 * y, 1.5e-3 * x - 2e-3 * y]);

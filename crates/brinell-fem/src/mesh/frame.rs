@@ -5,8 +5,9 @@
 pub enum SurfaceFrame {
     /// Along x, depth along y: surfaces close to their tangent.
     Tangent,
-    /// Arc length from the origin along a circle, depth along its radius. The circle has its centre at `[0, -radius]`: below
-    /// a pin, above the bottom of a hole, whose radius is negative \[mm\].
+    /// Arc length from the origin along a circle, depth along its radius. The circle has its
+    /// centre at `[0, -radius]`: below a pin, above the bottom of a hole, whose radius is negative
+    /// \[mm\].
     Circle {
         /// Radius, negative for a hole \[mm\].
         radius: f64,
@@ -20,12 +21,16 @@ impl SurfaceFrame {
             Self::Tangent => [x, 0.0 - y],
             Self::Circle { radius } => {
                 let dy = y + radius;
-                [radius.abs() * x.atan2(dy * radius.signum()), radius - x.hypot(dy).copysign(radius)]
+                [
+                    radius.abs() * x.atan2(dy * radius.signum()),
+                    radius - x.hypot(dy).copysign(radius),
+                ]
             }
         }
     }
 
-    /// Whether a point lies in the inner fifth of a pin, whose rigid core disturbs the stresses there.
+    /// Whether a point lies in the inner fifth of a pin, whose rigid core disturbs the stresses
+    /// there.
     pub fn is_near_core(self, position: [f64; 2]) -> bool {
         matches!(self, Self::Circle { radius } if radius > 0.0 && self.place(position)[1] > 0.8 * radius)
     }
@@ -52,11 +57,15 @@ mod tests {
             let frame = SurfaceFrame::Circle { radius };
             for (angle, depth) in [(0.0_f64, 0.0), (0.3, 2.0), (1.4, 0.5), (2.9, 1.0)] {
                 let distance = 10.0 - depth * radius.signum();
-                let point = [distance * angle.sin(), distance * angle.cos() * radius.signum() - radius];
+                let point =
+                    [distance * angle.sin(), distance * angle.cos() * radius.signum() - radius];
                 let [along, below] = frame.place(point);
                 assert!((along - 10.0 * angle).abs() < 1e-12 && (below - depth).abs() < 1e-12);
                 let [x, y] = frame.normal(point);
-                assert!((x - angle.sin() * radius.signum()).abs() < 1e-12 && (y - angle.cos()).abs() < 1e-12);
+                assert!(
+                    (x - angle.sin() * radius.signum()).abs() < 1e-12
+                        && (y - angle.cos()).abs() < 1e-12
+                );
             }
         }
         let [along, below] = SurfaceFrame::Tangent.place([2.0, -3.0]);

@@ -1,11 +1,14 @@
-//! The half-O-grid: a block of squares under the contact zone, wrapped in rings that reach the outer boundary.
+//! The half-O-grid: a block of squares under the contact zone, wrapped in rings that reach the
+//! outer boundary.
 //!
-//! Rings are interpolated transfinitely between the block's perimeter and the outer boundary, in the plane of
-//! `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the body, so rings turn into
-//! arcs and rays stay normal to them, and a geometric growth of the ring thickness is an even step there.
+//! Rings are interpolated transfinitely between the block's perimeter and the outer boundary, in
+//! the plane of `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the
+//! body, so rings turn into arcs and rays stay normal to them, and a geometric growth of the ring
+//! thickness is an even step there.
 //!
-//! Rings in a body that is much deeper than wide would be thin along its walls and fold at its base. They end two widths below
-//! the surface, where the stress is even across the body, and rows of elements as wide as it is go on to the support: the shaft.
+//! Rings in a body that is much deeper than wide would be thin along its walls and fold at its
+//! base. They end two widths below the surface, where the stress is even across the body, and rows
+//! of elements as wide as it is go on to the support: the shaft.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -29,14 +32,15 @@ pub struct Refinement {
 /// Largest part of the body's depth that the block may take.
 const MAX_BLOCK_DEPTH: f64 = 0.5;
 
-/// Where the ray from a lower corner of the block meets the base at least, on the way from below the corner to the end of
-/// the base.
+/// Where the ray from a lower corner of the block meets the base at least, on the way from below
+/// the corner to the end of the base.
 const CORNER_RAY: f64 = 0.3;
 
 /// Depth over width from which a body has a shaft, and that of its rings then.
 const SLENDER: f64 = 4.0;
 const RINGS: f64 = 2.0;
-/// Ratio of the thicknesses of neighbouring rows of the shaft, and that of the first one over the width of the body.
+/// Ratio of the thicknesses of neighbouring rows of the shaft, and that of the first one over the
+/// width of the body.
 const SHAFT_GROWTH: f64 = 1.5;
 const SHAFT_ROW: f64 = 0.25;
 
@@ -47,8 +51,8 @@ struct Polar {
     angle: f64,
 }
 
-/// Makes a mesh. The deviation of the free surface from its chord fades along the rings with the power `fade` of the
-/// distance from it.
+/// Makes a mesh. The deviation of the free surface from its chord fades along the rings with the
+/// power `fade` of the distance from it.
 pub(super) fn generate(
     outline: &Outline,
     zone: &ContactZone,
@@ -57,7 +61,10 @@ pub(super) fn generate(
 ) -> Result<Mesh, MeshError> {
     if !zone.fits(outline) {
         let half_width = zone.x_max().max(-zone.x_min());
-        return Err(MeshError::ZoneBeyondBody { half_width, available: ContactZone::available(outline) });
+        return Err(MeshError::ZoneBeyondBody {
+            half_width,
+            available: ContactZone::available(outline),
+        });
     }
     let rows = block_rows(outline, zone);
     let mut grid = Builder::new(outline, zone, rows);
@@ -71,7 +78,11 @@ pub(super) fn generate(
 fn ring_depth(outline: &Outline) -> f64 {
     let width = outline.span().1 - outline.span().0;
     let lowest = outline.end(1.0)[1].min(outline.end(-1.0)[1]);
-    if outline.depth() + lowest > SLENDER * width { RINGS * width - lowest } else { outline.depth() }
+    if outline.depth() + lowest > SLENDER * width {
+        RINGS * width - lowest
+    } else {
+        outline.depth()
+    }
 }
 
 /// Depths of the rows of the shaft, the last one that of the body; none without a shaft.
@@ -89,14 +100,19 @@ fn shaft_rows(outline: &Outline) -> Vec<f64> {
     rows.iter().map(|row| begin + part * (row - begin)).collect()
 }
 
-/// Rows of the block: about as deep as one half of the zone is wide, but never more than a part of the body.
+/// Rows of the block: about as deep as one half of the zone is wide, but never more than a part of
+/// the body.
 fn block_rows(outline: &Outline, zone: &ContactZone) -> usize {
     let wanted = zone.half_width().min(MAX_BLOCK_DEPTH * ring_depth(outline));
     ((wanted / zone.spacing()).round() as usize).max(2)
 }
 
 /// About how many nodes [`generate`] will make.
-pub(super) fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> usize {
+pub(super) fn estimated_nodes(
+    outline: &Outline,
+    zone: &ContactZone,
+    refinement: Refinement,
+) -> usize {
     let rows = zone.row_depths(block_rows(outline, zone)).len() - 1;
     let sides = if zone.is_symmetric() { 1 } else { 2 };
     let columns = zone.columns();
@@ -121,7 +137,8 @@ struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     fn new(outline: &'a Outline, zone: &'a ContactZone, rows: usize) -> Self {
-        let lowest = zone.abscissae().iter().map(|&x| outline.height(x)).fold(f64::INFINITY, f64::min);
+        let lowest =
+            zone.abscissae().iter().map(|&x| outline.height(x)).fold(f64::INFINITY, f64::min);
         let mesh = Mesh {
             nodes: Vec::new(),
             elements: Vec::new(),
@@ -172,8 +189,8 @@ impl<'a> Builder<'a> {
         (column * self.depths.len() + row) as u32
     }
 
-    /// Block nodes met going round from the right end of the zone, down, along the base and, in a full model,
-    /// up to the left end.
+    /// Block nodes met going round from the right end of the zone, down, along the base and, in a
+    /// full model, up to the left end.
     fn perimeter(&self) -> Vec<u32> {
         let right = (0..self.rows()).map(|j| self.block_node(self.zone.columns(), j));
         let base = (0..=self.zone.columns()).rev().map(|i| self.block_node(i, self.rows()));
@@ -187,14 +204,15 @@ impl<'a> Builder<'a> {
 
     /// Points on the outer boundary that face the perimeter, and which of them are held.
     ///
-    /// Each lies at nearly the angle about the centre at which its perimeter node lies, so that rays stay straight
-    /// and rings cannot fold; angles are stretched as a whole where the free surface bends down, and the rays next
-    /// to the corners of the body are turned into them.
+    /// Each lies at nearly the angle about the centre at which its perimeter node lies, so that
+    /// rays stay straight and rings cannot fold; angles are stretched as a whole where the free
+    /// surface bends down, and the rays next to the corners of the body are turned into them.
     fn outer_boundary(&self, inner: &[Polar], centre: [f64; 2]) -> Vec<([f64; 2], bool)> {
         let depth = self.ring_depth;
         let end = |sign: f64| self.outline.end(sign);
         let first = angle_about(centre, end(1.0));
-        let last = if self.zone.is_symmetric() { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
+        let last =
+            if self.zone.is_symmetric() { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
         let has_wall = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
         let ends = [(0, first), (inner.len() - 1, last)];
         let mut angles = stretched(inner, &ends);
@@ -212,7 +230,8 @@ impl<'a> Builder<'a> {
             }
         }
         if !bends.is_empty() {
-            let knots: Vec<_> = ends[..1].iter().chain(&bends).chain(&ends[1..]).copied().collect();
+            let knots: Vec<_> =
+                ends[..1].iter().chain(&bends).chain(&ends[1..]).copied().collect();
             angles = stretched(inner, &knots);
         }
         let mut corners = Vec::new();
@@ -254,7 +273,8 @@ impl<'a> Builder<'a> {
         points
     }
 
-    /// The rings, from the block outward. Returned are the nodes of their base, with the rays on which they lie.
+    /// The rings, from the block outward. Returned are the nodes of their base, with the rays on
+    /// which they lie.
     fn rings(&mut self, refinement: Refinement, fade: i32) -> Vec<(usize, u32)> {
         let perimeter = self.perimeter();
         let centre = [self.zone.centre(), self.outline.height(self.zone.centre())];
@@ -262,7 +282,8 @@ impl<'a> Builder<'a> {
             log_radius: (p[0] - centre[0]).hypot(p[1] - centre[1]).ln(),
             angle: angle_about(centre, p),
         };
-        let inner: Vec<Polar> = perimeter.iter().map(|&n| polar(self.mesh.nodes[n as usize])).collect();
+        let inner: Vec<Polar> =
+            perimeter.iter().map(|&n| polar(self.mesh.nodes[n as usize])).collect();
         let outer = self.outer_boundary(&inner, centre);
         let outer_polar: Vec<Polar> = outer.iter().map(|&(p, _)| polar(p)).collect();
         let steps = ring_steps(&inner, &outer_polar, self.zone, refinement);
@@ -284,7 +305,8 @@ impl<'a> Builder<'a> {
             for s in 0..=last {
                 let node = self.mesh.nodes.len() as u32;
                 let xi = s as f64 / last as f64;
-                let log_radius = (1.0 - eta) * inner[s].log_radius + eta * outer_polar[s].log_radius;
+                let log_radius =
+                    (1.0 - eta) * inner[s].log_radius + eta * outer_polar[s].log_radius;
                 let angle = (1.0 - eta) * inner[s].angle
                     + eta * outer_polar[s].angle
                     + (1.0 - xi).powi(fade) * sides[0]
@@ -311,7 +333,12 @@ impl<'a> Builder<'a> {
                 current.push(node);
             }
             for s in 0..last {
-                self.mesh.elements.push([previous[s], previous[s + 1], current[s + 1], current[s]]);
+                self.mesh.elements.push([
+                    previous[s],
+                    previous[s + 1],
+                    current[s + 1],
+                    current[s],
+                ]);
             }
             previous = current;
         }
@@ -340,9 +367,16 @@ impl<'a> Builder<'a> {
         self.mesh.support_nodes.extend(previous.iter().map(|(_, node)| node));
     }
 
-    /// By how much the free surface at one end of the rings deviates in angle from the straight line between
-    /// its two ends, at the ring of parameter `eta`.
-    fn side_correction(&self, inner: &[Polar], outer: &[Polar], s: usize, eta: f64, centre: [f64; 2]) -> f64 {
+    /// By how much the free surface at one end of the rings deviates in angle from the straight
+    /// line between its two ends, at the ring of parameter `eta`.
+    fn side_correction(
+        &self,
+        inner: &[Polar],
+        outer: &[Polar],
+        s: usize,
+        eta: f64,
+        centre: [f64; 2],
+    ) -> f64 {
         let radius = ((1.0 - eta) * inner[s].log_radius + eta * outer[s].log_radius).exp();
         let sign = if s == 0 { 1.0 } else { -1.0 };
         let [x, y] = self.outline.surface_point_at(centre, radius, sign);
@@ -354,27 +388,30 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// Angle of a point about a centre, from 0 (right) through -π/2 (below) to -π (left); a surface that rises a little
-/// on the left goes on below -π instead of jumping to +π.
+/// Angle of a point about a centre, from 0 (right) through -π/2 (below) to -π (left); a surface
+/// that rises a little on the left goes on below -π instead of jumping to +π.
 fn angle_about(centre: [f64; 2], point: [f64; 2]) -> f64 {
     let angle = (point[1] - centre[1]).atan2(point[0] - centre[0]);
     if angle > 0.5 * PI { angle - 2.0 * PI } else { angle }
 }
 
-/// The angles of the inner rays, stretched from knot to knot: at each, given by its index, the angle is as given.
+/// The angles of the inner rays, stretched from knot to knot: at each, given by its index, the
+/// angle is as given.
 fn stretched(inner: &[Polar], knots: &[(usize, f64)]) -> Vec<f64> {
     let mut angles = vec![knots[0].1; inner.len()];
     for pair in knots.windows(2) {
         let ((from, start), (to, end)) = (pair[0], pair[1]);
         for s in from + 1..=to {
-            let part = (inner[s].angle - inner[from].angle) / (inner[to].angle - inner[from].angle);
+            let part =
+                (inner[s].angle - inner[from].angle) / (inner[to].angle - inner[from].angle);
             angles[s] = start + part * (end - start);
         }
     }
     angles
 }
 
-/// Sets the inner angle nearest to `target` to it and returns its index; angles fall and stay in order.
+/// Sets the inner angle nearest to `target` to it and returns its index; angles fall and stay in
+/// order.
 fn turn_nearest(angles: &mut [f64], target: f64) -> usize {
     let distance = |s: &usize| (angles[*s] - target).abs();
     let inner = 1..angles.len().saturating_sub(1);
@@ -386,15 +423,23 @@ fn turn_nearest(angles: &mut [f64], target: f64) -> usize {
     nearest
 }
 
-/// Parameters `0 < η_1 < … < η_n = 1` of the rings: the first ring is about as thick as a block element, each
-/// further one `growth` times thicker.
-fn ring_steps(inner: &[Polar], outer: &[Polar], zone: &ContactZone, refinement: Refinement) -> Vec<f64> {
+/// Parameters `0 < η_1 < … < η_n = 1` of the rings: the first ring is about as thick as a block
+/// element, each further one `growth` times thicker.
+fn ring_steps(
+    inner: &[Polar],
+    outer: &[Polar],
+    zone: &ContactZone,
+    refinement: Refinement,
+) -> Vec<f64> {
     let spacing = zone.spacing();
-    // Of both sides of the axis, also where only one is meshed, so that half and full models have the same rings.
+    // Of both sides of the axis, also where only one is meshed, so that half and full models have
+    // the same rings.
     let mean = |curve: &[Polar]| {
         let sum: f64 = curve.iter().map(|p| p.log_radius).sum();
         match curve.last() {
-            Some(axis) if zone.is_symmetric() => (2.0 * sum - axis.log_radius) / (2 * curve.len() - 1) as f64,
+            Some(axis) if zone.is_symmetric() => {
+                (2.0 * sum - axis.log_radius) / (2 * curve.len() - 1) as f64
+            }
             _ => sum / curve.len() as f64,
         }
     };
@@ -408,7 +453,8 @@ fn ring_steps(inner: &[Polar], outer: &[Polar], zone: &ContactZone, refinement: 
     }
     // Stretch the series a little so that it ends on the boundary instead of beyond it.
     let end = radii.last().copied().unwrap_or(last);
-    let mut steps: Vec<f64> = radii.iter().map(|r| (r / first).ln() / (end / first).ln()).collect();
+    let mut steps: Vec<f64> =
+        radii.iter().map(|r| (r / first).ln() / (end / first).ln()).collect();
     if steps.is_empty() {
         steps.push(1.0);
     }

@@ -1,11 +1,11 @@
 //! Shape-preserving cubic interpolation.
 
-/// A piecewise cubic through points that is smooth to the first derivative and never overshoots: monotone data
-/// give a monotone curve, and a flat stays flat.
+/// A piecewise cubic through points that is smooth to the first derivative and never overshoots:
+/// monotone data give a monotone curve, and a flat stays flat.
 ///
 /// # Reference
-/// F. N. Fritsch, R. E. Carlson, *Monotone piecewise cubic interpolation*, SIAM J. Numer. Anal. 17 (1980) 238–246;
-/// slopes by the weighted harmonic mean of F. N. Fritsch, J. Butland (1984).
+/// F. N. Fritsch, R. E. Carlson, *Monotone piecewise cubic interpolation*, SIAM J. Numer. Anal. 17
+/// (1980) 238–246; slopes by the weighted harmonic mean of F. N. Fritsch, J. Butland (1984).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MonotoneCubic {
     line: Polyline,
@@ -50,7 +50,10 @@ impl Polyline {
     /// Whether the curve equals its mirror image in x = 0.
     #[expect(clippy::float_cmp, reason = "a face is symmetric if its points are, to the last bit")]
     pub fn is_even(&self) -> bool {
-        self.points.iter().zip(self.points.iter().rev()).all(|(p, q)| p[0] == -q[0] && p[1] == q[1])
+        self.points
+            .iter()
+            .zip(self.points.iter().rev())
+            .all(|(p, q)| p[0] == -q[0] && p[1] == q[1])
     }
 }
 
@@ -66,7 +69,9 @@ impl MonotoneCubic {
             .map(|k| match (k.checked_sub(1).and_then(|j| secants.get(j)), secants.get(k)) {
                 (Some(left), Some(right)) => inner_slope(*left, *right),
                 (None, Some(near)) => end_slope(*near, secants.get(1)),
-                (Some(near), None) => end_slope(*near, last.checked_sub(2).and_then(|j| secants.get(j))),
+                (Some(near), None) => {
+                    end_slope(*near, last.checked_sub(2).and_then(|j| secants.get(j)))
+                }
                 (None, None) => 0.0,
             })
             .collect();
@@ -91,7 +96,8 @@ impl MonotoneCubic {
         let t = (x - x0) / h;
         let (m0, m1) = (h * self.slopes[left], h * self.slopes[right]);
         let s = 1.0 - t;
-        y0 * s * s * (1.0 + 2.0 * t) + y1 * t * t * (3.0 - 2.0 * t) + m0 * t * s * s - m1 * t * t * s
+        y0 * s * s * (1.0 + 2.0 * t) + y1 * t * t * (3.0 - 2.0 * t) + m0 * t * s * s
+            - m1 * t * t * s
     }
 
     /// The straight lines through the same points.
@@ -100,7 +106,8 @@ impl MonotoneCubic {
     }
 }
 
-/// Slope between two intervals `[h, secant]`: zero at an extremum, else the weighted harmonic mean.
+/// Slope between two intervals `[h, secant]`: zero at an extremum, else the weighted harmonic
+/// mean.
 fn inner_slope([h0, s0]: [f64; 2], [h1, s1]: [f64; 2]) -> f64 {
     if s0 * s1 <= 0.0 {
         return 0.0;
@@ -109,7 +116,8 @@ fn inner_slope([h0, s0]: [f64; 2], [h1, s1]: [f64; 2]) -> f64 {
     (w0 + w1) / (w0 / s0 + w1 / s1)
 }
 
-/// Slope at an end: of the parabola through the three nearest points, limited so that nothing overshoots.
+/// Slope at an end: of the parabola through the three nearest points, limited so that nothing
+/// overshoots.
 fn end_slope([h0, s0]: [f64; 2], next: Option<&[f64; 2]>) -> f64 {
     let Some([h1, s1]) = next else { return s0 };
     let slope = ((2.0 * h0 + h1) * s0 - h0 * s1) / (h0 + h1);

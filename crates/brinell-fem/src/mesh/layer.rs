@@ -1,7 +1,9 @@
-//! The grid of a layer, a body that is thin beside the contact or beside its own width: columns through its whole depth.
+//! The grid of a layer, a body that is thin beside the contact or beside its own width: columns
+//! through its whole depth.
 //!
-//! Rings about the middle of the contact would be flat there and fold. Columns are those of the contact zone and grow geometrically
-//! from there to both ends of the body; rows are about as thick as the columns of the zone are wide, and grow below.
+//! Rings about the middle of the contact would be flat there and fold. Columns are those of the
+//! contact zone and grow geometrically from there to both ends of the body; rows are about as
+//! thick as the columns of the zone are wide, and grow below.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -36,7 +38,8 @@ pub(super) fn is_flat(outline: &Outline) -> bool {
     outline.depth() < FLAT * (right - left) && has_walls(outline)
 }
 
-/// Whether columns at its ends are no wedges, so that it may be meshed in columns where rings fold.
+/// Whether columns at its ends are no wedges, so that it may be meshed in columns where rings
+/// fold.
 pub(super) fn has_walls(outline: &Outline) -> bool {
     let depth = outline.depth();
     [1.0, -1.0].into_iter().all(|sign| outline.end(sign)[1] + depth > LEAST_WALL * depth)
@@ -84,14 +87,19 @@ fn columns(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> (Ve
     let beyond = |room: f64| columns_beyond(room, zone, refinement);
     let left = if zone.is_symmetric() { Vec::new() } else { beyond(zone.x_min() - left_end) };
     let right = beyond(right_end - zone.x_max());
-    let mut abscissae: Vec<f64> = left.iter().rev().map(|distance| zone.x_min() - distance).collect();
+    let mut abscissae: Vec<f64> =
+        left.iter().rev().map(|distance| zone.x_min() - distance).collect();
     abscissae.extend(zone.abscissae());
     abscissae.extend(right.iter().map(|distance| zone.x_max() + distance));
     (abscissae, left.len())
 }
 
 /// How many nodes [`generate`] makes.
-pub(super) fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> usize {
+pub(super) fn estimated_nodes(
+    outline: &Outline,
+    zone: &ContactZone,
+    refinement: Refinement,
+) -> usize {
     columns(outline, zone, refinement).0.len() * rows(outline, zone, refinement).len()
 }
 
@@ -102,7 +110,10 @@ pub(super) fn generate(
 ) -> Result<Mesh, MeshError> {
     if !zone.fits(outline) {
         let half_width = zone.x_max().max(-zone.x_min());
-        return Err(MeshError::ZoneBeyondBody { half_width, available: ContactZone::available(outline) });
+        return Err(MeshError::ZoneBeyondBody {
+            half_width,
+            available: ContactZone::available(outline),
+        });
     }
     let (abscissae, left) = columns(outline, zone, refinement);
     let parts = rows(outline, zone, refinement);
@@ -127,7 +138,12 @@ pub(super) fn generate(
             mesh.nodes.push([x, (1.0 - part) * top - part * outline.depth()]);
             mesh.lattice.push(LatticePoint { patch: 0, i: i as i32 - left as i32, j: j as i32 });
             if i + 1 < columns && j + 1 < rows {
-                mesh.elements.push([node(i, j), node(i, j + 1), node(i + 1, j + 1), node(i + 1, j)]);
+                mesh.elements.push([
+                    node(i, j),
+                    node(i, j + 1),
+                    node(i + 1, j + 1),
+                    node(i + 1, j),
+                ]);
             }
         }
     }

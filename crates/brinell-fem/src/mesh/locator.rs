@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use super::Mesh;
 use crate::element::{natural_coordinates, shape_functions};
 
-/// Finds points by walking from element to element. A search starts where the last one ended, so that points taken
-/// in the order of a structured mesh cost a few steps each.
+/// Finds points by walking from element to element. A search starts where the last one ended, so
+/// that points taken in the order of a structured mesh cost a few steps each.
 #[derive(Debug)]
 pub struct Locator<'a> {
     mesh: &'a Mesh,
@@ -43,7 +43,8 @@ const MAX_STEPS: usize = 10_000;
 impl<'a> Locator<'a> {
     /// Prepares the search. Cost: linear in the elements.
     pub fn new(mesh: &'a Mesh) -> Self {
-        let mut open: HashMap<(u32, u32), (u32, usize)> = HashMap::with_capacity(2 * mesh.elements.len());
+        let mut open: HashMap<(u32, u32), (u32, usize)> =
+            HashMap::with_capacity(2 * mesh.elements.len());
         let mut neighbours = vec![[None; 4]; mesh.elements.len()];
         for (element, nodes) in (0u32..).zip(&mesh.elements) {
             for side in 0..4 {
@@ -70,11 +71,13 @@ impl<'a> Locator<'a> {
             }
         }
         self.last = element;
-        let natural = natural_coordinates(&self.mesh.corners(element), point).map(|t| t.clamp(-1.0, 1.0));
+        let natural =
+            natural_coordinates(&self.mesh.corners(element), point).map(|t| t.clamp(-1.0, 1.0));
         Place { nodes: self.mesh.elements[element], shape: shape_functions(natural) }
     }
 
-    /// The neighbour beyond the side that a point lies farthest outside of, relative to the length of the side.
+    /// The neighbour beyond the side that a point lies farthest outside of, relative to the length
+    /// of the side.
     fn way_out(&self, element: usize, [x, y]: [f64; 2]) -> Option<u32> {
         let corners = self.mesh.corners(element);
         let outside = |side: usize| {
@@ -82,7 +85,8 @@ impl<'a> Locator<'a> {
             let (dx, dy) = (bx - ax, by - ay);
             ((x - ax) * dy - (y - ay) * dx) / (dx * dx + dy * dy)
         };
-        let beyond = (0..4).filter_map(|side| Some((outside(side), self.neighbours[element][side]?)));
+        let beyond =
+            (0..4).filter_map(|side| Some((outside(side), self.neighbours[element][side]?)));
         let farthest = beyond.max_by(|a, b| a.0.total_cmp(&b.0));
         farthest.filter(|(distance, _)| *distance > 1e-9).map(|(_, next)| next)
     }
@@ -100,7 +104,8 @@ mod tests {
         Mesh::generate(&outline, &zone, Refinement { growth: 1.3 }).unwrap()
     }
 
-    /// A linear field is transferred exactly, but for the sagitta of the arc between two nodes of the surface.
+    /// A linear field is transferred exactly, but for the sagitta of the arc between two nodes of
+    /// the surface.
     #[test]
     fn a_linear_field_is_read_exactly_at_the_nodes_of_another_mesh() {
         for symmetric in [true, false] {

@@ -1,8 +1,9 @@
-//! Meshes of the two bodies: half-O-grids, columns through layers, and polar grids of a pin in a hole.
+//! Meshes of the two bodies: half-O-grids, columns through layers, and polar grids of a pin in a
+//! hole.
 //!
-//! Each body is meshed in its own frame: the contact starts at the origin, `x` is tangential, `y` points out
-//! of the body, so the material lies at `y <= surface(x)`. The upper body of a job is this picture mirrored,
-//! which is why two equal bodies need only one mesh.
+//! Each body is meshed in its own frame: the contact starts at the origin, `x` is tangential, `y`
+//! points out of the body, so the material lies at `y <= surface(x)`. The upper body of a job is
+//! this picture mirrored, which is why two equal bodies need only one mesh.
 //!
 //! ```text
 //!   y ^   contact zone: columns of width h, the same abscissae on both bodies
@@ -43,7 +44,8 @@ use sparse_cholesky::LatticePoint;
 pub enum MeshError {
     /// The contact zone does not fit on the body.
     #[error(
-        "a contact zone of half-width {half_width:.4} mm does not fit on a surface that spans {available:.4} mm"
+        "a contact zone of half-width {half_width:.4} mm does not fit on a surface that spans \
+         {available:.4} mm"
     )]
     ZoneBeyondBody {
         /// Half-width of the zone asked for \[mm\].
@@ -53,8 +55,9 @@ pub enum MeshError {
     },
     /// A surface given by points that is too steep for the mesh to follow.
     #[error(
-        "the face has a slope of {slope:.2} at x = {x:.6} mm; a body that deforms is meshed up to slopes of about \
-         {MESHED_SLOPE}, and contact theory with small displacements is not meant for steeper ones"
+        "the face has a slope of {slope:.2} at x = {x:.6} mm; a body that deforms is meshed up to \
+         slopes of about {MESHED_SLOPE}, and contact theory with small displacements is not meant \
+         for steeper ones"
     )]
     TooSteep {
         /// Where \[mm\].
@@ -63,7 +66,10 @@ pub enum MeshError {
         slope: f64,
     },
     /// The interpolation folded over itself.
-    #[error("element {element} of the mesh is turned inside out; this is a defect of the mesh generator")]
+    #[error(
+        "element {element} of the mesh is turned inside out; this is a defect of the mesh \
+         generator"
+    )]
     Inverted {
         /// Index of the element.
         element: usize,
@@ -83,10 +89,12 @@ pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refine
     if layer::is_flat(outline) { in_rings.max(in_columns()) } else { in_rings }
 }
 
-/// Relative difference of two lengths that is rounding: other units give the same numbers of rows and columns.
+/// Relative difference of two lengths that is rounding: other units give the same numbers of rows
+/// and columns.
 pub const ROUNDING: f64 = 1e-9;
 
-/// Powers with which the shape of the free surface fades into the body; the first one that gives a valid mesh counts.
+/// Powers with which the shape of the free surface fades into the body; the first one that gives a
+/// valid mesh counts.
 const FADES: [i32; 4] = [1, 2, 4, 8];
 
 /// A mesh of 4-node quadrilaterals with the boundary sets that mechanics needs.
@@ -98,7 +106,8 @@ pub struct Mesh {
     pub elements: Vec<[u32; 4]>,
     /// Candidate contact nodes in order of x.
     pub contact_nodes: Vec<u32>,
-    /// Outward unit vectors along the normals of the contact at these nodes; none where all of them are `[0, 1]`.
+    /// Outward unit vectors along the normals of the contact at these nodes; none where all of
+    /// them are `[0, 1]`.
     pub contact_normals: Vec<[f64; 2]>,
     /// Nodes of the free surface, the contact zone included, in ascending order.
     pub free_surface_nodes: Vec<u32>,
@@ -118,8 +127,8 @@ impl Mesh {
     /// Meshes a body around a contact zone.
     ///
     /// # Errors
-    /// [`MeshError::ZoneBeyondBody`] if the zone is too wide for the body, [`MeshError::TooSteep`] or
-    /// [`MeshError::Inverted`] if an element has a Jacobian that is not positive.
+    /// [`MeshError::ZoneBeyondBody`] if the zone is too wide for the body, [`MeshError::TooSteep`]
+    /// or [`MeshError::Inverted`] if an element has a Jacobian that is not positive.
     pub fn generate(
         outline: &Outline,
         zone: &ContactZone,
@@ -133,8 +142,8 @@ impl Mesh {
             let mesh = layer::generate(outline, zone, refinement)?;
             return quality::require_positive_jacobians(&mesh).map(|()| mesh);
         }
-        // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far into the body
-        // folds the rings there; a steeper fade keeps it near the surface.
+        // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far
+        // into the body folds the rings there; a steeper fade keeps it near the surface.
         let centre = [zone.centre(), outline.height(zone.centre())];
         let mut outcome = Err(MeshError::Inverted { element: 0 });
         for unfold in [false, true] {
@@ -170,13 +179,15 @@ impl Mesh {
             + node_lists.map(|list| size_of_val(list.as_slice())).iter().sum::<usize>()
     }
 
-    /// Nodes of the grid line that runs from a contact node down to the support, through block and rings, in ascending order.
+    /// Nodes of the grid line that runs from a contact node down to the support, through block and
+    /// rings, in ascending order.
     pub fn grid_line_below(&self, contact_node: u32) -> Vec<u32> {
         let column = self.lattice[contact_node as usize].i;
         let block = || self.lattice.iter().filter(|p| p.patch == 0);
         let rows = block().map(|p| p.j).max().unwrap_or(0);
         let columns = block().map(|p| p.i).max().unwrap_or(0);
-        // Rings are numbered from the right end of the zone, down the block's side and back along its base.
+        // Rings are numbered from the right end of the zone, down the block's side and back along
+        // its base.
         let ray = rows + columns - column;
         (0u32..)
             .zip(&self.lattice)
@@ -196,8 +207,15 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// A zone of a part of the largest that fits, `shift` of the way to where it touches the end of that.
-    fn zone(outline: &Outline, part: f64, shift: f64, columns: usize, symmetric: bool) -> ContactZone {
+    /// A zone of a part of the largest that fits, `shift` of the way to where it touches the end
+    /// of that.
+    fn zone(
+        outline: &Outline,
+        part: f64,
+        shift: f64,
+        columns: usize,
+        symmetric: bool,
+    ) -> ContactZone {
         let (left, right) = outline.span();
         let reach = 0.8 * right.min(-left);
         let half = part * reach;
@@ -210,7 +228,8 @@ mod tests {
 
     fn outlines() -> impl Strategy<Value = Outline> {
         let parabola = (1.0..100.0f64, 1.0..20.0f64).prop_map(|(flatness, room)| {
-            let face = (-40..=40).map(|k| f64::from(k) * 0.25).map(|x| [x, -x * x / (20.0 * flatness)]);
+            let face =
+                (-40..=40).map(|k| f64::from(k) * 0.25).map(|x| [x, -x * x / (20.0 * flatness)]);
             Outline::through(&face.collect::<Vec<_>>(), true, 5.0 / flatness + room)
         });
         let groove = (10.5..100.0f64, 1.0..40.0f64)

@@ -24,7 +24,8 @@ pub struct Outline {
 pub struct Ring {
     /// Radius of the surface, negative for a hole \[mm\].
     pub(super) radius: f64,
-    /// Geometric mean of the radii of pin and hole: an arc length over it is the angle of the common normal \[mm\].
+    /// Geometric mean of the radii of pin and hole: an arc length over it is the angle of the
+    /// common normal \[mm\].
     pub(super) common_radius: f64,
     /// Where the body is held.
     pub(super) far: FarBoundary,
@@ -50,7 +51,8 @@ impl Ring {
         self.common_radius
     }
 
-    /// Distance of the far boundary from the centre, at an angle from the middle of the contact \[mm\].
+    /// Distance of the far boundary from the centre, at an angle from the middle of the contact
+    /// \[mm\].
     pub(super) fn far_distance(&self, angle: f64) -> f64 {
         match self.far {
             FarBoundary::Circle(radius) => radius,
@@ -59,23 +61,27 @@ impl Ring {
     }
 }
 
-/// Largest angle of a contact zone to each side of the middle \[degrees\]; beyond it an approach would hardly close gaps.
+/// Largest angle of a contact zone to each side of the middle \[degrees\]; beyond it an approach
+/// would hardly close gaps.
 const MAX_ZONE_ANGLE: f64 = 87.0;
-/// Radius of the rigid core of a pin over its own. The forces that hold the pin are spread over its section, so that the core
-/// carries nothing.
+/// Radius of the rigid core of a pin over its own. The forces that hold the pin are spread over
+/// its section, so that the core carries nothing.
 const PIN_CORE: f64 = 0.05;
 
 #[derive(Debug, Clone, PartialEq)]
 enum Surface {
-    /// Circular arc through the origin with curvature κ \[1/mm\]: convex positive, flat 0, concave negative.
+    /// Circular arc through the origin with curvature κ \[1/mm\]: convex positive, flat 0, concave
+    /// negative.
     Arc { curvature: f64 },
     /// The upper half of an ellipse with these semi-axes along x and y \[mm\].
     Ellipse { semi_axes: [f64; 2] },
     /// `y = -L (|x|/L)^n`, with the length L \[mm\].
     Power { exponent: f64, scale: f64 },
-    /// Two flanks that fall by `slope` from a tip, which is an arc of `tip_radius` \[mm\] or, at 0, a corner.
+    /// Two flanks that fall by `slope` from a tip, which is an arc of `tip_radius` \[mm\] or, at
+    /// 0, a corner.
     Wedge { slope: f64, tip_radius: f64 },
-    /// A flat whose edges are arcs of `edge_radius` \[mm\] or, at 0, corners; beyond `half_width` it drops to `-drop`.
+    /// A flat whose edges are arcs of `edge_radius` \[mm\] or, at 0, corners; beyond `half_width`
+    /// it drops to `-drop`.
     Punch { half_width: f64, edge_radius: f64, drop: f64 },
     /// Smooth, through points.
     Smooth(MonotoneCubic),
@@ -83,15 +89,16 @@ enum Surface {
     Linear(Polyline),
 }
 
-/// Slope jump between two points beyond which a smooth curve through them is taken to imitate a corner: 0.05, but for rounding, so that
-/// points given in other units have the same corners.
+/// Slope jump between two points beyond which a smooth curve through them is taken to imitate a
+/// corner: 0.05, but for rounding, so that points given in other units have the same corners.
 const CORNER: f64 = 0.05 * (1.0 + ROUNDING);
-/// How much more a face turns at a point than at those beside for that to be a corner and not the course of a curve.
+/// How much more a face turns at a point than at those beside for that to be a corner and not the
+/// course of a curve.
 const ALONE: f64 = 4.0;
 /// Slope of a surface given by points up to which meshes are made without fail.
 pub(super) const MESHED_SLOPE: f64 = 0.5;
-/// Slope of a surface given by points beyond which a contact on it is not solved where it deforms: with an angle of 56° vertical gaps
-/// say nothing, whatever a mesh can follow.
+/// Slope of a surface given by points beyond which a contact on it is not solved where it deforms:
+/// with an angle of 56° vertical gaps say nothing, whatever a mesh can follow.
 const CONTACT_SLOPE: f64 = 1.5;
 /// Slope of a vertical drop.
 const VERTICAL: f64 = 1e9;
@@ -117,8 +124,8 @@ impl Depth for Outline {
 }
 
 impl Outline {
-    /// A circular arc through the origin: curvature \[1/mm\], convex positive, 0 for a plane; half of its span and the depth
-    /// below it \[mm\].
+    /// A circular arc through the origin: curvature \[1/mm\], convex positive, 0 for a plane; half
+    /// of its span and the depth below it \[mm\].
     pub fn arc(curvature: f64, half_span: f64, depth: f64) -> Self {
         Self::of_width(Surface::Arc { curvature }, 2.0 * half_span, depth)
     }
@@ -133,22 +140,26 @@ impl Outline {
         Self::of_width(Surface::Power { exponent, scale }, width, depth)
     }
 
-    /// Two flanks that fall by `slope` from a tip, which is an arc of `tip_radius` or, at 0, a corner; width and depth \[mm\].
+    /// Two flanks that fall by `slope` from a tip, which is an arc of `tip_radius` or, at 0, a
+    /// corner; width and depth \[mm\].
     pub fn wedge(slope: f64, tip_radius: f64, width: f64, depth: f64) -> Self {
         Self::of_width(Surface::Wedge { slope, tip_radius }, width, depth)
     }
 
-    /// A rigid flat whose edges are arcs of `edge_radius` or, at 0, corners; beyond `half_width` it drops to `-depth` \[mm\].
+    /// A rigid flat whose edges are arcs of `edge_radius` or, at 0, corners; beyond `half_width`
+    /// it drops to `-depth` \[mm\].
     pub fn punch(half_width: f64, edge_radius: f64, depth: f64) -> Self {
         let surface = Surface::Punch { half_width, edge_radius, drop: depth };
         // Nothing of a rigid body is meshed: its side walls and base bound no contact.
         Self { surface, span: (f64::NEG_INFINITY, f64::INFINITY), depth, ring: None }
     }
 
-    /// Through points `[x, height]` in ascending order of x, smooth or straight between them; points from x = 0 to one side are
-    /// completed by their mirror image. The depth is counted below the highest point \[mm\].
+    /// Through points `[x, height]` in ascending order of x, smooth or straight between them;
+    /// points from x = 0 to one side are completed by their mirror image. The depth is counted
+    /// below the highest point \[mm\].
     pub fn through(points: &[[f64; 2]], is_smooth: bool, depth: f64) -> Self {
-        // Heights count from the highest place, near which it touches, as those of other shapes do.
+        // Heights count from the highest place, near which it touches, as those of other shapes
+        // do.
         let top = points.iter().map(|[_, height]| *height).fold(f64::NEG_INFINITY, f64::max);
         let points = whole_face(points).into_iter().map(|[x, y]| [x, y - top]).collect();
         let line = Polyline::new(points);
@@ -165,10 +176,14 @@ impl Outline {
         Self { surface, span: (-0.5 * width, 0.5 * width), depth, ring: None }
     }
 
-    /// A pin and its hole, which know of each other: their outlines, their radii, negative for the hole \[mm\], and where the body
-    /// around the hole is held.
+    /// A pin and its hole, which know of each other: their outlines, their radii, negative for the
+    /// hole \[mm\], and where the body around the hole is held.
     #[must_use]
-    pub fn as_pin_and_hole(mut outlines: [Self; 2], radii: [f64; 2], held: FarBoundary) -> [Self; 2] {
+    pub fn as_pin_and_hole(
+        mut outlines: [Self; 2],
+        radii: [f64; 2],
+        held: FarBoundary,
+    ) -> [Self; 2] {
         let common_radius = (-radii[0] * radii[1]).sqrt();
         let reach = MAX_ZONE_ANGLE.to_radians() * common_radius;
         for (outline, radius) in outlines.iter_mut().zip(radii) {
@@ -184,8 +199,8 @@ impl Outline {
         self.ring.as_ref()
     }
 
-    /// Height of the surface over the tangent at the origin, along the outward normal \[mm\]; a convex surface
-    /// falls below zero.
+    /// Height of the surface over the tangent at the origin, along the outward normal \[mm\]; a
+    /// convex surface falls below zero.
     pub fn height(&self, x: f64) -> f64 {
         match &self.surface {
             Surface::Arc { curvature } => arc_height(*curvature, x),
@@ -216,8 +231,8 @@ impl Outline {
         }
     }
 
-    /// Curvature of the surface at the origin \[1/mm\], convex positive; `None` where the surface has none there, or only
-    /// in a small part of it.
+    /// Curvature of the surface at the origin \[1/mm\], convex positive; `None` where the surface
+    /// has none there, or only in a small part of it.
     pub fn curvature(&self) -> Option<f64> {
         match self.surface {
             Surface::Arc { curvature } => Some(curvature),
@@ -272,7 +287,8 @@ impl Outline {
         self.steepest().is_some_and(|[_, slope]| slope > MESHED_SLOPE)
     }
 
-    /// Places where the surface may not be as smooth as between them \[mm\], ascending: points of a profile, ends of arcs.
+    /// Places where the surface may not be as smooth as between them \[mm\], ascending: points of
+    /// a profile, ends of arcs.
     pub fn knots(&self) -> Vec<f64> {
         match &self.surface {
             Surface::Arc { .. } | Surface::Ellipse { .. } => Vec::new(),
@@ -321,10 +337,13 @@ impl Outline {
         }
     }
 
-    /// The rounded edges of a punch as corners, if their radius is smaller than a length: elements of it do not see the arcs.
+    /// The rounded edges of a punch as corners, if their radius is smaller than a length: elements
+    /// of it do not see the arcs.
     pub fn edges_rounded_below(&self, length: f64) -> Vec<Corner> {
         match self.surface {
-            Surface::Punch { half_width, edge_radius, .. } if edge_radius > 0.0 && edge_radius < length => {
+            Surface::Punch { half_width, edge_radius, .. }
+                if edge_radius > 0.0 && edge_radius < length =>
+            {
                 edges(half_width, true).to_vec()
             }
             _ => Vec::new(),
@@ -333,9 +352,12 @@ impl Outline {
 
     /// Corners of the surface, ascending.
     pub fn corners(&self) -> Vec<Corner> {
-        let corner = |x: f64, left: f64, right: f64| Corner { x, slopes: [left, right], is_rounded: false };
+        let corner =
+            |x: f64, left: f64, right: f64| Corner { x, slopes: [left, right], is_rounded: false };
         match &self.surface {
-            Surface::Wedge { slope, tip_radius } if *tip_radius == 0.0 => vec![corner(0.0, *slope, -slope)],
+            Surface::Wedge { slope, tip_radius } if *tip_radius == 0.0 => {
+                vec![corner(0.0, *slope, -slope)]
+            }
             Surface::Punch { half_width, edge_radius, .. } if *edge_radius == 0.0 => {
                 edges(*half_width, false).to_vec()
             }
@@ -350,8 +372,9 @@ impl Outline {
         }
     }
 
-    /// Corners that a smooth curve through points may have rounded off: those that [`Outline::corners`] are, and points at which
-    /// the face turns much more than at the points beside, however little that is.
+    /// Corners that a smooth curve through points may have rounded off: those that
+    /// [`Outline::corners`] are, and points at which the face turns much more than at the points
+    /// beside, however little that is.
     pub fn possible_corners(&self) -> Vec<Corner> {
         let Surface::Smooth(curve) = &self.surface else { return self.corners() };
         let bends: Vec<Corner> = bends(curve.line(), true).collect();
@@ -363,19 +386,20 @@ impl Outline {
         bends.iter().enumerate().filter(is_possible).map(|(_, corner)| *corner).collect()
     }
 
-    /// Largest distance over `[left, right]` between a smooth curve through points and the straight lines between them
-    /// \[mm\]; 0 for any other surface.
+    /// Largest distance over `[left, right]` between a smooth curve through points and the
+    /// straight lines between them \[mm\]; 0 for any other surface.
     pub fn rounding(&self, left: f64, right: f64) -> f64 {
         let Surface::Smooth(curve) = &self.surface else { return 0.0 };
         let line = curve.line();
         let points = line.points();
         let first = points.partition_point(|[x, _]| *x <= left).saturating_sub(1);
         let end = points.partition_point(|[x, _]| *x < right) + 1;
-        let between = points.get(first..end.min(points.len())).unwrap_or(&[]).windows(2).flat_map(|pair| {
-            [0.25, 0.5, 0.75]
-                .map(|t| pair[0][0] + t * (pair[1][0] - pair[0][0]))
-                .map(|x| x.clamp(left, right))
-        });
+        let between =
+            points.get(first..end.min(points.len())).unwrap_or(&[]).windows(2).flat_map(|pair| {
+                [0.25, 0.5, 0.75]
+                    .map(|t| pair[0][0] + t * (pair[1][0] - pair[0][0]))
+                    .map(|x| x.clamp(left, right))
+            });
         between.map(|x| (curve.value(x) - line.value(x)).abs()).fold(0.0, f64::max)
     }
 
@@ -389,23 +413,27 @@ impl Outline {
         self.depth
     }
 
-    /// Distance from the surface as in [`Self::depth_below`], and the unit vector along its outward normal there.
+    /// Distance from the surface as in [`Self::depth_below`], and the unit vector along its
+    /// outward normal there.
     pub fn foot(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
         match &self.surface {
             Surface::Arc { curvature } if *curvature == 0.0 => (-y, [0.0, 1.0]),
             Surface::Arc { curvature } => {
-                // From the centre of the circle, which lies below a convex surface and above a concave one.
+                // From the centre of the circle, which lies below a convex surface and above a
+                // concave one.
                 let radius = curvature.recip();
                 let (dx, dy) = (x, y + radius);
                 let distance = dx.hypot(dy).copysign(radius);
-                let normal = if distance == 0.0 { [0.0, 1.0] } else { [dx / distance, dy / distance] };
+                let normal =
+                    if distance == 0.0 { [0.0, 1.0] } else { [dx / distance, dy / distance] };
                 (radius - distance, normal)
             }
             _ => self.foot_on_curve([x, y]),
         }
     }
 
-    /// Foot on a surface of any form: the nearest of many points, then golden section between its neighbours.
+    /// Foot on a surface of any form: the nearest of many points, then golden section between its
+    /// neighbours.
     fn foot_on_curve(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
         const SAMPLES: u32 = 32;
         // The foot to 1e-7 of the depth, and the depth to rounding.
@@ -419,10 +447,12 @@ impl Outline {
         };
         let step = (right - left) / f64::from(SAMPLES);
         let samples = (0..=SAMPLES).map(|k| left + step * f64::from(k)).map(|s| (s, square(s)));
-        let (nearest, _) = samples.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((x, below * below));
+        let (nearest, _) =
+            samples.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((x, below * below));
         let section = 0.5 * (5f64.sqrt() - 1.0);
         let (mut low, mut high) = ((nearest - step).max(left), (nearest + step).min(right));
-        let inner = |low: f64, high: f64| (high - section * (high - low), low + section * (high - low));
+        let inner =
+            |low: f64, high: f64| (high - section * (high - low), low + section * (high - low));
         let (mut a, mut b) = inner(low, high);
         let (mut at_a, mut at_b) = (square(a), square(b));
         for _ in 0..SECTIONS {
@@ -461,14 +491,15 @@ impl Outline {
         [x, self.height(x)]
     }
 
-    /// Point of the free surface at distance `radius` from `centre`, on the side of `sign`, by bisection along
-    /// the surface; the distance must lie between those of the contact zone's edge and of the surface's end.
+    /// Point of the free surface at distance `radius` from `centre`, on the side of `sign`, by
+    /// bisection along the surface; the distance must lie between those of the contact zone's edge
+    /// and of the surface's end.
     pub(super) fn surface_point_at(&self, centre: [f64; 2], radius: f64, sign: f64) -> [f64; 2] {
         let end = self.end(sign)[0];
         let point = |t: f64| -> [f64; 2] {
             let x = match &self.surface {
-                // Equal angles for equal steps of t, so that the end of a cylinder, where the surface is parallel
-                // to y, is resolved as well as the bottom.
+                // Equal angles for equal steps of t, so that the end of a cylinder, where the
+                // surface is parallel to y, is resolved as well as the bottom.
                 Surface::Arc { curvature } if *curvature != 0.0 => {
                     (t * (curvature * end).clamp(-1.0, 1.0).asin()).sin() / curvature
                 }
@@ -507,8 +538,12 @@ fn abscissae(line: &Polyline) -> Vec<f64> {
 fn whole_face(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mirrored = |[x, y]: &[f64; 2]| [-x, *y];
     match points {
-        [[0.0, _], right @ ..] => right.iter().rev().map(mirrored).chain(points.iter().copied()).collect(),
-        [left @ .., [0.0, _]] => points.iter().copied().chain(left.iter().rev().map(mirrored)).collect(),
+        [[0.0, _], right @ ..] => {
+            right.iter().rev().map(mirrored).chain(points.iter().copied()).collect()
+        }
+        [left @ .., [0.0, _]] => {
+            points.iter().copied().chain(left.iter().rev().map(mirrored)).collect()
+        }
         _ => points.to_vec(),
     }
 }

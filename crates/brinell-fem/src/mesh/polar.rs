@@ -1,9 +1,9 @@
-//! The polar grid of a pin or of the body around a hole: columns along the rays about the centre of the circle, rows along
-//! circles.
+//! The polar grid of a pin or of the body around a hole: columns along the rays about the centre
+//! of the circle, rows along circles.
 //!
-//! Columns are even in the contact zone and grow geometrically from there to the far side. Rows are as thick as columns are
-//! wide down to a depth, and then grow. Both bodies have their nodes at the same arc lengths. One half is meshed: both ends of
-//! the grid lie on the axis of symmetry.
+//! Columns are even in the contact zone and grow geometrically from there to the far side. Rows
+//! are as thick as columns are wide down to a depth, and then grow. Both bodies have their nodes
+//! at the same arc lengths. One half is meshed: both ends of the grid lie on the axis of symmetry.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -29,7 +29,10 @@ pub(super) fn generate(
     refinement: Refinement,
 ) -> Result<Mesh, MeshError> {
     if !zone.fits(outline) {
-        return Err(MeshError::ZoneBeyondBody { half_width: zone.x_max(), available: outline.span().1 });
+        return Err(MeshError::ZoneBeyondBody {
+            half_width: zone.x_max(),
+            available: outline.span().1,
+        });
     }
     let angles = ray_angles(ring, zone, refinement);
     let parts = row_parts(ring, zone, refinement);
@@ -44,7 +47,10 @@ pub(super) fn generate(
         contact_normals: Vec::with_capacity(zone.columns() + 1),
         free_surface_nodes: (0..rays).map(|i| node(i, 0)).collect(),
         support_nodes: (0..rays).map(|i| node(i, rows - 1)).collect(),
-        axis_nodes: [0, rays - 1].into_iter().flat_map(|i| (0..rows).map(move |j| node(i, j))).collect(),
+        axis_nodes: [0, rays - 1]
+            .into_iter()
+            .flat_map(|i| (0..rows).map(move |j| node(i, j)))
+            .collect(),
         lattice: Vec::with_capacity(rays * rows),
         zone: zone.clone(),
         frame: SurfaceFrame::Circle { radius: ring.radius },
@@ -58,7 +64,12 @@ pub(super) fn generate(
             mesh.nodes.push([x, sense * distance * cos - ring.radius]);
             mesh.lattice.push(LatticePoint { patch: 0, i: i as i32, j: j as i32 });
             if i + 1 < rays && j + 1 < rows {
-                mesh.elements.push([node(i, j), node(i, j + 1), node(i + 1, j + 1), node(i + 1, j)]);
+                mesh.elements.push([
+                    node(i, j),
+                    node(i, j + 1),
+                    node(i + 1, j + 1),
+                    node(i + 1, j),
+                ]);
             }
         }
     }
@@ -89,7 +100,8 @@ fn ray_angles(ring: &Ring, zone: &ContactZone, refinement: Refinement) -> Vec<f6
     angles
 }
 
-/// Places of the rows between the surface, 0, and the far boundary, 1, even in the logarithm of the radius.
+/// Places of the rows between the surface, 0, and the far boundary, 1, even in the logarithm of
+/// the radius.
 fn row_parts(ring: &Ring, zone: &ContactZone, refinement: Refinement) -> Vec<f64> {
     let radius = ring.radius.abs();
     let whole = (ring.far_distance(0.0) / radius).ln();

@@ -5,8 +5,8 @@ use super::{Mesh, MeshError};
 /// The worst figures over a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quality {
-    /// Smallest ratio of the least to the greatest Jacobian determinant at the corners of one element; 1 for a
-    /// parallelogram, 0 for a triangle, negative for a folded element.
+    /// Smallest ratio of the least to the greatest Jacobian determinant at the corners of one
+    /// element; 1 for a parallelogram, 0 for a triangle, negative for a folded element.
     pub min_jacobian_ratio: f64,
     /// Largest ratio of the longest to the shortest side of one element.
     pub max_aspect_ratio: f64,
@@ -50,15 +50,19 @@ pub(super) fn is_folded(mesh: &Mesh, element: usize) -> bool {
     !corner_determinants(&mesh.corners(element)).iter().all(|&d| d > 0.0)
 }
 
-/// Twice the signed areas of the triangles at the corners, in proportion to the Jacobian determinants there.
-/// The determinant is linear over the element, so four positive corners mean a positive determinant everywhere.
+/// Twice the signed areas of the triangles at the corners, in proportion to the Jacobian
+/// determinants there. The determinant is linear over the element, so four positive corners mean a
+/// positive determinant everywhere.
 fn corner_determinants(corners: &[[f64; 2]; 4]) -> [f64; 4] {
     std::array::from_fn(|k| {
         let (previous, here, next) = (corners[(k + 3) % 4], corners[k], corners[(k + 1) % 4]);
-        (next[0] - here[0]) * (previous[1] - here[1]) - (next[1] - here[1]) * (previous[0] - here[0])
+        (next[0] - here[0]) * (previous[1] - here[1])
+            - (next[1] - here[1]) * (previous[0] - here[0])
     })
 }
 
 fn range(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
+    values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
 }

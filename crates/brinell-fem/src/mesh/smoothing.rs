@@ -1,20 +1,22 @@
 //! Rings that folded are smoothed.
 //!
-//! Where the zone takes up most of a narrow body, or lies far from its middle, interpolation between block and boundary
-//! can fold rings over. Then the nodes around the folded elements are moved towards where the coordinates `(ξ, η)` of the
-//! grid are harmonic functions of the place (Winslow):
+//! Where the zone takes up most of a narrow body, or lies far from its middle, interpolation
+//! between block and boundary can fold rings over. Then the nodes around the folded elements are
+//! moved towards where the coordinates `(ξ, η)` of the grid are harmonic functions of the place
+//! (Winslow):
 //!
 //! ```text
 //! α X_ξξ - 2 β X_ξη + γ X_ηη = 0,   α = X_η·X_η,  β = X_ξ·X_η,  γ = X_ξ·X_ξ
 //! ```
 //!
-//! A harmonic map onto a convex domain, here a rectangle, is one-to-one, so that nothing folds. It is solved for
-//! `X = (ln r, φ)`, a conformal image of the place, in which growing rings are even steps and the equation is the same.
-//! Only as many nodes are moved as it takes, because the map itself folds once more at the corners of the block when its steps are finite.
+//! A harmonic map onto a convex domain, here a rectangle, is one-to-one, so that nothing folds. It
+//! is solved for `X = (ln r, φ)`, a conformal image of the place, in which growing rings are even
+//! steps and the equation is the same. Only as many nodes are moved as it takes, because the map
+//! itself folds once more at the corners of the block when its steps are finite.
 //!
 //! # Reference
-//! A. M. Winslow, *Numerical solution of the quasilinear Poisson equation in a nonuniform triangle mesh*, J. Comput. Phys. 1
-//! (1966) 149–172.
+//! A. M. Winslow, *Numerical solution of the quasilinear Poisson equation in a nonuniform triangle
+//! mesh*, J. Comput. Phys. 1 (1966) 149–172.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -34,12 +36,15 @@ struct RingGrid {
 impl RingGrid {
     fn of(mesh: &Mesh) -> Option<Self> {
         let is_ring = |node: u32| mesh.lattice[node as usize].patch == 1;
-        let first = mesh.elements.iter().position(|corners| corners.iter().any(|&node| is_ring(node)))?;
+        let first =
+            mesh.elements.iter().position(|corners| corners.iter().any(|&node| is_ring(node)))?;
         let rays = mesh.lattice.iter().filter(|p| p.patch == 1 && p.j == 0).count();
-        let mut perimeter: Vec<u32> = mesh.elements[first..].iter().take(rays - 1).map(|c| c[0]).collect();
+        let mut perimeter: Vec<u32> =
+            mesh.elements[first..].iter().take(rays - 1).map(|c| c[0]).collect();
         perimeter.push(mesh.elements[first + rays - 2][1]);
         let mut nodes = vec![perimeter];
-        let ring_nodes: Vec<u32> = (0u32..).take(mesh.nodes.len()).filter(|&node| is_ring(node)).collect();
+        let ring_nodes: Vec<u32> =
+            (0u32..).take(mesh.nodes.len()).filter(|&node| is_ring(node)).collect();
         nodes.extend(ring_nodes.chunks(rays).map(<[u32]>::to_vec));
         Some(Self { nodes })
     }
@@ -88,7 +93,8 @@ pub(super) fn unfold(mesh: &mut Mesh, centre: [f64; 2]) {
         for &(k, s) in &moved {
             let [log_radius, angle] = place[k][s];
             let ((sin, cos), radius) = (angle.sin_cos(), log_radius.exp());
-            mesh.nodes[grid.nodes[k][s] as usize] = [centre[0] + radius * cos, centre[1] + radius * sin];
+            mesh.nodes[grid.nodes[k][s] as usize] =
+                [centre[0] + radius * cos, centre[1] + radius * sin];
         }
     }
 }
@@ -98,8 +104,8 @@ fn winslow(place: &[Vec<[f64; 2]>], k: usize, s: usize, below: f64, above: f64) 
     let component = |c: usize| {
         let (left, right) = (place[k][s - 1][c], place[k][s + 1][c]);
         let (inner, outer) = (place[k - 1][s][c], place[k + 1][s][c]);
-        let cross =
-            place[k + 1][s + 1][c] - place[k + 1][s - 1][c] - place[k - 1][s + 1][c] + place[k - 1][s - 1][c];
+        let cross = place[k + 1][s + 1][c] - place[k + 1][s - 1][c] - place[k - 1][s + 1][c]
+            + place[k - 1][s - 1][c];
         [
             0.5 * (right - left),
             (outer - inner) / (below + above),

@@ -8,16 +8,17 @@ use super::{Outline, ROUNDING};
 const MAX_ZONE_SPAN: f64 = 0.8;
 /// Nodes that two corners must be apart to be nodes both, as a part of the element size.
 const MIN_COLUMN: f64 = 0.3;
-/// Opening slope beyond which a corner is an edge, where pressure grows without bound and columns are graded; and by how much steeper
-/// the surface falls on one side than on the other. Both but for rounding.
+/// Opening slope beyond which a corner is an edge, where pressure grows without bound and columns
+/// are graded; and by how much steeper the surface falls on one side than on the other. Both but
+/// for rounding.
 const EDGE: f64 = 0.25 * (1.0 - ROUNDING);
 const STEEPER: f64 = 2.0 * (1.0 + ROUNDING);
 /// Times that the column beside an edge is halved towards it.
 const GRADING_LEVELS: i32 = 3;
 
-/// By how much the outermost pair stands inside of an edge, as a part of the element size. Pairs in contact up to the edge
-/// itself act like a punch that is wider by this: with 20 elements the elastic approach is 0.25 % low and the limit load of
-/// a flat punch 0.34 % high.
+/// By how much the outermost pair stands inside of an edge, as a part of the element size. Pairs
+/// in contact up to the edge itself act like a punch that is wider by this: with 20 elements the
+/// elastic approach is 0.25 % low and the limit load of a flat punch 0.34 % high.
 const EDGE_INSET: f64 = 0.1;
 
 /// A corner of a surface.
@@ -37,8 +38,8 @@ impl Corner {
         self.slopes[0] - self.slopes[1]
     }
 
-    /// On which side a contact ends here, +1 for the right, because the surface falls off there abruptly and much more than
-    /// on the other; 0 where it does not.
+    /// On which side a contact ends here, +1 for the right, because the surface falls off there
+    /// abruptly and much more than on the other; 0 where it does not.
     pub fn edge(&self) -> f64 {
         let [left, right] = self.slopes;
         if self.opening() < EDGE {
@@ -53,7 +54,8 @@ impl Corner {
     }
 }
 
-/// The part of the surface where contact may happen, and its division into columns of about the same width.
+/// The part of the surface where contact may happen, and its division into columns of about the
+/// same width.
 ///
 /// Corners of the surfaces are nodes. Columns beside an edge are graded towards it.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,17 +69,25 @@ pub struct ContactZone {
 }
 
 impl ContactZone {
-    /// Even columns from `x_min` to `x_max` \[mm\]. With `symmetric`, `x_min` is 0 and an axis of symmetry.
+    /// Even columns from `x_min` to `x_max` \[mm\]. With `symmetric`, `x_min` is 0 and an axis of
+    /// symmetry.
     pub fn uniform(x_min: f64, x_max: f64, columns: usize, symmetric: bool) -> Self {
         let spacing = (x_max - x_min) / columns as f64;
-        let abscissae =
-            (0..=columns).map(|k| if k == columns { x_max } else { x_min + spacing * k as f64 }).collect();
+        let abscissae = (0..=columns)
+            .map(|k| if k == columns { x_max } else { x_min + spacing * k as f64 })
+            .collect();
         Self { abscissae, corners: Arc::default(), spacing, is_graded: false, symmetric }
     }
 
-    /// Columns about as wide as those of [`Self::uniform`], between whose nodes no corner lies; corners are ascending.
-    /// Of corners that are much closer than a column, the first one counts.
-    pub fn with_corners(x_min: f64, x_max: f64, columns: usize, symmetric: bool, corners: &[Corner]) -> Self {
+    /// Columns about as wide as those of [`Self::uniform`], between whose nodes no corner lies;
+    /// corners are ascending. Of corners that are much closer than a column, the first one counts.
+    pub fn with_corners(
+        x_min: f64,
+        x_max: f64,
+        columns: usize,
+        symmetric: bool,
+        corners: &[Corner],
+    ) -> Self {
         let mut zone = Self::uniform(x_min, x_max, columns, symmetric);
         let reach = MIN_COLUMN * zone.spacing;
         let mut breaks: Vec<(f64, Option<Corner>)> = vec![(x_min, None)];
@@ -104,7 +114,8 @@ impl ContactZone {
             if let Some(corner) = left {
                 nodes.push((abscissae.len() - 1, corner));
             }
-            let is_edge = |corner: Option<Corner>| corner.is_some_and(|corner| corner.edge() != 0.0);
+            let is_edge =
+                |corner: Option<Corner>| corner.is_some_and(|corner| corner.edge() != 0.0);
             zone.is_graded |= is_edge(left) || is_edge(right);
             divide(from, to, zone.spacing, is_edge(left), is_edge(right), &mut abscissae);
         }
@@ -153,7 +164,8 @@ impl ContactZone {
         self.corner(k).is_some()
     }
 
-    /// Whether it is one that nothing rounds off, or an edge, beside which a curve through points falls off too steeply to matter.
+    /// Whether it is one that nothing rounds off, or an edge, beside which a curve through points
+    /// falls off too steeply to matter.
     pub fn is_sharp_corner(&self, k: usize) -> bool {
         self.corner(k).is_some_and(|corner| !corner.is_rounded || corner.edge() != 0.0)
     }
@@ -163,7 +175,8 @@ impl ContactZone {
         self.corners.get(place).map(|(_, corner)| corner)
     }
 
-    /// Where the edge is that candidate node `k` stands for, if it does \[mm\]; the node lies a little inside of it.
+    /// Where the edge is that candidate node `k` stands for, if it does \[mm\]; the node lies a
+    /// little inside of it.
     pub fn edge(&self, k: usize) -> Option<f64> {
         self.corner(k).filter(|corner| corner.edge() != 0.0).map(|corner| corner.x)
     }
@@ -209,8 +222,8 @@ impl ContactZone {
         if self.symmetric { self.x_max() } else { 0.5 * (self.x_max() - self.x_min()) }
     }
 
-    /// Depths of the nodes in a block of so many rows as a part of its depth, from 0 to 1: graded towards the surface if
-    /// columns are graded towards an edge.
+    /// Depths of the nodes in a block of so many rows as a part of its depth, from 0 to 1: graded
+    /// towards the surface if columns are graded towards an edge.
     pub(super) fn row_depths(&self, rows: usize) -> Vec<f64> {
         if !self.is_graded {
             return (0..=rows).map(|row| row as f64 / rows as f64).collect();
@@ -221,15 +234,17 @@ impl ContactZone {
     }
 }
 
-/// Appends the nodes beyond `from` of columns as wide as `spacing`, graded towards ends that are edges.
+/// Appends the nodes beyond `from` of columns as wide as `spacing`, graded towards ends that are
+/// edges.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "a small positive number of columns"
 )]
 fn divide(from: f64, to: f64, spacing: f64, from_edge: bool, to_edge: bool, nodes: &mut Vec<f64>) {
-    let columns =
-        ((to - from) / spacing).round().max(1.0 + f64::from(u8::from(from_edge && to_edge))) as usize;
+    let columns = ((to - from) / spacing)
+        .round()
+        .max(1.0 + f64::from(u8::from(from_edge && to_edge))) as usize;
     let width = (to - from) / columns as f64;
     let halvings = || (1..=GRADING_LEVELS).map(|level| width * 0.5_f64.powi(level));
     if from_edge {

@@ -33,8 +33,9 @@ fn compliance(bodies: [Option<ElasticConstants>; 2], of: impl Fn(ElasticConstant
 
 /// Effective radius `R [mm]` from the two curvatures `κ [1/mm]`.
 ///
-/// `1/R = κ_1 + κ_2`; a convex surface has `κ > 0`, a block `κ = 0`, a groove `κ < 0`. Infinite for surfaces that
-/// conform, negative for a groove tighter than what lies in it: Hertz's theory covers neither.
+/// `1/R = κ_1 + κ_2`; a convex surface has `κ > 0`, a block `κ = 0`, a groove `κ < 0`. Infinite
+/// for surfaces that conform, negative for a groove tighter than what lies in it: Hertz's theory
+/// covers neither.
 pub fn effective_radius(curvatures: [f64; 2]) -> f64 {
     let [first, second] = curvatures;
     1.0 / (first + second)
@@ -44,7 +45,8 @@ pub fn effective_radius(curvatures: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
 
-    const STEEL: ElasticConstants = ElasticConstants { young_modulus: 210_000.0, poisson_ratio: 0.3 };
+    const STEEL: ElasticConstants =
+        ElasticConstants { young_modulus: 210_000.0, poisson_ratio: 0.3 };
 
     #[test]
     fn two_equal_bodies_and_one_on_a_rigid_plane() {

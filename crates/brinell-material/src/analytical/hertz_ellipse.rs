@@ -10,9 +10,10 @@
 //! with the incomplete elliptic integrals F(φ, e) and E(φ, e).
 //!
 //! # Reference
-//! H. R. Thomas, V. A. Hoersch, *Stresses due to the pressure of one elastic solid upon another*, Univ. Illinois Eng. Exp. Station
-//! Bull. 212 (1930); K. L. Johnson, *Contact Mechanics* (1985), section 4.2; B. C. Carlson, *Numerical computation of real or complex
-//! elliptic integrals*, Numer. Algorithms 10 (1995) 13–26.
+//! H. R. Thomas, V. A. Hoersch, *Stresses due to the pressure of one elastic solid upon another*,
+//! Univ. Illinois Eng. Exp. Station Bull. 212 (1930); K. L. Johnson, *Contact Mechanics* (1985),
+//! section 4.2; B. C. Carlson, *Numerical computation of real or complex elliptic integrals*,
+//! Numer. Algorithms 10 (1995) 13–26.
 
 use super::{HertzPoint, Stress};
 
@@ -27,7 +28,8 @@ pub struct HertzEllipse {
 }
 
 impl HertzEllipse {
-    /// Stress below the middle: `x` along the shorter semi-axis, `y` normal to the surface, `z` along the longer one.
+    /// Stress below the middle: `x` along the shorter semi-axis, `y` normal to the surface, `z`
+    /// along the longer one.
     pub fn stress_on_axis(self, depth: f64, poisson_ratio: f64) -> Stress {
         if self.axis_ratio >= CIRCLE {
             let circle = HertzPoint::from_peak_pressure(1.0, 1.0, std::f64::consts::FRAC_PI_2);
@@ -44,22 +46,26 @@ impl HertzEllipse {
         let scale = 2.0 / (modulus * long);
         Stress {
             sigma_x: scale
-                * (0.5 + 0.5 / ratio - squared * ratio + across + poisson_ratio * (ratio - 1.0 + along)),
+                * (0.5 + 0.5 / ratio - squared * ratio
+                    + across
+                    + poisson_ratio * (ratio - 1.0 + along)),
             sigma_y: -0.5 * scale * (1.0 - ratio * ratio) / ratio,
-            sigma_z: scale * (0.5 * (ratio - 1.0) + along + poisson_ratio * (1.0 - squared * ratio + across)),
+            sigma_z: scale
+                * (0.5 * (ratio - 1.0) + along + poisson_ratio * (1.0 - squared * ratio + across)),
             tau_xy: 0.0,
         }
     }
 
-    /// `max_x |τ_xz|` at a depth, in the plane of the shorter semi-axis and the normal: the orthogonal shear stress of a contact
-    /// that rolls along its shorter semi-axis.
+    /// `max_x |τ_xz|` at a depth, in the plane of the shorter semi-axis and the normal: the
+    /// orthogonal shear stress of a contact that rolls along its shorter semi-axis.
     ///
     /// ```text
     /// V = (π a b p0/2) ∫_λ^∞ (1 - x²/(a² + w) - y²/(b² + w) - z²/w) dw/Δ,    Δ² = (a² + w)(b² + w) w,    τ_xz = -(z/2π) V_xz
     /// a = 1, y = 0, u = z²/λ:    |τ_xz|/p0 = b z √((1 + λ)(1 - u)) / (Δ(λ) (1 + λ) ((1 - u)/(1 + λ) + u/λ)) z/λ
     /// ```
     ///
-    /// V is the potential of the pressure; λ, above 0, is where its integrand is 0. At each depth u from 0 to 1 is all x.
+    /// V is the potential of the pressure; λ, above 0, is where its integrand is 0. At each depth
+    /// u from 0 to 1 is all x.
     pub fn orthogonal_shear(self, depth: f64) -> f64 {
         if depth <= 0.0 {
             return 0.0;
@@ -87,7 +93,8 @@ impl HertzEllipse {
     /// ```
     ///
     /// # Reference
-    /// G. Lundberg, A. Palmgren, *Dynamic capacity of rolling bearings*, Acta Polytechnica, Mech. Eng. Ser. 1 no. 3 (1947).
+    /// G. Lundberg, A. Palmgren, *Dynamic capacity of rolling bearings*, Acta Polytechnica, Mech.
+    /// Eng. Ser. 1 no. 3 (1947).
     pub fn largest_orthogonal_shear(self) -> (f64, f64) {
         let (mut low, mut high) = (1.0, 2.0);
         for _ in 0..60 {
@@ -138,8 +145,8 @@ mod tests {
                 let weight = 4.0 * short * long * radius * pressure * step * step * pressure;
                 let (plane, distance) = (x * x + y * y, (x * x + y * y + depth * depth).sqrt());
                 let tangential = |u: f64, v: f64| {
-                    let within =
-                        (1.0 - depth / distance) * (u * u - v * v) / plane + depth * v * v / distance.powi(3);
+                    let within = (1.0 - depth / distance) * (u * u - v * v) / plane
+                        + depth * v * v / distance.powi(3);
                     (1.0 - 2.0 * nu) / plane * within - 3.0 * depth * u * u / distance.powi(5)
                 };
                 let factor = weight / (2.0 * std::f64::consts::PI);
@@ -169,12 +176,16 @@ mod tests {
     fn orthogonal_shear_is_that_of_lundberg_and_palmgren() {
         for (axis_ratio, expected, at) in [(1e-4, 0.25, 0.5), (1.0, 0.21390, 0.3509)] {
             let (shear, depth) = HertzEllipse { axis_ratio }.largest_orthogonal_shear();
-            assert!((shear - expected).abs() < 1e-4 && (depth - at).abs() < 1e-3, "{shear} {depth}");
+            assert!(
+                (shear - expected).abs() < 1e-4 && (depth - at).abs() < 1e-3,
+                "{shear} {depth}"
+            );
         }
         for axis_ratio in [0.05, 0.2, 0.5, 0.8, 1.0] {
             let ellipse = HertzEllipse { axis_ratio };
             let (shear, depth) = ellipse.largest_orthogonal_shear();
-            let [above, found, below] = [0.97, 1.0, 1.03].map(|part| ellipse.orthogonal_shear(part * depth));
+            let [above, found, below] =
+                [0.97, 1.0, 1.03].map(|part| ellipse.orthogonal_shear(part * depth));
             assert!((found / shear - 1.0).abs() < 1e-8, "{axis_ratio}: {found} {shear}");
             assert!(above < found && below < found && above.min(below) > 0.998 * found);
         }
@@ -182,7 +193,8 @@ mod tests {
 
     #[test]
     fn a_long_ellipse_is_a_line() {
-        let line = super::super::HertzLine::from_peak_pressure(1.0, 1.0, 2.0).stress_on_axis(0.7, 0.3);
+        let line =
+            super::super::HertzLine::from_peak_pressure(1.0, 1.0, 2.0).stress_on_axis(0.7, 0.3);
         let long = HertzEllipse { axis_ratio: 1e-3 }.stress_on_axis(0.7, 0.3);
         assert!((line.von_mises() - long.von_mises()).abs() < 2e-3, "{line:?} {long:?}");
     }

@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 /// ```text
 /// a = √(4 P R / (π E*))      p0 = 2 P / (π a)      p(x) = p0 √(1 - x²/a²),  |x| <= a
 /// ```
-/// `P = force [N/mm]`, `R = effective_radius [mm]`, `E* = effective_modulus [MPa]`, `a = half_width [mm]`,
-/// `p0 = peak_pressure [MPa]`. Valid for `a << R`.
+/// `P = force [N/mm]`, `R = effective_radius [mm]`, `E* = effective_modulus [MPa]`, `a =
+/// half_width [mm]`, `p0 = peak_pressure [MPa]`. Valid for `a << R`.
 ///
 /// # Reference
 /// H. Hertz (1882); K. L. Johnson, *Contact Mechanics* (1985), eqs. 4.43 - 4.45.
@@ -20,16 +20,23 @@ pub struct HertzLine {
 }
 
 impl HertzLine {
-    /// The contact under the force per length `P`, with effective radius `R` and effective modulus `E*`.
+    /// The contact under the force per length `P`, with effective radius `R` and effective modulus
+    /// `E*`.
     pub fn new(force_per_length: f64, effective_radius: f64, effective_modulus: f64) -> Self {
-        let half_width = (4.0 * force_per_length * effective_radius / (PI * effective_modulus)).sqrt();
+        let half_width =
+            (4.0 * force_per_length * effective_radius / (PI * effective_modulus)).sqrt();
         // Not 2P/(πa), which is 0/0 for P = 0.
-        let peak_pressure = (force_per_length * effective_modulus / (PI * effective_radius)).sqrt();
+        let peak_pressure =
+            (force_per_length * effective_modulus / (PI * effective_radius)).sqrt();
         Self { force: force_per_length, half_width, peak_pressure }
     }
 
     /// The contact whose peak pressure is `p0`: `P = π R p0² / E*`.
-    pub fn from_peak_pressure(peak_pressure: f64, effective_radius: f64, effective_modulus: f64) -> Self {
+    pub fn from_peak_pressure(
+        peak_pressure: f64,
+        effective_radius: f64,
+        effective_modulus: f64,
+    ) -> Self {
         let force = PI * effective_radius * peak_pressure * peak_pressure / effective_modulus;
         Self::new(force, effective_radius, effective_modulus)
     }
@@ -76,7 +83,9 @@ mod tests {
         let hertz = HertzLine::new(35_000.0, effective_radius([1.0 / 50.0, 0.0]), modulus);
         assert!((hertz.half_width() - 6.2146).abs() < 5e-5);
         assert!((hertz.peak_pressure() - 3585.4).abs() < 0.05);
-        assert!((hertz.peak_pressure() * PI * hertz.half_width() / 2.0 / 35_000.0 - 1.0).abs() < 1e-14);
+        assert!(
+            (hertz.peak_pressure() * PI * hertz.half_width() / 2.0 / 35_000.0 - 1.0).abs() < 1e-14
+        );
     }
 
     /// The paper's cylinders: P = 612.6106 N/mm is the load whose elastic peak is `3 σ_y`.

@@ -9,8 +9,9 @@ use super::Stress;
 /// ```text
 /// a³ = 3 F R / (4 E*)     p0 = 3 F / (2 π a²)     α = a²/R     p(r) = p0 √(1 - r²/a²),  r <= a
 /// ```
-/// `F = force [N]`, `R = effective_radius [mm]`, `E* = effective_modulus [MPa]`, `a = contact_radius [mm]`,
-/// `p0 = peak_pressure [MPa]`, `α = approach [mm]` of points far from the contact. Valid for `a << R`.
+/// `F = force [N]`, `R = effective_radius [mm]`, `E* = effective_modulus [MPa]`, `a =
+/// contact_radius [mm]`, `p0 = peak_pressure [MPa]`, `α = approach [mm]` of points far from the
+/// contact. Valid for `a << R`.
 ///
 /// # Reference
 /// H. Hertz (1882); K. L. Johnson, *Contact Mechanics* (1985), eqs. 4.22 - 4.24.
@@ -35,9 +36,17 @@ impl HertzPoint {
     }
 
     /// The contact whose peak pressure is `p0`: `F = π³ R² p0³ / (6 E*²)`.
-    pub fn from_peak_pressure(peak_pressure: f64, effective_radius: f64, effective_modulus: f64) -> Self {
+    pub fn from_peak_pressure(
+        peak_pressure: f64,
+        effective_radius: f64,
+        effective_modulus: f64,
+    ) -> Self {
         let ratio = effective_radius / effective_modulus;
-        Self::new((PI * peak_pressure).powi(3) * ratio * ratio / 6.0, effective_radius, effective_modulus)
+        Self::new(
+            (PI * peak_pressure).powi(3) * ratio * ratio / 6.0,
+            effective_radius,
+            effective_modulus,
+        )
     }
 
     /// Force `F [N]`.
@@ -83,9 +92,14 @@ impl HertzPoint {
     pub fn stress_on_axis(&self, depth: f64, poisson_ratio: f64) -> Stress {
         let d = depth / self.contact_radius;
         let decay = 1.0 / (1.0 + d * d);
-        let radial =
-            -self.peak_pressure * ((1.0 + poisson_ratio) * (1.0 - d * 1.0_f64.atan2(d)) - 0.5 * decay);
-        Stress { sigma_x: radial, sigma_y: -self.peak_pressure * decay, sigma_z: radial, tau_xy: 0.0 }
+        let radial = -self.peak_pressure
+            * ((1.0 + poisson_ratio) * (1.0 - d * 1.0_f64.atan2(d)) - 0.5 * decay);
+        Stress {
+            sigma_x: radial,
+            sigma_y: -self.peak_pressure * decay,
+            sigma_z: radial,
+            tau_xy: 0.0,
+        }
     }
 }
 
@@ -115,6 +129,8 @@ mod tests {
         // Boussinesq's point force: σ_y = -3F / (2π d²).
         let depth = 300.0 * hertz.contact_radius();
         let below = hertz.stress_on_axis(depth, 0.3);
-        assert!((below.sigma_y * 2.0 * PI * depth * depth / (3.0 * hertz.force()) + 1.0).abs() < 1e-4);
+        assert!(
+            (below.sigma_y * 2.0 * PI * depth * depth / (3.0 * hertz.force()) + 1.0).abs() < 1e-4
+        );
     }
 }

@@ -2,20 +2,21 @@
 
 use std::f64::consts::PI;
 
-/// An indenter whose surface falls off as `C |x|^n`: a wedge or cone (n = 1), a parabola (n = 2), nearly a flat punch
-/// (n large).
+/// An indenter whose surface falls off as `C |x|^n`: a wedge or cone (n = 1), a parabola (n = 2),
+/// nearly a flat punch (n large).
 ///
 /// ```text
 /// plane          P = n C E* a^n I(n)
 /// axisymmetric   P = 2 n C E* a^(n+1) I(n+1),   α = n C a^n I(n-1)
 /// I(m) = ∫ sinᵐφ dφ from 0 to π/2
 /// ```
-/// `P = force [N/mm or N]`, `a = half_width [mm]`, `α = approach [mm]`, `E* = effective_modulus [MPa]`. The approach of a
-/// plane contact depends on the size of the body.
+/// `P = force [N/mm or N]`, `a = half_width [mm]`, `α = approach [mm]`, `E* = effective_modulus
+/// [MPa]`. The approach of a plane contact depends on the size of the body.
 ///
 /// # Reference
-/// I. N. Sneddon, *The relation between load and penetration in the axisymmetric Boussinesq problem for a punch of arbitrary
-/// profile*, Int. J. Engng Sci. 3 (1965) 47–57; K. L. Johnson, *Contact Mechanics* (1985), sections 5.2 and 5.3.
+/// I. N. Sneddon, *The relation between load and penetration in the axisymmetric Boussinesq
+/// problem for a punch of arbitrary profile*, Int. J. Engng Sci. 3 (1965) 47–57; K. L. Johnson,
+/// *Contact Mechanics* (1985), sections 5.2 and 5.3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PowerIndenter {
     exponent: f64,
@@ -34,7 +35,8 @@ impl PowerIndenter {
         Self::new(1.0, angle.tan(), effective_modulus)
     }
 
-    /// Force on unit thickness `P [N/mm]` under which the plane contact has the half-width `a [mm]`.
+    /// Force on unit thickness `P [N/mm]` under which the plane contact has the half-width `a
+    /// [mm]`.
     pub fn line_force(&self, half_width: f64) -> f64 {
         let n = self.exponent;
         n * self.coefficient * self.effective_modulus * half_width.powf(n) * sine_integral(n)
@@ -43,7 +45,11 @@ impl PowerIndenter {
     /// Force `P [N]` under which the contact circle has the radius `a [mm]`.
     pub fn force(&self, radius: f64) -> f64 {
         let n = self.exponent;
-        2.0 * n * self.coefficient * self.effective_modulus * radius.powf(n + 1.0) * sine_integral(n + 1.0)
+        2.0 * n
+            * self.coefficient
+            * self.effective_modulus
+            * radius.powf(n + 1.0)
+            * sine_integral(n + 1.0)
     }
 
     /// Approach `α [mm]` at which the contact circle has the radius `a [mm]`.
@@ -55,8 +61,8 @@ impl PowerIndenter {
 
 /// `∫ sinᵐφ dφ` from 0 to π/2, `m > -1`.
 fn sine_integral(power: f64) -> f64 {
-    // By parts: I(m) = (m+2)/(m+1) I(m+2), up to a power at which the integrand is smooth enough for even steps, whose error
-    // then falls faster than any power of their width.
+    // By parts: I(m) = (m+2)/(m+1) I(m+2), up to a power at which the integrand is smooth enough
+    // for even steps, whose error then falls faster than any power of their width.
     let (mut m, mut factor) = (power, 1.0);
     while m < 16.0 {
         factor *= (m + 2.0) / (m + 1.0);
@@ -68,7 +74,8 @@ fn sine_integral(power: f64) -> f64 {
     factor * step * (inner + 0.5)
 }
 
-/// Pressure of a rigid flat punch with sharp edges on an elastic half-plane, `p = P/(π √(a² - x²)) [MPa]`.
+/// Pressure of a rigid flat punch with sharp edges on an elastic half-plane, `p = P/(π √(a² - x²))
+/// [MPa]`.
 ///
 /// # Reference
 /// M. A. Sadowsky (1928); K. L. Johnson, *Contact Mechanics* (1985), eq. 2.64.
@@ -76,10 +83,12 @@ pub fn flat_punch_pressure(force_per_length: f64, half_width: f64, x: f64) -> f6
     force_per_length / (PI * (half_width * half_width - x * x).sqrt())
 }
 
-/// Pressure of a rigid cylindrical punch with a sharp edge on an elastic half-space, `p = P/(2πa √(a² - r²)) [MPa]`.
+/// Pressure of a rigid cylindrical punch with a sharp edge on an elastic half-space, `p = P/(2πa
+/// √(a² - r²)) [MPa]`.
 ///
 /// # Reference
-/// J. Boussinesq (1885); K. L. Johnson, *Contact Mechanics* (1985), eq. 3.34. Its approach is `α = P/(2 a E*)`.
+/// J. Boussinesq (1885); K. L. Johnson, *Contact Mechanics* (1985), eq. 3.34. Its approach is `α =
+/// P/(2 a E*)`.
 pub fn circular_punch_pressure(force: f64, radius: f64, r: f64) -> f64 {
     force / (2.0 * PI * radius * (radius * radius - r * r).sqrt())
 }
@@ -97,7 +106,11 @@ mod tests {
             assert!((sine_integral(m) / expected - 1.0).abs() < 1e-13, "{m}");
         }
         // √π/2 Γ(0.6)/Γ(1.1)
-        assert!((sine_integral(0.2) - 1.387_250_959_242_028).abs() < 1e-6, "{}", sine_integral(0.2));
+        assert!(
+            (sine_integral(0.2) - 1.387_250_959_242_028).abs() < 1e-6,
+            "{}",
+            sine_integral(0.2)
+        );
     }
 
     #[test]
@@ -108,10 +121,13 @@ mod tests {
         assert!((indenter.line_force(line.half_width()) / force - 1.0).abs() < 1e-12);
         let point = HertzPoint::new(force, radius, modulus);
         assert!((indenter.force(point.contact_radius()) / force - 1.0).abs() < 1e-12);
-        assert!((indenter.approach(point.contact_radius()) / point.approach() - 1.0).abs() < 1e-12);
+        assert!(
+            (indenter.approach(point.contact_radius()) / point.approach() - 1.0).abs() < 1e-12
+        );
     }
 
-    /// Sneddon's cone: `p_m = E* tan β / 2`, `α = π/2 a tan β`. Johnson's wedge: `p_m = E* tan β / 2`.
+    /// Sneddon's cone: `p_m = E* tan β / 2`, `α = π/2 a tan β`. Johnson's wedge: `p_m = E* tan β /
+    /// 2`.
     #[test]
     fn the_first_power_is_a_cone_or_a_wedge() {
         let (angle, modulus, a) = (0.1_f64, 230_000.0, 0.7);

@@ -10,7 +10,8 @@ impl HertzLine {
     /// σ_y = -p0 a/√(a² + d²)                          normal to the contact
     /// σ_z = ν (σ_x + σ_y)                             out of plane
     /// ```
-    /// `σ_x` is evaluated as `-p0 a³ / (s (s + d)²)`, `s = √(a² + d²)`, the same without its cancellation at depth.
+    /// `σ_x` is evaluated as `-p0 a³ / (s (s + d)²)`, `s = √(a² + d²)`, the same without its
+    /// cancellation at depth.
     ///
     /// # Reference
     /// K. L. Johnson, *Contact Mechanics* (1985), eqs. 4.46 (there z is the depth).
@@ -32,12 +33,13 @@ impl HertzLine {
     /// σ_z  = ν (σ_x + σ_y)
     /// τ_xy = -(p0/a)   n (m² - d²)/(m² + n²)          y into the body
     /// ```
-    /// evaluated without cancellation from `w = m² - d²`, the positive root of `w² + (d² + x² - a²) w = a² d²`. At
-    /// the edges of the contact every component falls to zero like a square root.
+    /// evaluated without cancellation from `w = m² - d²`, the positive root of `w² + (d² + x² -
+    /// a²) w = a² d²`. At the edges of the contact every component falls to zero like a square
+    /// root.
     ///
     /// # Reference
-    /// E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40 (1949) 454-459;
-    /// K. L. Johnson, *Contact Mechanics* (1985), eqs. 4.49.
+    /// E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40
+    /// (1949) 454-459; K. L. Johnson, *Contact Mechanics* (1985), eqs. 4.49.
     pub fn stress(&self, x: f64, depth: f64, poisson_ratio: f64) -> Stress {
         let (a, d) = (self.half_width(), depth);
         let difference = (a - x) * (a + x) + d * d;
@@ -96,7 +98,9 @@ mod tests {
             for depth in [0.05, 0.5, 0.786, 2.0, 9.0] {
                 let stress = unit().stress(x, depth, 0.3);
                 let expected = superposed(x, depth);
-                for (left, right) in [stress.sigma_x, stress.sigma_y, stress.tau_xy].iter().zip(expected) {
+                for (left, right) in
+                    [stress.sigma_x, stress.sigma_y, stress.tau_xy].iter().zip(expected)
+                {
                     assert!((left - right).abs() < 1e-7, "({x}, {depth}): {left} {right}");
                 }
             }
@@ -106,8 +110,10 @@ mod tests {
     #[test]
     fn axis_is_part_of_the_field() {
         for depth in [0.0, 0.1, 0.704, 3.0, 1e4] {
-            let (axis, field) = (unit().stress_on_axis(depth, 0.3), unit().stress(0.0, depth, 0.3));
-            let printed = -((1.0 + 2.0 * depth * depth) / (1.0 + depth * depth).sqrt() - 2.0 * depth);
+            let (axis, field) =
+                (unit().stress_on_axis(depth, 0.3), unit().stress(0.0, depth, 0.3));
+            let printed =
+                -((1.0 + 2.0 * depth * depth) / (1.0 + depth * depth).sqrt() - 2.0 * depth);
             assert!((axis.sigma_x - printed).abs() < 1e-15 * (1.0 + 8.0 * depth));
             assert!((axis.sigma_x / field.sigma_x - 1.0).abs() < 1e-13);
             assert!((axis.sigma_y / field.sigma_y - 1.0).abs() < 1e-13);
@@ -120,7 +126,9 @@ mod tests {
         for x in [-0.9, 0.0, 0.5] {
             let stress = unit().stress(x, 0.0, 0.3);
             assert!((stress.sigma_y + unit().pressure(x)).abs() < 1e-14);
-            assert!((stress.sigma_x - stress.sigma_y).abs() < 1e-14 && stress.tau_xy.abs() < 1e-14);
+            assert!(
+                (stress.sigma_x - stress.sigma_y).abs() < 1e-14 && stress.tau_xy.abs() < 1e-14
+            );
         }
         for x in [-3.0, -1.0, 1.0, 1.001] {
             let stress = unit().stress(x, 0.0, 0.3);

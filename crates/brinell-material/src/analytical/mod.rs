@@ -1,12 +1,13 @@
 //! Exact and closed-form solutions, each a type or a function with its equation and its source.
 //!
-//! They serve twice: results report them beside the computed figures, and tests measure the solver against
-//! them. Everything is `f64` in one consistent system of units (N, mm, `MPa`); forces of plane problems are per
-//! unit thickness. Arguments are taken as they come: outside a formula's range the answer is NaN or infinite,
-//! never a panic.
+//! They serve twice: results report them beside the computed figures, and tests measure the solver
+//! against them. Everything is `f64` in one consistent system of units (N, mm, `MPa`); forces of
+//! plane problems are per unit thickness. Arguments are taken as they come: outside a formula's
+//! range the answer is NaN or infinite, never a panic.
 //!
-//! Frame: `x` tangential, `y` normal to the contact, `z` out of the plane. Depth is counted from the surface into
-//! the body, positive inwards. Stresses are tensile positive, pressures compressive positive.
+//! Frame: `x` tangential, `y` normal to the contact, `z` out of the plane. Depth is counted from
+//! the surface into the body, positive inwards. Stresses are tensile positive, pressures
+//! compressive positive.
 
 mod approach;
 mod effective;
@@ -25,7 +26,9 @@ mod thick_cylinder;
 mod yield_onset;
 
 pub use approach::{disc_approach, layer_approach};
-pub use effective::{ElasticConstants, effective_modulus, effective_modulus_plane_stress, effective_radius};
+pub use effective::{
+    ElasticConstants, effective_modulus, effective_modulus_plane_stress, effective_radius,
+};
 pub use hertz_ellipse::HertzEllipse;
 pub use hertz_line::HertzLine;
 pub use hertz_point::HertzPoint;

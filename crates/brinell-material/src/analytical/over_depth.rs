@@ -1,11 +1,12 @@
-//! Contacts of bodies whose strength varies with depth: the onset of yield, and the limit of rolling.
+//! Contacts of bodies whose strength varies with depth: the onset of yield, and the limit of
+//! rolling.
 //!
 //! ```text
 //! p0 max F(z/a) <= σ_y(z) for every depth z,   a = c p0
 //! ```
 //!
-//! with F the equivalent stress at unit peak pressure. A higher pressure means higher stresses at every depth, so that the
-//! largest p0 for which this holds is found by bisection.
+//! with F the equivalent stress at unit peak pressure. A higher pressure means higher stresses at
+//! every depth, so that the largest p0 for which this holds is found by bisection.
 
 use std::sync::LazyLock;
 
@@ -20,31 +21,43 @@ pub struct DepthLimit {
     pub depth: f64,
 }
 
-/// Deepest depth looked at, in half-widths. Stress has fallen to a fiftieth there, the smallest strength to no less than a
-/// hundredth: what is weaker below is found with a depth that is too small.
+/// Deepest depth looked at, in half-widths. Stress has fallen to a fiftieth there, the smallest
+/// strength to no less than a hundredth: what is weaker below is found with a depth that is too
+/// small.
 const DEEPEST: f64 = 100.0;
 /// Depths that are looked at, and those between the neighbours of the highest of them.
 const SAMPLES: u32 = 600;
 const REFINED: u32 = 500;
 
 impl DepthLimit {
-    /// Onset of yield of a line contact, von Mises criterion on the axis, for a yield stress over depth \[MPa\].
-    /// `half_width` is that of a unit peak pressure \[mm/MPa\]: `2R/E*`.
+    /// Onset of yield of a line contact, von Mises criterion on the axis, for a yield stress over
+    /// depth \[MPa\]. `half_width` is that of a unit peak pressure \[mm/MPa\]: `2R/E*`.
     ///
     /// # Reference
     /// Stresses: E. McEwen (1949), as in [`HertzLine::stress_on_axis`].
-    pub fn line_onset(poisson_ratio: f64, half_width: f64, yield_stress: impl Fn(f64) -> f64) -> Self {
+    pub fn line_onset(
+        poisson_ratio: f64,
+        half_width: f64,
+        yield_stress: impl Fn(f64) -> f64,
+    ) -> Self {
         let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
-        Self::first(half_width, yield_stress, |z| hertz.stress_on_axis(z, poisson_ratio).von_mises())
+        Self::first(half_width, yield_stress, |z| {
+            hertz.stress_on_axis(z, poisson_ratio).von_mises()
+        })
     }
 
-    /// Onset of yield of a point contact, on the axis or at the surface on the edge of the contact circle, where the radial tension
-    /// `(1 - 2ν) p0/3` and as much hoop pressure have the von Mises stress `(1 - 2ν) p0/√3`; `half_width` is the contact radius of a
-    /// unit peak pressure \[mm/MPa\]: `πR/2E*`.
+    /// Onset of yield of a point contact, on the axis or at the surface on the edge of the contact
+    /// circle, where the radial tension `(1 - 2ν) p0/3` and as much hoop pressure have the von
+    /// Mises stress `(1 - 2ν) p0/√3`; `half_width` is the contact radius of a unit peak pressure
+    /// \[mm/MPa\]: `πR/2E*`.
     ///
     /// # Reference
     /// K. L. Johnson, *Contact Mechanics* (1985), eq. 3.49.
-    pub fn point_onset(poisson_ratio: f64, half_width: f64, yield_stress: impl Fn(f64) -> f64) -> Self {
+    pub fn point_onset(
+        poisson_ratio: f64,
+        half_width: f64,
+        yield_stress: impl Fn(f64) -> f64,
+    ) -> Self {
         let hertz = HertzPoint::from_peak_pressure(1.0, 1.0, std::f64::consts::FRAC_PI_2);
         let edge = (1.0 - 2.0 * poisson_ratio) / 3f64.sqrt();
         Self::first(half_width, yield_stress, |z| {
@@ -53,7 +66,8 @@ impl DepthLimit {
         })
     }
 
-    /// Onset of yield on the axis of an elliptic contact; `half_width` is the shorter semi-axis of a unit peak pressure \[mm/MPa\].
+    /// Onset of yield on the axis of an elliptic contact; `half_width` is the shorter semi-axis of
+    /// a unit peak pressure \[mm/MPa\].
     ///
     /// # Reference
     /// Stresses: H. R. Thomas, V. A. Hoersch (1930), as in [`HertzEllipse::stress_on_axis`].
@@ -63,48 +77,54 @@ impl DepthLimit {
         half_width: f64,
         yield_stress: impl Fn(f64) -> f64,
     ) -> Self {
-        Self::first(half_width, yield_stress, |z| ellipse.stress_on_axis(z, poisson_ratio).von_mises())
+        Self::first(half_width, yield_stress, |z| {
+            ellipse.stress_on_axis(z, poisson_ratio).von_mises()
+        })
     }
 
-    /// Elastic shakedown limit of a line contact that rolls freely, for a yield stress over depth \[MPa\].
+    /// Elastic shakedown limit of a line contact that rolls freely, for a yield stress over depth
+    /// \[MPa\].
     ///
     /// ```text
     /// p0 max_x |τ_xy(x, z)|/p0 <= k(z),   k = σ_y/√3        4.000 k where k is constant
     /// ```
     ///
-    /// Residual stresses that rolling leaves depend on depth alone, so that by equilibrium they are σ_x and σ_z only: they can
-    /// take away all of the deviator but the orthogonal shear stress (Melan). Above this limit the material at that depth
-    /// yields in every passage. Below it, it shakes down where the strength is constant; where it is not, this is an upper
-    /// bound.
+    /// Residual stresses that rolling leaves depend on depth alone, so that by equilibrium they
+    /// are σ_x and σ_z only: they can take away all of the deviator but the orthogonal shear
+    /// stress (Melan). Above this limit the material at that depth yields in every passage. Below
+    /// it, it shakes down where the strength is constant; where it is not, this is an upper bound.
     ///
     /// # Reference
-    /// K. L. Johnson, *A shakedown limit in rolling contact*, Proc. 4th U.S. National Congress of Applied Mechanics, ASME
-    /// (1962) 971–975; K. L. Johnson, *Contact Mechanics* (1985), section 9.2.
+    /// K. L. Johnson, *A shakedown limit in rolling contact*, Proc. 4th U.S. National Congress of
+    /// Applied Mechanics, ASME (1962) 971–975; K. L. Johnson, *Contact Mechanics* (1985), section
+    /// 9.2.
     pub fn rolling(half_width: f64, yield_stress: impl Fn(f64) -> f64) -> Self {
         Self::first(half_width, |z| shear_yield_von_mises(yield_stress(z)), orthogonal_shear)
     }
 
-    /// [`Self::rolling`] of a yield stress that is the same everywhere: the orthogonal shear stress is `p0/4` at the depth
-    /// `a/2`.
+    /// [`Self::rolling`] of a yield stress that is the same everywhere: the orthogonal shear
+    /// stress is `p0/4` at the depth `a/2`.
     pub fn uniform_rolling(half_width: f64, yield_stress: f64) -> Self {
         let peak_pressure = 4.0 * shear_yield_von_mises(yield_stress);
         Self { peak_pressure, depth: 0.5 * half_width * peak_pressure }
     }
 
-    /// Upper bound of the elastic shakedown limit of an elliptic contact that rolls freely along its shorter semi-axis;
-    /// `half_width` is that semi-axis at a unit peak pressure \[mm/MPa\].
+    /// Upper bound of the elastic shakedown limit of an elliptic contact that rolls freely along
+    /// its shorter semi-axis; `half_width` is that semi-axis at a unit peak pressure \[mm/MPa\].
     ///
     /// ```text
     /// p0 max_x |τ_xz(x, 0, z)|/p0 <= k(z)        4.000 k of a line, 4.675 k of a circle where k is constant
     /// ```
     ///
-    /// A place below the track has this shear stress in one direction and then in the other, with the same other stresses. No
-    /// residual stress, which stays, makes that smaller: above the bound it yields in every passage. The limit itself is 4.0 k
-    /// of a line and 4.7 k of a circle.
+    /// A place below the track has this shear stress in one direction and then in the other, with
+    /// the same other stresses. No residual stress, which stays, makes that smaller: above the
+    /// bound it yields in every passage. The limit itself is 4.0 k of a line and 4.7 k of a
+    /// circle.
     ///
     /// # Reference
-    /// K. L. Johnson, *Contact Mechanics* (1985), section 9.2; A. R. S. Ponter, A. D. Hearle, K. L. Johnson, *Application of the
-    /// kinematical shakedown theorem to rolling and sliding point contacts*, J. Mech. Phys. Solids 33 (1985) 339–362.
+    /// K. L. Johnson, *Contact Mechanics* (1985), section 9.2; A. R. S. Ponter, A. D. Hearle, K.
+    /// L. Johnson, *Application of the kinematical shakedown theorem to rolling and sliding point
+    /// contacts*, J. Mech. Phys. Solids 33 (1985) 339–362.
     pub fn ellipse_rolling(
         ellipse: HertzEllipse,
         half_width: f64,
@@ -115,7 +135,11 @@ impl DepthLimit {
     }
 
     /// [`Self::ellipse_rolling`] of a yield stress that is the same everywhere.
-    pub fn uniform_ellipse_rolling(ellipse: HertzEllipse, half_width: f64, yield_stress: f64) -> Self {
+    pub fn uniform_ellipse_rolling(
+        ellipse: HertzEllipse,
+        half_width: f64,
+        yield_stress: f64,
+    ) -> Self {
         let (shear, depth) = ellipse.largest_orthogonal_shear();
         let peak_pressure = shear_yield_von_mises(yield_stress) / shear;
         Self { peak_pressure, depth: depth * half_width * peak_pressure }
@@ -124,11 +148,13 @@ impl DepthLimit {
     fn first(half_width: f64, strength: impl Fn(f64) -> f64, stress: impl Fn(f64) -> f64) -> Self {
         // Stress over strength at the depth where that is largest.
         let highest = |pressure: f64| {
-            let ratio = |depth: f64| pressure * stress(depth) / strength(depth * half_width * pressure);
+            let ratio =
+                |depth: f64| pressure * stress(depth) / strength(depth * half_width * pressure);
             let at = |k: u32| DEEPEST * (f64::from(k) / f64::from(SAMPLES)).powi(3);
             let ratios: Vec<f64> = (0..=SAMPLES).map(|k| ratio(at(k))).collect();
-            let best =
-                (0..=SAMPLES).max_by(|a, b| ratios[*a as usize].total_cmp(&ratios[*b as usize])).unwrap_or(0);
+            let best = (0..=SAMPLES)
+                .max_by(|a, b| ratios[*a as usize].total_cmp(&ratios[*b as usize]))
+                .unwrap_or(0);
             let (low, high) = (at(best.saturating_sub(1)), at((best + 1).min(SAMPLES)));
             let between = |k: u32| low + (high - low) * f64::from(k) / f64::from(REFINED);
             let refined = (0..=REFINED).map(between).map(|depth| (ratio(depth), depth));
@@ -200,23 +226,31 @@ mod tests {
         for nu in [0.1, 0.25, 0.3, 0.45] {
             let line = DepthLimit::line_onset(nu, 1e-3, |_| 500.0);
             let expected = YieldOnset::line_von_mises(nu);
-            assert!((line.peak_pressure / (500.0 * expected.pressure_ratio) - 1.0).abs() < 1e-5, "{nu}");
+            assert!(
+                (line.peak_pressure / (500.0 * expected.pressure_ratio) - 1.0).abs() < 1e-5,
+                "{nu}"
+            );
             assert!((line.depth - expected.depth_ratio * 1e-3 * line.peak_pressure).abs() < 2e-3);
             let point = DepthLimit::point_onset(nu, 1e-3, |_| 500.0);
             let expected = YieldOnset::point(nu);
-            assert!((point.peak_pressure / (500.0 * expected.pressure_ratio) - 1.0).abs() < 1e-5, "{nu}");
+            assert!(
+                (point.peak_pressure / (500.0 * expected.pressure_ratio) - 1.0).abs() < 1e-5,
+                "{nu}"
+            );
         }
     }
 
     /// p0 = min σ_y(z)/F(z/a): with the a of the answer, no depth is closer to yield.
     #[test]
     fn with_a_gradient_the_weakest_depth_is_found() {
-        let strength = |z: f64| if z < 0.8 { 900.0 } else { 900.0 - 600.0 * ((z - 0.8) / 0.1).min(1.0) };
+        let strength =
+            |z: f64| if z < 0.8 { 900.0 } else { 900.0 - 600.0 * ((z - 0.8) / 0.1).min(1.0) };
         let limit = DepthLimit::line_onset(0.3, 5e-4, strength);
         let a = 5e-4 * limit.peak_pressure;
         let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
         let pressure = |z: f64| strength(z) / hertz.stress_on_axis(z / a, 0.3).von_mises();
-        let least = (0..40_000u32).map(|k| pressure(1e-4 * f64::from(k))).fold(f64::INFINITY, f64::min);
+        let least =
+            (0..40_000u32).map(|k| pressure(1e-4 * f64::from(k))).fold(f64::INFINITY, f64::min);
         assert!((limit.peak_pressure / least - 1.0).abs() < 1e-4, "{limit:?} {least}");
         assert!((limit.depth - 0.9).abs() < 5e-3 && limit.depth > 0.8 * a, "{limit:?}");
         // Far below the contact as well.
@@ -224,7 +258,8 @@ mod tests {
         assert!((core.depth - 1.0).abs() < 0.02, "{core:?}");
     }
 
-    /// 4.68 k of a circle, as Johnson has it; a strong case over a shallow part of it adds nothing.
+    /// 4.68 k of a circle, as Johnson has it; a strong case over a shallow part of it adds
+    /// nothing.
     #[test]
     fn rolling_ellipses_shake_down_up_to_more_than_a_line() {
         let k = 300.0;
@@ -234,7 +269,10 @@ mod tests {
             let limit = DepthLimit::uniform_ellipse_rolling(ellipse, 1e-4, strength);
             assert!((limit.peak_pressure / (expected * k) - 1.0).abs() < tolerance, "{limit:?}");
             let same = DepthLimit::ellipse_rolling(ellipse, 1e-4, |_| strength);
-            assert!((same.peak_pressure / limit.peak_pressure - 1.0).abs() < 1e-6, "{same:?} {limit:?}");
+            assert!(
+                (same.peak_pressure / limit.peak_pressure - 1.0).abs() < 1e-6,
+                "{same:?} {limit:?}"
+            );
             assert!((same.depth / limit.depth - 1.0).abs() < 5e-3, "{same:?} {limit:?}");
             let cased = |depth: f64| strength * if depth < 0.5 * limit.depth { 2.0 } else { 1.0 };
             let cased = DepthLimit::ellipse_rolling(ellipse, 1e-4, cased);
@@ -250,8 +288,12 @@ mod tests {
         assert!((limit.peak_pressure / k - 4.0).abs() < 1e-4, "{}", limit.peak_pressure / k);
         assert!((limit.depth / (1e-3 * limit.peak_pressure) - 0.5).abs() < 0.01, "{limit:?}");
         let uniform = DepthLimit::uniform_rolling(1e-3, k * 3f64.sqrt());
-        assert!((limit.peak_pressure / uniform.peak_pressure - 1.0).abs() < 2e-5, "{limit:?} {uniform:?}");
-        // A case that ends at the depth of the largest shear stress is worth nothing; a deep one is worth all.
+        assert!(
+            (limit.peak_pressure / uniform.peak_pressure - 1.0).abs() < 2e-5,
+            "{limit:?} {uniform:?}"
+        );
+        // A case that ends at the depth of the largest shear stress is worth nothing; a deep one
+        // is worth all.
         let case = |depth: f64| move |z: f64| 3f64.sqrt() * if z < depth { 2.0 * k } else { k };
         let thin = DepthLimit::rolling(1e-3, case(0.3)).peak_pressure;
         let deep = DepthLimit::rolling(1e-3, case(60.0)).peak_pressure;

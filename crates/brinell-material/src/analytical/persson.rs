@@ -2,21 +2,24 @@
 
 use std::f64::consts::PI;
 
-/// Elastic contact of a pin with a hole in an infinite plate of the same material, over a given angle to each side.
+/// Elastic contact of a pin with a hole in an infinite plate of the same material, over a given
+/// angle to each side.
 ///
 /// ```text
 /// b = tan(ε/2)
 /// E₁* ΔR/Q = (2 - ln(1 + b²) - 2b⁴)/(π b² (1 + b²))
 /// p R/Q = 2/π √(b² - t²)/(√(1 + b²) (1 + t²)) + 1/(2π b² (1 + b²)) ln (√(1 + b²) + √(b² - t²))/(√(1 + b²) - √(b² - t²))
 /// ```
-/// `ε = half_angle [rad]`, `t = tan(θ/2)`, `Q = force [N/mm]`, `ΔR = clearance [mm]`, the difference of the radii,
-/// `p = pressure [MPa]`, `E₁* = E/(1 - ν²)` of one of the two equal bodies in plane strain, E in plane stress. Small ε is
-/// Hertz's contact. Without clearance ε is 84.8°, whatever the force.
+/// `ε = half_angle [rad]`, `t = tan(θ/2)`, `Q = force [N/mm]`, `ΔR = clearance [mm]`, the
+/// difference of the radii, `p = pressure [MPa]`, `E₁* = E/(1 - ν²)` of one of the two equal
+/// bodies in plane strain, E in plane stress. Small ε is Hertz's contact. Without clearance ε is
+/// 84.8°, whatever the force.
 ///
 /// # Reference
-/// A. Persson, *On the stress distribution of cylindrical elastic bodies in contact*, dissertation, Chalmers, Göteborg (1964);
-/// M. Ciavarella, P. Decuzzi, *The state of stress induced by the plane frictionless cylindrical contact. I*, Int. J. Solids
-/// Struct. 38 (2001) 4507–4523.
+/// A. Persson, *On the stress distribution of cylindrical elastic bodies in contact*,
+/// dissertation, Chalmers, Göteborg (1964); M. Ciavarella, P. Decuzzi, *The state of stress
+/// induced by the plane frictionless cylindrical contact. I*, Int. J. Solids Struct. 38 (2001)
+/// 4507–4523.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PinInHole {
     /// tan(ε/2).
@@ -85,9 +88,10 @@ mod tests {
         }
     }
 
-    /// What pressure does to the radii is the clearance. A pressure `p_n cos nθ` opens disc and hole together by
-    /// `p_n R/E₁* · 4n/(n² - 1)`, a uniform one by `2 p_0 R/E₁*`, one with `n = 1` moves them as a whole; and what is left,
-    /// `ΔR (1 - cos θ)`, has the curvature `ΔR` everywhere: `ΔR E₁*/R = 4 Σ n p_n cos nθ - 4 p_1 cos θ - 2 p_0`.
+    /// What pressure does to the radii is the clearance. A pressure `p_n cos nθ` opens disc and
+    /// hole together by `p_n R/E₁* · 4n/(n² - 1)`, a uniform one by `2 p_0 R/E₁*`, one with `n =
+    /// 1` moves them as a whole; and what is left, `ΔR (1 - cos θ)`, has the curvature `ΔR`
+    /// everywhere: `ΔR E₁*/R = 4 Σ n p_n cos nθ - 4 p_1 cos θ - 2 p_0`.
     #[test]
     fn clearance_follows_from_pressure() {
         for degrees in DEGREES {

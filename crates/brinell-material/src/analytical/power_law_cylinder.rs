@@ -2,14 +2,16 @@
 
 use super::CylinderStress;
 
-/// A long thick-walled tube whose strain is a pure power of its stress: Ramberg-Osgood without the elastic part.
+/// A long thick-walled tube whose strain is a pure power of its stress: Ramberg-Osgood without the
+/// elastic part.
 ///
 /// ```text
 /// ε_q = β (σ_0/E) (q/σ_0)^m
 /// ```
-/// Plane strain and incompressibility leave `u = C/r`, so `ε_q = (2/√3) C/r²` and `q ~ r^(-2/m)`; equilibrium then
-/// gives every stress in closed form. All stresses stay in proportion as the pressure grows, so deformation theory
-/// is exact. `m = 1` is Lamé's tube with ν = 1/2, `m -> ∞` the rigid-plastic limit.
+/// Plane strain and incompressibility leave `u = C/r`, so `ε_q = (2/√3) C/r²` and `q ~ r^(-2/m)`;
+/// equilibrium then gives every stress in closed form. All stresses stay in proportion as the
+/// pressure grows, so deformation theory is exact. `m = 1` is Lamé's tube with ν = 1/2, `m -> ∞`
+/// the rigid-plastic limit.
 ///
 /// # Reference
 /// R. W. Bailey, Proc. Inst. Mech. Eng. 131 (1935) 131-349 (the same field for power-law creep).
@@ -33,7 +35,8 @@ impl PowerLawCylinder {
     /// Equivalent strain at the equivalent stress q.
     pub fn strain(&self, equivalent_stress: f64) -> f64 {
         let Self { young_modulus, reference_stress, offset, exponent, .. } = self;
-        offset * reference_stress / young_modulus * (equivalent_stress / reference_stress).powf(*exponent)
+        offset * reference_stress / young_modulus
+            * (equivalent_stress / reference_stress).powf(*exponent)
     }
 
     /// The tube under an internal pressure p `[MPa]`.
@@ -115,7 +118,10 @@ mod tests {
             for r in [101.0, 130.0, 199.0] {
                 let stress = state.stress(r);
                 let slope = (state.stress(r + 1e-4).radial - state.stress(r - 1e-4).radial) / 2e-4;
-                assert!((slope - (stress.hoop - stress.radial) / r).abs() < 1e-6, "m = {m}, r = {r}");
+                assert!(
+                    (slope - (stress.hoop - stress.radial) / r).abs() < 1e-6,
+                    "m = {m}, r = {r}"
+                );
                 assert!((state.displacement(r) * r / constant - 1.0).abs() < 1e-12);
                 assert!((stress.von_mises() / state.equivalent_stress(r) - 1.0).abs() < 1e-12);
             }

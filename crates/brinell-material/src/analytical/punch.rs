@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 /// Mean pressure under a flat punch at plastic collapse, `(2 + π) k [MPa]`, plane strain.
 ///
-/// `k = shear_yield_stress [MPa]`. With von Mises' `k = σ_y/√3` this is 2.968 `σ_y`. A deeply plastic line contact
-/// approaches it from below.
+/// `k = shear_yield_stress [MPa]`. With von Mises' `k = σ_y/√3` this is 2.968 `σ_y`. A deeply
+/// plastic line contact approaches it from below.
 ///
 /// # Reference
 /// L. Prandtl (1920); R. Hill, *The Mathematical Theory of Plasticity* (1950), ch. IX.

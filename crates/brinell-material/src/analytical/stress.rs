@@ -17,7 +17,8 @@ pub struct Stress {
     pub sigma_y: f64,
     /// Out-of-plane stress `σ_z` (hoop in axisymmetry).
     pub sigma_z: f64,
-    /// Shear stress `τ_xy` with y pointing into the body; with y pointing out of it the sign changes.
+    /// Shear stress `τ_xy` with y pointing into the body; with y pointing out of it the sign
+    /// changes.
     pub tau_xy: f64,
 }
 
@@ -27,7 +28,8 @@ impl Stress {
         von_mises([self.sigma_x, self.sigma_y, self.sigma_z, self.tau_xy])
     }
 
-    /// The same stress in axes of which `y` is along a unit vector `normal`, and `x` to the right of it.
+    /// The same stress in axes of which `y` is along a unit vector `normal`, and `x` to the right
+    /// of it.
     #[must_use]
     pub fn along(&self, normal: [f64; 2]) -> Self {
         let Self { sigma_x, sigma_y, sigma_z, tau_xy } = *self;
@@ -40,7 +42,8 @@ impl Stress {
         }
     }
 
-    /// Largest shear stress, half the difference of the extreme principal stresses, `σ_z` being one of the three.
+    /// Largest shear stress, half the difference of the extreme principal stresses, `σ_z` being
+    /// one of the three.
     pub fn tau_max(&self) -> f64 {
         let middle = 0.5 * (self.sigma_x + self.sigma_y);
         let radius = (0.5 * (self.sigma_x - self.sigma_y)).hypot(self.tau_xy);
@@ -76,9 +79,14 @@ mod tests {
     fn invariants_of_simple_states() {
         let zero = Stress { sigma_x: 0.0, sigma_y: 0.0, sigma_z: 0.0, tau_xy: 0.0 };
         let uniaxial = Stress { sigma_y: -7.0, ..zero };
-        assert!((uniaxial.von_mises() - 7.0).abs() < 1e-14 && (uniaxial.tau_max() - 3.5).abs() < 1e-14);
+        assert!(
+            (uniaxial.von_mises() - 7.0).abs() < 1e-14 && (uniaxial.tau_max() - 3.5).abs() < 1e-14
+        );
         let shear = Stress { tau_xy: -2.0, ..zero };
-        assert!((shear.von_mises() - 12.0_f64.sqrt()).abs() < 1e-14 && (shear.tau_max() - 2.0).abs() < 1e-14);
+        assert!(
+            (shear.von_mises() - 12.0_f64.sqrt()).abs() < 1e-14
+                && (shear.tau_max() - 2.0).abs() < 1e-14
+        );
         let out_of_plane = Stress { sigma_z: 9.0, ..shear };
         assert!((out_of_plane.tau_max() - 5.5).abs() < 1e-14);
         let pressure = CylinderStress { radial: -3.0, hoop: -3.0, axial: -3.0 };

@@ -4,13 +4,15 @@ use super::{CylinderStress, shear_yield_von_mises};
 
 /// A long thick-walled tube of elastic, perfectly plastic material, its length held.
 ///
-/// With `k = σ_y/√3`, inner radius a and outer radius b, yield begins at the bore and spreads to the radius c:
+/// With `k = σ_y/√3`, inner radius a and outer radius b, yield begins at the bore and spreads to
+/// the radius c:
 /// ```text
 /// first yield  k (1 - a²/b²)      p(c) = k [2 ln(c/a) + 1 - c²/b²]      limit  2 k ln(b/a)
 /// ```
-/// Stresses follow from equilibrium and `σ_θ - σ_r = 2k` alone while the axial stress is the middle one. For
-/// `ν -> 1/2` von Mises' criterion takes exactly this form and loading is proportional, so deformation theory and
-/// flow theory agree with it; for smaller ν it is Tresca's with the same k.
+/// Stresses follow from equilibrium and `σ_θ - σ_r = 2k` alone while the axial stress is the
+/// middle one. For `ν -> 1/2` von Mises' criterion takes exactly this form and loading is
+/// proportional, so deformation theory and flow theory agree with it; for smaller ν it is Tresca's
+/// with the same k.
 ///
 /// # Reference
 /// R. Hill, *The Mathematical Theory of Plasticity* (1950), ch. V.
@@ -47,7 +49,8 @@ impl ThickCylinder {
     /// Pressure at which the plastic zone reaches the radius c, `k [2 ln(c/a) + 1 - c²/b²] [MPa]`.
     pub fn pressure_at(&self, plastic_radius: f64) -> f64 {
         let outer = plastic_radius / self.outer_radius;
-        self.shear_yield_stress() * (2.0 * (plastic_radius / self.inner_radius).ln() + 1.0 - outer * outer)
+        self.shear_yield_stress()
+            * (2.0 * (plastic_radius / self.inner_radius).ln() + 1.0 - outer * outer)
     }
 
     /// The tube under an internal pressure `[MPa]`; `None` above the limit pressure.
@@ -60,7 +63,11 @@ impl ThickCylinder {
         let (a, b) = (self.inner_radius, self.outer_radius);
         if pressure <= self.first_yield_pressure() {
             let shear = pressure / (1.0 - (a / b).powi(2));
-            return Some(LoadedCylinder { cylinder: *self, plastic_radius: a, elastic_shear: shear * a * a });
+            return Some(LoadedCylinder {
+                cylinder: *self,
+                plastic_radius: a,
+                elastic_shear: shear * a * a,
+            });
         }
         let (mut low, mut high) = (a, b);
         for _ in 0..100 {
@@ -102,7 +109,8 @@ impl LoadedCylinder {
             let radial = -k * (2.0 * (c / radius).ln() + 1.0 - (c / b).powi(2));
             (radial, radial + 2.0 * k)
         } else {
-            let (mean, deviator) = (self.elastic_shear / (b * b), self.elastic_shear / (radius * radius));
+            let (mean, deviator) =
+                (self.elastic_shear / (b * b), self.elastic_shear / (radius * radius));
             (mean - deviator, mean + deviator)
         };
         CylinderStress { radial, hoop, axial: self.cylinder.poisson_ratio * (radial + hoop) }
@@ -113,15 +121,16 @@ impl LoadedCylinder {
     /// ```text
     /// u = (1 + ν)(1 - 2ν)/E r σ_r(r) + 2 (1 - ν²) B/(E r)
     /// ```
-    /// from elastic volume change and equilibrium. It assumes no plastic strain along the axis, which is exact for
-    /// `ν = 1/2`.
+    /// from elastic volume change and equilibrium. It assumes no plastic strain along the axis,
+    /// which is exact for `ν = 1/2`.
     pub fn displacement(&self, radius: f64) -> f64 {
         let ThickCylinder { young_modulus, poisson_ratio: nu, .. } = self.cylinder;
         let volumetric = (1.0 + nu) * (1.0 - 2.0 * nu) * radius * self.stress(radius).radial;
         (volumetric + 2.0 * (1.0 - nu * nu) * self.elastic_shear / radius) / young_modulus
     }
 
-    /// Equivalent plastic strain at the radius r, for `ν = 1/2`: `σ_y (c²/r² - 1)/E`; zero outside c.
+    /// Equivalent plastic strain at the radius r, for `ν = 1/2`: `σ_y (c²/r² - 1)/E`; zero outside
+    /// c.
     pub fn equivalent_plastic_strain(&self, radius: f64) -> f64 {
         let ratio = self.plastic_radius / radius;
         (self.cylinder.yield_stress * (ratio * ratio - 1.0) / self.cylinder.young_modulus).max(0.0)
@@ -194,7 +203,10 @@ mod tests {
             assert!((state.displacement(r) * r / c - 1.0).abs() < 1e-12);
             let total = 2.0 / 3.0_f64.sqrt() * state.displacement(r) / r;
             let elastic = state.stress(r).von_mises() / 210_000.0;
-            assert!((total - elastic - state.equivalent_plastic_strain(r)).abs() < 1e-14, "r = {r}");
+            assert!(
+                (total - elastic - state.equivalent_plastic_strain(r)).abs() < 1e-14,
+                "r = {r}"
+            );
         }
     }
 }

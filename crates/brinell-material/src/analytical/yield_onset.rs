@@ -7,8 +7,8 @@ const DEEPEST: f64 = 3.0;
 
 /// Where and at what elastic peak pressure yield begins.
 ///
-/// The equivalent stress on the axis is maximised over the depth by scanning and golden section, to rounding in
-/// its value and about 1e-8 in the depth.
+/// The equivalent stress on the axis is maximised over the depth by scanning and golden section,
+/// to rounding in its value and about 1e-8 in the depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldOnset {
     /// `p0 / σ_y`: peak pressure at first yield over the uniaxial yield stress.
@@ -20,8 +20,9 @@ pub struct YieldOnset {
 impl YieldOnset {
     /// Line contact in plane strain, von Mises criterion.
     ///
-    /// `p0/σ_y` = 1.794 at 0.704 a for ν = 0.3, 1.725 for 0.25, 1.889 for 0.4. Below ν = 0.194 yield begins at the
-    /// surface, where `q = (1 - 2ν) p0`; the depth is zero then. Plane stress is the case ν = 0.
+    /// `p0/σ_y` = 1.794 at 0.704 a for ν = 0.3, 1.725 for 0.25, 1.889 for 0.4. Below ν = 0.194
+    /// yield begins at the surface, where `q = (1 - 2ν) p0`; the depth is zero then. Plane stress
+    /// is the case ν = 0.
     pub fn line_von_mises(poisson_ratio: f64) -> Self {
         let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
         Self::of(|depth| hertz.stress_on_axis(depth, poisson_ratio).von_mises())
@@ -29,14 +30,16 @@ impl YieldOnset {
 
     /// Line contact in plane strain, Tresca criterion `τ_max = σ_y / 2`.
     ///
-    /// `p0/σ_y` = 1.665 at 0.786 a for every ν above 0.242. Below, the out-of-plane stress is no longer the middle
-    /// one where it matters, and yield begins earlier and higher up (1.514 at 0.322 a for ν = 0.2).
+    /// `p0/σ_y` = 1.665 at 0.786 a for every ν above 0.242. Below, the out-of-plane stress is no
+    /// longer the middle one where it matters, and yield begins earlier and higher up (1.514 at
+    /// 0.322 a for ν = 0.2).
     pub fn line_tresca(poisson_ratio: f64) -> Self {
         let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
         Self::of(|depth| 2.0 * hertz.stress_on_axis(depth, poisson_ratio).tau_max())
     }
 
-    /// Point contact. Two of the principal stresses are equal on the axis, so von Mises and Tresca coincide.
+    /// Point contact. Two of the principal stresses are equal on the axis, so von Mises and Tresca
+    /// coincide.
     ///
     /// `p0/σ_y` = 1.613 at 0.481 a for ν = 0.3.
     pub fn point(poisson_ratio: f64) -> Self {
@@ -51,13 +54,23 @@ impl YieldOnset {
     }
 
     /// Force per length at first yield of a line contact, `P = π R p0² / E* [N/mm]`.
-    pub fn line_force(&self, yield_stress: f64, effective_radius: f64, effective_modulus: f64) -> f64 {
+    pub fn line_force(
+        &self,
+        yield_stress: f64,
+        effective_radius: f64,
+        effective_modulus: f64,
+    ) -> f64 {
         let peak = self.pressure_ratio * yield_stress;
         HertzLine::from_peak_pressure(peak, effective_radius, effective_modulus).force()
     }
 
     /// Force at first yield of a point contact, `F = π³ R² p0³ / (6 E*²) [N]`.
-    pub fn point_force(&self, yield_stress: f64, effective_radius: f64, effective_modulus: f64) -> f64 {
+    pub fn point_force(
+        &self,
+        yield_stress: f64,
+        effective_radius: f64,
+        effective_modulus: f64,
+    ) -> f64 {
         let peak = self.pressure_ratio * yield_stress;
         HertzPoint::from_peak_pressure(peak, effective_radius, effective_modulus).force()
     }
@@ -67,8 +80,8 @@ impl YieldOnset {
     /// `F_c = (4/3) (R/E*)² (π C σ_y / 2)³`, `C = 1.295 exp(0.736 ν)`: C fits `p0/σ_y`.
     ///
     /// # Reference
-    /// R. L. Jackson, I. Green, *A finite element study of elasto-plastic hemispherical contact against a rigid
-    /// flat*, J. Tribol. 127 (2005) 343-354.
+    /// R. L. Jackson, I. Green, *A finite element study of elasto-plastic hemispherical contact
+    /// against a rigid flat*, J. Tribol. 127 (2005) 343-354.
     pub fn jackson_green_force(
         poisson_ratio: f64,
         yield_stress: f64,
@@ -87,13 +100,15 @@ impl YieldOnset {
     }
 }
 
-/// The largest value of f in `0..=end` and where it is: a scan finds the hump, golden section its top.
+/// The largest value of f in `0..=end` and where it is: a scan finds the hump, golden section its
+/// top.
 pub(super) fn maximum(f: impl Fn(f64) -> f64, end: f64) -> (f64, f64) {
     const SAMPLES: u32 = 300;
     let step = end / f64::from(SAMPLES);
     let at_surface = (0.0, f(0.0));
     let better = |best: (f64, f64), next: (f64, f64)| if next.1 > best.1 { next } else { best };
-    let mut best = (1..=SAMPLES).map(|i| f64::from(i) * step).map(|x| (x, f(x))).fold(at_surface, better);
+    let mut best =
+        (1..=SAMPLES).map(|i| f64::from(i) * step).map(|x| (x, f(x))).fold(at_surface, better);
     let section = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = ((best.0 - step).max(0.0), best.0 + step);
     for _ in 0..80 {
@@ -163,7 +178,10 @@ mod tests {
         assert!(YieldOnset::line_von_mises(0.193).depth_ratio <= 0.0);
         assert!(YieldOnset::line_von_mises(0.195).depth_ratio > 0.57);
         let tresca = YieldOnset::line_tresca(0.2);
-        assert!((tresca.pressure_ratio - 1.514).abs() < 5e-4 && (tresca.depth_ratio - 0.322).abs() < 5e-4);
+        assert!(
+            (tresca.pressure_ratio - 1.514).abs() < 5e-4
+                && (tresca.depth_ratio - 0.322).abs() < 5e-4
+        );
         assert!((YieldOnset::line_tresca(0.243).depth_ratio - 0.786).abs() < 5e-4);
     }
 

@@ -7,7 +7,12 @@ use crate::hardening::{StraightLine, Voce};
 
 fn model<const N: usize>(law: Arc<dyn HardeningLaw>, terms: [(f64, f64); N]) -> FlowPlasticity<N> {
     let terms = terms.map(|(modulus, rate)| BackstressTerm { modulus, rate });
-    FlowPlasticity::new(ELASTIC, ReturnMapping::new(law, ELASTIC.shear), terms, OutOfPlane::Strained)
+    FlowPlasticity::new(
+        ELASTIC,
+        ReturnMapping::new(law, ELASTIC.shear),
+        terms,
+        OutOfPlane::Strained,
+    )
 }
 
 /// `q = σ_y + H p`.
@@ -50,8 +55,11 @@ fn one_increment_from_rest_is_deformation_theory() {
         for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
             let mapping = ReturnMapping::new(Arc::clone(&law), ELASTIC.shear);
             let flow = FlowPlasticity::new(ELASTIC, mapping, [], out_of_plane);
-            let deformation = DeformationPlasticity::with_law(ELASTIC, Some(Arc::clone(&law)), out_of_plane);
-            for strain in [[6e-3, -4e-3, 1e-3, 5e-3], [1e-3, 1.2e-3, 0.0, -8e-3], [2e-4, -3e-4, 0.0, 0.0]] {
+            let deformation =
+                DeformationPlasticity::with_law(ELASTIC, Some(Arc::clone(&law)), out_of_plane);
+            for strain in
+                [[6e-3, -4e-3, 1e-3, 5e-3], [1e-3, 1.2e-3, 0.0, -8e-3], [2e-4, -3e-4, 0.0, 0.0]]
+            {
                 let (found, _) = flow.update(strain, &FlowState::default());
                 let (expected, ()) = deformation.update(strain, &());
                 for (a, b) in found.stress.iter().zip(expected.stress) {
@@ -77,7 +85,8 @@ fn a_bar_with_voce_and_chaboche_hardening_is_pulled_along_its_closed_form() {
         let (response, end) = model.update(axial(e), &state);
         state = end;
         let p = state.accumulated;
-        let growth = |(c, g): (f64, f64)| if g == 0.0 { c * p } else { c / g * (1.0 - (-g * p).exp()) };
+        let growth =
+            |(c, g): (f64, f64)| if g == 0.0 { c * p } else { c / g * (1.0 - (-g * p).exp()) };
         let expected = voce.stress(p) + terms.map(growth).iter().sum::<f64>();
         if p > 0.0 {
             assert!((1.5 * response.stress[0] - expected).abs() < 1e-8 * expected, "p = {p}");
@@ -112,21 +121,26 @@ fn a_bar_ratchets_by_its_closed_form() {
     let model = model(constant(k), [(c, rate)]);
     let (low, high): (f64, f64) = (-260.0, 330.0);
     let limit: f64 = c / rate;
-    let expected = ((limit.powi(2) - (low + k).powi(2)) / (limit.powi(2) - (high - k).powi(2))).ln() / rate;
+    let expected =
+        ((limit.powi(2) - (low + k).powi(2)) / (limit.powi(2) - (high - k).powi(2))).ln() / rate;
     let mut state = FlowState::default();
     let mut last = 0.0;
     for cycle in 0..4 {
         pull(&model, &mut state, low);
         let strain = pull(&model, &mut state, high);
         if cycle > 1 {
-            assert!((strain - last - expected).abs() < 1e-8 * expected, "{} {expected}", strain - last);
+            assert!(
+                (strain - last - expected).abs() < 1e-8 * expected,
+                "{} {expected}",
+                strain - last
+            );
         }
         last = strain;
     }
 }
 
-/// Pulled they answer alike; relieved and pressed, Prager's law yields 2 σ_y below the stress it had, isotropic hardening
-/// at the same stress with the other sign.
+/// Pulled they answer alike; relieved and pressed, Prager's law yields 2 σ_y below the stress it
+/// had, isotropic hardening at the same stress with the other sign.
 #[test]
 fn prager_and_isotropic_hardening_differ_only_by_reverse_yield() {
     let isotropic = model(straight(300.0, 20_000.0), []);
@@ -154,7 +168,8 @@ fn prager_and_isotropic_hardening_differ_only_by_reverse_yield() {
     assert!(before == 0.0 && after > 0.0);
 }
 
-/// Pulled to yield and then sheared: the stress turns, and its error falls like the square of the parts, without backstress and with.
+/// Pulled to yield and then sheared: the stress turns, and its error falls like the square of the
+/// parts, without backstress and with.
 #[test]
 fn a_turning_path_is_second_order_in_the_parts() {
     is_second_order(&model(constant(500.0), []));
@@ -170,7 +185,8 @@ fn is_second_order<const N: usize>(model: &FlowPlasticity<N>) {
         model.update([x, y, z, 8e-3], &first).0.stress
     };
     let exact = turned(20_000);
-    let error = |n: u32| turned(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    let error =
+        |n: u32| turned(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     for (coarse, fine) in [(128, 256), (256, 512)] {
         let ratio = error(coarse) / error(fine);
         assert!((3.7..4.2).contains(&ratio), "{ratio}");
@@ -191,40 +207,47 @@ fn increments_in_one_part_are_of_first_order() {
         end.0.stress
     };
     let exact = after(20_000);
-    let error = |n: u32| after(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    let error =
+        |n: u32| after(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     for (coarse, fine) in [(4, 8), (8, 16), (16, 32)] {
         let ratio = error(coarse) / error(fine);
         assert!((1.8..2.3).contains(&ratio), "{ratio}");
     }
 }
 
-/// Random paths of all sizes after a first one, for every law and from no volume change to none resisted: near the answer of many
-/// parts, also where a part is far larger than the yield surface; the stress is on the surface, in plane stress without one
-/// through the thickness, and plastic work is not lost.
+/// Random paths of all sizes after a first one, for every law and from no volume change to none
+/// resisted: near the answer of many parts, also where a part is far larger than the yield
+/// surface; the stress is on the surface, in plane stress without one through the thickness, and
+/// plastic work is not lost.
 #[test]
 #[ignore = "full"]
 fn random_turns_end_near_those_of_many_parts() {
     let mut seed = 20_u64;
     let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        seed =
+            seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
     };
     let moduli = [0.0, 0.3, 0.499].map(|nu| ElasticModuli {
         bulk: YOUNG / (3.0 * (1.0 - 2.0 * nu)),
         shear: YOUNG / (2.0 * (1.0 + nu)),
     });
-    let gentle: Vec<Arc<dyn HardeningLaw>> = vec![constant(500.0), straight(300.0, 2000.0), voce()];
+    let gentle: Vec<Arc<dyn HardeningLaw>> =
+        vec![constant(500.0), straight(300.0, 2000.0), voce()];
     let sizes = [1e-3, 5e-3, 3e-2, 0.3];
-    for (laws, bounds) in [(gentle, [2e-3, 4e-3, 4e-3, 2e-3]), (laws(), [2e-3, 5e-3, 5e-3, 5e-3])] {
+    for (laws, bounds) in [(gentle, [2e-3, 4e-3, 4e-3, 2e-3]), (laws(), [2e-3, 5e-3, 5e-3, 5e-3])]
+    {
         for (size, bound) in sizes.into_iter().zip(bounds) {
-            for (law, elastic) in laws.iter().flat_map(|law| moduli.map(|elastic| (law, elastic))) {
+            for (law, elastic) in laws.iter().flat_map(|law| moduli.map(|elastic| (law, elastic)))
+            {
                 for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
                     let mapping = ReturnMapping::new(Arc::clone(law), elastic.shear);
                     let model = FlowPlasticity::new(elastic, mapping, [], out_of_plane);
                     for _ in 0..40 {
                         let start: [f64; 4] =
                             std::array::from_fn(|k| if k == 2 { 0.0 } else { 5e-3 * random() });
-                        let end = [0, 1, 2, 3].map(|k| if k == 2 { 0.0 } else { start[k] + size * random() });
+                        let end = [0, 1, 2, 3]
+                            .map(|k| if k == 2 { 0.0 } else { start[k] + size * random() });
                         turn_ends_near_that_of_many_parts(&model, start, end, bound);
                     }
                 }
@@ -233,7 +256,12 @@ fn random_turns_end_near_those_of_many_parts() {
     }
 }
 
-fn turn_ends_near_that_of_many_parts(model: &FlowPlasticity<0>, start: [f64; 4], end: [f64; 4], bound: f64) {
+fn turn_ends_near_that_of_many_parts(
+    model: &FlowPlasticity<0>,
+    start: [f64; 4],
+    end: [f64; 4],
+    bound: f64,
+) {
     let place = format!("{:?} {:?} {start:?} {end:?}", model.mapping.law(), model.elastic);
     let state = model.update(start, &FlowState::default()).1;
     let (found, after) = model.update(end, &state);
@@ -292,7 +320,10 @@ fn energy_is_kept() {
     }
     let deviatoric = deviator(residual);
     let pressure = (residual[0] + residual[1] + residual[2]) / 3.0;
-    let elastic =
-        product(deviatoric, deviatoric) / (4.0 * ELASTIC.shear) + pressure.powi(2) / (2.0 * ELASTIC.bulk);
-    assert!((work - plastic_work - elastic).abs() < 1e-4 * work, "{work} {plastic_work} {elastic}");
+    let elastic = product(deviatoric, deviatoric) / (4.0 * ELASTIC.shear)
+        + pressure.powi(2) / (2.0 * ELASTIC.bulk);
+    assert!(
+        (work - plastic_work - elastic).abs() < 1e-4 * work,
+        "{work} {plastic_work} {elastic}"
+    );
 }

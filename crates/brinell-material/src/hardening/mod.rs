@@ -39,25 +39,26 @@ pub trait HardeningLaw: Debug + Send + Sync {
         None
     }
 
-    /// The corners `[ε_p, q]` of a piecewise linear law, the first at zero plastic strain; beyond the last it has the slope
-    /// there. `None` for a curved law.
+    /// The corners `[ε_p, q]` of a piecewise linear law, the first at zero plastic strain; beyond
+    /// the last it has the slope there. `None` for a curved law.
     fn polyline(&self) -> Option<Vec<[f64; 2]>> {
         None
     }
 
-    /// Stress above which a point counts as yielded \[MPa\]: the yield stress or, for a curve without an elastic limit,
-    /// what convention says.
+    /// Stress above which a point counts as yielded \[MPa\]: the yield stress or, for a curve
+    /// without an elastic limit, what convention says.
     fn nominal_yield_stress(&self) -> f64 {
         self.yield_stress()
     }
 
-    /// A stress at which the material flows noticeably \[MPa\]; contacts are sized by it before anything is solved.
+    /// A stress at which the material flows noticeably \[MPa\]; contacts are sized by it before
+    /// anything is solved.
     fn flow_stress(&self) -> f64 {
         1.2 * self.yield_stress()
     }
 
-    /// Whether a point in this state counts as yielded: where plastic strain has begun or, for a curve without an elastic
-    /// limit, above the nominal yield stress.
+    /// Whether a point in this state counts as yielded: where plastic strain has begun or, for a
+    /// curve without an elastic limit, above the nominal yield stress.
     fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
         plastic_strain > 0.0 && (self.yield_stress() > 0.0 || stress > self.nominal_yield_stress())
     }
@@ -81,7 +82,8 @@ pub(crate) mod tests {
 
     pub(crate) const YOUNG: f64 = 210_000.0;
     pub(crate) const TRIPLE_SHEAR: f64 = 3.0 * YOUNG / 2.6;
-    pub(crate) const STEEL: ElasticModuli = ElasticModuli { bulk: 175_000.0, shear: TRIPLE_SHEAR / 3.0 };
+    pub(crate) const STEEL: ElasticModuli =
+        ElasticModuli { bulk: 175_000.0, shear: TRIPLE_SHEAR / 3.0 };
 
     /// Every law, two of one.
     pub(crate) fn laws() -> Vec<Arc<dyn HardeningLaw>> {
@@ -104,7 +106,10 @@ pub(crate) mod tests {
             for p in [2e-4, 5e-3, 0.05, 2.0] {
                 let step = 1e-6 * p;
                 let derivative = (law.stress(p + step) - law.stress(p - step)) / (2.0 * step);
-                assert!((law.slope(p) - derivative).abs() < 1e-5 * derivative.max(1.0), "{law:?} at {p}");
+                assert!(
+                    (law.slope(p) - derivative).abs() < 1e-5 * derivative.max(1.0),
+                    "{law:?} at {p}"
+                );
                 assert_eq!(law.stress_and_slope(p), (law.stress(p), law.slope(p)));
                 if let Some(inverse) = law.inverse(law.stress(p)) {
                     assert!((inverse.plastic_strain - p).abs() < 1e-12 * p);

@@ -5,12 +5,14 @@ use super::HardeningLaw;
 /// Piecewise linear through points of plastic strain and stress; constant beyond the last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PolyLine {
-    /// `[ε_p, q]` \[MPa\], the first at zero plastic strain, strains rising and stresses not falling.
+    /// `[ε_p, q]` \[MPa\], the first at zero plastic strain, strains rising and stresses not
+    /// falling.
     pub points: Vec<[f64; 2]>,
 }
 
 impl PolyLine {
-    /// The points at both ends of the segment that holds a plastic strain; one beyond the last point.
+    /// The points at both ends of the segment that holds a plastic strain; one beyond the last
+    /// point.
     fn segment(&self, plastic_strain: f64) -> ([f64; 2], Option<[f64; 2]>) {
         let beyond = self.points.partition_point(|point| point[0] <= plastic_strain).max(1);
         let from = self.points.get(beyond - 1).copied().unwrap_or([0.0, f64::INFINITY]);

@@ -5,7 +5,8 @@ use super::{HardeningLaw, Inverse};
 /// `ε_p = ε_0 (q/σ_0)^m`.
 ///
 /// # Reference
-/// W. Ramberg, W. R. Osgood, *Description of stress-strain curves by three parameters*, NACA TN 902 (1943).
+/// W. Ramberg, W. R. Osgood, *Description of stress-strain curves by three parameters*, NACA TN
+/// 902 (1943).
 #[derive(Debug, Clone, PartialEq)]
 pub struct RambergOsgood {
     /// σ_0 \[MPa\].
@@ -18,8 +19,17 @@ pub struct RambergOsgood {
 
 impl RambergOsgood {
     /// The law of an offset a, `ε_0 = a σ_0 / E`.
-    pub fn of_offset(reference_stress: f64, offset: f64, exponent: f64, young_modulus: f64) -> Self {
-        Self { reference_stress, reference_strain: offset * reference_stress / young_modulus, exponent }
+    pub fn of_offset(
+        reference_stress: f64,
+        offset: f64,
+        exponent: f64,
+        young_modulus: f64,
+    ) -> Self {
+        Self {
+            reference_stress,
+            reference_strain: offset * reference_stress / young_modulus,
+            exponent,
+        }
     }
 }
 
@@ -38,7 +48,8 @@ impl HardeningLaw for RambergOsgood {
     }
 
     fn stress(&self, plastic_strain: f64) -> f64 {
-        self.reference_stress * (plastic_strain / self.reference_strain).powf(self.exponent.recip())
+        self.reference_stress
+            * (plastic_strain / self.reference_strain).powf(self.exponent.recip())
     }
 
     /// Infinite at zero plastic strain unless `m = 1`.
@@ -61,10 +72,15 @@ impl HardeningLaw for RambergOsgood {
     /// Given directly; the curve itself has an infinite slope at the origin.
     fn inverse(&self, stress: f64) -> Option<Inverse> {
         if stress <= 0.0 {
-            let slope = if self.exponent > 1.0 { 0.0 } else { self.reference_strain / self.reference_stress };
+            let slope = if self.exponent > 1.0 {
+                0.0
+            } else {
+                self.reference_strain / self.reference_stress
+            };
             return Some(Inverse { plastic_strain: 0.0, slope });
         }
-        let plastic_strain = self.reference_strain * (stress / self.reference_stress).powf(self.exponent);
+        let plastic_strain =
+            self.reference_strain * (stress / self.reference_stress).powf(self.exponent);
         Some(Inverse { plastic_strain, slope: self.exponent * plastic_strain / stress })
     }
 }

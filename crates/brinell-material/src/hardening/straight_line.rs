@@ -14,7 +14,10 @@ pub struct StraightLine {
 impl StraightLine {
     /// The line of slope E_t over total strain beyond yield, `H = E_t / (1 - E_t/E)`.
     pub fn of_tangent(yield_stress: f64, tangent_modulus: f64, young_modulus: f64) -> Self {
-        Self { yield_stress, plastic_modulus: tangent_modulus / (1.0 - tangent_modulus / young_modulus) }
+        Self {
+            yield_stress,
+            plastic_modulus: tangent_modulus / (1.0 - tangent_modulus / young_modulus),
+        }
     }
 }
 

@@ -1,12 +1,13 @@
 //! Anderson acceleration of a fixed-point iteration `x = g(x)`.
 //!
-//! The next point is the combination `Σ θ_j g(x_j)`, `Σ θ_j = 1`, of the last steps whose combined residual
-//! `Σ θ_j (g(x_j) - x_j)` is smallest. Vectors may become longer from step to step; entries to come have been zero.
+//! The next point is the combination `Σ θ_j g(x_j)`, `Σ θ_j = 1`, of the last steps whose combined
+//! residual `Σ θ_j (g(x_j) - x_j)` is smallest. Vectors may become longer from step to step;
+//! entries to come have been zero.
 //!
 //! # Reference
-//! D. G. Anderson, *Iterative procedures for nonlinear integral equations*, J. ACM 12 (1965) 547–560;
-//! H. F. Walker, P. Ni, *Anderson acceleration for fixed-point iterations*, SIAM J. Numer. Anal. 49 (2011)
-//! 1715–1735.
+//! D. G. Anderson, *Iterative procedures for nonlinear integral equations*, J. ACM 12 (1965)
+//! 547–560; H. F. Walker, P. Ni, *Anderson acceleration for fixed-point iterations*, SIAM J.
+//! Numer. Anal. 49 (2011) 1715–1735.
 
 use std::collections::VecDeque;
 
@@ -66,8 +67,9 @@ impl Anderson {
         }
         self.differences.push_back(difference);
         let Some(newest) = self.differences.back() else { return };
-        let products: VecDeque<f64> =
-            simd_dispatch(|| self.differences.iter().map(|d| dot(&d.residual, &newest.residual)).collect());
+        let products: VecDeque<f64> = simd_dispatch(|| {
+            self.differences.iter().map(|d| dot(&d.residual, &newest.residual)).collect()
+        });
         for (row, &product) in self.gram.iter_mut().zip(&products) {
             row.push_back(product);
         }
@@ -77,8 +79,9 @@ impl Anderson {
     /// `g - Σ γ_j ΔG_j` with the γ that minimise `‖f - Σ γ_j ΔF_j‖`.
     fn combine(&self, image: &[f64], residual: &[f64]) -> Vec<f64> {
         let n = self.differences.len();
-        let gram =
-            DMatrix::from_fn(n, n, |i, j| self.gram[i][j] * if i == j { 1.0 + REGULARIZATION } else { 1.0 });
+        let gram = DMatrix::from_fn(n, n, |i, j| {
+            self.gram[i][j] * if i == j { 1.0 + REGULARIZATION } else { 1.0 }
+        });
         let mut next = image.to_vec();
         let Some(factor) = gram.cholesky() else { return next };
         simd_dispatch(|| {
@@ -119,7 +122,9 @@ mod tests {
     /// The same with the third number known only from the third step on, before which it is zero.
     #[test]
     fn entries_may_come_later() {
-        let map = |x: [f64; 3]| [0.5 * x[0] + 1.0, 0.3 * x[1] + 2.0, -0.8 * x[2] + (x[0] - 1.2).max(0.0)];
+        let map = |x: [f64; 3]| {
+            [0.5 * x[0] + 1.0, 0.3 * x[1] + 2.0, -0.8 * x[2] + (x[0] - 1.2).max(0.0)]
+        };
         let mut anderson = Anderson::default();
         let mut x = vec![0.0; 2];
         for step in 0..12 {
@@ -135,8 +140,9 @@ mod tests {
     /// `x = A x + b` with spectral radius 0.95; Anderson is GMRES there and ends after n steps.
     #[test]
     fn solves_a_linear_map_in_as_many_steps_as_dimensions() {
-        let map =
-            |x: &[f64]| vec![0.95 * x[0] + 0.1 * x[1] + 1.0, 0.3 * x[1] + 2.0, -0.8 * x[2] + 0.2 * x[0]];
+        let map = |x: &[f64]| {
+            vec![0.95 * x[0] + 0.1 * x[1] + 1.0, 0.3 * x[1] + 2.0, -0.8 * x[2] + 0.2 * x[0]]
+        };
         let mut x = vec![0.0; 3];
         let mut anderson = Anderson::default();
         for _ in 0..5 {

@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 
 use crate::Error;
-use crate::contact_system::{BlockVector, ContactFigures, ContactSystem, Response, SecantStiffness};
+use crate::contact_system::{
+    BlockVector, ContactFigures, ContactSystem, Response, SecantStiffness,
+};
 use crate::observer::{IncrementNumber, Interrupt, IterationRecord, SolveStatus};
 use crate::phases::Phase;
 use crate::run::Run;
@@ -28,8 +30,8 @@ pub struct Controls<'a> {
     pub increment: Option<IncrementNumber>,
 }
 
-/// The largest norms of a load history so far. Unloaded bodies have no contact forces that a residual could be relative
-/// to.
+/// The largest norms of a load history so far. Unloaded bodies have no contact forces that a
+/// residual could be relative to.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Scales {
     /// `‖R‖` \[N/mm\].
@@ -40,7 +42,8 @@ pub struct Scales {
 
 /// The state an iteration ended in.
 pub struct State {
-    /// Displacements on the active equations and contact forces, in equilibrium with [`Self::loads`].
+    /// Displacements on the active equations and contact forces, in equilibrium with
+    /// [`Self::loads`].
     pub response: Response,
     /// Initial-stress loads that were applied.
     pub loads: BlockVector,
@@ -58,7 +61,8 @@ pub struct Outcome {
     pub history: Vec<IterationRecord>,
     /// Whether it ended because another linearization would pay.
     pub stalled: bool,
-    /// Whether its strains say something of the bodies: it has converged, or no other coupling gets farther.
+    /// Whether its strains say something of the bodies: it has converged, or no other coupling
+    /// gets farther.
     pub is_conclusive: bool,
 }
 
@@ -82,8 +86,8 @@ const RATE_SPAN: usize = 7;
 /// Iterations to go that cost about as much as another linearization.
 const MAX_REMAINING: f64 = 12.0;
 
-/// Iterations over which the best residuals are compared to see whether an iteration without another linearization gets to its
-/// end, and by how much it may miss that.
+/// Iterations over which the best residuals are compared to see whether an iteration without
+/// another linearization gets to its end, and by how much it may miss that.
 const OUTLOOK: usize = 50;
 const OUTLOOK_SLACK: f64 = 4.0;
 
@@ -139,8 +143,8 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Displacements to start from, and the initial-stress loads that belong to them: those of a previous load on the
-    /// same mesh, else zero.
+    /// Displacements to start from, and the initial-stress loads that belong to them: those of a
+    /// previous load on the same mesh, else zero.
     pub fn initial_state(&mut self) -> (BlockVector, BlockVector) {
         let mut loads = self.system.zeros();
         match self.start.take() {
@@ -180,7 +184,10 @@ impl<'a> Iteration<'a> {
     ///
     /// # Errors
     /// Those of the contact solver, and where the observer stops it.
-    pub fn secant_equilibrium(&mut self, stiffness: &dyn SecantStiffness) -> Result<Response, Error> {
+    pub fn secant_equilibrium(
+        &mut self,
+        stiffness: &dyn SecantStiffness,
+    ) -> Result<Response, Error> {
         let Controls { contact, load, .. } = self.controls;
         let start = self.previous.as_ref();
         let response = stiffness.equilibrium(contact, load, start, &mut self.run)?;
@@ -197,11 +204,17 @@ impl<'a> Iteration<'a> {
     /// `‖u - u_start‖ / ‖u‖` on the active equations.
     pub fn displacement_change(&mut self, start: &BlockVector, u: &BlockVector) -> f64 {
         let (system, least) = (self.system, self.controls.scales.displacement);
-        self.run.time(Phase::Plasticity, || relative(system.distance(u, start), system.norm(u).max(least)))
+        self.run.time(Phase::Plasticity, || {
+            relative(system.distance(u, start), system.norm(u).max(least))
+        })
     }
 
     /// Initial-stress loads of given displacements.
-    pub fn initial_stress(&mut self, displacement: &BlockVector, loads: &mut BlockVector) -> usize {
+    pub fn initial_stress(
+        &mut self,
+        displacement: &BlockVector,
+        loads: &mut BlockVector,
+    ) -> usize {
         let system = self.system;
         self.run.time(Phase::Plasticity, || system.initial_stress(displacement, loads))
     }
@@ -221,9 +234,10 @@ impl<'a> Iteration<'a> {
         self.counts.factorizations += count;
     }
 
-    /// Writes down and judges an iteration that went from the displacements `start` to a response which the plastic law
-    /// leaves out of balance by `residual_norm` \[N/mm\]. `Some` is the status of an iteration that ends here: it has
-    /// converged where residual and change of displacement are within the tolerance.
+    /// Writes down and judges an iteration that went from the displacements `start` to a response
+    /// which the plastic law leaves out of balance by `residual_norm` \[N/mm\]. `Some` is the
+    /// status of an iteration that ends here: it has converged where residual and change of
+    /// displacement are within the tolerance.
     pub fn record(
         &mut self,
         start: &BlockVector,
@@ -238,12 +252,12 @@ impl<'a> Iteration<'a> {
             self.has_diverged = true;
             return (!self.controls.renewable).then_some(SolveStatus::NotConverged);
         }
-        let force_change = self
-            .previous
-            .as_ref()
-            .map_or(1.0, |previous| relative(distance(&response.contact.force, &previous.force), force));
+        let force_change = self.previous.as_ref().map_or(1.0, |previous| {
+            relative(distance(&response.contact.force, &previous.force), force)
+        });
         let counts = std::mem::take(&mut self.counts);
-        let ContactFigures { approach, peak_pressure, pairs, .. } = self.system.figures(&response.contact);
+        let ContactFigures { approach, peak_pressure, pairs, .. } =
+            self.system.figures(&response.contact);
         let record = IterationRecord {
             iteration: self.history.len() + 1,
             contact_pivots: counts.pivots,
@@ -267,7 +281,11 @@ impl<'a> Iteration<'a> {
         status
     }
 
-    fn status_after(&self, record: &IterationRecord, verdict: ControlFlow<Interrupt>) -> Option<SolveStatus> {
+    fn status_after(
+        &self,
+        record: &IterationRecord,
+        verdict: ControlFlow<Interrupt>,
+    ) -> Option<SolveStatus> {
         if let ControlFlow::Break(interrupt) = verdict {
             return Some(interrupt.into());
         }
@@ -290,7 +308,8 @@ impl<'a> Iteration<'a> {
         self.has_diverged
     }
 
-    /// Whether, at the present convergence rate, the iterations left cost more than another linearization.
+    /// Whether, at the present convergence rate, the iterations left cost more than another
+    /// linearization.
     pub fn has_stalled(&self) -> bool {
         if self.has_diverged {
             return self.controls.renewable;
@@ -306,7 +325,8 @@ impl<'a> Iteration<'a> {
         remaining >= MAX_REMAINING * rate
     }
 
-    /// Whether the iterations left would have to be many more to get to the end at the rate of the last ones.
+    /// Whether the iterations left would have to be many more to get to the end at the rate of the
+    /// last ones.
     fn is_hopeless(&self, residual: f64) -> bool {
         // What came before was of another plastic region.
         let records = &self.history[self.begun..];
@@ -324,8 +344,8 @@ impl<'a> Iteration<'a> {
         (lately / self.controls.tolerance).ln() > OUTLOOK_SLACK * left * rate.max(0.0)
     }
 
-    /// Closes the iteration; without a status it is one that has stalled. One that has diverged ends in the state without
-    /// initial-stress loads.
+    /// Closes the iteration; without a status it is one that has stalled. One that has diverged
+    /// ends in the state without initial-stress loads.
     ///
     /// # Errors
     /// Those of a contact solve.

@@ -1,7 +1,7 @@
 //! The couplings of contact and plasticity, as algorithms.
 //!
-//! The load `P_e` is what plastic flow puts on the elastic bodies. `Strong` and `Accelerated` iterate on it, the inner loop
-//! of `Weak` on displacements. One step is
+//! The load `P_e` is what plastic flow puts on the elastic bodies. `Strong` and `Accelerated`
+//! iterate on it, the inner loop of `Weak` on displacements. One step is
 //!
 //! ```text
 //! contact:     u_p, by how much K⁻¹ P_e opens the pairs;  R from the gaps δ0 + u_p
@@ -9,11 +9,13 @@
 //! plasticity:  P_e' = Σ ∫ Bᵀ (D_e - D_s(u)) B dV u
 //! ```
 //!
-//! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`. The sign of `P_e` is not that of the paper's print
-//! (docs/theory.md, section 4). With other reference moduli D, as `Accelerated` takes them, `P_e' = Σ ∫ Bᵀ (D ε - σ) dV`,
-//! and K is made of D. Where that stalls, `newton` takes over.
+//! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`. The sign of `P_e` is
+//! not that of the paper's print (docs/theory.md, section 4). With other reference moduli D, as
+//! `Accelerated` takes them, `P_e' = Σ ∫ Bᵀ (D ε - σ) dV`, and K is made of D. Where that stalls,
+//! `newton` takes over.
 //!
-//! A coupling is one file with a type that implements [`Coupling`], and a line in `solver/strategy.rs` of `brinell-solver`.
+//! A coupling is one file with a type that implements [`Coupling`], and a line in
+//! `solver/strategy.rs` of `brinell-solver`.
 
 pub mod anderson;
 pub mod iteration;
@@ -40,20 +42,21 @@ pub trait Coupling {
     /// Those of a contact solve or a factorization.
     fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, Error>;
 
-    /// Whether the stiffness takes the tangent moduli of a known state, and takes them anew where the iteration stalls.
+    /// Whether the stiffness takes the tangent moduli of a known state, and takes them anew where
+    /// the iteration stalls.
     fn uses_tangent_moduli(&self) -> bool {
         false
     }
 
-    /// Whether plastic flow has to be evaluated in the whole body, because the iteration cannot go on from a state that
-    /// missed some of it.
+    /// Whether plastic flow has to be evaluated in the whole body, because the iteration cannot go
+    /// on from a state that missed some of it.
     fn needs_whole_body(&self) -> bool {
         false
     }
 }
 
-/// Iterates. Where a coupling with tangent moduli does not get on the system is linearized anew, once, and then left to Newton's
-/// method.
+/// Iterates. Where a coupling with tangent moduli does not get on the system is linearized anew,
+/// once, and then left to Newton's method.
 ///
 /// # Errors
 /// Those of a contact solve or a factorization.
@@ -71,7 +74,9 @@ pub fn iterate(
     match system.linearize(Some(at), run) {
         Ok(()) => {}
         // The iterations made so far are kept.
-        Err(Error::Interrupted(interrupt)) => return Ok(Outcome { status: interrupt.into(), ..first }),
+        Err(Error::Interrupted(interrupt)) => {
+            return Ok(Outcome { status: interrupt.into(), ..first });
+        }
         Err(Error::Factorization(_)) => return newton::run(system, controls, first, run),
         Err(error) => return Err(error),
     }

@@ -1,21 +1,25 @@
-//! Newton's method with a line search, for what the accelerated coupling does not get to the end of.
+//! Newton's method with a line search, for what the accelerated coupling does not get to the end
+//! of.
 //!
-//! Deformation theory has a potential. Under a force P the displacements u of both bodies and the approach α make
+//! Deformation theory has a potential. Under a force P the displacements u of both bodies and the
+//! approach α make
 //!
 //! ```text
 //! Π(u, α) = Σ ∫ W(ε(u)) dV - P α      smallest over all  δ = δ0 + w(u) - α >= 0
 //! ```
 //!
-//! (without the last term under a prescribed α), and W is convex because no law softens. One step linearizes at u and
-//! solves the contact problem of that linear body: its answer (u*, α*) is the minimum of a quadratic model of Π under
-//! the same conditions. So Π falls from u towards u*, every point on the way satisfies the conditions, and
+//! (without the last term under a prescribed α), and W is convex because no law softens. One step
+//! linearizes at u and solves the contact problem of that linear body: its answer (u*, α*) is the
+//! minimum of a quadratic model of Π under the same conditions. So Π falls from u towards u*,
+//! every point on the way satisfies the conditions, and
 //!
 //! ```text
 //! φ'(t) = f(u + t d)·d - P (α* - α),   d = u* - u,   f(u) = Σ ∫ Bᵀ σ(ε(u)) dV
 //! ```
 //!
-//! rises along it. The step goes to u*, or to where φ' is about zero if it is clearly positive there. That converges
-//! from any start and for any moduli that are not too soft; with tangent moduli it is quadratic in the end.
+//! rises along it. The step goes to u*, or to where φ' is about zero if it is clearly positive
+//! there. That converges from any start and for any moduli that are not too soft; with tangent
+//! moduli it is quadratic in the end.
 
 use super::iteration::{Controls, InitialState, Iteration, Outcome, State};
 use crate::Error;
@@ -38,7 +42,8 @@ const LONGEST: f64 = 30.0;
 /// Parts of a step below and above which the moduli were too soft or too stiff.
 const SHORT: f64 = 0.2;
 const LONG: f64 = 2.0;
-/// Part of the secant moduli that is left of them in every direction, at the beginning and at least.
+/// Part of the secant moduli that is left of them in every direction, at the beginning and at
+/// least.
 const STIFFENING: f64 = 1e-3;
 const LEAST_STIFFENING: f64 = 1e-5;
 
@@ -94,7 +99,8 @@ pub fn run(
     Ok(outcome)
 }
 
-/// Factorizes with the moduli of a point, stiffened; more so where rounding makes the stiffness indefinite.
+/// Factorizes with the moduli of a point, stiffened; more so where rounding makes the stiffness
+/// indefinite.
 fn linearize(
     system: &mut dyn Linearize,
     at: &BlockVector,
@@ -142,8 +148,8 @@ impl Point {
         }
     }
 
-    /// Goes towards an answer of the linearized bodies, whose initial-stress load is `image`. Returns the part of the
-    /// way that was gone.
+    /// Goes towards an answer of the linearized bodies, whose initial-stress load is `image`.
+    /// Returns the part of the way that was gone.
     ///
     /// All of it where the out-of-balance force has fallen; else to where φ' is about zero.
     fn advance(
@@ -177,8 +183,10 @@ impl Point {
         let whole = internal(1.0, image);
         let last = slope(&whole);
         let (mut share, mut reached) = (1.0, whole);
-        // Near the end the slopes are differences of nearly equal numbers, and the residual tells more.
-        let gets_on = residual_norm <= PROGRESS * std::mem::replace(&mut self.residual_norm, residual_norm);
+        // Near the end the slopes are differences of nearly equal numbers, and the residual tells
+        // more.
+        let gets_on =
+            residual_norm <= PROGRESS * std::mem::replace(&mut self.residual_norm, residual_norm);
         let (first, last) = if gets_on || first >= 0.0 { (0.0, 0.0) } else { (first, last) };
         let at = |share: f64, iteration: &mut Iteration<'_>| {
             let mut trial = self.displacement.clone();
@@ -207,8 +215,10 @@ impl Point {
                 }
             }
         } else if last < -SLOPE_LEFT * first.abs() {
-            // Moduli that are stiffer than the tangent make short steps: go on as far as no pair overlaps.
-            let closing = self.gap.iter().zip(&answer.response.contact.gap).filter(|(now, then)| then < now);
+            // Moduli that are stiffer than the tangent make short steps: go on as far as no pair
+            // overlaps.
+            let closing =
+                self.gap.iter().zip(&answer.response.contact.gap).filter(|(now, then)| then < now);
             let room = closing.map(|(now, then)| now / (now - then)).fold(LONGEST, f64::min);
             let target = zero((0.0, first), (1.0, last)).min(room);
             if target > 1.0 {

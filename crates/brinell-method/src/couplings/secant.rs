@@ -1,5 +1,6 @@
-//! Secant stiffness: the stiffness is reassembled with the secant moduli of the last state, factorized again
-//! and condensed to a new flexibility in every iteration. The paper's rival method.
+//! Secant stiffness: the stiffness is reassembled with the secant moduli of the last state,
+//! factorized again and condensed to a new flexibility in every iteration. The paper's rival
+//! method.
 
 use super::Coupling;
 use crate::Error;
@@ -39,9 +40,11 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, Error> {
         let zeros = system.zeros();
         let start = previous.as_ref().map_or(&zeros, |previous| &previous.displacement);
         if let Some(status) = iteration.record(start, &response, plastic_points, residual_norm) {
-            return iteration.finish(State { response, loads: zeros, is_complete: true }, Some(status));
+            return iteration
+                .finish(State { response, loads: zeros, is_complete: true }, Some(status));
         }
-        // Factorized whole, as in the paper: the comparison is between methods, without partial refactorization.
+        // Factorized whole, as in the paper: the comparison is between methods, without partial
+        // refactorization.
         match stiffness.renew(&mut iteration.run) {
             Err(Error::Interrupted(interrupt)) => return stop(iteration, response, interrupt),
             renewed => iteration.count_factorizations(renewed?),
@@ -51,7 +54,11 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, Error> {
 }
 
 /// Ends with the iterations made so far.
-fn stop(iteration: Iteration<'_>, response: Response, interrupt: Interrupt) -> Result<Outcome, Error> {
+fn stop(
+    iteration: Iteration<'_>,
+    response: Response,
+    interrupt: Interrupt,
+) -> Result<Outcome, Error> {
     let loads = iteration.system.zeros();
     iteration.finish(State { response, loads, is_complete: true }, Some(interrupt.into()))
 }

@@ -30,10 +30,11 @@ impl Coupling for Accelerated {
 
 /// Strong coupling: one contact solve, one initial-stress update, repeat.
 ///
-/// Each iteration maps loads `P_e` to those that the plastic law answers with. The paper goes on from the answer
-/// itself; with acceleration the next loads are the combination of past answers that Anderson's method chooses. The
-/// contact is solved inside the map, hence exact in every iteration. The residual of the map, `P_e' - P_e`, is the true
-/// out-of-balance force: Anderson's method combines it, and it decides convergence.
+/// Each iteration maps loads `P_e` to those that the plastic law answers with. The paper goes on
+/// from the answer itself; with acceleration the next loads are the combination of past answers
+/// that Anderson's method chooses. The contact is solved inside the map, hence exact in every
+/// iteration. The residual of the map, `P_e' - P_e`, is the true out-of-balance force: Anderson's
+/// method combines it, and it decides convergence.
 fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, Error> {
     let system = iteration.system;
     let (mut start, mut loads) = iteration.initial_state();
@@ -42,7 +43,8 @@ fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<O
         iteration.count_update();
         let mut image = system.zeros();
         let plastic_points = iteration.initial_stress(&response.displacement, &mut image);
-        let residual_norm = iteration.run.time(Phase::Plasticity, || system.distance(&image, &loads));
+        let residual_norm =
+            iteration.run.time(Phase::Plasticity, || system.distance(&image, &loads));
         let status = iteration.record(&start, &response, plastic_points, residual_norm);
         if status.is_some() || iteration.has_stalled() {
             return iteration.finish(State { response, loads, is_complete: false }, status);

@@ -1,13 +1,13 @@
 //! Weak coupling: plasticity is converged at fixed contact forces between contact solves.
 //!
-//! Taken literally this diverges once the elastic peak pressure passes about three yield stresses: the contact
-//! answers a plastic displacement that its own next answer will take back. The displacement that the contact
-//! sees is therefore relaxed, `u_p ← u_p + ω (u_p* - u_p)`, with Aitken's factor
-//! `ω ← -ω rᵀΔr / ‖Δr‖²`, `r = u_p* - u_p`.
+//! Taken literally this diverges once the elastic peak pressure passes about three yield stresses:
+//! the contact answers a plastic displacement that its own next answer will take back. The
+//! displacement that the contact sees is therefore relaxed, `u_p ← u_p + ω (u_p* - u_p)`, with
+//! Aitken's factor `ω ← -ω rᵀΔr / ‖Δr‖²`, `r = u_p* - u_p`.
 //!
 //! # Reference
-//! B. M. Irons, R. C. Tuck, *A version of the Aitken accelerator for computer iteration*, Int. J. Numer. Meth.
-//! Engng 1 (1969) 275–277.
+//! B. M. Irons, R. C. Tuck, *A version of the Aitken accelerator for computer iteration*, Int. J.
+//! Numer. Meth. Engng 1 (1969) 275–277.
 
 use super::Coupling;
 use crate::Error;
@@ -24,11 +24,14 @@ const LARGEST_FACTOR: f64 = 1.0;
 const MAX_UPDATES: usize = 1500;
 /// Initial-stress updates within one alternation at most.
 const MAX_INNER: usize = 200;
-/// Alternations whose plastic iteration may come to no end: the contact forces were more than the bodies bear.
+/// Alternations whose plastic iteration may come to no end: the contact forces were more than the
+/// bodies bear.
 const MAX_UNSETTLED: usize = 2;
-/// Displacement change that ends the plastic iteration, over the 3/2-th power of that of the alternation.
+/// Displacement change that ends the plastic iteration, over the 3/2-th power of that of the
+/// alternation.
 const INNER_ACCURACY: f64 = 0.003;
-/// The same over the tolerance, at least. Contact answers what is left undone several times as large.
+/// The same over the tolerance, at least. Contact answers what is left undone several times as
+/// large.
 const INNER_FLOOR: f64 = 0.01;
 /// Out-of-balance force over the contact force that goes with that change.
 const BALANCE: f64 = 100.0;
@@ -56,10 +59,11 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, Error> {
         unsettled += usize::from(!is_settled);
         // Elastic so far, but the contact has not seen u_p; or settled.
         let may_end = (residual_norm == 0.0 && system.gap_opening(&loads) != relaxation.value())
-            || iteration.displacement_change(&start, &response.displacement) <= iteration.controls.tolerance;
+            || iteration.displacement_change(&start, &response.displacement)
+                <= iteration.controls.tolerance;
         if may_end {
-            // The contact has answered a relaxed displacement so far; let it answer the true one before
-            // anything is called converged.
+            // The contact has answered a relaxed displacement so far; let it answer the true one
+            // before anything is called converged.
             response = iteration.solve_equilibrium(&loads)?;
             let mut image = system.zeros();
             plastic_points = iteration.initial_stress(&response.displacement, &mut image);
@@ -88,11 +92,12 @@ struct Plasticity {
     is_settled: bool,
 }
 
-/// Initial-stress iteration at fixed contact forces, accelerated like the strong coupling. On return
-/// displacements, forces and loads are in elastic equilibrium.
+/// Initial-stress iteration at fixed contact forces, accelerated like the strong coupling. On
+/// return displacements, forces and loads are in elastic equilibrium.
 ///
-/// `alternation` are the displacements at the start of the alternation. The less the contact has moved since then, the
-/// smaller a part of that may be left undone, so that Aitken's factor compares converged states.
+/// `alternation` are the displacements at the start of the alternation. The less the contact has
+/// moved since then, the smaller a part of that may be left undone, so that Aitken's factor
+/// compares converged states.
 fn converge_plasticity(
     iteration: &mut Iteration<'_>,
     alternation: &BlockVector,
@@ -116,7 +121,8 @@ fn converge_plasticity(
         iteration.count_update();
         response.displacement = iteration.displacement(loads, &response.contact.force);
         state.plastic_points = iteration.initial_stress(&response.displacement, &mut image);
-        state.residual_norm = iteration.run.time(Phase::Plasticity, || system.distance(&image, loads));
+        state.residual_norm =
+            iteration.run.time(Phase::Plasticity, || system.distance(&image, loads));
         let change = iteration.displacement_change(&start, &response.displacement);
         let balanced = state.residual_norm <= BALANCE * sufficient * norm(&response.contact.force);
         if change <= sufficient && balanced {
@@ -156,7 +162,8 @@ impl Aitken {
                 square += (new - old).powi(2);
             }
             if square > 0.0 {
-                self.factor = (-self.factor * product / square).clamp(SMALLEST_FACTOR, LARGEST_FACTOR);
+                self.factor =
+                    (-self.factor * product / square).clamp(SMALLEST_FACTOR, LARGEST_FACTOR);
             }
         }
         for (value, r) in self.value.iter_mut().zip(&residual) {

@@ -1,8 +1,9 @@
-//! A second engine, by which the method is tested without finite elements: two half-planes that touch along a line, with a layer
-//! of springs between them that yield.
+//! A second engine, by which the method is tested without finite elements: two half-planes that
+//! touch along a line, with a layer of springs between them that yield.
 //!
-//! Each pair k has a spring of stiffness s in series with the half-planes. It carries `R = s (w - p)` under a compression w, of
-//! which p is plastic: it grows so that `R = R_y + H p` beyond yield, and is never taken back. The initial stress is `s p`.
+//! Each pair k has a spring of stiffness s in series with the half-planes. It carries `R = s (w -
+//! p)` under a compression w, of which p is plastic: it grows so that `R = R_y + H p` beyond
+//! yield, and is never taken back. The initial stress is `s p`.
 
 mod tests;
 
@@ -25,11 +26,13 @@ use brinell_contact::kkt::ContactScales;
 use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
 use dense_cholesky::SymmetricMatrix;
 
-/// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and the depth where displacements are zero \[mm\].
+/// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and the depth where
+/// displacements are zero \[mm\].
 const RADIUS: f64 = 10.0;
 const MODULUS: f64 = 1e5;
 const DATUM: f64 = 100.0;
-/// Stiffness and hardening of the springs \[N/mm² per mm\], and the pressure at which they yield \[MPa\].
+/// Stiffness and hardening of the springs \[N/mm² per mm\], and the pressure at which they yield
+/// \[MPa\].
 const STIFFNESS: f64 = 1e7;
 const HARDENING: f64 = 1e6;
 const YIELD: f64 = 400.0;
@@ -87,8 +90,17 @@ impl ContactSystem for HalfPlanes {
         &self.initial_gap
     }
 
-    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
-        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
+    fn contact_problem<'a>(
+        &'a self,
+        initial_gap: &'a [f64],
+        load: ContactLoad,
+    ) -> ContactProblem<'a> {
+        ContactProblem {
+            flexibility: &self.flexibility,
+            initial_gap,
+            closing: &self.closing,
+            load,
+        }
     }
 
     fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64> {
@@ -131,8 +143,11 @@ impl ContactSystem for HalfPlanes {
     }
 
     fn commit(&mut self, displacement: BlockVector) {
-        self.plastic =
-            displacement[0].iter().enumerate().map(|(k, &w)| self.plastic_compression(k, w)).collect();
+        self.plastic = displacement[0]
+            .iter()
+            .enumerate()
+            .map(|(k, &w)| self.plastic_compression(k, w))
+            .collect();
         self.accepted = displacement;
     }
 
@@ -187,7 +202,8 @@ impl Answer for SpringAnswer {
 
     fn figures(&self) -> CoarseFigures {
         let contact = &self.outcome.state.response.contact;
-        let ContactFigures { force, approach, peak_pressure, pairs } = self.system.figures(contact);
+        let ContactFigures { force, approach, peak_pressure, pairs } =
+            self.system.figures(contact);
         let half_width = 0.5 * pairs as f64 * self.system.spacing;
         CoarseFigures { peak_pressure, half_width, approach, force, ..CoarseFigures::default() }
     }
@@ -216,12 +232,20 @@ impl SpringAnswer {
                 .flexibility
                 .apply(&state.response.contact.force, &mut unloaded_gap);
             let opening = system.gap_opening(&loads);
-            for ((gap, initial), opening) in unloaded_gap.iter_mut().zip(&system.initial_gap).zip(opening) {
+            for ((gap, initial), opening) in
+                unloaded_gap.iter_mut().zip(&system.initial_gap).zip(opening)
+            {
                 *gap += initial + opening;
             }
             let residual = system.distance(&loads, &state.loads);
-            let equilibrium_residual = residual / norm(&state.response.contact.force).max(least.residual);
-            Evidence { unloaded_gap, equilibrium_residual, has_collapsed: false, reaches_edge: false }
+            let equilibrium_residual =
+                residual / norm(&state.response.contact.force).max(least.residual);
+            Evidence {
+                unloaded_gap,
+                equilibrium_residual,
+                has_collapsed: false,
+                reaches_edge: false,
+            }
         };
         let (status, check) = judge(system, outcome, &evidence, load, TOLERANCE, least.contact);
         SpringStep {
@@ -395,14 +419,16 @@ impl HistoryEngine for Springs {
         progress: &Progress,
         _: &mut Run<'_>,
     ) -> SpringStep {
-        let least = LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
+        let least =
+            LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         answer.step(load, least)
     }
 
     fn step_as_iterated(&self, answer: &SpringAnswer, load: ContactLoad) -> SpringStep {
         let Self::Answer { system, outcome, .. } = answer;
         let evidence = Evidence::of_iteration(system, outcome, false);
-        let (status, check) = judge(system, outcome, &evidence, load, TOLERANCE, ContactScales::default());
+        let (status, check) =
+            judge(system, outcome, &evidence, load, TOLERANCE, ContactScales::default());
         SpringStep { status, check, ..answer.step(load, LeastScales::default()) }
     }
 }
@@ -438,7 +464,12 @@ impl Sought for Peak {
     type Step = SpringStep;
     type Error = Error;
 
-    fn trial(&self, density: Density, force: f64, run: &mut Run<'_>) -> Result<Tried<SpringStep>, Error> {
+    fn trial(
+        &self,
+        density: Density,
+        force: f64,
+        run: &mut Run<'_>,
+    ) -> Result<Tried<SpringStep>, Error> {
         let load = ContactLoad::Force(force);
         let answer = Bodies(&super::couplings::Accelerated).springs(density).answer(load, run)?;
         let ratio = answer.figures().peak_pressure / self.0;

@@ -19,9 +19,14 @@ fn with_run<T>(observer: &mut dyn Observer, work: impl FnOnce(&mut Run<'_>) -> T
 }
 
 /// One force from rest, and how many systems were made.
-fn solved(coupling: &'static dyn Coupling, force: f64, observer: &mut dyn Observer) -> (SpringAnswer, usize) {
+fn solved(
+    coupling: &'static dyn Coupling,
+    force: f64,
+    observer: &mut dyn Observer,
+) -> (SpringAnswer, usize) {
     let springs = Bodies(coupling).springs(Density::Asked);
-    let (answer, systems) = with_run(observer, |run| springs.answer(ContactLoad::Force(force), run));
+    let (answer, systems) =
+        with_run(observer, |run| springs.answer(ContactLoad::Force(force), run));
     (answer.unwrap(), systems)
 }
 
@@ -49,7 +54,11 @@ fn couplings_agree_and_the_answer_satisfies_the_laws() {
     let mut peaks = Vec::new();
     for (name, coupling) in couplings {
         let (answer, systems) = solved(coupling, 400.0, &mut Unobserved);
-        assert!(systems > 1 && answer.continued == 1, "{name}: {systems} systems, {}", answer.continued);
+        assert!(
+            systems > 1 && answer.continued == 1,
+            "{name}: {systems} systems, {}",
+            answer.continued
+        );
         let step = answer.step(ContactLoad::Force(400.0), LeastScales::default());
         assert_eq!(step.status, SolveStatus::Converged, "{name}: {:?}", step.check);
         let plastic = answer.system.gap_opening(&answer.outcome.state.loads);
@@ -93,7 +102,8 @@ fn history_of(
 ) -> (Vec<SpringStep>, Option<Interrupt>) {
     let loads: Vec<_> = forces.iter().map(|force| ContactLoad::Force(*force)).collect();
     let mut steps = Vec::new();
-    let (end, _) = with_run(observer, |run| history::run(&Bodies(coupling), &loads, None, run, &mut steps));
+    let (end, _) =
+        with_run(observer, |run| history::run(&Bodies(coupling), &loads, None, run, &mut steps));
     (steps, end.unwrap())
 }
 
@@ -148,7 +158,13 @@ fn a_sweep_hands_over_each_load() {
 #[test]
 fn a_search_finds_the_force_of_a_pressure_from_either_side() {
     let search = |first_force: f64, wanted: f64| {
-        let terms = Terms { first_force, expected_slope: 0.5, tolerance: 1e-3, most_fine: 4, missed: 0.01 };
+        let terms = Terms {
+            first_force,
+            expected_slope: 0.5,
+            tolerance: 1e-3,
+            most_fine: 4,
+            missed: 0.01,
+        };
         with_run(&mut Unobserved, |run| find(&Peak(wanted), terms, run)).0
     };
     let [below, above] = [40.0, 600.0].map(|first| search(first, 600.0).unwrap());

@@ -36,7 +36,8 @@ impl Body {
         let shape = object.required("shape", |c| Shape::read(c, units, &[]));
         let support = object.or("support", Support::default(), |c| c.named());
         let material = object.required("material", |c| Material::read(c, units));
-        let surface = object.or(Surface::KEY, None, |c| Surface::read(c, units).map(Arc::new).map(Some));
+        let surface =
+            object.or(Surface::KEY, None, |c| Surface::read(c, units).map(Arc::new).map(Some));
         Some(Self { shape: shape?, material: material?, support: support?, surface: surface? })
     }
 }
@@ -44,7 +45,8 @@ impl Body {
 impl InUnits<'_, Body> {
     /// The body as it is written; a half-space has no support, unless somebody gave it one.
     pub fn of(&self, analysis: Analysis) -> impl Serialize {
-        let has_support = analysis != Analysis::ThreeDimensional || self.0.support != Support::default();
+        let has_support =
+            analysis != Analysis::ThreeDimensional || self.0.support != Support::default();
         WireBody {
             shape: InUnits(&self.0.shape, self.1),
             support: has_support.then_some(self.0.support),

@@ -14,8 +14,8 @@ use super::{
     SolverSettings, Units, tags,
 };
 
-/// A complete, valid request. All figures are in N–mm–MPa whatever [`Job::units`] says; `units` is how they
-/// were written and how the result is to be written.
+/// A complete, valid request. All figures are in N–mm–MPa whatever [`Job::units`] says; `units` is
+/// how they were written and how the result is to be written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
     /// Kinematics.
@@ -67,7 +67,8 @@ impl Named for Analysis {
 }
 
 impl Analysis {
-    /// What a force is: per thickness in plane analyses, whole in axisymmetry and three dimensions.
+    /// What a force is: per thickness in plane analyses, whole in axisymmetry and three
+    /// dimensions.
     pub const fn force(self) -> Quantity {
         match self {
             Self::PlaneStrain | Self::PlaneStress => Quantity::LineForce,
@@ -80,16 +81,18 @@ impl Job {
     pub(super) const KEYS: &'static [&'static str] =
         &["analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags"];
 
-    /// Parses the wire format. The text is read whole: every fault is reported, not only the first.
+    /// Parses the wire format. The text is read whole: every fault is reported, not only the
+    /// first.
     ///
     /// # Errors
-    /// [`JobError::Syntax`] if the text is not JSON; [`JobError::Fields`] with every fault in document order if it
-    /// is not a job. The list ends with a note after 100 faults.
+    /// [`JobError::Syntax`] if the text is not JSON; [`JobError::Fields`] with every fault in
+    /// document order if it is not a job. The list ends with a note after 100 faults.
     pub fn from_json(text: &[u8]) -> Result<Self, JobError> {
         Self::solvable(&reader::parse(text)?)
     }
 
-    /// As [`Job::from_json`], from JSON that is already parsed. Duplicate keys have been lost by then.
+    /// As [`Job::from_json`], from JSON that is already parsed. Duplicate keys have been lost by
+    /// then.
     ///
     /// # Errors
     /// [`JobError::Fields`], as in [`Job::from_json`].
@@ -109,9 +112,9 @@ impl Job {
     /// Whether a body has a hardening law.
     pub(super) fn has_plasticity(&self) -> bool {
         let bodies = [&self.upper, &self.lower];
-        bodies
-            .iter()
-            .any(|body| matches!(&body.material, Material::Deformable(of) if of.plasticity().is_some()))
+        bodies.iter().any(
+            |body| matches!(&body.material, Material::Deformable(of) if of.plasticity().is_some()),
+        )
     }
 
     fn solvable(document: &Node) -> Result<Self, JobError> {
@@ -165,14 +168,18 @@ impl Job {
     }
 }
 
-/// Two rigid bodies do not deform. Looked up in the document, so that it is seen whatever else is wrong.
+/// Two rigid bodies do not deform. Looked up in the document, so that it is seen whatever else is
+/// wrong.
 fn both_rigid(document: &Node) -> Vec<FieldError> {
     let pointers = ["/upper/material", "/lower/material"];
-    let rigid = |pointer: &&str| document.at(&format!("{pointer}/rigid")) == Some(&Node::Bool(true));
+    let rigid =
+        |pointer: &&str| document.at(&format!("{pointer}/rigid")) == Some(&Node::Bool(true));
     if !pointers.iter().all(rigid) {
         return Vec::new();
     }
-    pointers.map(|pointer| FieldError::new(pointer, "both bodies are rigid; one of them must deform")).into()
+    pointers
+        .map(|pointer| FieldError::new(pointer, "both bodies are rigid; one of them must deform"))
+        .into()
 }
 
 /// The wire format, in the job's own units: what [`Job::from_json`] reads back as the same job.
@@ -184,7 +191,10 @@ impl Serialize for Job {
         map.serialize_entry("units", &units)?;
         map.serialize_entry("upper", &InUnits(&self.upper, units).of(self.analysis))?;
         map.serialize_entry("lower", &InUnits(&self.lower, units).of(self.analysis))?;
-        map.serialize_entry("load", &InUnits(&self.load, units).with_force(self.analysis.force()))?;
+        map.serialize_entry(
+            "load",
+            &InUnits(&self.load, units).with_force(self.analysis.force()),
+        )?;
         map.serialize_entry("mesh", &InUnits(&self.mesh, units))?;
         map.serialize_entry("solver", &InUnits(&self.solver, units))?;
         map.serialize_entry("output", &InUnits(&self.output, units))?;

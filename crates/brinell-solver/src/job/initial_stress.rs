@@ -8,15 +8,17 @@ use super::{Analysis, FaultCode, FieldError, NonNegativeF64, Quantity, Units};
 use crate::material::{HardeningLaw, StrengthProfile, interpolate};
 
 record! {
-    /// Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.
+    /// Stress along the surface at one depth, before any load; straight between depths, constant
+    /// beyond the ends.
     #[derive(Copy)]
     pub struct InitialStress("", "Initial stress") {
         /// Depth below the surface.
         pub depth: NonNegativeF64 = Field::quantity(Quantity::Depth).label("Depth", "z").example(0.05),
-        /// Stress along the surface in the plane of the section, in three dimensions along x; tension positive.
+        /// Stress along the surface in the plane of the section, in three dimensions along x;
+        /// tension positive.
         pub sigma_x: f64 = Field::quantity(Quantity::SignedStress).label("Along the surface", "σ_x").example(-600.0),
-        /// Stress along the surface out of that plane, in three dimensions along y, in axisymmetry equal to `sigma_x`, in plane stress
-        /// zero.
+        /// Stress along the surface out of that plane, in three dimensions along y, in axisymmetry
+        /// equal to `sigma_x`, in plane stress zero.
         pub sigma_z: f64 = Field::quantity(Quantity::SignedStress).label("Out of plane", "σ_z").example(-600.0),
     }
 }
@@ -33,7 +35,9 @@ impl InitialStress {
     }
 
     pub(super) fn read_all(cursor: Cursor<'_>, units: Option<Units>) -> Option<Vec<Self>> {
-        cursor.array(1..=Self::MAX_POINTS, |item| read_record(&item.object()?, None, units, None, &[]))
+        cursor.array(1..=Self::MAX_POINTS, |item| {
+            read_record(&item.object()?, None, units, None, &[])
+        })
     }
 
     /// What is wrong with rows beside a hardening curve and its factors over depth.
@@ -42,11 +46,15 @@ impl InitialStress {
         law: Option<&dyn HardeningLaw>,
         strength: Option<&StrengthProfile>,
     ) -> Vec<FieldError> {
-        let mut faults = faults_of_depths(rows.iter().map(|row| row.depth.get()), |k| format!("/{k}/depth"));
-        let Some(law) = law.filter(|_| faults.is_empty() && !rows.is_empty()) else { return faults };
+        let mut faults =
+            faults_of_depths(rows.iter().map(|row| row.depth.get()), |k| format!("/{k}/depth"));
+        let Some(law) = law.filter(|_| faults.is_empty() && !rows.is_empty()) else {
+            return faults;
+        };
         if law.yield_stress() <= 0.0 {
-            let detail = "needs a hardening curve with a yield point, below which the stress before the load lies; the law \
-                          `ramberg_osgood` has none, `swift`, `ludwik` and `table` have";
+            let detail = "needs a hardening curve with a yield point, below which the stress \
+                          before the load lies; the law `ramberg_osgood` has none, `swift`, \
+                          `ludwik` and `table` have";
             faults.push(FieldError {
                 pointer: String::new(),
                 code: FaultCode::Inconsistent,
@@ -57,21 +65,28 @@ impl InitialStress {
         // Between the depths of both profiles the one is convex and the other straight.
         let profile = InitialStressProfile::new(rows);
         let knots = strength.map_or(&[][..], StrengthProfile::points);
-        let depths = rows.iter().map(|row| row.depth.get()).chain(knots.iter().map(|[depth, _]| *depth));
+        let depths =
+            rows.iter().map(|row| row.depth.get()).chain(knots.iter().map(|[depth, _]| *depth));
         let excess = |depth: f64| {
             let [x, z] = profile.at(depth);
-            let limit = law.yield_stress() * strength.map_or(1.0, |strength| strength.factor(depth));
+            let limit =
+                law.yield_stress() * strength.map_or(1.0, |strength| strength.factor(depth));
             (depth, (x * x - x * z + z * z).sqrt(), limit)
         };
         let worst = depths.map(excess).max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)));
         if let Some((depth, stress, limit)) = worst.filter(|(_, stress, limit)| stress > limit) {
             let detail = format!(
-                "yields by itself: at the depth {} mm its von Mises stress is {} MPa, the yield stress {} MPa",
+                "yields by itself: at the depth {} mm its von Mises stress is {} MPa, the yield \
+                 stress {} MPa",
                 five_digits(depth),
                 five_digits(stress),
                 five_digits(limit)
             );
-            faults.push(FieldError { pointer: String::new(), code: FaultCode::Inconsistent, detail });
+            faults.push(FieldError {
+                pointer: String::new(),
+                code: FaultCode::Inconsistent,
+                detail,
+            });
         }
         faults
     }
@@ -83,7 +98,8 @@ impl InitialStress {
             Analysis::PlaneStress => (|row| row.sigma_z.abs() > 0.0, "must be 0 in plane stress"),
             Analysis::Axisymmetric => (
                 |row| (row.sigma_x - row.sigma_z).abs() > 1e-9 * row.sigma_x.abs(),
-                "must equal `sigma_x` in axisymmetry: no stress that depends on depth alone is in equilibrium otherwise",
+                "must equal `sigma_x` in axisymmetry: no stress that depends on depth alone is in \
+                 equilibrium otherwise",
             ),
         };
         let faulty = rows.iter().enumerate().filter(|(_, row)| is_wrong(row));
@@ -91,7 +107,8 @@ impl InitialStress {
     }
 }
 
-/// Initial stress over depth: straight between points, constant before the first and beyond the last.
+/// Initial stress over depth: straight between points, constant before the first and beyond the
+/// last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InitialStressProfile {
     sigma_x: Vec<[f64; 2]>,

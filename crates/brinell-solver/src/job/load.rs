@@ -11,20 +11,23 @@ use super::{FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Target
 /// What presses the bodies together. Several values are a sweep, one step each.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Load {
-    /// Forces for the whole contact, both sides of the axis: N per mm of thickness in plane analyses, N in
-    /// axisymmetry.
+    /// Forces for the whole contact, both sides of the axis: N per mm of thickness in plane
+    /// analyses, N in axisymmetry.
     Forces(Sweep),
     /// Approaches α of the supports \[mm\].
     Approaches(Sweep),
-    /// Forces and approaches one after the other, each on what the one before has left: `{"history": [...]}`.
+    /// Forces and approaches one after the other, each on what the one before has left:
+    /// `{"history": [...]}`.
     History(History),
     /// The force at which the contact begins to yield, which is the answer: `{"onset": true}`.
     Onset,
-    /// The force under which a figure of the contact has this value, which is the answer: `{"target": {...}}`.
+    /// The force under which a figure of the contact has this value, which is the answer:
+    /// `{"target": {...}}`.
     Target(Target),
 }
 
-/// One to [`MAX_VALUES`](Self::MAX_VALUES) values of the load, in the order in which they are applied.
+/// One to [`MAX_VALUES`](Self::MAX_VALUES) values of the load, in the order in which they are
+/// applied.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep(Vec<PositiveF64>);
 
@@ -40,7 +43,10 @@ impl Sweep {
         if (1..=Self::MAX_VALUES).contains(&values.len()) {
             return Ok(Self(values));
         }
-        Err(vec![FieldError::new("", format!("must have between 1 and {} items", Self::MAX_VALUES))])
+        Err(vec![FieldError::new(
+            "",
+            format!("must have between 1 and {} items", Self::MAX_VALUES),
+        )])
     }
 }
 
@@ -71,7 +77,8 @@ impl Deref for Sweep {
 pub enum HistoryLoad {
     /// A force as in [`Load::Forces`]; zero takes the load away.
     Force(NonNegativeF64),
-    /// An approach as in [`Load::Approaches`]; zero brings the bodies back to where they first touched.
+    /// An approach as in [`Load::Approaches`]; zero brings the bodies back to where they first
+    /// touched.
     Approach(NonNegativeF64),
 }
 
@@ -90,7 +97,11 @@ impl HistoryLoad {
         object.only(Self::KINDS);
         let figure = |key, quantity: Quantity| {
             object.required(key, |c| {
-                if c.is_zero() { NonNegativeF64::new(0.0).ok() } else { c.quantity(quantity, units) }
+                if c.is_zero() {
+                    NonNegativeF64::new(0.0).ok()
+                } else {
+                    c.quantity(quantity, units)
+                }
             })
         };
         match (object.has("force"), object.has("approach")) {
@@ -98,7 +109,10 @@ impl HistoryLoad {
             (false, true) => figure("approach", Quantity::Approach).map(Self::Approach),
             (both, _) => {
                 let code = if both { FaultCode::Inconsistent } else { FaultCode::Required };
-                object.fault_here(code, format_args!("must have one of: {}", Self::KINDS.join(", ")));
+                object.fault_here(
+                    code,
+                    format_args!("must have one of: {}", Self::KINDS.join(", ")),
+                );
                 None
             }
         }
@@ -157,7 +171,9 @@ impl Load {
         let object = cursor.object()?;
         object.only(Self::KINDS);
         let one = |key, quantity| {
-            object.required(key, |c| c.quantity(quantity, units)).map(|value: PositiveF64| value.into())
+            object
+                .required(key, |c| c.quantity(quantity, units))
+                .map(|value: PositiveF64| value.into())
         };
         let many = |key, quantity| {
             object.required(key, |c| {
@@ -170,8 +186,9 @@ impl Load {
             "approach" => one("approach", Quantity::Approach).map(Self::Approaches),
             "history" => object
                 .required("history", |c| {
-                    let loads =
-                        c.array(1..=Sweep::MAX_VALUES, |item| HistoryLoad::read(item, force, units))?;
+                    let loads = c.array(1..=Sweep::MAX_VALUES, |item| {
+                        HistoryLoad::read(item, force, units)
+                    })?;
                     c.checked(History::new(loads))
                 })
                 .map(Self::History),
@@ -213,7 +230,9 @@ impl InUnits<'_, Load> {
             }
         };
         let entry = |load: &HistoryLoad| match load {
-            HistoryLoad::Force(value) => WireHistoryLoad::Force(force.to_wire(self.1, value.get())),
+            HistoryLoad::Force(value) => {
+                WireHistoryLoad::Force(force.to_wire(self.1, value.get()))
+            }
             HistoryLoad::Approach(value) => {
                 WireHistoryLoad::Approach(Quantity::Approach.to_wire(self.1, value.get()))
             }

@@ -9,8 +9,8 @@ use super::fields::{Field, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::wire::InUnits;
 use super::{
-    BackstressTerm, FaultCode, FieldError, Hardening, InitialStress, OverDepth, PoissonRatio, PositiveF64,
-    Quantity, Units,
+    BackstressTerm, FaultCode, FieldError, Hardening, InitialStress, OverDepth, PoissonRatio,
+    PositiveF64, Quantity, Units,
 };
 use crate::material::{ElasticModuli, HardeningLaw, StrengthProfile};
 
@@ -55,10 +55,11 @@ pub struct Deformable {
 }
 
 impl Deformable {
-    const KEYS: &[&str] = &["young_modulus", "poisson_ratio", "plasticity", InitialStress::KEY, "rigid"];
+    const KEYS: &[&str] =
+        &["young_modulus", "poisson_ratio", "plasticity", InitialStress::KEY, "rigid"];
 
-    /// Takes the constants if the curve is physical beside them: `E_t < E` (bilinear), an exponent in range
-    /// (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
+    /// Takes the constants if the curve is physical beside them: `E_t < E` (bilinear), an exponent
+    /// in range (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the material, e.g. `/plasticity/tangent_modulus`.
@@ -101,8 +102,8 @@ impl Deformable {
         &self.backstress
     }
 
-    /// The same material with terms of the backstress; at most [`BackstressTerm::MAX_TERMS`] count, and none without a
-    /// hardening curve.
+    /// The same material with terms of the backstress; at most [`BackstressTerm::MAX_TERMS`]
+    /// count, and none without a hardening curve.
     #[must_use]
     pub fn with_backstress(mut self, mut terms: Vec<BackstressTerm>) -> Self {
         terms.truncate(if self.plasticity.is_some() { BackstressTerm::MAX_TERMS } else { 0 });
@@ -115,7 +116,8 @@ impl Deformable {
         self.over_depth.as_ref()
     }
 
-    /// The same material with a strength that varies with depth; nothing of it counts without a hardening curve.
+    /// The same material with a strength that varies with depth; nothing of it counts without a
+    /// hardening curve.
     #[must_use]
     pub fn with_over_depth(mut self, over_depth: OverDepth) -> Self {
         self.over_depth = self.plasticity.is_some().then_some(over_depth);
@@ -124,7 +126,8 @@ impl Deformable {
 
     /// Factors of the hardening curve over depth; `None` where it is the same everywhere.
     pub fn strength(&self) -> Option<StrengthProfile> {
-        let profile = self.over_depth.as_ref()?.profile(self.hardening_law()?.nominal_yield_stress());
+        let profile =
+            self.over_depth.as_ref()?.profile(self.hardening_law()?.nominal_yield_stress());
         (profile.range() != (1.0, 1.0)).then_some(profile)
     }
 
@@ -137,9 +140,15 @@ impl Deformable {
     ///
     /// # Errors
     /// Depths that do not rise, stress beyond yield, with a pointer relative to the material.
-    pub fn with_initial_stress(mut self, rows: Vec<InitialStress>) -> Result<Self, Vec<FieldError>> {
-        let mut faults =
-            InitialStress::faults(&rows, self.hardening_law().as_deref(), self.strength().as_ref());
+    pub fn with_initial_stress(
+        mut self,
+        rows: Vec<InitialStress>,
+    ) -> Result<Self, Vec<FieldError>> {
+        let mut faults = InitialStress::faults(
+            &rows,
+            self.hardening_law().as_deref(),
+            self.strength().as_ref(),
+        );
         if faults.is_empty() {
             self.initial_stress = rows;
             return Ok(self);
@@ -166,15 +175,21 @@ impl Deformable {
         object.only(Self::KEYS);
         let mut known = Known::default();
         let elastic = Elastic::read_fields(object, units, None, &mut known);
-        let beside: Vec<_> =
-            known.figure("young_modulus").map(|modulus| ("young_modulus", modulus)).into_iter().collect();
+        let beside: Vec<_> = known
+            .figure("young_modulus")
+            .map(|modulus| ("young_modulus", modulus))
+            .into_iter()
+            .collect();
         let plasticity = object.or("plasticity", (None, Vec::new(), None), |c| {
             let law = Hardening::read(c, units, &beside);
-            let terms = c.object()?.or("backstress", Vec::new(), |c| BackstressTerm::read_all(c, units));
-            let over_depth = c.object()?.or(OverDepth::KEY, None, |c| OverDepth::read(c, units).map(Some));
+            let terms =
+                c.object()?.or("backstress", Vec::new(), |c| BackstressTerm::read_all(c, units));
+            let over_depth =
+                c.object()?.or(OverDepth::KEY, None, |c| OverDepth::read(c, units).map(Some));
             Some((Some(law?), terms?, over_depth?))
         });
-        let initial_stress = object.or(InitialStress::KEY, Vec::new(), |c| InitialStress::read_all(c, units));
+        let initial_stress =
+            object.or(InitialStress::KEY, Vec::new(), |c| InitialStress::read_all(c, units));
         let (law, terms, over_depth) = plasticity?;
         let mut material = object.checked(Self::new(elastic?, law))?.with_backstress(terms);
         if let Some(over_depth) = over_depth {
@@ -248,7 +263,8 @@ impl Serialize for InUnits<'_, Material> {
             Material::Deformable(deformable) => {
                 write_record(&deformable.elastic, &mut map, self.1)?;
                 if let Some(curve) = &deformable.plasticity {
-                    let plasticity = Plasticity(curve, &deformable.backstress, deformable.over_depth());
+                    let plasticity =
+                        Plasticity(curve, &deformable.backstress, deformable.over_depth());
                     map.serialize_entry("plasticity", &InUnits(&plasticity, self.1))?;
                 }
                 if !deformable.initial_stress.is_empty() {
@@ -275,7 +291,8 @@ mod tests {
         let poisson_ratio = PoissonRatio::new(0.3).unwrap();
         let steel = Elastic { young_modulus: positive(210_000.0), poisson_ratio };
         let built = Deformable::new(steel, Some(curve));
-        built.map_or_else(|faults| faults.iter().map(ToString::to_string).collect(), |_| Vec::new())
+        built
+            .map_or_else(|faults| faults.iter().map(ToString::to_string).collect(), |_| Vec::new())
     }
 
     #[test]
@@ -305,8 +322,11 @@ mod tests {
     fn exponents_and_saturation_are_checked() {
         let (reference_stress, offset) = (positive(500.0), positive(0.3));
         let exponent = positive(0.9);
-        let faults =
-            faults_of(Hardening::RambergOsgood(RambergOsgood { reference_stress, offset, exponent }));
+        let faults = faults_of(Hardening::RambergOsgood(RambergOsgood {
+            reference_stress,
+            offset,
+            exponent,
+        }));
         assert_eq!(faults, ["/plasticity/exponent: must be between 1 and 200"]);
         let (yield_stress, rate) = (positive(300.0), positive(10.0));
         let saturation_stress = positive(299.0);

@@ -1,13 +1,14 @@
 //! The validated job: what is asked of the solver, in types that cannot hold a wrong value.
 //!
-//! A [`Job`] is built in one of two ways: [`Job::from_json`] parses the wire format and reports *every* field
-//! at fault with its JSON pointer, or a library user fills the public fields with the number types of
-//! [`number`] and with [`Deformable`], [`Groove`], [`Profile`], [`TablePoints`] and [`Sweep`], each of which checks
-//! its invariants when it is made. [`Job::validate`] holds a job of the second kind to the limits of the first.
+//! A [`Job`] is built in one of two ways: [`Job::from_json`] parses the wire format and reports
+//! *every* field at fault with its JSON pointer, or a library user fills the public fields with
+//! the number types of [`number`] and with [`Deformable`], [`Groove`], [`Profile`],
+//! [`TablePoints`] and [`Sweep`], each of which checks its invariants when it is made.
+//! [`Job::validate`] holds a job of the second kind to the limits of the first.
 //!
 //! # Units
-//! The core works in one consistent system, N–mm–MPa. [`Units`] says how the wire figures are written;
-//! parsing converts them, and the results convert back.
+//! The core works in one consistent system, N–mm–MPa. [`Units`] says how the wire figures are
+//! written; parsing converts them, and the results convert back.
 
 pub mod body;
 pub mod contact_job;
@@ -51,10 +52,12 @@ pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
 pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, OverDepth};
 pub use quantity::Quantity;
 pub use reader::Named;
-pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};
+pub use settings::{
+    ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory,
+};
 pub use shape::{
-    Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge, Parabola, Power,
-    Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
+    Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge,
+    Parabola, Power, Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
 pub use surface::{Detrend, Surface};
 pub use target::{Target, TargetFigure};

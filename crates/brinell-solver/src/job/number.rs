@@ -68,8 +68,9 @@ ranged!(
 ranged!(
     /// Poisson's ratio ν, `0 <= ν <= 0.499999`.
     ///
-    /// The bulk modulus grows without bound towards 0.5, and from 0.4999999 on rounding keeps iterations from their tolerance; B-bar
-    /// elements do not lock. Auxetic materials (`ν < 0`) are not offered: no yield-onset table covers them.
+    /// The bulk modulus grows without bound towards 0.5, and from 0.4999999 on rounding keeps
+    /// iterations from their tolerance; B-bar elements do not lock. Auxetic materials (`ν < 0`)
+    /// are not offered: no yield-onset table covers them.
     PoissonRatio,
     |value| PoissonRatio::RANGE.contains(&value),
     "must be between 0 and 0.499999"

@@ -1,7 +1,8 @@
 //! Strength over depth: hardened cases and other layers.
 //!
-//! The factor s(z) scales the stresses of the hardening curve, `q = s(z) q_0(ε_p)`, at the depth z below the undeformed
-//! surface, along its normal. Elastic constants and backstress are the same everywhere.
+//! The factor s(z) scales the stresses of the hardening curve, `q = s(z) q_0(ε_p)`, at the depth z
+//! below the undeformed surface, along its normal. Elastic constants and backstress are the same
+//! everywhere.
 
 use std::f64::consts::SQRT_2;
 use std::ops::RangeInclusive;
@@ -28,7 +29,8 @@ pub enum OverDepth {
 record! {
     /// Vickers hardness at points.
     pub struct HardnessProfile("", "Hardness over depth") where rules_of_profile {
-        /// Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.
+        /// Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the
+        /// ends.
         pub profile: Vec<[f64; 2]> = Field::points(
             [
                 ("Depth below the surface.", Figure::Quantity(Quantity::Depth)),
@@ -60,8 +62,8 @@ record! {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CaseCurve {
-    /// Of carbon that diffuses into a half-space, `HV = HV_c + (HV_s - HV_c) erfc(u z/d)`, with u such that it is 550 HV at
-    /// the case depth d.
+    /// Of carbon that diffuses into a half-space, `HV = HV_c + (HV_s - HV_c) erfc(u z/d)`, with u
+    /// such that it is 550 HV at the case depth d.
     #[default]
     ErrorFunction,
     /// Lang's, `HV = HV_c + (HV_s - HV_c) 10^(-0.0381 z/d - 0.2662 (z/d)²)`.
@@ -82,8 +84,8 @@ impl Named for CaseCurve {
 /// How the yield stress follows from the hardness: a regression over steels of 136 to 622 HV.
 ///
 /// # Reference
-/// E. J. Pavlina, C. J. Van Tyne, *Correlation of yield strength and tensile strength with hardness for steels*, J. Mater.
-/// Eng. Perform. 17 (2008) 888–893.
+/// E. J. Pavlina, C. J. Van Tyne, *Correlation of yield strength and tensile strength with
+/// hardness for steels*, J. Mater. Eng. Perform. 17 (2008) 888–893.
 pub const YIELD_OF_HARDNESS: &str = "σ_y = 2.876 HV − 90.7 MPa (Pavlina and Van Tyne 2008)";
 
 /// Hardness accepted \[HV\].
@@ -113,11 +115,13 @@ impl OverDepth {
     .example_points(&[[0.0, 1.8], [0.5, 1.6], [1.5, 1.0]])
     .declared(
         Self::KEY,
-        "Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the ends.",
+        "Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the \
+         ends.",
         false,
     );
 
-    /// The ways in which it can be given: word, label, where its fields stand below the key, and the fields.
+    /// The ways in which it can be given: word, label, where its fields stand below the key, and
+    /// the fields.
     pub fn kinds() -> [(&'static str, &'static str, &'static str, &'static [Field]); 3] {
         const FACTORS: &[Field] = &[OverDepth::FACTORS];
         [
@@ -129,10 +133,13 @@ impl OverDepth {
 
     /// Factors of a hardening curve with this (nominal) yield stress \[MPa\].
     pub fn profile(&self, yield_stress: f64) -> StrengthProfile {
-        let from_hardness = |[z, hardness]: [f64; 2]| [z, yield_of_hardness(hardness) / yield_stress];
+        let from_hardness =
+            |[z, hardness]: [f64; 2]| [z, yield_of_hardness(hardness) / yield_stress];
         let points = match self {
             Self::Factors(points) => points.clone(),
-            Self::Hardness(hardness) => hardness.profile.iter().copied().map(from_hardness).collect(),
+            Self::Hardness(hardness) => {
+                hardness.profile.iter().copied().map(from_hardness).collect()
+            }
             Self::Case(case) => case.sampled().map(from_hardness).collect(),
         };
         StrengthProfile::new(points)
@@ -147,7 +154,11 @@ impl OverDepth {
         if cursor.is_array() {
             let points = <Vec<[f64; 2]> as Member>::read(cursor, &Self::FACTORS, units)?;
             let faults = faults_of_points(&points, "");
-            return cursor.checked(if faults.is_empty() { Ok(Self::Factors(points)) } else { Err(faults) });
+            return cursor.checked(if faults.is_empty() {
+                Ok(Self::Factors(points))
+            } else {
+                Err(faults)
+            });
         }
         let object = cursor.object()?;
         object.only(&["hardness"]);
@@ -192,9 +203,13 @@ fn rules_of_case(known: &Known) -> Vec<FieldError> {
     if low < CASE_HARDNESS && CASE_HARDNESS < high {
         return Vec::new();
     }
-    let detail = "must have 550 HV, which the case depth belongs to, between `surface` and `core`; for other cases give \
-                  `profile`";
-    vec![FieldError { pointer: String::new(), code: FaultCode::Inconsistent, detail: detail.to_owned() }]
+    let detail = "must have 550 HV, which the case depth belongs to, between `surface` and \
+                  `core`; for other cases give `profile`";
+    vec![FieldError {
+        pointer: String::new(),
+        code: FaultCode::Inconsistent,
+        detail: detail.to_owned(),
+    }]
 }
 
 impl HardenedCase {
@@ -260,7 +275,9 @@ impl Serialize for InUnits<'_, OverDepth> {
             OverDepth::Hardness(hardness) => {
                 Hardness { hardness: InUnits(hardness, self.1) }.serialize(serializer)
             }
-            OverDepth::Case(case) => Hardness { hardness: InUnits(case, self.1) }.serialize(serializer),
+            OverDepth::Case(case) => {
+                Hardness { hardness: InUnits(case, self.1) }.serialize(serializer)
+            }
         }
     }
 }
@@ -290,7 +307,9 @@ mod tests {
 
     #[test]
     fn the_error_function() {
-        for (x, expected) in [(0.0, 1.0), (0.5, 0.479_500_12), (1.0, 0.157_299_2), (2.0, 0.004_677_73)] {
+        for (x, expected) in
+            [(0.0, 1.0), (0.5, 0.479_500_12), (1.0, 0.157_299_2), (2.0, 0.004_677_73)]
+        {
             assert!((erfc(x) - expected).abs() < 2e-7, "{x}");
             assert!(x == 0.0 || (inverse_erfc(expected) - x).abs() < 1e-5, "{x}");
         }
@@ -303,7 +322,11 @@ mod tests {
             let profile = case(surface, core, None).profile(yield_stress);
             let at = |depth: f64| yield_stress * profile.factor(depth);
             for (depth, hardness) in [(0.0, surface), (0.8, 550.0), (9.0, core)] {
-                assert!((at(depth) / yield_of_hardness(hardness) - 1.0).abs() < 2e-3, "{}", at(depth));
+                assert!(
+                    (at(depth) / yield_of_hardness(hardness) - 1.0).abs() < 2e-3,
+                    "{}",
+                    at(depth)
+                );
             }
         }
         // Lang's profile has fallen by half there, whatever the hardness.

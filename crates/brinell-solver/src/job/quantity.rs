@@ -1,8 +1,8 @@
 //! Physical quantities of a job: their units, their conversion and how far they may reasonably go.
 //!
-//! The ranges are generous, from a nanometre to a kilometre, from jelly to far beyond diamond. Their purpose is
-//! that no product of figures in a valid job overflows, and that a mistaken unit or exponent is met by a message
-//! and not by a strange answer.
+//! The ranges are generous, from a nanometre to a kilometre, from jelly to far beyond diamond.
+//! Their purpose is that no product of figures in a valid job overflows, and that a mistaken unit
+//! or exponent is met by a message and not by a strange answer.
 
 use super::Units;
 
@@ -59,10 +59,14 @@ impl Quantity {
         match (self, units) {
             (Self::Length | Self::Position | Self::Depth | Self::Approach, Units::MmNMpa) => "mm",
             (Self::Length | Self::Position | Self::Depth | Self::Approach, Units::Si) => "m",
-            (Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress, Units::MmNMpa) => {
-                "MPa"
-            }
-            (Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress, Units::Si) => "Pa",
+            (
+                Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress,
+                Units::MmNMpa,
+            ) => "MPa",
+            (
+                Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress,
+                Units::Si,
+            ) => "Pa",
             (Self::LineForce, Units::MmNMpa) => "N/mm",
             (Self::LineForce, Units::Si) => "N/m",
             (Self::Force, _) => "N",
@@ -81,15 +85,18 @@ impl Quantity {
         core * divisor / multiplier
     }
 
-    /// `core = wire * multiplier / divisor`. One of the two is 1 and the other a power of ten that is exact in
-    /// binary, so either direction rounds once: 210e9 Pa is exactly 210000 MPa.
+    /// `core = wire * multiplier / divisor`. One of the two is 1 and the other a power of ten that
+    /// is exact in binary, so either direction rounds once: 210e9 Pa is exactly 210000 MPa.
     const fn factors(self, units: Units) -> (f64, f64) {
         match (units, self) {
             (Units::MmNMpa, _) | (Units::Si, Self::Force) => (1.0, 1.0),
-            (Units::Si, Self::Length | Self::Position | Self::Depth | Self::Approach) => (1e3, 1.0),
-            (Units::Si, Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress) => {
-                (1.0, 1e6)
+            (Units::Si, Self::Length | Self::Position | Self::Depth | Self::Approach) => {
+                (1e3, 1.0)
             }
+            (
+                Units::Si,
+                Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress,
+            ) => (1.0, 1e6),
             (Units::Si, Self::LineForce) => (1.0, 1e3),
         }
     }
@@ -116,7 +123,10 @@ mod tests {
     fn agrees_with_the_factors_of_units() {
         for units in [Units::MmNMpa, Units::Si] {
             let near = |quantity: Quantity, factor: f64| {
-                assert!((quantity.to_core(units, 1.0) / factor - 1.0).abs() < 1e-15, "{quantity:?}");
+                assert!(
+                    (quantity.to_core(units, 1.0) / factor - 1.0).abs() < 1e-15,
+                    "{quantity:?}"
+                );
             };
             near(Quantity::Length, units.length());
             near(Quantity::Stress, units.stress());

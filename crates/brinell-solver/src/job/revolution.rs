@@ -1,6 +1,8 @@
 //! What a shape asks of the analysis and of the material.
 
-use super::{Analysis, Coupling, FieldError, InitialStress, Job, Material, OuterEdge, Profile, Shape};
+use super::{
+    Analysis, Coupling, FieldError, InitialStress, Job, Material, OuterEdge, Profile, Shape,
+};
 
 impl Job {
     /// Shapes that are of one kind of analysis, or of rigid bodies only.
@@ -18,17 +20,22 @@ impl Job {
                 Shape::Wedge(_) if is_revolved => {
                     Some("\"wedge\" is a plane body; the one of revolution is \"cone\"")
                 }
-                Shape::Hole(hole) if is_revolved && matches!(hole.edge(), OuterEdge::Square(_)) => {
-                    let detail = "a square plate is no body of revolution; give `outer_radius` instead";
+                Shape::Hole(hole)
+                    if is_revolved && matches!(hole.edge(), OuterEdge::Square(_)) =>
+                {
+                    let detail =
+                        "a square plate is no body of revolution; give `outer_radius` instead";
                     faults.push(FieldError::new(format!("/{side}/shape/width"), detail));
                     None
                 }
                 _ => None,
             };
-            faults.extend(misplaced.map(|detail| FieldError::new(format!("/{side}/shape/type"), detail)));
+            faults.extend(
+                misplaced.map(|detail| FieldError::new(format!("/{side}/shape/type"), detail)),
+            );
             if matches!(body.shape, Shape::Punch(_)) && body.material != Material::Rigid {
-                let detail = "a punch is rigid (`{\"rigid\": true}`), because its contact reaches to the edge of its \
-                              face; give a face that deforms as a `profile`";
+                let detail = "a punch is rigid (`{\"rigid\": true}`), because its contact reaches \
+                              to the edge of its face; give a face that deforms as a `profile`";
                 faults.push(FieldError::new(format!("/{side}/material"), detail));
             }
         }
@@ -47,9 +54,11 @@ impl Job {
                 fault.pointer.insert_str(0, &key);
                 faults.push(fault);
             }
-            if !material.initial_stress().is_empty() && self.solver.coupling == Coupling::SecantStiffness {
-                let detail = "the secant stiffness has no place for a stress before the load; take `accelerated`, `strong` or \
-                              `weak`";
+            if !material.initial_stress().is_empty()
+                && self.solver.coupling == Coupling::SecantStiffness
+            {
+                let detail = "the secant stiffness has no place for a stress before the load; \
+                              take `accelerated`, `strong` or `weak`";
                 faults.push(FieldError::new("/solver/coupling", detail));
                 break;
             }
@@ -66,8 +75,8 @@ impl Job {
             match opposite {
                 Shape::Cylinder(cylinder) if cylinder.radius.get() < hole.radius().get() => {}
                 Shape::Cylinder(_) => {
-                    let detail = "must be greater than the radius of the cylinder in the hole: contact without \
-                                  clearance is not solved";
+                    let detail = "must be greater than the radius of the cylinder in the hole: \
+                                  contact without clearance is not solved";
                     faults.push(FieldError::new(format!("/{side}/shape/radius"), detail));
                 }
                 _ => {
@@ -79,22 +88,24 @@ impl Job {
         faults
     }
 
-    /// In axisymmetry a profile is turned about x = 0: it has to be given from there outward, or with both sides
-    /// alike.
+    /// In axisymmetry a profile is turned about x = 0: it has to be given from there outward, or
+    /// with both sides alike.
     pub(super) fn faults_of_revolution(&self) -> Vec<FieldError> {
         if self.analysis != Analysis::Axisymmetric {
             return Vec::new();
         }
-        let profiles = [("upper", &self.upper), ("lower", &self.lower)].into_iter().filter_map(|(side, body)| {
-            let Shape::Profile(profile) = &body.shape else { return None };
-            (!is_meridian(profile)).then(|| {
+        let profiles = [("upper", &self.upper), ("lower", &self.lower)].into_iter().filter_map(
+            |(side, body)| {
+                let Shape::Profile(profile) = &body.shape else { return None };
+                (!is_meridian(profile)).then(|| {
                 FieldError::new(
                     format!("/{side}/shape/points"),
-                    "must start at x = 0 or be symmetric about it, because an axisymmetric body is the profile \
-                     turned about x = 0",
+                    "must start at x = 0 or be symmetric about it, because an axisymmetric body \
+                     is the profile turned about x = 0",
                 )
             })
-        });
+            },
+        );
         profiles.collect()
     }
 }
@@ -104,6 +115,7 @@ fn is_meridian(profile: &Profile) -> bool {
     let points = profile.points();
     let starts_on_axis = points.first().is_some_and(|[x, _]| *x == 0.0);
     let ends_on_axis = points.last().is_some_and(|[x, _]| *x == 0.0);
-    let mirrored = points.iter().zip(points.iter().rev()).all(|(p, q)| p[0] == -q[0] && p[1] == q[1]);
+    let mirrored =
+        points.iter().zip(points.iter().rev()).all(|(p, q)| p[0] == -q[0] && p[1] == q[1]);
     starts_on_axis || ends_on_axis || mirrored
 }

@@ -7,7 +7,8 @@ use super::reader::Node;
 use super::strategy::job;
 use super::*;
 
-/// Every number of two jobs, compared in mm, agrees to a few units in the last place; all else is equal.
+/// Every number of two jobs, compared in mm, agrees to a few units in the last place; all else is
+/// equal.
 fn assert_close(left: &serde_json::Value, right: &serde_json::Value) {
     use serde_json::Value;
     match (left, right) {

@@ -1,19 +1,20 @@
 //! The wire format as JSON Schema, from the tables of fields and the model's own words.
 //!
-//! A member that may be left out may also be `null`. What a schema cannot say (a slope below Young's modulus) stays
-//! with the reader.
+//! A member that may be left out may also be `null`. What a schema cannot say (a slope below
+//! Young's modulus) stays with the reader.
 
 use serde_json::{Map, Value, json};
 
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::{
-    Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase, Hardening,
-    HardnessProfile, InitialStress, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth,
-    Quantity, RollerProfile, Shape, SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units,
-    tags,
+    Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase,
+    Hardening, HardnessProfile, InitialStress, Interpolation, Job, Load, MeshSettings, Named,
+    OutputSettings, OverDepth, Quantity, RollerProfile, Shape, SolverSettings, Support, Surface,
+    Sweep, TargetFigure, Theory, Units, tags,
 };
 
-/// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
+/// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
+/// `#/components/schemas/`.
 pub fn schemas(base: &str) -> Vec<(&'static str, Value)> {
     Schemas { base }.all()
 }
@@ -37,8 +38,8 @@ impl Schemas<'_> {
             (
                 "Analysis",
                 enumeration::<Analysis>(
-                    "Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of \
-                     approach, or half-spaces in three dimensions.",
+                    "Plane strain (long bodies), plane stress (thin discs), bodies of revolution \
+                     about the line of approach, or half-spaces in three dimensions.",
                 ),
             ),
             (
@@ -50,28 +51,36 @@ impl Schemas<'_> {
             (
                 "Support",
                 enumeration::<Support>(
-                    "How the far boundary (diametral plane, base) is held: both displacements, or the normal one \
-                     alone. Not in three dimensions.",
+                    "How the far boundary (diametral plane, base) is held: both displacements, or \
+                     the normal one alone. Not in three dimensions.",
                 ),
             ),
             (
                 "Coupling",
-                enumeration::<Coupling>("How the contact iteration and the plastic iteration alternate."),
+                enumeration::<Coupling>(
+                    "How the contact iteration and the plastic iteration alternate.",
+                ),
             ),
             (
                 "Theory",
                 enumeration::<Theory>(
-                    "Theory of plasticity: stress as a function of the strain alone, or of its history.",
+                    "Theory of plasticity: stress as a function of the strain alone, or of its \
+                     history.",
                 ),
             ),
-            ("ContactMethod", enumeration::<ContactMethod>("The method that solves the contact conditions.")),
+            (
+                "ContactMethod",
+                enumeration::<ContactMethod>("The method that solves the contact conditions."),
+            ),
             (
                 "Interpolation",
                 enumeration::<Interpolation>("What a face given by points is like between them."),
             ),
             (
                 "RollerProfile",
-                enumeration::<RollerProfile>("How the surface of a roller falls towards its ends."),
+                enumeration::<RollerProfile>(
+                    "How the surface of a roller falls towards its ends.",
+                ),
             ),
             ("Tags", tags_schema()),
             ("Shape", self.tagged("The undeformed outline of a body.", Shape::TAG, Shape::TABLES)),
@@ -107,8 +116,14 @@ impl Schemas<'_> {
         all.push(("Detrend", enumeration::<Detrend>("What is taken away from heights.")));
         all.push(("SurfaceHeights", self.surface()));
         all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
-        all.push(("SolverSettings", self.settings(&SolverSettings::TABLE, &SolverSettings::default())));
-        all.push(("OutputSettings", self.settings(&OutputSettings::TABLE, &OutputSettings::default())));
+        all.push((
+            "SolverSettings",
+            self.settings(&SolverSettings::TABLE, &SolverSettings::default()),
+        ));
+        all.push((
+            "OutputSettings",
+            self.settings(&OutputSettings::TABLE, &OutputSettings::default()),
+        ));
         all
     }
 
@@ -132,8 +147,8 @@ impl Schemas<'_> {
             Units::default().name()
         );
         let mut job = object(
-            "Two bodies, what presses them together, and how to solve it. An unknown key is an error; null is the \
-             same as leaving a member out.",
+            "Two bodies, what presses them together, and how to solve it. An unknown key is an \
+             error; null is the same as leaving a member out.",
             vec![
                 required("analysis", self.named("Analysis")),
                 optional("units", "Units", &units),
@@ -143,7 +158,11 @@ impl Schemas<'_> {
                 optional("mesh", "MeshSettings", "The mesh."),
                 optional("solver", "SolverSettings", "Iteration controls."),
                 optional("output", "OutputSettings", "What the result contains."),
-                optional("tags", "Tags", "Free labels, echoed in the result; jobs can be listed by them."),
+                optional(
+                    "tags",
+                    "Tags",
+                    "Free labels, echoed in the result; jobs can be listed by them.",
+                ),
             ],
         );
         job["additionalProperties"] = json!(false);
@@ -152,19 +171,25 @@ impl Schemas<'_> {
     }
 
     fn body(&self) -> Value {
-        let support = format!("How the far boundary is held. Default: `{}`.", Support::default().name());
+        let support =
+            format!("How the far boundary is held. Default: `{}`.", Support::default().name());
         object(
-            "One body, described in its own frame: the contact starts at the origin, heights are counted along the \
-             outward normal. At most one of the two is rigid.",
+            "One body, described in its own frame: the contact starts at the origin, heights are \
+             counted along the outward normal. At most one of the two is rigid.",
             vec![
                 Entry { key: "shape", schema: self.named("Shape"), required: true },
-                Entry { key: "support", schema: or_null(self.named("Support"), &support), required: false },
+                Entry {
+                    key: "support",
+                    schema: or_null(self.named("Support"), &support),
+                    required: false,
+                },
                 Entry { key: "material", schema: self.named("Material"), required: true },
                 Entry {
                     key: Surface::KEY,
                     schema: or_null(
                         self.named("SurfaceHeights"),
-                        "Heights on top of the shape, measured or computed; only in three dimensions.",
+                        "Heights on top of the shape, measured or computed; only in three \
+                         dimensions.",
                     ),
                     required: false,
                 },
@@ -176,8 +201,9 @@ impl Schemas<'_> {
         let counts = |items: Value| json!({"type": "array", "items": items, "minItems": Surface::MIN_CELLS, "maxItems": Surface::MAX_CELLS});
         let mut heights = counts(counts(json!({"type": "number"})));
         heights["description"] = json!(
-            "Heights along the outward normal at the middles of cells: `heights[i][j]` at the i-th x and the j-th y \
-             of the job, the middle of the grid at the origin. Rows of one length."
+            "Heights along the outward normal at the middles of cells: `heights[i][j]` at the \
+             i-th x and the j-th y of the job, the middle of the grid at the origin. Rows of one \
+             length."
         );
         let length = |along: &str| {
             let described = format!("Distance of heights along {along}.");
@@ -186,15 +212,22 @@ impl Schemas<'_> {
             schema
         };
         let spacing = |key, along: &str| Entry { key, schema: length(along), required: true };
-        let detrend =
-            format!("What is taken away from the heights. Default: `{}`.", Detrend::default().name());
+        let detrend = format!(
+            "What is taken away from the heights. Default: `{}`.",
+            Detrend::default().name()
+        );
         object(
-            "Heights on top of the shape of a half-space. The contact is solved on their grid, and there is none beyond it.",
+            "Heights on top of the shape of a half-space. The contact is solved on their grid, \
+             and there is none beyond it.",
             vec![
                 Entry { key: "heights", schema: heights, required: true },
                 spacing("spacing_x", "x"),
                 spacing("spacing_y", "y"),
-                Entry { key: "detrend", schema: or_null(self.named("Detrend"), &detrend), required: false },
+                Entry {
+                    key: "detrend",
+                    schema: or_null(self.named("Detrend"), &detrend),
+                    required: false,
+                },
             ],
         )
     }
@@ -252,19 +285,21 @@ impl Schemas<'_> {
             }
             FieldKind::Flag => json!({"type": "boolean", "description": field.description}),
             FieldKind::Choice(name, _) => self.named_as(name, field.description),
-            FieldKind::Points { columns: [(first_text, first), (second_text, second)], count } => json!({
-                "type": "array",
-                "description": field.description,
-                "items": {
+            FieldKind::Points { columns: [(first_text, first), (second_text, second)], count } => {
+                json!({
                     "type": "array",
-                    "description": "One point.",
-                    "prefixItems": [figure_schema(first, first_text), figure_schema(second, second_text)],
-                    "minItems": 2,
-                    "maxItems": 2,
-                },
-                "minItems": count.start(),
-                "maxItems": count.end(),
-            }),
+                    "description": field.description,
+                    "items": {
+                        "type": "array",
+                        "description": "One point.",
+                        "prefixItems": [figure_schema(first, first_text), figure_schema(second, second_text)],
+                        "minItems": 2,
+                        "maxItems": 2,
+                    },
+                    "minItems": count.start(),
+                    "maxItems": count.end(),
+                })
+            }
         };
         match (field.example, default) {
             (Example::Figure(figure), _) => schema["examples"] = json!([figure]),
@@ -276,8 +311,10 @@ impl Schemas<'_> {
         }
         if let Some(default) = default {
             let written = default.as_str().map_or_else(|| default.to_string(), str::to_owned);
-            let description =
-                format!("{} Default: `{written}`.", schema["description"].as_str().unwrap_or_default());
+            let description = format!(
+                "{} Default: `{written}`.",
+                schema["description"].as_str().unwrap_or_default()
+            );
             schema["description"] = json!(description);
         }
         if !required {
@@ -289,7 +326,8 @@ impl Schemas<'_> {
 
     fn materials(&self) -> Vec<(&'static str, Value)> {
         let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
-        let mut elastic: Vec<_> = Elastic::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
+        let mut elastic: Vec<_> =
+            Elastic::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
         let absent = elastic
             .iter()
             .map(|entry| entry.key)
@@ -307,8 +345,9 @@ impl Schemas<'_> {
             key: InitialStress::KEY,
             schema: json!({
                 "type": ["array", "null"],
-                "description": "Stress before any load, by depth: straight between depths, constant beyond the ends. It is \
-                                relaxed before the load; what is left is reported.",
+                "description": "Stress before any load, by depth: straight between depths, \
+                                constant beyond the ends. It is relaxed before the load; what is \
+                                left is reported.",
                 "items": self.named(InitialStress::TABLE.name),
                 "minItems": 1,
                 "maxItems": InitialStress::MAX_POINTS,
@@ -321,7 +360,10 @@ impl Schemas<'_> {
         rigid.extend(absent.into_iter().map(never));
         vec![
             ("Material", self.one_of("What a body is made of.", &["Deformable", "Rigid"])),
-            ("Deformable", object("An isotropic body, elastic unless it has a hardening curve.", elastic)),
+            (
+                "Deformable",
+                object("An isotropic body, elastic unless it has a hardening curve.", elastic),
+            ),
             ("Rigid", object("A body that does not deform.", rigid)),
             (InitialStress::TABLE.name, object(InitialStress::TABLE.description, rows.collect())),
         ]
@@ -335,11 +377,14 @@ impl Schemas<'_> {
         let mut factors = self.entry(&OverDepth::FACTORS, None).schema;
         factors["type"] = json!("array");
         let mut hardness = object(
-            "Vickers hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.",
+            "Vickers hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − \
+             90.7 MPa.",
             vec![Entry {
                 key: "hardness",
-                schema: self
-                    .one_of("Measured at points, or of a case.", &["HardnessProfile", "HardenedCase"]),
+                schema: self.one_of(
+                    "Measured at points, or of a case.",
+                    &["HardnessProfile", "HardenedCase"],
+                ),
                 required: true,
             }],
         );
@@ -348,7 +393,8 @@ impl Schemas<'_> {
             (
                 "StrengthOverDepth",
                 self.one_of(
-                    "Factors of the stresses of the hardening curve over the depth below the surface, or the hardness.",
+                    "Factors of the stresses of the hardening curve over the depth below the \
+                     surface, or the hardness.",
                     &["StrengthFactors", "HardnessOverDepth"],
                 ),
             ),
@@ -356,12 +402,19 @@ impl Schemas<'_> {
             ("HardnessOverDepth", hardness),
             table(HardnessProfile::TABLE),
             table(HardenedCase::TABLE),
-            ("CaseCurve", enumeration::<CaseCurve>("Hardness between surface and core of a case.")),
+            (
+                "CaseCurve",
+                enumeration::<CaseCurve>(
+                    "Hardness between surface and core of a \
+                                                    case.",
+                ),
+            ),
         ]
     }
 
     fn loads(&self) -> Vec<(&'static str, Value)> {
-        let force = "Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry and three dimensions in all.";
+        let force = "Force of the whole contact, both sides of the axis: on unit thickness, in \
+                     axisymmetry and three dimensions in all.";
         let force = figures_schema(&[Quantity::LineForce, Quantity::Force], force);
         let approach = figures_schema(&[Quantity::Approach], "Approach α of the two supports.");
         let example = |mut schema: Value, example: Value| {
@@ -392,8 +445,8 @@ impl Schemas<'_> {
         };
         let history = json!({
             "type": "array",
-            "description": "In the order in which they are applied, at least one of them above zero. Under \
-                            `deformation` each stands alone.",
+            "description": "In the order in which they are applied, at least one of them above \
+                            zero. Under `deformation` each stands alone.",
             "items": {"oneOf": [step("force", &force), step("approach", &approach)]},
             "minItems": 1,
             "maxItems": Sweep::MAX_VALUES,
@@ -430,7 +483,12 @@ impl Schemas<'_> {
                 "Loads one after the other, each on what the one before has left.",
                 history,
             ),
-            ("OnsetLoad", "onset", "The force at which the contact begins to yield is the answer.", yes),
+            (
+                "OnsetLoad",
+                "onset",
+                "The force at which the contact begins to yield is the answer.",
+                yes,
+            ),
             (
                 "TargetLoad",
                 "target",
@@ -442,13 +500,15 @@ impl Schemas<'_> {
         let mut all = vec![(
             "Load",
             self.one_of(
-                "What presses the bodies together: exactly one of these. Several values are a sweep, one step each.",
+                "What presses the bodies together: exactly one of these. Several values are a \
+                 sweep, one step each.",
                 &names,
             ),
         )];
         all.extend(loads.into_iter().map(|(name, key, description, schema)| {
             let mut entries = vec![Entry { key, schema, required: true }];
-            entries.extend(Load::KINDS.iter().filter(|kind| **kind != key).map(|kind| never(kind)));
+            entries
+                .extend(Load::KINDS.iter().filter(|kind| **kind != key).map(|kind| never(kind)));
             (name, object(description, entries))
         }));
         all.extend(self.targets());
@@ -507,10 +567,11 @@ fn object(description: &str, entries: Vec<Entry>) -> Value {
     object
 }
 
-/// A member of a sibling of this object, which is `null` here if it is written at all: so a generated type refuses
-/// an object that mixes two siblings.
+/// A member of a sibling of this object, which is `null` here if it is written at all: so a
+/// generated type refuses an object that mixes two siblings.
 fn never(key: &'static str) -> Entry {
-    let schema = json!({"type": "null", "description": "Belongs to another kind of object; not given here."});
+    let schema = json!({"type": "null", "description": "Belongs to another kind of object; not \
+                                                        given here."});
     Entry { key, schema, required: false }
 }
 
@@ -542,8 +603,8 @@ fn figure_schema(figure: &Figure, description: &str) -> Value {
     }
 }
 
-/// A figure that is one or another quantity, whatever `analysis` says. The bounds take in both systems of units; the
-/// description has those of each.
+/// A figure that is one or another quantity, whatever `analysis` says. The bounds take in both
+/// systems of units; the description has those of each.
 fn figures_schema(quantities: &[Quantity], description: &str) -> Value {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     let mut ranges: Vec<String> = Vec::new();

@@ -9,7 +9,8 @@ record! {
     /// The mesh.
     #[derive(Copy)]
     pub struct MeshSettings("", "Mesh") {
-        /// Elements over one contact half-width; in three dimensions cells over each semi-axis, 10 of them if it is left out.
+        /// Elements over one contact half-width; in three dimensions cells over each semi-axis, 10
+        /// of them if it is left out.
         pub elements_per_half_width: u32 = Field::whole(
             MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH..=MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH,
         )
@@ -20,7 +21,8 @@ record! {
 impl MeshSettings {
     /// Fewest elements over a half-width that a job may ask for.
     pub const MIN_ELEMENTS_PER_HALF_WIDTH: u32 = 4;
-    /// Most elements over a half-width that a job may ask for (about 2.5 million equations a body).
+    /// Most elements over a half-width that a job may ask for (about 2.5 million equations a
+    /// body).
     pub const MAX_ELEMENTS_PER_HALF_WIDTH: u32 = 320;
     /// Most cells over a semi-axis in three dimensions.
     pub const MAX_CELLS_PER_SEMI_AXIS: u32 = 60;
@@ -29,7 +31,9 @@ impl MeshSettings {
     pub fn of(analysis: Analysis) -> Self {
         match analysis {
             Analysis::ThreeDimensional => Self { elements_per_half_width: 10 },
-            Analysis::PlaneStrain | Analysis::PlaneStress | Analysis::Axisymmetric => Self::default(),
+            Analysis::PlaneStrain | Analysis::PlaneStress | Analysis::Axisymmetric => {
+                Self::default()
+            }
         }
     }
 }
@@ -44,19 +48,23 @@ impl Default for MeshSettings {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Coupling {
-    /// Strong coupling on the tangent stiffness of a coarser mesh's answer, with Anderson acceleration.
+    /// Strong coupling on the tangent stiffness of a coarser mesh's answer, with Anderson
+    /// acceleration.
     #[default]
     Accelerated,
     /// One initial-stress update for each contact solve (the paper's choice).
     Strong,
-    /// Plasticity converged at fixed contact forces between contact solves, with Aitken relaxation.
+    /// Plasticity converged at fixed contact forces between contact solves, with Aitken
+    /// relaxation.
     Weak,
-    /// Stiffness reassembled with secant moduli and factorized again every iteration (the paper's rival).
+    /// Stiffness reassembled with secant moduli and factorized again every iteration (the paper's
+    /// rival).
     SecantStiffness,
 }
 
 impl Named for Coupling {
-    const ALL: &'static [Self] = &[Self::Accelerated, Self::Strong, Self::Weak, Self::SecantStiffness];
+    const ALL: &'static [Self] =
+        &[Self::Accelerated, Self::Strong, Self::Weak, Self::SecantStiffness];
 
     fn name(self) -> &'static str {
         match self {
@@ -94,10 +102,12 @@ impl Named for ContactMethod {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Theory {
-    /// Stress follows from the strain alone (Hencky): the paper's theory, for loads that only rise.
+    /// Stress follows from the strain alone (Hencky): the paper's theory, for loads that only
+    /// rise.
     #[default]
     Deformation,
-    /// Stress follows from the history of strain (Prandtl and Reuss): the loads of a job are a history.
+    /// Stress follows from the history of strain (Prandtl and Reuss): the loads of a job are a
+    /// history.
     Flow,
 }
 
@@ -116,9 +126,11 @@ record! {
     /// Iteration controls.
     #[derive(Copy)]
     pub struct SolverSettings("", "Solver") {
-        /// Theory of plasticity: `deformation` knows no unloading, `flow` follows the loads as a history.
+        /// Theory of plasticity: `deformation` knows no unloading, `flow` follows the loads as a
+        /// history.
         pub theory: Theory = Field::choice::<Theory>("Theory").label("Theory", ""),
-        /// Increments of each load of a history, of equal size. Without it the program chooses them. Only with `flow`.
+        /// Increments of each load of a history, of equal size. Without it the program chooses
+        /// them. Only with `flow`.
         pub increments: Option<u32> = Field::whole(1..=10_000).label("Increments", ""),
         /// How the contact iteration and the plastic iteration alternate.
         pub coupling: Coupling = Field::choice::<Coupling>("Coupling").label("Coupling", ""),
@@ -152,7 +164,8 @@ record! {
         pub subsurface: bool = Field::flag().label("Stresses over depth", ""),
         /// Mesh and nodal fields, some megabytes.
         pub fields: bool = Field::flag().label("Stress field on the mesh", ""),
-        /// Contact stiffness of bodies that yield too, from two more solves of each step on small meshes.
+        /// Contact stiffness of bodies that yield too, from two more solves of each step on small
+        /// meshes.
         pub contact_stiffness: bool = Field::flag().label("Contact stiffness", "dP/dα"),
     }
 }

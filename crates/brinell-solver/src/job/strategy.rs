@@ -12,33 +12,41 @@ use serde::Deserialize;
 use super::fields::{Example, FieldKind};
 use super::reader::{Cursor, Faults, Named, Node};
 use super::{
-    Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field, FieldTable,
-    Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings, NonNegativeF64, OutputSettings,
-    PoissonRatio, PositiveF64, Shape, SolverSettings, Support, Sweep, Target, TargetFigure, Theory, Units,
+    Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field,
+    FieldTable, Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings,
+    NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Shape, SolverSettings, Support,
+    Sweep, Target, TargetFigure, Theory, Units,
 };
 
-/// A positive number within two decades of a typical one, so that it is in range in either unit system.
+/// A positive number within two decades of a typical one, so that it is in range in either unit
+/// system.
 fn near(typical: f64) -> impl Strategy<Value = PositiveF64> {
-    (-2.0..2.0_f64).prop_map(move |decades| PositiveF64::new(typical * 10_f64.powf(decades)).unwrap())
+    (-2.0..2.0_f64)
+        .prop_map(move |decades| PositiveF64::new(typical * 10_f64.powf(decades)).unwrap())
 }
 
 fn between(low: f64, high: f64) -> impl Strategy<Value = PositiveF64> {
     (low..=high).prop_map(|value| PositiveF64::new(value).unwrap())
 }
 
-/// Any object of these tables, by drawing every figure near the typical one. What breaks a rule between several
-/// figures is drawn again.
+/// Any object of these tables, by drawing every figure near the typical one. What breaks a rule
+/// between several figures is drawn again.
 fn any_of_tables<T: std::fmt::Debug>(
     tag: &'static str,
     tables: &'static [FieldTable],
     read: fn(Cursor<'_>) -> Option<T>,
 ) -> impl Strategy<Value = T> {
     let one = |table: &'static FieldTable| {
-        let members: Vec<_> =
-            table.fields.iter().map(|field| member(field).prop_map(|value| (field.key, value))).collect();
+        let members: Vec<_> = table
+            .fields
+            .iter()
+            .map(|field| member(field).prop_map(|value| (field.key, value)))
+            .collect();
         members.prop_map(move |members| {
-            let mut object: serde_json::Map<_, _> =
-                members.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect();
+            let mut object: serde_json::Map<_, _> = members
+                .into_iter()
+                .filter_map(|(key, value)| Some((key.to_owned(), value?)))
+                .collect();
             object.insert(tag.to_owned(), table.word.into());
             serde_json::Value::Object(object)
         })
@@ -54,12 +62,15 @@ fn any_of_tables<T: std::fmt::Debug>(
 fn member(field: &'static Field) -> BoxedStrategy<Option<serde_json::Value>> {
     match (field.required, &field.kind, field.example) {
         (true, ..) => value(field).prop_map(Some).boxed(),
-        (false, FieldKind::Figure(_) | FieldKind::Points { .. }, Example::None) => Just(None).boxed(),
+        (false, FieldKind::Figure(_) | FieldKind::Points { .. }, Example::None) => {
+            Just(None).boxed()
+        }
         (false, ..) => proptest::option::of(value(field)).boxed(),
     }
 }
 
-/// The value of one field in the wire format, within two decades of the typical one and in range in either unit system.
+/// The value of one field in the wire format, within two decades of the typical one and in range
+/// in either unit system.
 fn value(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
     match (&field.kind, field.example) {
         (FieldKind::Choice(_, words), _) => {
@@ -73,8 +84,9 @@ fn value(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
         // Points that rise in both columns from the first one, as far as the typical ones do.
         (FieldKind::Points { count, .. }, Example::Points(typical)) => {
             let first = typical[0];
-            let step =
-                move |axis: usize| typical.iter().map(|point| point[axis] - first[axis]).fold(0.0, f64::max);
+            let step = move |axis: usize| {
+                typical.iter().map(|point| point[axis] - first[axis]).fold(0.0, f64::max)
+            };
             vec((0.01..1.0_f64, 0.0..1.0_f64), *count.start()..20)
                 .prop_map(move |steps| {
                     let (mut point, mut points) = (first, Vec::new());
@@ -91,7 +103,9 @@ fn value(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
 }
 
 fn shape() -> impl Strategy<Value = Shape> {
-    any_of_tables(Shape::TAG, Shape::TABLES, |cursor| Shape::read(cursor, Some(Units::MmNMpa), &[]))
+    any_of_tables(Shape::TAG, Shape::TABLES, |cursor| {
+        Shape::read(cursor, Some(Units::MmNMpa), &[])
+    })
 }
 
 fn curve() -> impl Strategy<Value = Hardening> {
@@ -101,16 +115,21 @@ fn curve() -> impl Strategy<Value = Hardening> {
 }
 
 fn deformable() -> impl Strategy<Value = Material> {
-    let constants = (near(10_000.0), (0.0..0.5).prop_map(|ratio| PoissonRatio::new(ratio).unwrap()));
-    let elastic =
-        constants.prop_map(|(young_modulus, poisson_ratio)| Elastic { young_modulus, poisson_ratio });
-    let term = (near(10_000.0), prop_oneof![Just(0.0), 1.0..1e3])
-        .prop_map(|(modulus, rate)| BackstressTerm { modulus, rate: NonNegativeF64::new(rate).unwrap() });
+    let constants =
+        (near(10_000.0), (0.0..0.5).prop_map(|ratio| PoissonRatio::new(ratio).unwrap()));
+    let elastic = constants
+        .prop_map(|(young_modulus, poisson_ratio)| Elastic { young_modulus, poisson_ratio });
+    let term = (near(10_000.0), prop_oneof![Just(0.0), 1.0..1e3]).prop_map(|(modulus, rate)| {
+        BackstressTerm { modulus, rate: NonNegativeF64::new(rate).unwrap() }
+    });
     let terms = vec(term, 0..=BackstressTerm::MAX_TERMS);
-    (elastic, proptest::option::of(curve()), terms).prop_filter_map("too steep", |(elastic, curve, terms)| {
-        let material = Deformable::new(elastic, curve).ok()?;
-        Some(Material::Deformable(material.with_backstress(terms)))
-    })
+    (elastic, proptest::option::of(curve()), terms).prop_filter_map(
+        "too steep",
+        |(elastic, curve, terms)| {
+            let material = Deformable::new(elastic, curve).ok()?;
+            Some(Material::Deformable(material.with_backstress(terms)))
+        },
+    )
 }
 
 fn body(material: impl Strategy<Value = Material>) -> impl Strategy<Value = Body> {
@@ -128,19 +147,22 @@ fn any_of<T: Named + std::fmt::Debug>(all: &'static [T]) -> impl Strategy<Value 
 
 fn history() -> impl Strategy<Value = History> {
     let zero = || Just(NonNegativeF64::new(0.0).unwrap());
-    let positive = |typical| near(typical).prop_map(|value| NonNegativeF64::new(value.get()).unwrap());
+    let positive =
+        |typical| near(typical).prop_map(|value| NonNegativeF64::new(value.get()).unwrap());
     let entry = prop_oneof![
         prop_oneof![positive(600.0), zero()].prop_map(HistoryLoad::Force),
         prop_oneof![positive(0.02), zero()].prop_map(HistoryLoad::Approach),
     ];
     let first = positive(600.0).prop_map(HistoryLoad::Force);
-    (first, vec(entry, 0..10))
-        .prop_map(|(first, rest)| History::new(std::iter::once(first).chain(rest).collect()).unwrap())
+    (first, vec(entry, 0..10)).prop_map(|(first, rest)| {
+        History::new(std::iter::once(first).chain(rest).collect()).unwrap()
+    })
 }
 
 fn target() -> impl Strategy<Value = Target> {
-    any_of(TargetFigure::ALL)
-        .prop_flat_map(|figure| near(figure.example()).prop_map(move |value| Target { figure, value }))
+    any_of(TargetFigure::ALL).prop_flat_map(|figure| {
+        near(figure.example()).prop_map(move |value| Target { figure, value })
+    })
 }
 
 fn load() -> impl Strategy<Value = Load> {
@@ -158,14 +180,16 @@ fn settings() -> impl Strategy<Value = (MeshSettings, SolverSettings, OutputSett
     let theory = (any_of(Theory::ALL), proptest::option::of(1..=10_000_u32));
     let methods = (any_of(Coupling::ALL), any_of(ContactMethod::ALL));
     let solver = (theory, methods, between(1e-12, 1e-1), 1..=100_000_u32);
-    let solver = solver.prop_map(|((theory, increments), (coupling, contact), tolerance, max_iterations)| {
-        SolverSettings { theory, increments, coupling, contact, tolerance, max_iterations }
-    });
-    let mesh = (4..=320_u32).prop_map(|elements_per_half_width| MeshSettings { elements_per_half_width });
-    let output = any::<[bool; 3]>().prop_map(|[subsurface, fields, contact_stiffness]| OutputSettings {
-        subsurface,
-        fields,
-        contact_stiffness,
+    let solver =
+        solver.prop_map(
+            |((theory, increments), (coupling, contact), tolerance, max_iterations)| {
+                SolverSettings { theory, increments, coupling, contact, tolerance, max_iterations }
+            },
+        );
+    let mesh =
+        (4..=320_u32).prop_map(|elements_per_half_width| MeshSettings { elements_per_half_width });
+    let output = any::<[bool; 3]>().prop_map(|[subsurface, fields, contact_stiffness]| {
+        OutputSettings { subsurface, fields, contact_stiffness }
     });
     (mesh, solver, output)
 }

@@ -1,4 +1,5 @@
-//! Heights on a grid, measured or computed, on top of the shape of a half-space. Only in three dimensions.
+//! Heights on a grid, measured or computed, on top of the shape of a half-space. Only in three
+//! dimensions.
 
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
@@ -7,7 +8,8 @@ use super::reader::Cursor;
 use super::wire::InUnits;
 use super::{FaultCode, Named, Quantity, Units};
 
-/// Heights over the shape of a body at the middles of equal cells, along the outward normal. Lengths in mm.
+/// Heights over the shape of a body at the middles of equal cells, along the outward normal.
+/// Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// `[i * cells[1] + j]` at the i-th x and the j-th y.
@@ -41,7 +43,8 @@ impl Named for Detrend {
 impl Surface {
     /// Its key in a body.
     pub const KEY: &'static str = "surface";
-    pub(super) const KEYS: &'static [&'static str] = &["heights", "spacing_x", "spacing_y", "detrend"];
+    pub(super) const KEYS: &'static [&'static str] =
+        &["heights", "spacing_x", "spacing_y", "detrend"];
     /// Fewest and most cells along a side.
     pub const MIN_CELLS: usize = 8;
     /// See [`Self::MIN_CELLS`].
@@ -63,7 +66,8 @@ impl Surface {
         self.cells == other.cells && bits(self) == bits(other)
     }
 
-    /// Heights without the trend that is to be taken away, in the order `[i * cells[1] + j]` \[mm\].
+    /// Heights without the trend that is to be taken away, in the order `[i * cells[1] + j]`
+    /// \[mm\].
     pub fn levelled(&self) -> Vec<f64> {
         let [nx, ny] = self.cells;
         if self.detrend == Detrend::None {
@@ -74,13 +78,14 @@ impl Surface {
         let mean = self.heights.iter().sum::<f64>() / self.heights.len() as f64;
         let slope = |at: &dyn Fn(usize) -> f64| {
             let all = self.heights.iter().enumerate();
-            let (product, square) =
-                all.fold((0.0, 0.0), |(p, s), (k, height)| (p + at(k) * height, s + at(k) * at(k)));
+            let (product, square) = all
+                .fold((0.0, 0.0), |(p, s), (k, height)| (p + at(k) * height, s + at(k) * at(k)));
             product / square
         };
         let (x, y) = (|k: usize| centred(k / ny, nx), |k: usize| centred(k % ny, ny));
         let slopes = [slope(&x), slope(&y)];
-        let levelled = |(k, height): (usize, &f64)| height - mean - slopes[0] * x(k) - slopes[1] * y(k);
+        let levelled =
+            |(k, height): (usize, &f64)| height - mean - slopes[0] * x(k) - slopes[1] * y(k);
         self.heights.iter().enumerate().map(levelled).collect()
     }
 
@@ -89,8 +94,9 @@ impl Surface {
         object.only(Self::KEYS);
         let counts = Self::MIN_CELLS..=Self::MAX_CELLS;
         let rows = object.required("heights", |c| {
-            let row =
-                |row: Cursor<'_>| row.array(counts.clone(), |c| c.quantity::<f64>(Quantity::Position, units));
+            let row = |row: Cursor<'_>| {
+                row.array(counts.clone(), |c| c.quantity::<f64>(Quantity::Position, units))
+            };
             let rows: Vec<Vec<f64>> = c.array(counts.clone(), row)?;
             if rows.iter().any(|row| row.len() != rows[0].len()) {
                 c.fault(
@@ -118,8 +124,11 @@ impl Serialize for InUnits<'_, Surface> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (surface, units) = (self.0, self.1);
         let length = |value: &f64| Quantity::Position.to_wire(units, *value);
-        let rows: Vec<Vec<f64>> =
-            surface.heights.chunks(surface.cells[1]).map(|row| row.iter().map(length).collect()).collect();
+        let rows: Vec<Vec<f64>> = surface
+            .heights
+            .chunks(surface.cells[1])
+            .map(|row| row.iter().map(length).collect())
+            .collect();
         let mut map = serializer.serialize_struct("Surface", 4)?;
         map.serialize_field("heights", &rows)?;
         map.serialize_field("spacing_x", &length(&surface.spacing[0]))?;
@@ -159,7 +168,8 @@ mod tests {
 
     #[test]
     fn heights_are_read_and_levelled() {
-        let wire = json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.2, "detrend": "plane"});
+        let wire =
+            json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.2, "detrend": "plane"});
         let read = Job::from_value(&job(&wire)).unwrap();
         assert!(read.validate().is_ok());
         let surface = read.upper.surface.as_ref().unwrap();
@@ -186,7 +196,8 @@ mod tests {
         let good = json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.2});
         let mut wrong = job(&good);
         wrong["load"] = json!({"onset": true});
-        wrong["lower"]["surface"] = json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.3});
+        wrong["lower"]["surface"] =
+            json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.3});
         assert_eq!(pointers(&wrong), ["/load/onset", "/lower/surface", "/upper/surface"]);
         let mut roller = job(&good);
         roller["lower"]["shape"] = json!({"type": "roller", "radius": 5, "length": 8});

@@ -1,4 +1,5 @@
-//! Free labels: few, short and printable, so that they can be stored, searched and echoed anywhere.
+//! Free labels: few, short and printable, so that they can be stored, searched and echoed
+//! anywhere.
 
 use std::collections::BTreeMap;
 
@@ -44,7 +45,10 @@ fn check(cursor: Cursor<'_>, what: &str, text: &str, least: usize, most: usize) 
     }
     let printable = !text.chars().any(char::is_control);
     if !printable {
-        cursor.fault(FaultCode::Inconsistent, format_args!("{what} must not contain control characters"));
+        cursor.fault(
+            FaultCode::Inconsistent,
+            format_args!("{what} must not contain control characters"),
+        );
     }
     fits && printable
 }

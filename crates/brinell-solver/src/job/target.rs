@@ -64,15 +64,17 @@ impl TargetFigure {
         match self {
             Self::PermanentApproach => "Approach that is left when the force is taken away.",
             Self::DentDepth => {
-                "Depth below the undeformed surface of the deeper of the two dents that are left when the force is taken \
-                 away."
+                "Depth below the undeformed surface of the deeper of the two dents that are left \
+                 when the force is taken away."
             }
             Self::PeakPressure => "Largest contact pressure.",
             Self::MeanPressure => {
-                "Force over the width of the contact or, in axisymmetry and three dimensions, over its area."
+                "Force over the width of the contact or, in axisymmetry and three dimensions, \
+                 over its area."
             }
             Self::HalfWidth => {
-                "Half-width of the contact; its radius in axisymmetry, its shorter semi-axis in three dimensions."
+                "Half-width of the contact; its radius in axisymmetry, its shorter semi-axis in \
+                 three dimensions."
             }
             Self::MaxPlasticStrain => "Largest equivalent plastic strain of both bodies.",
         }

@@ -10,42 +10,49 @@ impl Job {
     pub(super) fn faults_of_theory(&self) -> Vec<FieldError> {
         let mut faults = Vec::new();
         let mut fault = |pointer: String, detail: &str| {
-            faults.push(FieldError { pointer, code: FaultCode::Inconsistent, detail: detail.to_owned() });
+            faults.push(FieldError {
+                pointer,
+                code: FaultCode::Inconsistent,
+                detail: detail.to_owned(),
+            });
         };
         match self.solver.theory {
             Theory::Flow => {
                 if self.solver.coupling == Coupling::SecantStiffness {
-                    let detail = "`secant_stiffness` has the moduli of deformation theory, which `flow` does not know; take \
-                                  `accelerated`, `strong` or `weak`";
+                    let detail = "`secant_stiffness` has the moduli of deformation theory, which \
+                                  `flow` does not know; take `accelerated`, `strong` or `weak`";
                     fault("/solver/coupling".to_owned(), detail);
                 }
             }
             Theory::Deformation => {
                 if self.solver.increments.is_some() {
-                    let detail = "deformation theory has no increments; they need the theory `flow`";
+                    let detail =
+                        "deformation theory has no increments; they need the theory `flow`";
                     fault("/solver/increments".to_owned(), detail);
                 }
                 for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
                     if let Material::Deformable(material) = &body.material
                         && !Deformable::backstress(material).is_empty()
                     {
-                        let detail = "deformation theory knows no backstress; it needs the theory `flow`";
+                        let detail =
+                            "deformation theory knows no backstress; it needs the theory `flow`";
                         fault(format!("/{side}/material/plasticity/backstress"), detail);
                     }
                 }
                 if let Load::History(loads) = &self.load {
                     let is_zero = |load: &HistoryLoad| load.magnitude() == 0.0;
                     for (k, _) in loads.iter().enumerate().filter(|(_, load)| is_zero(load)) {
-                        let detail = "deformation theory takes each load from rest, where a load of zero makes no \
-                                      contact that could be solved; unloading needs the theory `flow`";
+                        let detail = "deformation theory takes each load from rest, where a load \
+                                      of zero makes no contact that could be solved; unloading \
+                                      needs the theory `flow`";
                         fault(format!("/load/history/{k}"), detail);
                     }
                 }
                 if let Load::Target(Target { figure, .. }) = self.load
                     && figure.is_permanent()
                 {
-                    let detail = "deformation theory knows no unloading, so nothing is left of a contact; it needs the \
-                                  theory `flow`";
+                    let detail = "deformation theory knows no unloading, so nothing is left of a \
+                                  contact; it needs the theory `flow`";
                     fault(format!("/load/target/{}", figure.name()), detail);
                 }
             }
@@ -57,11 +64,15 @@ impl Job {
             let detail = "neither body has a hardening law, so nothing yields under any force";
             fault(format!("/load/target/{}", figure.name()), detail);
         }
-        if let Load::Target(Target { figure: figure @ TargetFigure::MaxPlasticStrain, value }) = self.load
-            && [&self.upper, &self.lower].into_iter().any(|body| does_not_harden(&body.material, value.get()))
+        if let Load::Target(Target { figure: figure @ TargetFigure::MaxPlasticStrain, value }) =
+            self.load
+            && [&self.upper, &self.lower]
+                .into_iter()
+                .any(|body| does_not_harden(&body.material, value.get()))
         {
-            let detail = "the largest plastic strain of a material that does not harden has no limit on smaller and smaller elements, \
-                          so that it tells no force; ask for a dent or a permanent approach, or give a curve that rises";
+            let detail = "the largest plastic strain of a material that does not harden has no \
+                          limit on smaller and smaller elements, so that it tells no force; ask \
+                          for a dent or a permanent approach, or give a curve that rises";
             fault(format!("/load/target/{}", figure.name()), detail);
         }
         faults

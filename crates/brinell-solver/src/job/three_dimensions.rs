@@ -3,7 +3,8 @@
 use super::reader::Node;
 use super::{Analysis, Body, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Shape};
 
-/// Least curvature of the gap in one direction over that in the other: what is flatter is a line contact.
+/// Least curvature of the gap in one direction over that in the other: what is flatter is a line
+/// contact.
 const LEAST_CURVATURE_RATIO: f64 = 1e-4;
 /// Sine of the angle between axes that are one.
 const ALIGNED: f64 = 1e-9;
@@ -23,22 +24,28 @@ impl Job {
         let most = MeshSettings::MAX_CELLS_PER_SEMI_AXIS;
         if self.mesh.elements_per_half_width > most {
             let least = MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH;
-            let detail =
-                format!("must be between {least} and {most} cells over a semi-axis in three dimensions");
+            let detail = format!(
+                "must be between {least} and {most} cells over a semi-axis in three dimensions"
+            );
             faults.push(FieldError::new("/mesh/elements_per_half_width", detail));
         }
         let supports = ["/upper/support", "/lower/support"];
-        let given = supports.into_iter().filter(|at| document.at(at).is_some_and(|node| *node != Node::Null));
+        let given = supports
+            .into_iter()
+            .filter(|at| document.at(at).is_some_and(|node| *node != Node::Null));
         faults.extend(given.map(|pointer| {
-            let detail = "a half-space in three dimensions has no far boundary that could be held; leave `support` out";
+            let detail = "a half-space in three dimensions has no far boundary that could be \
+                          held; leave `support` out";
             FieldError::new(pointer, detail)
         }));
         if self.solver.coupling == Coupling::SecantStiffness {
-            let detail = "half-spaces have no stiffness that could take secant moduli; take `accelerated`, `strong` or `weak`";
+            let detail = "half-spaces have no stiffness that could take secant moduli; take \
+                          `accelerated`, `strong` or `weak`";
             faults.push(FieldError::new("/solver/coupling", detail));
         }
         if self.solver.contact == ContactMethod::Simplex {
-            let detail = "the simplex needs the flexibility as a matrix, which half-spaces do not have; take `active_set`";
+            let detail = "the simplex needs the flexibility as a matrix, which half-spaces do not \
+                          have; take `active_set`";
             faults.push(FieldError::new("/solver/contact", detail));
         }
         faults
@@ -47,13 +54,17 @@ impl Job {
     /// Half-spaces are of three dimensions, and nothing else is.
     fn faults_of_shapes_of(&self, is_three_dimensional: bool) -> Vec<FieldError> {
         let sides = [("upper", &self.upper), ("lower", &self.lower)];
-        let misplaced =
-            sides.into_iter().filter(|(_, body)| body.shape.curvatures().is_some() != is_three_dimensional);
+        let misplaced = sides
+            .into_iter()
+            .filter(|(_, body)| body.shape.curvatures().is_some() != is_three_dimensional);
         misplaced
             .map(|(side, body)| {
                 let word = body.shape.table().word;
                 let detail = if is_three_dimensional {
-                    format!("\"{word}\" is a section of a body; in three dimensions take \"sphere\", \"curved\", \"roller\" or \"flat\"")
+                    format!(
+                        "\"{word}\" is a section of a body; in three dimensions take \
+                             \"sphere\", \"curved\", \"roller\" or \"flat\""
+                    )
                 } else {
                     format!("\"{word}\" needs the analysis \"three_dimensional\"")
                 };
@@ -67,28 +78,34 @@ impl Job {
         self.upper.surface.is_some() || self.lower.surface.is_some()
     }
 
-    /// Heights belong to half-spaces that are no rollers; those of both bodies are at the same places; and a force is not sought with them.
+    /// Heights belong to half-spaces that are no rollers; those of both bodies are at the same
+    /// places; and a force is not sought with them.
     fn faults_of_heights(&self, is_three_dimensional: bool) -> Vec<FieldError> {
         let bodies = [("/upper/surface", &self.upper), ("/lower/surface", &self.lower)];
         let given = || bodies.iter().filter(|(_, body)| body.surface.is_some());
         let is_roller = bodies.iter().any(|(_, body)| matches!(body.shape, Shape::Roller(_)));
         let detail = match (is_three_dimensional, is_roller) {
             (false, _) => Some("belongs to the analysis \"three_dimensional\""),
-            (true, true) => {
-                Some("does not go with a roller, whose length is not that of the heights; take \"curved\"")
-            }
+            (true, true) => Some(
+                "does not go with a roller, whose length is not that of the heights; take \
+                 \"curved\"",
+            ),
             (true, false) => None,
         };
-        let mut faults: Vec<_> =
-            detail.iter().flat_map(|detail| given().map(|(at, _)| FieldError::new(*at, *detail))).collect();
+        let mut faults: Vec<_> = detail
+            .iter()
+            .flat_map(|detail| given().map(|(at, _)| FieldError::new(*at, *detail)))
+            .collect();
         if let (Some(upper), Some(lower)) = (&self.upper.surface, &self.lower.surface)
             && !upper.has_cells_of(lower)
         {
-            let detail = "must have as many cells, of the same sides, as the surface of the other body";
+            let detail =
+                "must have as many cells, of the same sides, as the surface of the other body";
             faults.extend(given().map(|(at, _)| FieldError::new(*at, detail)));
         }
         if self.has_heights() && matches!(self.load, Load::Onset | Load::Target(_)) {
-            let detail = "is not sought between surfaces with heights; take a force or an approach";
+            let detail =
+                "is not sought between surfaces with heights; take a force or an approach";
             faults.push(FieldError::new(format!("/load/{}", self.load.kind()), detail));
         }
         faults
@@ -97,16 +114,19 @@ impl Job {
     /// The gap opens in every direction, or a roller ends, so that the contact does.
     fn faults_of_gap(&self) -> Vec<FieldError> {
         let Some([least, greatest]) = self.gap_curvatures() else { return Vec::new() };
-        let ends = [&self.upper, &self.lower].iter().any(|body| matches!(body.shape, Shape::Roller(_)));
+        let ends =
+            [&self.upper, &self.lower].iter().any(|body| matches!(body.shape, Shape::Roller(_)));
         let needed = if ends { -LEAST_CURVATURE_RATIO } else { LEAST_CURVATURE_RATIO };
         if greatest > 0.0 && least >= needed * greatest {
             return self.faults_of_rollers();
         }
         let detail = if greatest <= 0.0 || least < -LEAST_CURVATURE_RATIO * greatest {
-            "the surfaces do not open away from where they touch: in each direction the concave body needs the larger radius"
+            "the surfaces do not open away from where they touch: in each direction the concave \
+             body needs the larger radius"
         } else {
-            "the contact would have no end, or nearly none, in the direction in which both surfaces are straight or fit each other: \
-             solve it as \"plane_strain\", give a body a radius there, or make it a \"roller\""
+            "the contact would have no end, or nearly none, in the direction in which both \
+             surfaces are straight or fit each other: solve it as \"plane_strain\", give a body a \
+             radius there, or make it a \"roller\""
         };
         ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
     }
@@ -123,20 +143,23 @@ impl Job {
         };
         let bodies = [("/upper/shape", &self.upper), ("/lower/shape", &self.lower)];
         let across = bodies.into_iter().filter(|(_, body)| lies_across(body));
-        let detail = "the roller does not lie along the longer axis of the contact: turn it by `rotation` until it does, or take \
-                      \"curved\" where the contact stays away from its ends";
+        let detail = "the roller does not lie along the longer axis of the contact: turn it by \
+                      `rotation` until it does, or take \"curved\" where the contact stays away \
+                      from its ends";
         across.map(|(pointer, _)| FieldError::new(pointer, detail)).collect()
     }
 
-    /// Principal curvatures of the gap between two half-spaces, the smaller one first \[1/mm\]; `None` of other shapes.
+    /// Principal curvatures of the gap between two half-spaces, the smaller one first \[1/mm\];
+    /// `None` of other shapes.
     pub fn gap_curvatures(&self) -> Option<[f64; 2]> {
         let [xx, yy, xy] = self.gap_curvature()?;
         let (mean, spread) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
         Some([mean - spread, mean + spread])
     }
 
-    /// Direction in which the gap grows fastest, along which a contact of half-spaces is shortest: its angle from x towards y in
-    /// degrees, above -90 and at most 90; 0 where the gap is round, `None` of other shapes.
+    /// Direction in which the gap grows fastest, along which a contact of half-spaces is shortest:
+    /// its angle from x towards y in degrees, above -90 and at most 90; 0 where the gap is round,
+    /// `None` of other shapes.
     pub fn gap_orientation(&self) -> Option<f64> {
         let [xx, yy, xy] = self.gap_curvature()?;
         let is_round = (0.5 * (xx - yy)).hypot(xy) <= 1e-12 * (xx + yy).abs();
@@ -176,13 +199,19 @@ mod tests {
     }
 
     fn pointers(value: &Value) -> Vec<String> {
-        faults(value).iter().map(|fault| fault.split(": ").next().unwrap_or_default().to_owned()).collect()
+        faults(value)
+            .iter()
+            .map(|fault| fault.split(": ").next().unwrap_or_default().to_owned())
+            .collect()
     }
 
     #[test]
     fn a_ball_on_a_plane_is_a_job() {
         let read = Job::from_value(&ball_on_flat()).unwrap();
-        assert_eq!((read.analysis, read.mesh.elements_per_half_width), (Analysis::ThreeDimensional, 10));
+        assert_eq!(
+            (read.analysis, read.mesh.elements_per_half_width),
+            (Analysis::ThreeDimensional, 10)
+        );
         assert_eq!(read.analysis.force().symbol(Units::MmNMpa), "N");
         assert!(read.validate().is_ok());
         assert!(serde_json::to_value(&read).unwrap()["upper"].get("support").is_none());
@@ -190,10 +219,12 @@ mod tests {
 
     #[test]
     fn a_roller_lies_along_its_contact() {
-        let roller =
-            |rotation: i32| json!({"type": "roller", "radius": 10, "length": 20, "rotation": rotation});
+        let roller = |rotation: i32| json!({"type": "roller", "radius": 10, "length": 20, "rotation": rotation});
         for rotation in [0, 1, 10, 37, 90, 179, 180, 270, 360] {
-            assert!(faults(&job(&roller(rotation), &json!({"type": "flat"}))).is_empty(), "{rotation}");
+            assert!(
+                faults(&job(&roller(rotation), &json!({"type": "flat"}))).is_empty(),
+                "{rotation}"
+            );
             let same = json!({"type": "curved", "radius_x": 25, "rotation": rotation});
             assert!(faults(&job(&roller(rotation), &same)).is_empty(), "{rotation}");
         }
@@ -202,7 +233,10 @@ mod tests {
             pointers(&job(&json!({"type": "roller", "radius": 50, "length": 20}), &across)),
             ["/upper/shape"]
         );
-        assert_eq!(pointers(&job(&roller(10), &json!({"type": "curved", "radius_x": 25}))), ["/upper/shape"]);
+        assert_eq!(
+            pointers(&job(&roller(10), &json!({"type": "curved", "radius_x": 25}))),
+            ["/upper/shape"]
+        );
     }
 
     #[test]
@@ -227,7 +261,10 @@ mod tests {
         assert!(faults(&job(&ball, &raceway(10.4))).is_empty());
         let faults = faults(&job(&ball, &raceway(9.9)));
         assert_eq!(faults.len(), 2);
-        assert!(faults.iter().all(|fault| fault.contains("the surfaces do not open")), "{faults:?}");
+        assert!(
+            faults.iter().all(|fault| fault.contains("the surfaces do not open")),
+            "{faults:?}"
+        );
     }
 
     #[test]
@@ -243,9 +280,10 @@ mod tests {
     #[test]
     fn a_line_contact_is_of_plane_strain() {
         let roller = json!({"type": "curved", "radius_x": 10});
-        for (upper, lower) in
-            [(roller, json!({"type": "flat"})), (json!({"type": "flat"}), json!({"type": "curved"}))]
-        {
+        for (upper, lower) in [
+            (roller, json!({"type": "flat"})),
+            (json!({"type": "flat"}), json!({"type": "curved"})),
+        ] {
             let faults = faults(&job(&upper, &lower));
             assert_eq!(faults.len(), 2, "{faults:?}");
         }
@@ -277,7 +315,10 @@ mod tests {
 
     #[test]
     fn a_radius_is_not_zero() {
-        let wrong = job(&json!({"type": "curved", "radius_x": 0, "radius_y": 10}), &json!({"type": "flat"}));
+        let wrong = job(
+            &json!({"type": "curved", "radius_x": 0, "radius_y": 10}),
+            &json!({"type": "flat"}),
+        );
         assert_eq!(pointers(&wrong), ["/upper/shape/radius_x"]);
     }
 }

@@ -7,17 +7,17 @@ use super::load_approach::CurvePoint;
 use super::target::TargetSeen;
 use super::units::UnitConverter;
 use super::{
-    FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport,
-    SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach, mesh_effects, onset,
-    plastic_strain, plastic_zone, subsurface, validity,
+    FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report,
+    StepReport, SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach,
+    mesh_effects, onset, plastic_strain, plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::method::observer::ask;
 use crate::solver::outline_of;
 use crate::solver::{
-    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Options, Phase, PhaseTimes,
-    Solution, SolveStatus, StepSolution, has_yielded,
+    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Options, Phase,
+    PhaseTimes, Solution, SolveStatus, StepSolution, has_yielded,
 };
 
 /// Writes the report of each step as it is finished, and the rest at the end.
@@ -62,8 +62,13 @@ impl<'a> ReportBuilder<'a> {
         *self = Self { time: self.time, ..Self::new(self.job, options) };
     }
 
-    /// The report of the next step. The observer can stop it, which makes the step one that was stopped.
-    pub(super) fn step(&mut self, mut step: StepSolution, observer: &mut dyn Observer) -> StepReport {
+    /// The report of the next step. The observer can stop it, which makes the step one that was
+    /// stopped.
+    pub(super) fn step(
+        &mut self,
+        mut step: StepSolution,
+        observer: &mut dyn Observer,
+    ) -> StepReport {
         let start = observer.elapsed();
         step.unknown_peaks_before = self.unknown_peaks;
         let slope = self.differences.next(Seen::of(&step), observer);
@@ -80,10 +85,16 @@ impl<'a> ReportBuilder<'a> {
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             self.is_history |= !step.increments.is_empty();
-            self.unknown_peaks += usize::from(self.is_history && mesh_effects::is_peak_unknown(step));
+            self.unknown_peaks +=
+                usize::from(self.is_history && mesh_effects::is_peak_unknown(step));
             let (half_width, stiffness) = (step.half_width(), step.contact_stiffness);
             let end = [step.approach, step.force(), half_width];
-            self.curve.extend(load_approach::points(&step.increments, end, step.spacing, stiffness));
+            self.curve.extend(load_approach::points(
+                &step.increments,
+                end,
+                step.spacing,
+                stiffness,
+            ));
         }
         // What is kept of a coarser mesh comes after the steps of the mesh that was asked for.
         if !step.is_preliminary() || self.mesh.nodes == 0 {
@@ -140,8 +151,11 @@ struct FieldReports {
 
 impl FieldReports {
     /// Who stops a job wants its core back, not its stresses.
-    const NONE: Self =
-        Self { subsurface: [None, None], plasticity: PerBody { upper: None, lower: None }, fields: None };
+    const NONE: Self = Self {
+        subsurface: [None, None],
+        plasticity: PerBody { upper: None, lower: None },
+        fields: None,
+    };
 
     fn of(
         job: &Job,
@@ -174,15 +188,25 @@ impl FieldReports {
     }
 }
 
-fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: UnitConverter) -> StepReport {
-    let FieldReports { subsurface: [subsurface, subsurface_below_peak], plasticity, fields } = fields;
+fn step_report(
+    job: &Job,
+    step: &StepSolution,
+    fields: FieldReports,
+    write: UnitConverter,
+) -> StepReport {
+    let FieldReports { subsurface: [subsurface, subsurface_below_peak], plasticity, fields } =
+        fields;
     let reference = ElasticReference::of(job, step.force());
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
-    let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
-    let radius =
-        [&job.upper, &job.lower].into_iter().filter_map(|body| outline_of(&body.shape).curvature()).fold(
+    let effective =
+        reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
+    let radius = [&job.upper, &job.lower]
+        .into_iter()
+        .filter_map(|body| outline_of(&body.shape).curvature())
+        .fold(
             if effective > 0.0 { effective } else { f64::INFINITY },
-            // Bodies that nearly conform have a large effective radius, but gaps as far from vertical as their own tells.
+            // Bodies that nearly conform have a large effective radius, but gaps as far from
+            // vertical as their own tells.
             |least, curvature| least.min(curvature.abs().recip()),
         );
     StepReport {
@@ -204,7 +228,9 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
             peak_pressure: write.stress(reference.peak_pressure),
             yield_onset_force: reference.yield_onset_force.map(|force| write.force(force)),
             yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
-            shakedown_pressure: reference.rolling_limit.map(|limit| write.stress(limit.peak_pressure)),
+            shakedown_pressure: reference
+                .rolling_limit
+                .map(|limit| write.stress(limit.peak_pressure)),
             shakedown_depth: reference.rolling_limit.map(|limit| write.length(limit.depth)),
         }),
         validity: validity::notes(job, step, radius, &depths),
@@ -217,7 +243,11 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
     }
 }
 
-fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConverter) -> PlasticityReport {
+fn plasticity_report(
+    solution: &BodySolution,
+    symmetric: bool,
+    write: UnitConverter,
+) -> PlasticityReport {
     let points = || solution.stress.points.iter().flatten();
     let (mut highest, mut position) = (0.0, [0.0; 2]);
     for point in points() {
@@ -227,7 +257,8 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
     }
     let [place, depth] = solution.mesh.frame.place(position);
     let zone = plastic_zone::outline(solution, symmetric);
-    let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
+    let written =
+        |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
         yielded: points().any(has_yielded),
         max_equivalent_plastic_strain: plastic_strain::largest(solution),
@@ -243,11 +274,13 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
 }
 
 /// A half-space has no end that could be held.
-pub(super) const HALF_SPACE_DATUM: &str = "points of both half-spaces far from the contact; bodies of finite size give way by something else \
-                                in their bulk and at their supports";
+pub(super) const HALF_SPACE_DATUM: &str = "points of both half-spaces far from the contact; \
+                                           bodies of finite size give way by something else in \
+                                           their bulk and at their supports";
 
 fn approach_datum(job: &Job, write: UnitConverter) -> String {
-    let in_hole = matches!((&job.upper.shape, &job.lower.shape), (Shape::Hole(_), _) | (_, Shape::Hole(_)));
+    let in_hole =
+        matches!((&job.upper.shape, &job.lower.shape), (Shape::Hole(_), _) | (_, Shape::Hole(_)));
     let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
         (_, Shape::Cylinder(_)) if in_hole => format!("the mean displacement of the {side} body"),
@@ -259,10 +292,15 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
         }
         (_, Shape::Block(Block { depth, .. })) => block_base(side, depth.get(), write),
         (_, Shape::Hole(hole)) => {
-            format!("the outer edge of the {side} body, {} from the hole", write.length_text(hole.wall()))
+            format!(
+                "the outer edge of the {side} body, {} from the hole",
+                write.length_text(hole.wall())
+            )
         }
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
-        (_, Shape::Profile(profile)) => block_base(side, profile.depth().get() + profile.top(), write),
+        (_, Shape::Profile(profile)) => {
+            block_base(side, profile.depth().get() + profile.top(), write)
+        }
         (_, Shape::Wedge(wedge)) => block_base(side, wedge.depth().get(), write),
         (_, Shape::Cone(cone)) => block_base(side, cone.depth().get(), write),
         (_, Shape::Punch(punch)) => block_base(side, punch.depth().get(), write),

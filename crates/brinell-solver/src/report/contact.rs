@@ -11,17 +11,20 @@ use crate::solver::{ContactPatch, StepSolution};
 pub struct ContactReport {
     /// Sum of the nodal forces along the approach \[force >= 0\].
     pub force: f64,
-    /// Half of the distance between the ends of the pressure, along the arc for a pin in a hole \[length >= 0\].
+    /// Half of the distance between the ends of the pressure, along the arc for a pin in a hole
+    /// \[length >= 0\].
     pub half_width: f64,
-    /// Angle over which a pin touches its hole to each side of the middle; only of these \[degrees >= 0\].
+    /// Angle over which a pin touches its hole to each side of the middle; only of these
+    /// \[degrees >= 0\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub half_angle: Option<f64>,
     /// Largest pressure \[stress >= 0\].
     pub peak_pressure: f64,
-    /// x of the largest pressure; where nothing touches, of the largest that the history had \[length\].
+    /// x of the largest pressure; where nothing touches, of the largest that the history had
+    /// \[length\].
     pub peak_position: f64,
-    /// Force over width, or over the area of the contact circle; of a pin in a hole over those across the approach
-    /// \[stress >= 0\].
+    /// Force over width, or over the area of the contact circle; of a pin in a hole over those
+    /// across the approach \[stress >= 0\].
     pub mean_pressure: f64,
     /// The connected parts of the contact, from left to right.
     pub patches: Vec<Patch>,
@@ -29,8 +32,8 @@ pub struct ContactReport {
     pub nodes: ContactNodes,
 }
 
-/// One connected part of the contact. The outer ends of all are interpolated to where the pressure vanishes, those
-/// between two parts are loaded nodes. Of a body of revolution they are radii.
+/// One connected part of the contact. The outer ends of all are interpolated to where the pressure
+/// vanishes, those between two parts are loaded nodes. Of a body of revolution they are radii.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Patch {
@@ -55,10 +58,16 @@ pub struct ContactNodes {
 }
 
 pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport {
-    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the radius.
+    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the
+    // radius.
     let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
-    let pairs =
-        || mirrored.iter().rev().map(|pair| (pair, -1.0)).chain(step.pairs.iter().map(|pair| (pair, 1.0)));
+    let pairs = || {
+        mirrored
+            .iter()
+            .rev()
+            .map(|pair| (pair, -1.0))
+            .chain(step.pairs.iter().map(|pair| (pair, 1.0)))
+    };
     ContactReport {
         force: write.force(step.force()),
         half_width: write.length(step.half_width()),
@@ -86,8 +95,11 @@ fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
     }
     let mut images = Vec::new();
     if step.is_mirrored() {
-        images =
-            parts.iter().rev().map(|part| ContactPatch { left: -part.right, right: -part.left }).collect();
+        images = parts
+            .iter()
+            .rev()
+            .map(|part| ContactPatch { left: -part.right, right: -part.left })
+            .collect();
         // The part on the axis and its image are one.
         if let (Some(first), Some(image)) = (parts.first_mut(), images.last())
             && first.left == 0.0
@@ -95,7 +107,9 @@ fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
             first.left = image.left;
             images.pop();
         }
-    } else if let (Some(part), Some(whole), false) = (parts.first_mut(), step.patch, step.symmetric) {
+    } else if let (Some(part), Some(whole), false) =
+        (parts.first_mut(), step.patch, step.symmetric)
+    {
         part.left = whole.left;
     }
     images.into_iter().chain(parts)

@@ -1,7 +1,8 @@
 //! The contact stiffness of bodies that yield: by how much the force grows with the approach.
 //!
-//! The load-approach curve of a mesh has corners. So the same job is solved under a smaller and under a larger load, on small meshes
-//! that are sized by their contacts and end alike: their errors cancel in the difference.
+//! The load-approach curve of a mesh has corners. So the same job is solved under a smaller and
+//! under a larger load, on small meshes that are sized by their contacts and end alike: their
+//! errors cancel in the difference.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -11,7 +12,8 @@ use super::run::{RunError, run_with};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::{
-    Analysis, History, HistoryLoad, Job, Load, MeshSettings, NonNegativeF64, OutputSettings, Theory, Units,
+    Analysis, History, HistoryLoad, Job, Load, MeshSettings, NonNegativeF64, OutputSettings,
+    Theory, Units,
 };
 use crate::solver::{Interrupt, Observer, Options, SolveStatus, StepSolution};
 
@@ -30,11 +32,16 @@ fn small(job: &Job) -> u32 {
     job.mesh.elements_per_half_width.min(most)
 }
 
-/// What small meshes take of what a mesh of the job's own takes, of memory or of the work of one solve; nothing where they are not made.
+/// What small meshes take of what a mesh of the job's own takes, of memory or of the work of one
+/// solve; nothing where they are not made.
 pub(super) fn of_small_mesh(job: &Job, own: u64) -> u64 {
     let dimensions = if job.analysis == Analysis::ThreeDimensional { 3 } else { 2 };
     let of = |elements: u32| u64::from(elements).pow(dimensions);
-    if job.output.contact_stiffness { own * of(small(job)) / of(job.mesh.elements_per_half_width) } else { 0 }
+    if job.output.contact_stiffness {
+        own * of(small(job)) / of(job.mesh.elements_per_half_width)
+    } else {
+        0
+    }
 }
 
 /// Small meshes that are solved for so many steps: under flow theory each with the loads before.
@@ -81,12 +88,16 @@ impl<'a> LoadDifferences<'a> {
         Self { job, options, loads: Vec::new(), largest: [0.0; 2] }
     }
 
-    /// Takes note of the next step, and gives dP/dα if that is not known and the job asks for it \[N/mm per mm, or N per mm\]. `None`
-    /// where a small mesh has no answer.
+    /// Takes note of the next step, and gives dP/dα if that is not known and the job asks for it
+    /// \[N/mm per mm, or N per mm\]. `None` where a small mesh has no answer.
     ///
     /// # Errors
     /// Why the observer stopped it.
-    pub fn next(&mut self, step: Seen, observer: &mut dyn Observer) -> Result<Option<f64>, Interrupt> {
+    pub fn next(
+        &mut self,
+        step: Seen,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<f64>, Interrupt> {
         let is_wanted = self.job.output.contact_stiffness && step.is_unknown;
         let slope = if is_wanted { self.slope(step.load, observer) } else { Ok(None) };
         if self.job.solver.theory == Theory::Flow {
@@ -96,7 +107,11 @@ impl<'a> LoadDifferences<'a> {
         slope
     }
 
-    fn slope(&self, load: ContactLoad, observer: &mut dyn Observer) -> Result<Option<f64>, Interrupt> {
+    fn slope(
+        &self,
+        load: ContactLoad,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<f64>, Interrupt> {
         // Below the largest load so far bodies are elastic.
         let [less, more] = LESS_AND_MORE.map(|factor| match load {
             ContactLoad::Force(force) => ContactLoad::Force((factor * force).max(self.largest[0])),
@@ -108,7 +123,11 @@ impl<'a> LoadDifferences<'a> {
     }
 
     /// Force and approach in place of the next step under another load.
-    fn under(&self, load: ContactLoad, observer: &mut dyn Observer) -> Result<Option<[f64; 2]>, Interrupt> {
+    fn under(
+        &self,
+        load: ContactLoad,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<[f64; 2]>, Interrupt> {
         let Some(job) = self.auxiliary(load) else { return Ok(None) };
         match run_with(&job, self.options, &mut Silent(observer)) {
             Err(RunError::Interrupted(interrupt)) => Err(interrupt),
@@ -125,7 +144,9 @@ impl<'a> LoadDifferences<'a> {
     fn auxiliary(&self, load: ContactLoad) -> Option<Job> {
         let written = |load| match load {
             ContactLoad::Force(force) => NonNegativeF64::new(force).map(HistoryLoad::Force),
-            ContactLoad::Approach(approach) => NonNegativeF64::new(approach).map(HistoryLoad::Approach),
+            ContactLoad::Approach(approach) => {
+                NonNegativeF64::new(approach).map(HistoryLoad::Approach)
+            }
         };
         let loads: Result<_, _> = self.loads.iter().copied().chain([load]).map(written).collect();
         Some(Job {

@@ -1,7 +1,8 @@
 //! The result as it goes over the wire, field by field.
 //!
-//! Lengths, forces and stresses are in the job's own units. `x` is tangential, `y` normal to the contact and
-//! `z` out of the plane; stresses are tensile positive, pressures compressive positive.
+//! Lengths, forces and stresses are in the job's own units. `x` is tangential, `y` normal to the
+//! contact and `z` out of the plane; stresses are tensile positive, pressures compressive
+//! positive.
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -10,8 +11,8 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LayersReport, LoadApproach, TargetReport,
-    ThreeDimensionalReport, ValidityNote, YieldOnsetReport,
+    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LayersReport, LoadApproach,
+    TargetReport, ThreeDimensionalReport, ValidityNote, YieldOnsetReport,
 };
 use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
@@ -58,17 +59,18 @@ pub struct StepReport {
     pub approach_datum: String,
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
-    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings; 0 where nothing
-    /// touches. `null` where bodies yield as the load rises and `output.contact_stiffness` does not ask for it, where the answer did
-    /// not converge, and where bodies flow at a constant stress in plane stress \[stiffness\].
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the
+    /// plastic flow that it brings; 0 where nothing touches. `null` where bodies yield as the load
+    /// rises and `output.contact_stiffness` does not ask for it, where the answer did not
+    /// converge, and where bodies flow at a constant stress in plane stress \[stiffness\].
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub contact_stiffness: Option<f64>,
     /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flow: Option<FlowReport>,
-    /// Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for,
-    /// and where the step was stopped.
+    /// Stresses over depth on the axis, or below the middle of the contact where there is none;
+    /// absent when not asked for, and where the step was stopped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
     /// The same below the largest pressure; absent where that is in the middle.
@@ -79,7 +81,8 @@ pub struct StepReport {
     /// The closed-form elastic contact of the same bodies, where there is one.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub hertz: Option<HertzReport>,
-    /// The onset of yield, of a job with `"load": {"onset": true}`; `null` of other jobs, and where the remark `onset_unknown` says why.
+    /// The onset of yield, of a job with `"load": {"onset": true}`; `null` of other jobs, and
+    /// where the remark `onset_unknown` says why.
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset: Option<YieldOnsetReport>,
@@ -91,8 +94,8 @@ pub struct StepReport {
     /// Mesh and nodal fields; absent unless asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fields: Option<PerBody<Option<FieldsReport>>>,
-    /// Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no mesh; absent unless
-    /// `output.fields` asks for them.
+    /// Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no
+    /// mesh; absent unless `output.fields` asks for them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layers: Option<PerBody<Option<LayersReport>>>,
     /// What only a contact in three dimensions has; absent in other analyses.
@@ -103,7 +106,8 @@ pub struct StepReport {
 }
 
 impl StepReport {
-    /// The profiles over depth, where they were asked for: upper and lower body, below the middle and below the peak.
+    /// The profiles over depth, where they were asked for: upper and lower body, below the middle
+    /// and below the peak.
     pub fn profiles(&self) -> impl Iterator<Item = (&'static str, &SubsurfaceReport)> {
         let lines = [&self.subsurface, &self.subsurface_below_peak].into_iter().flatten();
         lines.flat_map(|bodies| {
@@ -112,7 +116,8 @@ impl StepReport {
         })
     }
 
-    /// The largest equivalent plastic strain of both bodies; `None` where one of them has no limit.
+    /// The largest equivalent plastic strain of both bodies; `None` where one of them has no
+    /// limit.
     pub fn max_plastic_strain(&self) -> Option<f64> {
         let zones = [&self.plasticity.upper, &self.plasticity.lower].into_iter().flatten();
         zones
@@ -162,7 +167,8 @@ impl<T: Clone> PerBody<Option<T>> {
         mut say: impl FnMut(&BodySolution) -> Result<T, E>,
     ) -> Result<Self, E> {
         let [upper, lower] = &step.bodies;
-        let mut of = |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body)).transpose();
+        let mut of =
+            |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body)).transpose();
         let of_upper = of(upper)?;
         let of_lower = match (upper, lower) {
             (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
@@ -176,8 +182,8 @@ impl<T: Clone> PerBody<Option<T>> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Subsurface))]
 pub struct SubsurfaceReport {
-    /// x of the normal, along the arc for a pin in a hole. Results of 0.2 do not have it: their normal is at
-    /// `contact.peak_position` \[length\].
+    /// x of the normal, along the arc for a pin in a hole. Results of 0.2 do not have it: their
+    /// normal is at `contact.peak_position` \[length\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position: Option<f64>,
     /// Depth below the surface, from 0 \[length\].
@@ -200,8 +206,8 @@ pub struct SubsurfaceReport {
     /// Von Mises stress over that yield stress \[1\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilization: Option<Vec<f64>>,
-    /// Tangential stress before the load, what is left of an initial stress after the body has relaxed; a part of `sigma_x`
-    /// \[stress\].
+    /// Tangential stress before the load, what is left of an initial stress after the body has
+    /// relaxed; a part of `sigma_x` \[stress\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_sigma_x: Option<Vec<f64>>,
     /// Normal stress before the load \[stress\].
@@ -210,8 +216,9 @@ pub struct SubsurfaceReport {
     /// Out-of-plane stress before the load \[stress\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_sigma_z: Option<Vec<f64>>,
-    /// y of the normal; of this and the following only in three dimensions, where `sigma_x` is `sigma_xx`, the normal stress
-    /// `sigma_y` is `sigma_zz`, and `sigma_z` is `sigma_yy` \[length\].
+    /// y of the normal; of this and the following only in three dimensions, where `sigma_x` is
+    /// `sigma_xx`, the normal stress `sigma_y` is `sigma_zz`, and `sigma_z` is `sigma_yy`
+    /// \[length\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_y: Option<f64>,
     /// Stress along x, the shorter semi-axis of the contact \[stress\].
@@ -240,8 +247,8 @@ pub struct SubsurfaceReport {
 pub struct PlasticityReport {
     /// Whether any Gauss point is beyond yield.
     pub yielded: bool,
-    /// Largest equivalent plastic strain at a Gauss point; `null` of a material that does not harden, where it has no limit on smaller
-    /// and smaller elements \[1 >= 0\].
+    /// Largest equivalent plastic strain at a Gauss point; `null` of a material that does not
+    /// harden, where it has no limit on smaller and smaller elements \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub max_equivalent_plastic_strain: Option<f64>,
     /// Mean equivalent plastic strain over the area of the section that has any \[1 >= 0\].
@@ -251,16 +258,19 @@ pub struct PlasticityReport {
     pub position: f64,
     /// Depth of that point \[length\].
     pub depth: f64,
-    /// Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss points \[area >= 0\].
+    /// Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss
+    /// points \[area >= 0\].
     pub area: f64,
     /// Whether the plastic zone includes a part of the free surface.
     pub reached_surface: bool,
-    /// Outline of the plastic zone: closed polygons of points `[x, depth]`, the first one not repeated, both sides of
-    /// the axis. Depth is counted downward from the plane in which the bodies first touch, into the material of either
-    /// body. Counter-clockwise in the axes `(x, depth)`; holes clockwise \[length\].
+    /// Outline of the plastic zone: closed polygons of points `[x, depth]`, the first one not
+    /// repeated, both sides of the axis. Depth is counted downward from the plane in which the
+    /// bodies first touch, into the material of either body. Counter-clockwise in the axes `(x,
+    /// depth)`; holes clockwise \[length\].
     pub outline: Vec<Vec<[f64; 2]>>,
-    /// y of the point with the largest plastic strain; of this and the next only in three dimensions, where there is no outline and
-    /// `area` is that of the cells beside y = 0 \[length\].
+    /// y of the point with the largest plastic strain; of this and the next only in three
+    /// dimensions, where there is no outline and `area` is that of the cells beside y = 0
+    /// \[length\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_y: Option<f64>,
     /// Volume of the cells that have yielded \[volume >= 0\].
@@ -282,9 +292,10 @@ pub struct HertzReport {
     /// Depth at which it does \[length >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset_depth: Option<f64>,
-    /// Elastic peak pressure up to which the contact shakes down when it rolls freely, by the orthogonal shear stress over
-    /// depth: where strength is the same everywhere, 4 k of a line in plane strain. In three dimensions it rolls along its shorter
-    /// semi-axis, and this is an upper bound: 4.68 k of a circle. `null` without yield, in plane stress and in axisymmetry
+    /// Elastic peak pressure up to which the contact shakes down when it rolls freely, by the
+    /// orthogonal shear stress over depth: where strength is the same everywhere, 4 k of a line in
+    /// plane strain. In three dimensions it rolls along its shorter semi-axis, and this is an
+    /// upper bound: 4.68 k of a circle. `null` without yield, in plane stress and in axisymmetry
     /// \[stress >= 0\].
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]

@@ -3,12 +3,15 @@
 //! ```text
 //! bar · |x| = |x(h) - x(2h)| + floor · h/a · scale + |x(Δt) - x(2Δt)|
 //! ```
-//! h is the element size and a the half-width, where nothing touches the largest of the history; Δt stands for the increments of flow theory.
-//! Errors scatter with where the contact ends between two nodes, so that the difference is now and then far below the error. Floors are for
-//! that. A scale is |x|, but:
+//! h is the element size and a the half-width, where nothing touches the largest of the history;
+//! Δt stands for the increments of flow theory. Errors scatter with where the contact ends between
+//! two nodes, so that the difference is now and then far below the error. Floors are for that. A
+//! scale is |x|, but:
 //!
-//! - of approach and dent the largest approach of the history, of the pile-up dent and pile-up together;
-//! - of a force under a prescribed approach what the unloading stiffness makes of that approach, if it is more;
+//! - of approach and dent the largest approach of the history, of the pile-up dent and pile-up
+//!   together;
+//! - of a force under a prescribed approach what the unloading stiffness makes of that approach,
+//!   if it is more;
 //! - of stresses the largest von Mises stress;
 //! - of plastic strains that stress over 3 G on top.
 //!
@@ -26,7 +29,8 @@ use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
 use crate::solver::{BodyFigures, CoarseFigures, StepSolution};
 
-/// Floors of figures over h/a, in the order of `CoarseFigures`, those of a body once: in plane analyses, and of bodies of revolution.
+/// Floors of figures over h/a, in the order of `CoarseFigures`, those of a body once: in plane
+/// analyses, and of bodies of revolution.
 const FLOORS: [(&str, [f64; 2]); 11] = [
     ("peak pressure", [0.03, 0.1]),
     ("half-width", [0.3, 0.3]),
@@ -47,11 +51,13 @@ const BODY_FIGURES: usize = FLOORS.len() - CONTACT_FIGURES;
 
 /// Floors of the contact stiffness of elastic bodies, and of those that unload, over h/a.
 const STIFFNESS_FLOORS: [f64; 2] = [0.1, 0.2];
-/// Exponent of the force with which peak pressure, half-width and stiffness of a contact of arcs grow at most: those of a line contact.
+/// Exponent of the force with which peak pressure, half-width and stiffness of a contact of arcs
+/// grow at most: those of a line contact.
 const WITH_FORCE: f64 = 0.5;
 
-/// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases and say nothing about
-/// the theory: for that see `validity`, which also says why a bound is `null`.
+/// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
+/// and say nothing about the theory: for that see `validity`, which also says why a bound is
+/// `null`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ErrorEstimate {
@@ -64,8 +70,9 @@ pub struct ErrorEstimate {
     /// Of the approach; 0 where it is prescribed \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub approach: Option<f64>,
-    /// Of the contact force; 0 where it is prescribed; `null` where `target.relative_error` has it: of the force that leaves a permanent target, and of targets in
-    /// three dimensions \[1 >= 0\].
+    /// Of the contact force; 0 where it is prescribed; `null` where `target.relative_error` has
+    /// it: of the force that leaves a permanent target, and of targets in three dimensions \[1 >=
+    /// 0\].
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub force: Option<f64>,
@@ -93,14 +100,15 @@ pub struct BodyErrors {
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub area: Option<f64>,
-    /// Of the depth by which the surface is lowered, in three dimensions by plastic strain alone \[1 >= 0\].
+    /// Of the depth by which the surface is lowered, in three dimensions by plastic strain alone
+    /// \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub depth: Option<f64>,
     /// Of the height by which it is raised \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub pile_up: Option<f64>,
-    /// Of the least stress along the surface below the middle of the contact, in three dimensions below the largest pressure; without load
-    /// that is the residual stress \[1 >= 0\].
+    /// Of the least stress along the surface below the middle of the contact, in three dimensions
+    /// below the largest pressure; without load that is the residual stress \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub least_stress: Option<f64>,
     /// Of the largest von Mises stress there over the yield stress \[1 >= 0\].
@@ -109,18 +117,21 @@ pub struct BodyErrors {
     pub utilization: Option<f64>,
 }
 
-/// The bars of a step; `None` where there is no answer or no coarser mesh, where a ring touches on few
-/// elements, and where the onset of yield is not known. Single figures have none where the mesh does
-/// not tell them: behind a rounded edge that is thinner than elements, at a sharp corner, next to an
-/// end or at a thin tip, below a coarse case, and above a clamped column.
+/// The bars of a step; `None` where there is no answer or no coarser mesh, where a ring touches on
+/// few elements, and where the onset of yield is not known. Single figures have none where the
+/// mesh does not tell them: behind a rounded edge that is thinner than elements, at a sharp
+/// corner, next to an end or at a thin tip, below a coarse case, and above a clamped column.
 pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     let bars = under_its_force(job, step)?;
     Some(match (step.load, &job.load) {
         (ContactLoad::Approach(_), _) => bars,
-        (ContactLoad::Force(_), Load::Onset) => bars.with_force_error(step.onset_error.unwrap_or(0.0), None),
+        (ContactLoad::Force(_), Load::Onset) => {
+            bars.with_force_error(step.onset_error.unwrap_or(0.0), None)
+        }
         (ContactLoad::Force(force), Load::Target(target)) if force > 0.0 => {
             let of_revolution = step.stress_state == StressState::Axisymmetric;
-            let error = step.target_sensitivity.zip(target::error_of(target.figure, &bars, of_revolution));
+            let error =
+                step.target_sensitivity.zip(target::error_of(target.figure, &bars, of_revolution));
             match error.map(|(sensitivity, error)| error / sensitivity) {
                 Some(error) => bars.with_force_error(error, Some(target.figure)),
                 None => ErrorEstimate { force: None, ..bars },
@@ -147,16 +158,20 @@ pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEst
     let of_body = |side: usize| {
         let body = step.bodies[side].as_deref()?;
         let [largest, mean, area, dent, pile_up, least_stress, von_mises] = bars.of_body(side);
-        let is_inner_known = is_peak_known && step.unknown_peaks_before == 0 && !strength::is_coarse(body);
+        let is_inner_known =
+            is_peak_known && step.unknown_peaks_before == 0 && !strength::is_coarse(body);
         let inner = |bar: Option<f64>| bar.filter(|_| is_inner_known);
         let BodyFigures { least_stress: least, largest_von_mises: most, .. } = bars.bodies[side];
         let uncertain = UncertainStress::of(step, body);
-        let at_surface = |bar: Option<f64>, found: f64, beyond: fn(&UncertainStress, f64) -> f64| {
-            let added = uncertain.as_ref().map_or(0.0, |stress| beyond(stress, found) / found.abs());
-            inner(bar).map(|bar| bar + added).filter(|bar| bar.is_finite())
-        };
+        let at_surface =
+            |bar: Option<f64>, found: f64, beyond: fn(&UncertainStress, f64) -> f64| {
+                let added =
+                    uncertain.as_ref().map_or(0.0, |stress| beyond(stress, found) / found.abs());
+                inner(bar).map(|bar| bar + added).filter(|bar| bar.is_finite())
+            };
         Some(BodyErrors {
-            max_equivalent_plastic_strain: inner(largest).filter(|_| plastic_strain::largest(body).is_some()),
+            max_equivalent_plastic_strain: inner(largest)
+                .filter(|_| plastic_strain::largest(body).is_some()),
             mean_equivalent_plastic_strain: inner(mean),
             area: inner(area),
             depth: dent.filter(|_| is_approach_known),
@@ -168,7 +183,11 @@ pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEst
     Some(ErrorEstimate {
         peak_pressure: peak_pressure.filter(|_| is_peak_known),
         half_width: half_width.filter(|_| is_known),
-        approach: if is_approach_given { Some(0.0) } else { approach.filter(|_| is_approach_known) },
+        approach: if is_approach_given {
+            Some(0.0)
+        } else {
+            approach.filter(|_| is_approach_known)
+        },
         force: force.filter(|_| is_approach_known),
         contact_stiffness: stiffness.map(|_| stiffness_bar(step, bars.size)),
         bodies: Some(PerBody { upper: of_body(0), lower: of_body(1) }),
@@ -176,7 +195,8 @@ pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEst
 }
 
 impl ErrorEstimate {
-    /// The same under a force that was sought and has an error, and what that does to the other figures; nothing to the `target`.
+    /// The same under a force that was sought and has an error, and what that does to the other
+    /// figures; nothing to the `target`.
     fn with_force_error(mut self, error: f64, target: Option<TargetFigure>) -> Self {
         let wider = |bar: &mut Option<f64>, exponent: f64| {
             *bar = bar.map(|bar| bar + exponent * error);
@@ -256,7 +276,8 @@ impl Bars {
         })
     }
 
-    /// The bar of a figure by its places in [`FLOORS`] and among all figures; of a figure that is 0 none, but 0 where both meshes say so.
+    /// The bar of a figure by its places in [`FLOORS`] and among all figures; of a figure that is
+    /// 0 none, but 0 where both meshes say so.
     fn of_figure(&self, figure: usize, k: usize) -> Option<f64> {
         let found = self.found[k].abs();
         if found == 0.0 {

@@ -1,12 +1,15 @@
-//! The mesh fields of a step as arrays of numbers, as they are kept: without digits to parse, and read piece by piece.
+//! The mesh fields of a step as arrays of numbers, as they are kept: without digits to parse, and
+//! read piece by piece.
 //!
-//! The bytes are the eight letters `BRNFLD01`, the length of a header (u32), four zeros, the header in JSON, padded
-//! with spaces to a multiple of 8, and the arrays, each from a multiple of 8 on. Numbers are little-endian. The header
-//! lists the arrays: body, name, type (`f64`, for `elements` `u32`), how many there are (`count`), numbers of each
-//! (`components`), and `offset` from the end of the header \[bytes\]. A rigid body has no arrays. Names, meanings
-//! and units are those of [`FieldsReport`] or, in three dimensions, of [`LayersReport`].
+//! The bytes are the eight letters `BRNFLD01`, the length of a header (u32), four zeros, the
+//! header in JSON, padded with spaces to a multiple of 8, and the arrays, each from a multiple of
+//! 8 on. Numbers are little-endian. The header lists the arrays: body, name, type (`f64`, for
+//! `elements` `u32`), how many there are (`count`), numbers of each (`components`), and `offset`
+//! from the end of the header \[bytes\]. A rigid body has no arrays. Names, meanings and units are
+//! those of [`FieldsReport`] or, in three dimensions, of [`LayersReport`].
 //!
-//! Nobody but the store sees these bytes: [`FieldLayout`] makes JSON and the files of an `.npz` archive of them.
+//! Nobody but the store sees these bytes: [`FieldLayout`] makes JSON and the files of an `.npz`
+//! archive of them.
 
 use std::ops::Range;
 
@@ -80,7 +83,9 @@ impl Number {
     fn read(self, bytes: &[u8]) -> impl Iterator<Item = f64> {
         bytes.chunks_exact(self.bytes()).map(move |bytes| match self {
             Self::F64 => bytes.try_into().map_or(0.0, f64::from_le_bytes),
-            Self::U32 => bytes.try_into().map_or(0.0, |bytes| f64::from(u32::from_le_bytes(bytes))),
+            Self::U32 => {
+                bytes.try_into().map_or(0.0, |bytes| f64::from(u32::from_le_bytes(bytes)))
+            }
         })
     }
 }
@@ -112,7 +117,8 @@ struct Header {
     arrays: Vec<Array>,
 }
 
-/// Where the arrays of a step stand in its bytes, and how they become other forms piece by piece: nobody has to hold all of them.
+/// Where the arrays of a step stand in its bytes, and how they become other forms piece by piece:
+/// nobody has to hold all of them.
 #[derive(Debug, Clone)]
 pub struct FieldLayout {
     arrays: Vec<Array>,
@@ -269,13 +275,16 @@ impl FieldLayout {
     /// # Errors
     /// [`FieldArraysError::Malformed`].
     pub fn read(beginning: &[u8]) -> Result<Self, FieldArraysError> {
-        let length =
-            beginning.get(..HEADER).filter(|head| head.starts_with(MAGIC)).and_then(|head| head.get(8..12));
+        let length = beginning
+            .get(..HEADER)
+            .filter(|head| head.starts_with(MAGIC))
+            .and_then(|head| head.get(8..12));
         let length = length.and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
         let length = length.and_then(|length| usize::try_from(length).ok());
         let data = length.and_then(|length| HEADER.checked_add(length));
         let data = data.ok_or_else(|| malformed("no such beginning"))?;
-        let header = beginning.get(HEADER..data).ok_or_else(|| malformed("the header is cut off"))?;
+        let header =
+            beginning.get(HEADER..data).ok_or_else(|| malformed("the header is cut off"))?;
         let Header { arrays } = serde_json::from_slice(header).map_err(malformed)?;
         let has_end = |array: &Array| {
             let numbers = array.count.checked_mul(array.components);
@@ -306,7 +315,11 @@ impl FieldLayout {
     }
 
     /// Where an array stands.
-    pub(in crate::report) fn find(&self, body: Side, name: &str) -> Result<Range<usize>, FieldArraysError> {
+    pub(in crate::report) fn find(
+        &self,
+        body: Side,
+        name: &str,
+    ) -> Result<Range<usize>, FieldArraysError> {
         let found = self.arrays.iter().find(|array| array.body == body && array.name == name);
         Ok(self.source(found.ok_or_else(|| malformed(format!("no {name}")))?))
     }
@@ -351,9 +364,11 @@ impl FieldLayout {
         pieces
     }
 
-    /// The arrays of these names, or all of them, as the files of an `.npz` archive, in single precision.
+    /// The arrays of these names, or all of them, as the files of an `.npz` archive, in single
+    /// precision.
     pub fn npy(&self, names: Option<&[&str]>) -> Vec<NpyFile> {
-        let is_wanted = |array: &&Array| names.is_none_or(|names| names.contains(&array.name.as_str()));
+        let is_wanted =
+            |array: &&Array| names.is_none_or(|names| names.contains(&array.name.as_str()));
         let file = |array: &Array| NpyFile {
             name: format!("{}/{}.npy", array.body, array.name),
             header: npy_header(array.number, &self.shape(array)),
@@ -362,7 +377,8 @@ impl FieldLayout {
         self.arrays.iter().filter(is_wanted).map(file).collect()
     }
 
-    /// The shape of an array: nodes or elements with their components; cells of half-spaces by layer, x and y.
+    /// The shape of an array: nodes or elements with their components; cells of half-spaces by
+    /// layer, x and y.
     fn shape(&self, array: &Array) -> Vec<usize> {
         let along = |name| {
             self.arrays
@@ -389,8 +405,9 @@ pub struct NpyFile {
     pub numbers: Vec<FieldPiece>,
 }
 
-/// What numpy reads before the numbers of an array: type and shape in a Python dictionary, padded to 64 bytes
-/// (version 1.0 of the format, <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>).
+/// What numpy reads before the numbers of an array: type and shape in a Python dictionary, padded
+/// to 64 bytes (version 1.0 of the format,
+/// <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>).
 fn npy_header(number: Number, shape: &[usize]) -> Vec<u8> {
     const BEGINNING: usize = 10;
     let number = if number == Number::U32 { "<u4" } else { "<f4" };
@@ -530,8 +547,9 @@ mod tests {
         let elements: Vec<u8> = [0_u32, 1, 2, 2].into_iter().flat_map(u32::to_le_bytes).collect();
         let numbers = [0.0, 0.5, 1.0, 2.0, 1.0 / 3.0, 4.0_f32];
         let displacement = numbers.into_iter().flat_map(f32::to_le_bytes).collect();
-        let about =
-            |kind, shape| format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
+        let about = |kind, shape| {
+            format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}")
+        };
         let expected = [
             ("upper/elements.npy".to_owned(), about("<u4", "(1, 4,)"), elements),
             ("upper/displacement.npy".to_owned(), about("<f4", "(3, 2,)"), displacement),
@@ -542,7 +560,10 @@ mod tests {
     #[test]
     fn arrays_have_the_names_that_can_be_asked_for() {
         let layout = FieldLayout::read(&encode_fields(&fields()).unwrap()).unwrap();
-        assert_eq!(layout.arrays.iter().map(|array| &*array.name).collect::<Vec<_>>(), FIELD_NAMES);
+        assert_eq!(
+            layout.arrays.iter().map(|array| &*array.name).collect::<Vec<_>>(),
+            FIELD_NAMES
+        );
         let names: Vec<_> = layout.npy(None).into_iter().map(|file| file.name).collect();
         assert_eq!(names, FIELD_NAMES.map(|name| format!("upper/{name}.npy")));
     }

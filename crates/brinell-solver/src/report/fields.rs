@@ -1,13 +1,14 @@
 //! The mesh fields of a step, in one frame for both bodies.
 //!
-//! The core keeps each body in its own frame, `y` out of the material. The lower body is given as it is; the upper
-//! one is its own picture mirrored in the contact plane:
+//! The core keeps each body in its own frame, `y` out of the material. The lower body is given as
+//! it is; the upper one is its own picture mirrored in the contact plane:
 //!
 //! ```text
 //! y → -y - g,  u_y → -u_y,  τ_xy → -τ_xy,  element corners in reverse order (still counter-clockwise)
 //! ```
 //!
-//! with `g` the smallest gap between the outlines as the job gives them, so that the bodies just touch.
+//! with `g` the smallest gap between the outlines as the job gives them, so that the bodies just
+//! touch.
 
 use std::sync::Arc;
 
@@ -19,8 +20,9 @@ use crate::analytical::Stress;
 use crate::solver::method::observer::ask;
 use crate::solver::{BodySolution, Interrupt, Observer, StepSolution, recovered};
 
-/// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are
-/// those before loading, where the bodies just touch; `y` points from the lower body to the upper one.
+/// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true.
+/// Positions are those before loading, where the bodies just touch; `y` points from the lower body
+/// to the upper one.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Fields))]
 pub struct FieldsReport {
@@ -71,7 +73,8 @@ fn body_fields(
     ask(observer)?;
     // Adding zero turns a mirrored -0 into 0.
     let (sign, gap) = if mirror { (-1.0, step.smallest_gap) } else { (1.0, 0.0) };
-    let global = |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];
+    let global =
+        |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];
     let mut report = FieldsReport {
         nodes: body.mesh.nodes.iter().map(|node| global(node, gap)).collect(),
         elements: body.mesh.elements.clone(),

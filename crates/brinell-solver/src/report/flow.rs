@@ -1,4 +1,5 @@
-//! What flow theory knows beyond the state under a load: its increments, the dent, and where the work has gone.
+//! What flow theory knows beyond the state under a load: its increments, the dent, and where the
+//! work has gone.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +11,8 @@ use crate::solver::{BodySolution, Energy, IncrementRecord, StepSolution};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Flow))]
 pub struct FlowReport {
-    /// dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches \[stiffness >= 0\].
+    /// dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact.
+    /// 0 where nothing touches \[stiffness >= 0\].
     pub unloading_stiffness: f64,
     /// Where the work of the force has gone since the bodies were at rest.
     pub energy: EnergyReport,

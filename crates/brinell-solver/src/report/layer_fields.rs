@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Cells of the layers of one body. The cell at `x[i]`, `y[j]`, `z[k]` stands at the place
-/// `(k * x.length + i) * y.length + j` of an array, counted from 0. Axes are those of the contact: x along its
-/// shorter semi-axis, y along the longer one, z into the body.
+/// Cells of the layers of one body. The cell at `x[i]`, `y[j]`, `z[k]` stands at the place `(k *
+/// x.length + i) * y.length + j` of an array, counted from 0. Axes are those of the contact: x
+/// along its shorter semi-axis, y along the longer one, z into the body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Layers))]
 pub struct LayersReport {
@@ -38,7 +38,8 @@ pub struct LayersReport {
     pub plastic_strain_yy: Vec<f64>,
     /// Plastic strain along the normal \[1\].
     pub plastic_strain_zz: Vec<f64>,
-    /// Plastic shear strain of x and y, half of the change of the angle; so are the following \[1\].
+    /// Plastic shear strain of x and y, half of the change of the angle; so are the following
+    /// \[1\].
     pub plastic_strain_xy: Vec<f64>,
     /// Plastic shear strain of x and z \[1\].
     pub plastic_strain_xz: Vec<f64>,

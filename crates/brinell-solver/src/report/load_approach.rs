@@ -8,12 +8,13 @@ use crate::solver::IncrementRecord;
 /// Approaches closer together than this part of the larger one count as one point of the curve.
 const SAME: f64 = 1e-9;
 
-/// Elements by which the contact grows between loads whose difference says how steep the curve is: while it grows by one element,
-/// the approach on a mesh deviates to one side and then to the other.
+/// Elements by which the contact grows between loads whose difference says how steep the curve is:
+/// while it grows by one element, the approach on a mesh deviates to one side and then to the
+/// other.
 const GROWTH: f64 = 2.0;
 
-/// Force over approach, only of converged steps: in order of the approach or, of a history, in the order of the increments
-/// with the bodies at rest before them.
+/// Force over approach, only of converged steps: in order of the approach or, of a history, in the
+/// order of the increments with the bodies at rest before them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LoadApproach {
@@ -21,11 +22,12 @@ pub struct LoadApproach {
     pub force: Vec<f64>,
     /// Approach α \[length\].
     pub approach: Vec<f64>,
-    /// dP/dα along this curve: the contact stiffness of a step that has one, else the difference between two points of the curve
-    /// \[stiffness\].
+    /// dP/dα along this curve: the contact stiffness of a step that has one, else the difference
+    /// between two points of the curve \[stiffness\].
     pub stiffness: Vec<f64>,
-    /// Force from which on each slope was taken, that of the point itself where the contact stiffness of the step is known. Up to
-    /// `stiffness_to` the contact grows by two elements or more, where the curve is long enough. Empty before version 0.3 \[force\].
+    /// Force from which on each slope was taken, that of the point itself where the contact
+    /// stiffness of the step is known. Up to `stiffness_to` the contact grows by two elements or
+    /// more, where the curve is long enough. Empty before version 0.3 \[force\].
     #[serde(default)]
     pub stiffness_from: Vec<f64>,
     /// Force up to which it was taken. Empty before version 0.3 \[force\].
@@ -52,8 +54,8 @@ impl CurvePoint {
     }
 }
 
-/// The points of a step: the ends of its increments, or what it ends with, `[approach, force, half-width]`, where it has none. The last
-/// of them has the contact stiffness of the step.
+/// The points of a step: the ends of its increments, or what it ends with, `[approach, force,
+/// half-width]`, where it has none. The last of them has the contact stiffness of the step.
 pub(super) fn points(
     increments: &[IncrementRecord],
     end: [f64; 3],
@@ -87,7 +89,8 @@ pub(super) fn curve(mut points: Vec<CurvePoint>, write: UnitConverter) -> Option
     (points.len() >= 2).then(|| written(&points, &slopes(&points), write))
 }
 
-/// The way of a history through points of its increments, from rest. Slopes are taken within the run that rises or falls.
+/// The way of a history through points of its increments, from rest. Slopes are taken within the
+/// run that rises or falls.
 pub(super) fn history(points: &[CurvePoint], write: UnitConverter) -> Option<LoadApproach> {
     let mut way = vec![CurvePoint::default()];
     way.extend(points);
@@ -154,7 +157,8 @@ fn slope(points: &[CurvePoint], k: usize) -> Slope {
     Slope { value, between: [from.force, to.force] }
 }
 
-/// Exponent of the power law through two points, by which a slope may be taken at one end of a span as well as in its middle.
+/// Exponent of the power law through two points, by which a slope may be taken at one end of a
+/// span as well as in its middle.
 fn secant_exponent(from: CurvePoint, to: CurvePoint) -> Option<f64> {
     let is_power = [from, to].iter().all(|point| point.force > 0.0 && point.approach > 0.0);
     is_power.then(|| (to.force / from.force).ln() / (to.approach / from.approach).ln())
@@ -196,12 +200,16 @@ mod tests {
     #[test]
     fn a_history_keeps_its_order_and_turns_where_it_turns() {
         let write = UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain);
-        let mut way = points(&[[1.0, 2.0, 9.0], [2.0, 4.0, 12.0], [1.5, 1.0, 6.0], [1.0, 0.0, 0.0]]);
+        let mut way =
+            points(&[[1.0, 2.0, 9.0], [2.0, 4.0, 12.0], [1.5, 1.0, 6.0], [1.0, 0.0, 0.0]]);
         way[1].stiffness = Some(1.9);
         let way = history(&way, write).unwrap();
         assert_eq!(way.approach, [0.0, 1.0, 2.0, 1.5, 1.0]);
         assert_eq!(way.stiffness, [2.0, 2.0, 1.9, 4.0, 2.0]);
-        assert_eq!((&way.stiffness_from[2..4], &way.stiffness_to[2..4]), (&[4.0, 4.0][..], &[4.0, 0.0][..]));
+        assert_eq!(
+            (&way.stiffness_from[2..4], &way.stiffness_to[2..4]),
+            (&[4.0, 4.0][..], &[4.0, 0.0][..])
+        );
     }
 
     #[test]

@@ -28,14 +28,14 @@ pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
 pub use error_bars::{BodyErrors, ErrorEstimate, estimate as estimate_error};
 pub use field_arrays::{
-    FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, Side as FieldSide,
-    encode_fields, encode_layers,
+    FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece,
+    Side as FieldSide, encode_fields, encode_layers,
 };
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
-    EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport, RoughContactReport,
-    SectionReport, ThreeDimensionalReport,
+    EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport,
+    RoughContactReport, SectionReport, ThreeDimensionalReport,
 };
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;

@@ -6,7 +6,9 @@ use super::mesh_effects::{peak_is_next_to_end, peak_is_unbounded};
 use super::units::{UnitConverter, rounded};
 use crate::contact::ContactLoad;
 use crate::job::{Job, Load, Shape, Units};
-use crate::solver::{EDGE_UTILIZATION, Problem, StepSolution, at_narrow_edge, highest_utilization};
+use crate::solver::{
+    EDGE_UTILIZATION, Problem, StepSolution, at_narrow_edge, highest_utilization,
+};
 
 /// The onset of yield, found numerically for the job's own shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,7 +22,8 @@ pub struct YieldOnsetReport {
     pub peak_pressure: f64,
     /// Which body yields first; of two alike, the lower one.
     pub body: Side,
-    /// x of the middle of the first element to yield; a symmetric contact has its mirror image as well \[length\].
+    /// x of the middle of the first element to yield; a symmetric contact has its mirror image as
+    /// well \[length\].
     pub position: f64,
     /// Depth of that middle \[length\].
     pub depth: f64,
@@ -40,8 +43,8 @@ pub enum Side {
 /// Error of an onset at a rounded edge up to which the closed form there tells it.
 const KNOWN: f64 = 0.15;
 
-/// Why elastic bodies yield under a smaller force than the mesh of a step shows, as the remark `onset_unknown`; `None` where they do not,
-/// and of bodies that have yielded.
+/// Why elastic bodies yield under a smaller force than the mesh of a step shows, as the remark
+/// `onset_unknown`; `None` where they do not, and of bodies that have yielded.
 pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
     if step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
         return None;
@@ -62,8 +65,8 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
         }
         let onset = step.force() / used.powf(EDGE_UTILIZATION.recip());
         return Some(format!(
-            "{unknown}. The contact ends within {:.2e} mm on the rounded edges, which elements of {:.2e} mm leave out; in closed \
-             form elastic bodies yield there under {} {}.",
+            "{unknown}. The contact ends within {:.2e} mm on the rounded edges, which elements of \
+             {:.2e} mm leave out; in closed form elastic bodies yield there under {} {}.",
             edge.elastic.width(),
             step.spacing,
             rounded(onset),
@@ -71,12 +74,14 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
         ));
     }
     // Elements that resolve the edge of a punch find the peak on it.
-    let is_punch = [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
+    let is_punch =
+        [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
     let can_yield = || Problem::of(job).bodies.iter().any(|body| body.yield_stress().is_some());
     if !is_punch && peak_is_next_to_end(step) && can_yield() {
         return Some(format!(
-            "{unknown}. The largest pressure is at x = {} mm, next to an end of the contact, where it rises within elements of {:.2e} \
-             mm: finer ones find more of it, and yield under a smaller force.",
+            "{unknown}. The largest pressure is at x = {} mm, next to an end of the contact, \
+             where it rises within elements of {:.2e} mm: finer ones find more of it, and yield \
+             under a smaller force.",
             rounded(step.peak_position),
             step.spacing
         ));
@@ -84,8 +89,8 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
     let is_at_corner = job.load == Load::Onset && peak_is_unbounded(step);
     let x = step.loaded_corners.first().filter(|_| is_at_corner)?;
     Some(format!(
-        "{unknown}. A sharp corner carries pressure at x = {} mm, where elastic stress has no bound: the force falls with the size of \
-         the elements.",
+        "{unknown}. A sharp corner carries pressure at x = {} mm, where elastic stress has no \
+         bound: the force falls with the size of the elements.",
         rounded(*x)
     ))
 }
@@ -96,7 +101,11 @@ pub(super) fn is_onset_unknown(job: &Job, step: &StepSolution) -> bool {
 }
 
 /// The onset that a job asked for; `None` for any other job, and where the mesh does not tell it.
-pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Option<YieldOnsetReport> {
+pub(super) fn onset(
+    job: &Job,
+    step: &StepSolution,
+    write: UnitConverter,
+) -> Option<YieldOnsetReport> {
     if job.load != Load::Onset || is_onset_unknown(job, step) {
         return None;
     }

@@ -1,4 +1,5 @@
-//! The largest plastic strain: whether it has a limit, and whether the curve of the material tells how large it is.
+//! The largest plastic strain: whether it has a limit, and whether the curve of the material tells
+//! how large it is.
 
 use crate::job::{Deformable, Hardening, Job, Load, Material, TargetFigure};
 use crate::material::HardeningLaw;
@@ -8,11 +9,14 @@ use crate::solver::{BodySolution, StepSolution};
 const SMALL_STRAIN: f64 = 0.01;
 
 /// What is said of the strain of a material that does not harden.
-pub(super) const UNBOUNDED: &str = "The largest plastic strain of a material that does not harden has no limit on smaller and smaller elements, \
-                                    and is not given. The plastic area and the mean plastic strain in it do not depend on the mesh.";
+pub(super) const UNBOUNDED: &str = "The largest plastic strain of a material that does not harden \
+                                    has no limit on smaller and smaller elements, and is not \
+                                    given. The plastic area and the mean plastic strain in it do \
+                                    not depend on the mesh.";
 
-/// The largest equivalent plastic strain of a body; `None` where its material does not harden any more: flow gathers in bands as narrow
-/// as elements, so that the strain in them grows with the density of the mesh.
+/// The largest equivalent plastic strain of a body; `None` where its material does not harden any
+/// more: flow gathers in bands as narrow as elements, so that the strain in them grows with the
+/// density of the mesh.
 pub(super) fn largest(body: &BodySolution) -> Option<f64> {
     let strain = body.max_plastic_strain();
     bounded(strain, body.model.hardening())
@@ -29,7 +33,8 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
     if step.bodies.iter().flatten().any(|body| largest(body).is_none()) {
         remarks.push(("unbounded_strain", UNBOUNDED.to_owned()));
     }
-    let strain = step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
+    let strain =
+        step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
     remarks.extend(bilinear_curve(job, strain));
     remarks
 }
@@ -48,11 +53,13 @@ pub(super) fn bilinear_curve(job: &Job, strain: f64) -> Option<(&'static str, St
         }
         Material::Rigid => false,
     };
-    let has_bilinear = [&job.upper, &job.lower].into_iter().any(|body| is_bilinear(&body.material));
+    let has_bilinear =
+        [&job.upper, &job.lower].into_iter().any(|body| is_bilinear(&body.material));
     if is_permanent && has_bilinear && strain < SMALL_STRAIN {
-        let message = "A bilinear curve is elastic up to its yield stress; steels begin to flow below that, little by little. Forces of a \
-                       permanent deformation below 1 % strain differ by up to a factor of two from those of a measured curve: take the \
-                       law `swift` or `table` (api/materials.json has 100Cr6).";
+        let message = "A bilinear curve is elastic up to its yield stress; steels begin to flow \
+                       below that, little by little. Forces of a permanent deformation below 1 % \
+                       strain differ by up to a factor of two from those of a measured curve: \
+                       take the law `swift` or `table` (api/materials.json has 100Cr6).";
         return Some(("bilinear_curve", message.to_owned()));
     }
     None

@@ -4,13 +4,15 @@
 //! f = q + 3G ε_p - σ_y        q = von_mises, ε_p = equivalent_plastic_strain, σ_y = yield_stress [MPa]
 //! ```
 //!
-//! The zone is where `f >= 0`. Because deformation theory has `q = 3G (ε_q - ε_p)`, f is the stress that the strain
-//! would cause in an elastic body, less the yield stress: unlike q it runs smoothly through the boundary. For a law
-//! without a yield point (Ramberg–Osgood) the zone is by convention where q exceeds the reference stress. Under flow theory
-//! the zone is what has yielded so far: q is the largest that each point has borne.
+//! The zone is where `f >= 0`. Because deformation theory has `q = 3G (ε_q - ε_p)`, f is the
+//! stress that the strain would cause in an elastic body, less the yield stress: unlike q it runs
+//! smoothly through the boundary. For a law without a yield point (Ramberg–Osgood) the zone is by
+//! convention where q exceeds the reference stress. Under flow theory the zone is what has yielded
+//! so far: q is the largest that each point has borne.
 //!
-//! f is recovered at the nodes. Each quadrilateral is cut along the straight line between the zeros on its edges;
-//! an edge that two pieces share cancels, and what is left is chained to closed polygons.
+//! f is recovered at the nodes. Each quadrilateral is cut along the straight line between the
+//! zeros on its edges; an edge that two pieces share cancels, and what is left is chained to
+//! closed polygons.
 
 use std::collections::BTreeMap;
 
@@ -28,26 +30,30 @@ const NOISE: f64 = 1e-3;
 /// Where a body is beyond yield.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct PlasticZone {
-    /// Closed polygons `[x, depth]` \[mm\] without the first point repeated; anticlockwise in the axes
-    /// `(x, depth)`, holes clockwise. A symmetric body is completed by its mirror image.
+    /// Closed polygons `[x, depth]` \[mm\] without the first point repeated; anticlockwise in the
+    /// axes `(x, depth)`, holes clockwise. A symmetric body is completed by its mirror image.
     pub outline: Vec<Vec<[f64; 2]>>,
     /// Whether the zone includes a point of the free surface.
     pub reached_surface: bool,
 }
 
-/// A corner of the outline: a node, or the zero on the edge between two nodes; and whether it is a mirror image.
+/// A corner of the outline: a node, or the zero on the edge between two nodes; and whether it is a
+/// mirror image.
 type Corner = (u32, u32, bool);
 
 /// Outlines the zone of a body.
 pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
     let Some(excess) = Excess::of(solution) else { return PlasticZone::default() };
-    let limit_at = |node: u32| excess.limit * solution.model.strength(solution.mesh.nodes[node as usize]);
+    let limit_at =
+        |node: u32| excess.limit * solution.model.strength(solution.mesh.nodes[node as usize]);
     let mut recovery = Recovery::new(solution, symmetric);
     let elements = elements_near_yield(solution, &recovery);
     let mut values = BTreeMap::new();
     for &element in &elements {
         for node in solution.mesh.elements[element] {
-            values.entry(node).or_insert_with(|| excess.stress(recovery.node(node)) - limit_at(node));
+            values
+                .entry(node)
+                .or_insert_with(|| excess.stress(recovery.node(node)) - limit_at(node));
         }
     }
     let mesh = &solution.mesh;
@@ -79,7 +85,8 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
         }
     }
     let place = |corner: &Corner| position(*corner, solution, &values);
-    let polygons = edges.chain().iter().map(|chain| chain.iter().rev().map(place).collect()).collect();
+    let polygons =
+        edges.chain().iter().map(|chain| chain.iter().rev().map(place).collect()).collect();
     PlasticZone {
         outline: largest(polygons),
         reached_surface: solution
@@ -104,7 +111,8 @@ impl Excess {
     fn of(solution: &BodySolution) -> Option<Self> {
         let law = solution.model.hardening()?;
         // Without an elastic limit there is plastic strain on both sides of the boundary.
-        let triple_shear = if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
+        let triple_shear =
+            if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
         Some(Self {
             limit: law.nominal_yield_stress(),
             triple_shear,
@@ -133,7 +141,8 @@ fn elements_near_yield(solution: &BodySolution, recovery: &Recovery<'_>) -> Vec<
     near.iter().enumerate().filter(|(_, near)| **near).map(|(element, _)| element).collect()
 }
 
-/// Corners of the part of a quadrilateral where f is not negative, in the quadrilateral's sense of rotation.
+/// Corners of the part of a quadrilateral where f is not negative, in the quadrilateral's sense of
+/// rotation.
 fn cut(nodes: [u32; 4], values: &BTreeMap<u32, f64>) -> Vec<Corner> {
     let is_inside = |node: u32| values.get(&node).is_some_and(|f| *f >= 0.0);
     let mut corners = Vec::with_capacity(6);
@@ -149,7 +158,11 @@ fn cut(nodes: [u32; 4], values: &BTreeMap<u32, f64>) -> Vec<Corner> {
 }
 
 /// `[x, depth]` of a corner.
-fn position((a, b, mirrored): Corner, solution: &BodySolution, values: &BTreeMap<u32, f64>) -> [f64; 2] {
+fn position(
+    (a, b, mirrored): Corner,
+    solution: &BodySolution,
+    values: &BTreeMap<u32, f64>,
+) -> [f64; 2] {
     let node = |node: u32| solution.mesh.nodes[node as usize];
     let value = |node: u32| values.get(&node).copied().unwrap_or(0.0);
     let ([xa, ya], [xb, yb]) = (node(a), node(b));
@@ -175,7 +188,8 @@ impl Edges {
         }
     }
 
-    /// Chains the edges that are left. As many edges arrive at every corner as leave it, so every chain closes.
+    /// Chains the edges that are left. As many edges arrive at every corner as leave it, so every
+    /// chain closes.
     fn chain(mut self) -> Vec<Vec<Corner>> {
         let starts: Vec<Corner> = self.0.keys().copied().collect();
         let mut chains = Vec::new();
@@ -234,7 +248,10 @@ mod tests {
     #[test]
     fn a_quadrilateral_is_cut_at_the_zeros() {
         let values = BTreeMap::from([(0, 1.0), (1, -1.0), (2, -1.0), (3, 1.0)]);
-        assert_eq!(cut([0, 1, 2, 3], &values), [(0, 0, false), (0, 1, false), (2, 3, false), (3, 3, false)]);
+        assert_eq!(
+            cut([0, 1, 2, 3], &values),
+            [(0, 0, false), (0, 1, false), (2, 3, false), (3, 3, false)]
+        );
     }
 
     #[test]

@@ -55,7 +55,9 @@ impl RunError {
             | SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
                 vec!["/load".to_owned()]
             }
-            SolveError::NoLoad | SolveError::Overloaded { .. } => vec![format!("/load/{}", job.load.kind())],
+            SolveError::NoLoad | SolveError::Overloaded { .. } => {
+                vec![format!("/load/{}", job.load.kind())]
+            }
             SolveError::NoYieldPoint | SolveError::Unreachable(_) => match &job.load {
                 Load::Target(target) => vec![format!("/load/target/{}", target.figure.name())],
                 _ => vec!["/load/onset".to_owned()],
@@ -98,18 +100,23 @@ impl RunError {
             return Self::Failed(detail);
         }
         Self::Input(
-            pointers.into_iter().map(|pointer| FieldError::not_solvable(pointer, detail.clone())).collect(),
+            pointers
+                .into_iter()
+                .map(|pointer| FieldError::not_solvable(pointer, detail.clone()))
+                .collect(),
         )
     }
 }
 
 /// What is said of a contact whose answer is lost in rounding.
-const ROUNDING: &str = "rounding leaves the contact without an answer: lengths, stiffness and load of the job differ by too many orders of \
-                        magnitude for numbers of double precision";
+const ROUNDING: &str = "rounding leaves the contact without an answer: lengths, stiffness and \
+                        load of the job differ by too many orders of magnitude for numbers of \
+                        double precision";
 
 /// What to do about a round body that fills its groove.
-pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is solved as a `cylinder` in a `hole`, \
-                                            up to 80° to each side";
+pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is \
+                                            solved as a `cylinder` in a `hole`, up to 80° to each \
+                                            side";
 
 /// Whether a cylinder or ball lies in a groove.
 pub(super) fn lies_in_groove(job: &Job) -> bool {
@@ -149,7 +156,8 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     }
 }
 
-/// Bytes that solving takes whatever the job: the heap of a thread, in pages of 2 MiB, and steps on their way into a result.
+/// Bytes that solving takes whatever the job: the heap of a thread, in pages of 2 MiB, and steps
+/// on their way into a result.
 const SOLVER_BYTES: u64 = 56 << 20;
 /// Bytes of the fields of a step for each node: ten numbers and the corners of an element.
 const FIELD_BYTES: u64 = 96;
@@ -160,8 +168,8 @@ const STEP_BYTES: u64 = 8 << 10;
 /// And for each element over the half-width.
 const STEP_BYTES_PER_ELEMENT: u64 = 832;
 
-/// Bytes of an increment of flow theory for each node: displacements of the nodes of the coarse mesh, which has a quarter of
-/// them, of this division and of one that is twice as fine.
+/// Bytes of an increment of flow theory for each node: displacements of the nodes of the coarse
+/// mesh, which has a quarter of them, of this division and of one that is twice as fine.
 const INCREMENT_BYTES: u64 = 16 * (1 + 2) / 4;
 /// Bytes of an increment and its iterations in the report.
 const REPORTED_INCREMENT_BYTES: u64 = 1024;
@@ -193,7 +201,8 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let increments = if is_history { to_largest + of_load * steps as u64 } else { 0 };
     let nodes = estimate.equations as u64 / 2;
     let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
-    let step = fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * u64::from(job.mesh.elements_per_half_width);
+    let step =
+        fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * u64::from(job.mesh.elements_per_half_width);
     let work = (estimate.bytes / WORK_UNIT).max(1);
     JobEstimate {
         equations: estimate.equations,
@@ -243,7 +252,11 @@ pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) -> Result<Report, RunError> {
+pub fn run_with(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+) -> Result<Report, RunError> {
     let mut steps = Vec::new();
     let mut on_step = |number, step| {
         steps.truncate(number);
@@ -253,9 +266,10 @@ pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) ->
     Ok(Report { steps, ..report })
 }
 
-/// [`run_with`] that hands over the report of each step, with its number from 0 on, as soon as the step is finished. Where a
-/// history begins anew on a wider mesh, so do the numbers: a step takes the place of the one that had its number, and those
-/// behind that one are given up. The report that is returned has no steps.
+/// [`run_with`] that hands over the report of each step, with its number from 0 on, as soon as the
+/// step is finished. Where a history begins anew on a wider mesh, so do the numbers: a step takes
+/// the place of the one that had its number, and those behind that one are given up. The report
+/// that is returned has no steps.
 ///
 /// # Errors
 /// As [`run`].
@@ -270,12 +284,13 @@ pub fn run_each(
         return half_spaces::run_each(job, options, observer, on_step);
     }
     let mut reports = Reports { builder: ReportBuilder::new(job, options), number: 0, on_step };
-    let solution =
-        solver::run_each(job, options, observer, &mut reports).map_err(|error| RunError::of(job, &error))?;
+    let solution = solver::run_each(job, options, observer, &mut reports)
+        .map_err(|error| RunError::of(job, &error))?;
     Ok(reports.builder.finish(&solution, observer))
 }
 
-/// Reports on each step as it is finished, so that it is reported whatever becomes of the steps after it.
+/// Reports on each step as it is finished, so that it is reported whatever becomes of the steps
+/// after it.
 struct Reports<'a> {
     builder: ReportBuilder<'a>,
     /// Of the next step.
@@ -303,7 +318,8 @@ mod tests {
 
     #[test]
     fn numbers_begin_anew_with_a_history() {
-        let job = Job::from_json(include_bytes!("../../../../api/examples/two_cylinders.json")).unwrap();
+        let job =
+            Job::from_json(include_bytes!("../../../../api/examples/two_cylinders.json")).unwrap();
         let job = Job { mesh: crate::job::MeshSettings { elements_per_half_width: 4 }, ..job };
         let step = solver::run(&job, &mut Unobserved).unwrap().steps.remove(0);
         let mut numbers = Vec::new();

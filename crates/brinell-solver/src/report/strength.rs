@@ -27,9 +27,10 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
         let elements = f64::from(job.mesh.elements_per_half_width);
         let wanted = (elements * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_ELEMENTS);
         let message = format!(
-            "The strength changes by {:.0} % within one element at x = {}, y = {} mm, where the stress is more \
-             than half of it: what yields there is known to its place within that element only. About {wanted:.0} elements \
-             over the half-width (`mesh.elements_per_half_width`) would do.",
+            "The strength changes by {:.0} % within one element at x = {}, y = {} mm, where the \
+             stress is more than half of it: what yields there is known to its place within that \
+             element only. About {wanted:.0} elements over the half-width \
+             (`mesh.elements_per_half_width`) would do.",
             100.0 * (ratio - 1.0),
             rounded(x),
             rounded(y),
@@ -47,8 +48,8 @@ pub(super) fn by_hardness(job: &Job) -> Option<(&'static str, String)> {
     };
     let rule = [&job.upper, &job.lower].into_iter().find_map(|body| rule(&body.material))?;
     let message = format!(
-        "The yield stress over depth follows from the hardness by {rule}, a regression over steels of 136 to 622 HV that \
-         scatters by some 100 MPa."
+        "The yield stress over depth follows from the hardness by {rule}, a regression over \
+         steels of 136 to 622 HV that scatters by some 100 MPa."
     );
     Some(("yield_by_hardness", message))
 }
@@ -56,8 +57,9 @@ pub(super) fn by_hardness(job: &Job) -> Option<(&'static str, String)> {
 /// What is said of an initial stress that is so many times the yield stress.
 fn initial_yield(ratio: f64) -> Option<(&'static str, String)> {
     let message = format!(
-        "The initial stress, after the body has relaxed, is {ratio:.3} times the yield stress somewhere: the body yields before it \
-         is loaded, and that flow is reckoned to the first load."
+        "The initial stress, after the body has relaxed, is {ratio:.3} times the yield stress \
+         somewhere: the body yields before it is loaded, and that flow is reckoned to the first \
+         load."
     );
     (ratio > 1.0).then_some(("initial_yield", message))
 }
@@ -78,19 +80,23 @@ pub(super) fn is_coarse(body: &BodySolution) -> bool {
     coarsest(body).is_some()
 }
 
-/// The largest ratio of strengths within an element that is stressed, and the middle of that element.
+/// The largest ratio of strengths within an element that is stressed, and the middle of that
+/// element.
 fn coarsest(body: &BodySolution) -> Option<(f64, [f64; 2])> {
     if !body.model.varies_in_strength() {
         return None;
     }
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress)?;
-    let strength: Vec<f64> = body.mesh.nodes.iter().map(|&node| body.model.strength(node)).collect();
+    let strength: Vec<f64> =
+        body.mesh.nodes.iter().map(|&node| body.model.strength(node)).collect();
     let mut worst = (COARSE_RATIO, None);
     for (nodes, points) in body.mesh.elements.iter().zip(&body.stress.points) {
         let (least, greatest) = nodes
             .iter()
             .map(|&node| strength[node as usize])
-            .fold((f64::INFINITY, 0.0), |(least, greatest), s| (f64::min(least, s), f64::max(greatest, s)));
+            .fold((f64::INFINITY, 0.0), |(least, greatest), s| {
+                (f64::min(least, s), f64::max(greatest, s))
+            });
         if greatest > worst.0 * least {
             let mean = GaussPoint::mean(points);
             if von_mises(mean.stress) > IDLE * limit * least {

@@ -1,4 +1,5 @@
-//! Stresses over depth below the middle of the contact, and below the peak pressure where that is elsewhere.
+//! Stresses over depth below the middle of the contact, and below the peak pressure where that is
+//! elsewhere.
 
 use super::SubsurfaceReport;
 use super::units::UnitConverter;
@@ -16,8 +17,8 @@ pub(super) fn is_beside_middle(step: &StepSolution) -> bool {
     (step.peak_position - step.middle).abs() > SAME_NORMAL * step.spacing
 }
 
-/// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the mesh's own nodes
-/// below the nearest candidate node, from the surface to the support.
+/// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the
+/// mesh's own nodes below the nearest candidate node, from the surface to the support.
 pub(super) fn profile(
     step: &StepSolution,
     body: &BodySolution,
@@ -52,24 +53,32 @@ pub(super) fn profile(
         sigma_yz: None,
     };
     let at_rest = body.at_rest();
-    let mut recovery_at_rest =
-        at_rest.as_ref().map(|at_rest| recovered_at_rest(step.stress_state, step.symmetric, at_rest));
+    let mut recovery_at_rest = at_rest
+        .as_ref()
+        .map(|at_rest| recovered_at_rest(step.stress_state, step.symmetric, at_rest));
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress);
     let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {
         let position = mesh.nodes[node as usize];
-        // A node on the very line needs no interpolation; rays about the centre of a pin or a hole are normals themselves.
+        // A node on the very line needs no interpolation; rays about the centre of a pin or a hole
+        // are normals themselves.
         let is_on_line = (place(node)[0] - x).abs() <= 1e-12 * mesh.zone.half_width()
             || mesh.frame != SurfaceFrame::Tangent;
-        let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, position[1]]) };
-        let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _]) = values else { continue };
-        let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(mesh.frame.normal(position));
+        let values =
+            if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, position[1]]) };
+        let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _]) = values else {
+            continue;
+        };
+        let stress =
+            Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(mesh.frame.normal(position));
         let strength = body.model.strength(mesh.nodes[node as usize]);
         yield_stress.extend(limit.map(|limit| write.figure(Quantity::Stress, limit * strength)));
         if let Some(recovery) = &mut recovery_at_rest {
-            let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, position[1]]) };
+            let values =
+                if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, position[1]]) };
             let [sigma_x, sigma_y, sigma_z, tau_xy, ..] = values.unwrap_or_default();
-            let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(mesh.frame.normal(position));
+            let stress =
+                Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(mesh.frame.normal(position));
             for (column, value) in [
                 (&mut report.initial_sigma_x, stress.sigma_x),
                 (&mut report.initial_sigma_y, stress.sigma_y),

@@ -29,10 +29,12 @@ impl UncertainStress {
         let points = body.stress.points.iter().flatten();
         let largest = points.map(|point| point.largest_von_mises).fold(0.0, f64::max);
         // From one side of the yield surface to the other.
-        let error = surface_stress_error(step, body, step.middle).max(known.beyond).min(2.0 * largest);
+        let error =
+            surface_stress_error(step, body, step.middle).max(known.beyond).min(2.0 * largest);
         let position = body.mesh.nodes[known.node as usize];
         let [sigma_x, sigma_y, sigma_z, tau_xy] = known.stress;
-        let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(body.mesh.frame.normal(position));
+        let stress =
+            Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(body.mesh.frame.normal(position));
         (error > UNCERTAIN * largest).then(|| Self {
             error,
             along: stress.sigma_x,
@@ -41,12 +43,14 @@ impl UncertainStress {
         })
     }
 
-    /// By how much the least stress along the surface may be below that of the normal below the middle \[MPa\].
+    /// By how much the least stress along the surface may be below that of the normal below the
+    /// middle \[MPa\].
     pub fn below(&self, least_stress: f64) -> f64 {
         (least_stress - (self.along - self.error)).max(0.0)
     }
 
-    /// By how much the largest von Mises stress over the strength may be above that of the same normal \[MPa\].
+    /// By how much the largest von Mises stress over the strength may be above that of the same
+    /// normal \[MPa\].
     pub fn above(&self, largest_von_mises: f64) -> f64 {
         ((self.von_mises + self.error) / self.strength - largest_von_mises).max(0.0)
     }

@@ -8,8 +8,9 @@ use crate::fem::element::StressState;
 use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 
-/// Largest force that was solved over that of the largest figure, beyond which the figure is said to have stopped rising; where larger
-/// forces cannot be solved, that is said from the first difference that is seen in a message.
+/// Largest force that was solved over that of the largest figure, beyond which the figure is said
+/// to have stopped rising; where larger forces cannot be solved, that is said from the first
+/// difference that is seen in a message.
 const RISING: f64 = 1.1;
 const SEEN: f64 = 1.001;
 
@@ -17,8 +18,8 @@ const SEEN: f64 = 1.001;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = TargetResult))]
 pub struct TargetReport {
-    /// Which figure: `permanent_approach`, `dent_depth`, `peak_pressure`, `mean_pressure`, `half_width` or
-    /// `max_plastic_strain`.
+    /// Which figure: `permanent_approach`, `dent_depth`, `peak_pressure`, `mean_pressure`,
+    /// `half_width` or `max_plastic_strain`.
     pub figure: String,
     /// The value that it was to have \[length, stress or 1\].
     pub wanted: f64,
@@ -28,8 +29,8 @@ pub struct TargetReport {
     pub force: f64,
     /// Relative change of the figure over the relative change of the force \[1\].
     pub sensitivity: f64,
-    /// Estimated bound of the relative error of the force: what the figure is off by, and what the mesh may have done to it.
-    /// `null` where there is no estimate for the figure \[1 >= 0\].
+    /// Estimated bound of the relative error of the force: what the figure is off by, and what the
+    /// mesh may have done to it. `null` where there is no estimate for the figure \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub relative_error: Option<f64>,
 }
@@ -47,19 +48,26 @@ impl TargetSeen {
     pub fn see(&mut self, job: &Job, step: &StepSolution, report: &StepReport) {
         let Load::Target(target) = &job.load else { return };
         let of_revolution = step.stress_state == StressState::Axisymmetric;
-        let bars = error_bars::under_its_force(job, step).filter(|_| report.estimated_error.is_some());
+        let bars =
+            error_bars::under_its_force(job, step).filter(|_| report.estimated_error.is_some());
         let error = bars.and_then(|bars| error_of(target.figure, &bars, of_revolution));
         self.take(step.force(), target_figure(step, target.figure), error);
     }
 
-    /// Takes note of a step's force, figure and error of the figure: the first step has the force, the last one the figure.
+    /// Takes note of a step's force, figure and error of the figure: the first step has the force,
+    /// the last one the figure.
     pub fn take(&mut self, force: f64, reached: f64, figure_error: Option<f64>) {
         self.force.get_or_insert(force);
         (self.reached, self.figure_error) = (reached, figure_error);
     }
 
     /// The report, of a job with a target that has been solved.
-    pub fn finish(self, job: &Job, sensitivity: Option<f64>, write: UnitConverter) -> Option<TargetReport> {
+    pub fn finish(
+        self,
+        job: &Job,
+        sensitivity: Option<f64>,
+        write: UnitConverter,
+    ) -> Option<TargetReport> {
         let Load::Target(target) = &job.load else { return None };
         let Target { figure, value } = *target;
         let (force, sensitivity) = (self.force?, sensitivity?);
@@ -76,15 +84,24 @@ impl TargetSeen {
 }
 
 /// The error bar of a figure, if it has one; of a figure of both bodies the larger bar.
-pub(super) fn error_of(figure: TargetFigure, bars: &ErrorEstimate, of_revolution: bool) -> Option<f64> {
+pub(super) fn error_of(
+    figure: TargetFigure,
+    bars: &ErrorEstimate,
+    of_revolution: bool,
+) -> Option<f64> {
     let of_bodies = |bar: fn(&BodyErrors) -> Option<f64>| {
         let PerBody { upper, lower } = bars.bodies?;
-        [upper, lower].iter().flatten().try_fold(0.0, |most, body| Some(f64::max(most, bar(body)?)))
+        [upper, lower]
+            .iter()
+            .flatten()
+            .try_fold(0.0, |most, body| Some(f64::max(most, bar(body)?)))
     };
     match figure {
         TargetFigure::PeakPressure => bars.peak_pressure,
         TargetFigure::HalfWidth => bars.half_width,
-        TargetFigure::MeanPressure => bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar),
+        TargetFigure::MeanPressure => {
+            bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar)
+        }
         TargetFigure::PermanentApproach => bars.approach,
         TargetFigure::DentDepth => of_bodies(|body| body.depth),
         TargetFigure::MaxPlasticStrain => of_bodies(|body| body.max_equivalent_plastic_strain),
@@ -101,34 +118,43 @@ pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter
                 "the contact does not yield under any force that is solved".to_owned()
             }
             UnreachableReason::SmallestForce => format!(
-                "the contact yields under the smallest forces already, down to {force}: at a sharp corner, or where the stress \
-                 before the load is beyond the yield stress"
+                "the contact yields under the smallest forces already, down to {force}: at a \
+                 sharp corner, or where the stress before the load is beyond the yield stress"
             ),
             UnreachableReason::Insensitive => format!(
-                "the highest von Mises stress is {ratio:.3} of the yield stress under {force} and hardly depends on the force, \
-                 at a sharp corner or because of the stress before the load, so that no force is the onset of yield"
+                "the highest von Mises stress is {ratio:.3} of the yield stress under {force} and \
+                 hardly depends on the force, at a sharp corner or because of the stress before \
+                 the load, so that no force is the onset of yield"
             ),
         };
     };
     let name = target.figure.label();
     let figure = |value: f64| write.target_text(target.figure, value);
-    let (nearest, force) = (figure(found.nearest * target.value.get()), write.force_text(found.force));
+    let (nearest, force) =
+        (figure(found.nearest * target.value.get()), write.force_text(found.force));
     match &found.reason {
         UnreachableReason::Insensitive => format!(
-            "the {name} is {nearest} under {force} and hardly depends on the force, so that it does not tell one"
+            "the {name} is {nearest} under {force} and hardly depends on the force, so that it \
+             does not tell one"
         ),
         UnreachableReason::SmallestForce => {
             format!("the {name} is larger than this under any force, down to {force}")
         }
         UnreachableReason::LargestForce | UnreachableReason::Limit(_) => {
             let bound = if found.nearest > 0.0 {
-                format!("the largest {name} that is reached is {nearest}, under a force of {force}")
+                format!(
+                    "the largest {name} that is reached is {nearest}, under a force of {force}"
+                )
             } else {
                 format!("no force that is solved, up to {force}, gives any {name}")
             };
             let is_limit = matches!(found.reason, UnreachableReason::Limit(_));
-            let bound = if found.largest_force > if is_limit { SEEN } else { RISING } * found.force {
-                format!("{bound}; up to {} it rises no more", write.force_text(found.largest_force))
+            let bound = if found.largest_force > if is_limit { SEEN } else { RISING } * found.force
+            {
+                format!(
+                    "{bound}; up to {} it rises no more",
+                    write.force_text(found.largest_force)
+                )
             } else {
                 bound
             };
@@ -145,7 +171,8 @@ mod tests {
     use super::*;
     use crate::job::{Analysis, PositiveF64, Units};
 
-    /// What comes after the largest figure and what no larger force can be solved for are two things.
+    /// What comes after the largest figure and what no larger force can be solved for are two
+    /// things.
     #[test]
     fn a_limit_is_told_of_the_force_at_which_it_is() {
         let value = PositiveF64::new(5000.0).unwrap();
@@ -160,8 +187,12 @@ mod tests {
             unreachable(found, &load, UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain))
         };
         assert!(
-            told(&found(95.0)).contains("up to 95 N/mm it rises no more; under a larger one the iteration")
+            told(&found(95.0))
+                .contains("up to 95 N/mm it rises no more; under a larger one the iteration")
         );
-        assert!(told(&found(90.0)).contains("under a force of 90 N/mm; under a larger one the iteration"));
+        assert!(
+            told(&found(90.0))
+                .contains("under a force of 90 N/mm; under a larger one the iteration")
+        );
     }
 }

@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::mesh_effects::{
-    COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded,
+    COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
+    peak_is_unbounded,
 };
 use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
@@ -13,12 +14,13 @@ use super::{error_bars, onset, plastic_strain, strength};
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::mesh::Outline;
 use crate::job::{
-    Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Theory, Units,
+    Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Theory,
+    Units,
 };
 use crate::solver::outline_of;
 use crate::solver::{
-    IterationRecord, LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution,
-    TIP_ELEMENTS,
+    IterationRecord, LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus,
+    StepSolution, TIP_ELEMENTS,
 };
 
 /// One remark on the validity of the answer.
@@ -59,26 +61,30 @@ pub const VALIDITY_CODES: &[&str] = &[
     "surface_end",
 ];
 
-pub(super) const AT_EDGE: &str =
-    "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing.";
+pub(super) const AT_EDGE: &str = "The contact still reaches the edge of the meshed contact zone; \
+                                  pressure beyond it is missing.";
 
 /// Radius \[mm\] and half-width over it of a job in SI whose figures look like millimetres.
 const LARGE_RADIUS: f64 = 1000.0;
 const TINY_CONTACT: f64 = 1e-4;
 /// Young's modulus \[MPa\] below which a figure in Pa looks like one in MPa.
 const SOFT: f64 = 1.0;
-pub(super) const SUSPICIOUS_UNITS: &str = "Units are SI, but the figures look like millimetres, newtons and megapascals: metres, N/m and \
-                                           pascals are expected. If they are meant in mm, leave `units` out.";
+pub(super) const SUSPICIOUS_UNITS: &str = "Units are SI, but the figures look like millimetres, \
+                                           newtons and megapascals: metres, N/m and pascals are \
+                                           expected. If they are meant in mm, leave `units` out.";
 
-/// Half-width over the smallest radius beyond which the surfaces are no longer close to their tangent.
+/// Half-width over the smallest radius beyond which the surfaces are no longer close to their
+/// tangent.
 const WIDE_CONTACT: f64 = 0.1;
-/// Slope of a surface beyond which the same is said. A smooth curve through the points of a flank of 10 % is up to half as steep again.
+/// Slope of a surface beyond which the same is said. A smooth curve through the points of a flank
+/// of 10 % is up to half as steep again.
 const STEEP: f64 = 0.15;
 /// Evaluations of the plastic law beyond which a coupling is called slow.
 const MANY_UPDATES: usize = 150;
-/// Work of the accelerated coupling for a load beyond which that is said, in evaluations of the plastic law, as which a factorization
-/// counts so many times. Of 40 random jobs, most of 10 to 20 evaluations for a load, it is said of all that take more than 20 times the
-/// median time of jobs of their size.
+/// Work of the accelerated coupling for a load beyond which that is said, in evaluations of the
+/// plastic law, as which a factorization counts so many times. Of 40 random jobs, most of 10 to 20
+/// evaluations for a load, it is said of all that take more than 20 times the median time of jobs
+/// of their size.
 const MUCH_WORK: usize = 200;
 const FACTORIZATION: usize = 10;
 /// Increments of a load, and evaluations for each of them, that are many.
@@ -103,42 +109,50 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
     let mut messages = Vec::new();
     if step.patch.is_some() && half_width < COARSE_MESH * step.spacing {
         messages.push(format!(
-            "The half-width has only {:.1} elements; ask for at least 10 (`mesh.elements_per_half_width`).",
+            "The half-width has only {:.1} elements; ask for at least 10 \
+             (`mesh.elements_per_half_width`).",
             half_width / step.spacing
         ));
     }
-    if let Some((part, elements)) = step.coarsest_part().filter(|(_, elements)| *elements < COARSE_MESH) {
+    if let Some((part, elements)) =
+        step.coarsest_part().filter(|(_, elements)| *elements < COARSE_MESH)
+    {
         messages.push(format!(
-            "The part of the contact at x = {:.4} mm has only {elements:.1} elements over half of its width: pressure, yield and \
-             the end of the contact there are those of the mesh. Ask for more elements (`mesh.elements_per_half_width`), or \
-             solve that part for itself.",
+            "The part of the contact at x = {:.4} mm has only {elements:.1} elements over half of \
+             its width: pressure, yield and the end of the contact there are those of the mesh. \
+             Ask for more elements (`mesh.elements_per_half_width`), or solve that part for \
+             itself.",
             0.5 * (part.left + part.right)
         ));
     }
     if is_ring_on_few_elements(step) {
         messages.push(format!(
-            "The contact is a ring of few elements at r = {:.4} mm: its figures are those of the mesh, and their errors are not known. Ask \
-             for more elements (`mesh.elements_per_half_width`).",
+            "The contact is a ring of few elements at r = {:.4} mm: its figures are those of the \
+             mesh, and their errors are not known. Ask for more elements \
+             (`mesh.elements_per_half_width`).",
             step.peak_position
         ));
     } else if peak_is_next_to_end(step) {
         messages.push(format!(
-            "The largest pressure is at {:.4} mm, next to an end of the contact, where it rises within elements of {:.2e} mm: it is \
-             that of the mesh. Ask for more elements (`mesh.elements_per_half_width`).",
+            "The largest pressure is at {:.4} mm, next to an end of the contact, where it rises \
+             within elements of {:.2e} mm: it is that of the mesh. Ask for more elements \
+             (`mesh.elements_per_half_width`).",
             step.peak_position, step.spacing
         ));
     }
     if step.unknown_peaks_before > 0 {
         messages.push(
-            "The mesh does not tell the largest pressure of an earlier load, nor what it left in the bodies: plastic strain and stress are those \
-             of the mesh. Ask for more elements (`mesh.elements_per_half_width`)."
+            "The mesh does not tell the largest pressure of an earlier load, nor what it left in \
+             the bodies: plastic strain and stress are those of the mesh. Ask for more elements \
+             (`mesh.elements_per_half_width`)."
                 .to_owned(),
         );
     }
     if is_clamped_column(job, step) {
         messages.push(
-            "A clamped body is deeper than wide: the mesh has few elements over its end, and the error of the approach, and of the force under \
-             a given approach, is not known. A body on rollers has no such end."
+            "A clamped body is deeper than wide: the mesh has few elements over its end, and the \
+             error of the approach, and of the force under a given approach, is not known. A body \
+             on rollers has no such end."
                 .to_owned(),
         );
     }
@@ -147,20 +161,26 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
     }
     if let Some(edge) = &step.rounded_edge {
         messages.push(format!(
-            "The contact ends within about {:.2e} mm on the rounded edges, where elastic bodies have a peak of about {:.0} MPa in \
-             closed form; elements of {:.2e} mm leave that out. {}What is away from the edges does not depend on it.",
+            "The contact ends within about {:.2e} mm on the rounded edges, where elastic bodies \
+             have a peak of about {:.0} MPa in closed form; elements of {:.2e} mm leave that out. \
+             {}What is away from the edges does not depend on it.",
             edge.elastic.width(),
             edge.elastic.peak_pressure(),
             step.spacing,
-            if job.load == Load::Onset { "Onset of yield is that of the closed form. " } else { "" }
+            if job.load == Load::Onset {
+                "Onset of yield is that of the closed form. "
+            } else {
+                ""
+            }
         ));
     }
     if let Some(error) = step.onset_error.filter(|error| {
         *error > UNCERTAIN_ONSET && step.rounded_edge.is_none() && !is_onset_unknown(job, step)
     }) {
         messages.push(format!(
-            "The force under which yield begins is known to {:.0} % only: the strength of the material changes, or stress has a peak, \
-             within few elements. More elements (`mesh.elements_per_half_width`) tell it better.",
+            "The force under which yield begins is known to {:.0} % only: the strength of the \
+             material changes, or stress has a peak, within few elements. More elements \
+             (`mesh.elements_per_half_width`) tell it better.",
             100.0 * error
         ));
     }
@@ -169,21 +189,24 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
     }
     if let Some(needed) = step.unresolved {
         messages.push(format!(
-            "Within the contact the surfaces have details that elements of {needed:.2e} mm resolve; those of this mesh have \
-             {:.2e} mm.",
+            "Within the contact the surfaces have details that elements of {needed:.2e} mm \
+             resolve; those of this mesh have {:.2e} mm.",
             step.spacing
         ));
     }
     messages
 }
 
-/// What is said of stresses at the surface below the middle of the contact that change within elements.
+/// What is said of stresses at the surface below the middle of the contact that change within
+/// elements.
 fn surface_stress(step: &StepSolution) -> Option<String> {
-    let uncertain = step.bodies.iter().flatten().filter_map(|body| UncertainStress::of(step, body));
+    let uncertain =
+        step.bodies.iter().flatten().filter_map(|body| UncertainStress::of(step, body));
     let error = uncertain.map(|stress| stress.error).reduce(f64::max)?;
     Some(format!(
-        "Below the surface plastic strain changes within elements of {:.2e} mm: stresses along the surface, at the depth 0, are known to about {} MPa only. \
-         Ask for more elements (`mesh.elements_per_half_width`).",
+        "Below the surface plastic strain changes within elements of {:.2e} mm: stresses along \
+         the surface, at the depth 0, are known to about {} MPa only. Ask for more elements \
+         (`mesh.elements_per_half_width`).",
         step.spacing,
         rounded(error)
     ))
@@ -197,7 +220,8 @@ fn approach_left(job: &Job, step: &StepSolution) -> Option<String> {
     let bar = error_bars::estimate(job, step)?.approach?;
     (bar > 1.0).then(|| {
         format!(
-            "The approach that is left is smaller than its error of {} mm: it may as well be none, or of the other sign.",
+            "The approach that is left is smaller than its error of {} mm: it may as well be \
+             none, or of the other sign.",
             rounded(bar * step.approach.abs())
         )
     })
@@ -207,8 +231,9 @@ fn approach_left(job: &Job, step: &StepSolution) -> Option<String> {
 fn rounded_tip(tip: &RoundedTip, step: &StepSolution, half_width: f64) -> String {
     let Some(arc) = tip.arc else {
         return format!(
-            "The curvature of the surface is infinite at its tip; elements of {:.2e} mm leave that out, and pressure, yield and strain at \
-             the tip are those of the mesh. In closed form elastic bodies have a peak of about {:.0} MPa there. What is away from the tip \
+            "The curvature of the surface is infinite at its tip; elements of {:.2e} mm leave \
+             that out, and pressure, yield and strain at the tip are those of the mesh. In closed \
+             form elastic bodies have a peak of about {:.0} MPa there. What is away from the tip \
              does not depend on it.",
             step.spacing, tip.elastic_pressure
         );
@@ -220,16 +245,23 @@ fn rounded_tip(tip: &RoundedTip, step: &StepSolution, half_width: f64) -> String
         format!("About {needed:.0} elements (`mesh.elements_per_half_width`) resolve it.")
     };
     format!(
-        "The tip is rounded off within {:.2e} mm to each side of its middle; elements of {:.2e} mm leave that out, and pressure, \
-         yield and strain at the tip are those of the mesh. In closed form elastic bodies have a peak of about {:.0} MPa there. {advice} \
-         What is away from the tip does not depend on it.",
+        "The tip is rounded off within {:.2e} mm to each side of its middle; elements of {:.2e} \
+         mm leave that out, and pressure, yield and strain at the tip are those of the mesh. In \
+         closed form elastic bodies have a peak of about {:.0} MPa there. {advice} What is away \
+         from the tip does not depend on it.",
         arc, step.spacing, tip.elastic_pressure
     )
 }
 
-/// The remarks that apply to a step that was solved with these settings. `radius` is the smallest of the effective radius and
-/// those of the surfaces, infinite where there is none; `depths` are those of the deformable bodies \[mm\].
-pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64]) -> Vec<ValidityNote> {
+/// The remarks that apply to a step that was solved with these settings. `radius` is the smallest
+/// of the effective radius and those of the surfaces, infinite where there is none; `depths` are
+/// those of the deformable bodies \[mm\].
+pub(super) fn notes(
+    job: &Job,
+    step: &StepSolution,
+    radius: f64,
+    depths: &[f64],
+) -> Vec<ValidityNote> {
     let mut notes = Vec::new();
     let mut say = |code: &str, message: String| {
         debug_assert!(VALIDITY_CODES.contains(&code));
@@ -239,8 +271,11 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         say(code, message);
     }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    let work =
-        [slow_coupling(step, job.solver.coupling), many_meshes(step), fine_mesh(job, step, half_width)];
+    let work = [
+        slow_coupling(step, job.solver.coupling),
+        many_meshes(step),
+        fine_mesh(job, step, half_width),
+    ];
     for message in work.into_iter().flatten() {
         say("slow_coupling", message);
     }
@@ -249,18 +284,22 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     }
     let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
     // Strains where another coupling has given up say nothing of the bodies.
-    let is_iterate = step.status == SolveStatus::NotConverged && job.solver.coupling != Coupling::Accelerated;
+    let is_iterate =
+        step.status == SolveStatus::NotConverged && job.solver.coupling != Coupling::Accelerated;
     let last = step.energy.map(|_| step.last_increment);
-    if let (false, Some((code, message))) = (is_iterate, strain_remark(strain, step.has_collapsed, last)) {
+    if let (false, Some((code, message))) =
+        (is_iterate, strain_remark(strain, step.has_collapsed, last))
+    {
         say(code, message);
     }
     if strain > 0.0 && step.energy.is_none() {
         say(
             "deformation_theory",
-            "Plasticity by deformation theory: exact where stresses grow in proportion, which below a growing \
-             contact they do not. Where the elastic peak is 3, 4 and 5 times the yield stress, its peak pressure is \
-             above that of flow theory (`solver.theory`) by 3, 7 and 10 to 12 % for steel cylinders and by 5, 10 \
-             and 11 to 13 % for spheres. Says nothing about unloading or residual stresses."
+            "Plasticity by deformation theory: exact where stresses grow in proportion, which \
+             below a growing contact they do not. Where the elastic peak is 3, 4 and 5 times the \
+             yield stress, its peak pressure is above that of flow theory (`solver.theory`) by 3, \
+             7 and 10 to 12 % for steel cylinders and by 5, 10 and 11 to 13 % for spheres. Says \
+             nothing about unloading or residual stresses."
                 .into(),
         );
     }
@@ -275,8 +314,8 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
             "contact_at_edge",
             if step.conforming.is_some() {
                 format!(
-                    "The contact reaches beyond what is meshed of the hole. It is solved up to {MAX_HALF_ANGLE}° to each side: \
-                     reduce the load, or widen the clearance."
+                    "The contact reaches beyond what is meshed of the hole. It is solved up to \
+                     {MAX_HALF_ANGLE}° to each side: reduce the load, or widen the clearance."
                 )
             } else {
                 AT_EDGE.to_owned()
@@ -299,8 +338,8 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     if depths.iter().any(|depth| *depth < NEAR_SUPPORT * half_width) {
         say(
             "near_support",
-            "A support is closer than five half-widths below the contact; it shapes the stresses, and Hertz's \
-             figures of half-spaces do not apply."
+            "A support is closer than five half-widths below the contact; it shapes the stresses, \
+             and Hertz's figures of half-spaces do not apply."
                 .into(),
         );
     }
@@ -315,64 +354,81 @@ fn sharp_corner(step: &StepSolution, strain: f64) -> Option<String> {
     let x = step.loaded_corners.first()?;
     if strain == 0.0 {
         return Some(format!(
-            "A sharp corner carries pressure at x = {x:.4} mm. Elastic pressure has no bound there: the peak pressure is \
-             that of the mesh. It grows with the density of the mesh, and the force under which yield begins falls."
+            "A sharp corner carries pressure at x = {x:.4} mm. Elastic pressure has no bound \
+             there: the peak pressure is that of the mesh. It grows with the density of the mesh, \
+             and the force under which yield begins falls."
         ));
     }
     peak_is_unbounded(step).then(|| {
         format!(
-            "The largest pressure is at the sharp corner at x = {:.4} mm and still grows with the density of the mesh, although the \
-             bodies yield. Where what yields hardens it has no bound: the peak pressure is that of the mesh.",
+            "The largest pressure is at the sharp corner at x = {:.4} mm and still grows with the \
+             density of the mesh, although the bodies yield. Where what yields hardens it has no \
+             bound: the peak pressure is that of the mesh.",
             step.peak_position
         )
     })
 }
 
-/// What is said of a contact that is wide beside the radii or, of a pin in its hole, beside what their clearance leaves of them.
+/// What is said of a contact that is wide beside the radii or, of a pin in its hole, beside what
+/// their clearance leaves of them.
 fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) -> Option<String> {
     if let Some(pair) = &step.conforming {
         let between_normals = half_width / pair.effective_radius();
         return (between_normals > WIDE_CONTACT).then(|| {
             format!(
-                "At the ends of the contact the normals of pin and hole differ by {:.0}° before loading; the theory takes them \
-                 for one, and is meant for a clearance that is small beside the radii.",
+                "At the ends of the contact the normals of pin and hole differ by {:.0}° before \
+                 loading; the theory takes them for one, and is meant for a clearance that is \
+                 small beside the radii.",
                 between_normals.to_degrees()
             )
         });
     }
-    let meant = "contact theory with small displacements and vertical gaps is meant for up to 10 %";
+    let meant =
+        "contact theory with small displacements and vertical gaps is meant for up to 10 %";
     if half_width > WIDE_CONTACT * radius {
         let share = 100.0 * half_width / radius;
-        let advice = if lies_in_groove(job) { format!("; {CONFORMING_ADVICE}") } else { String::new() };
-        return Some(format!("The half-width is {share:.0} % of the smallest radius; {meant}{advice}."));
+        let advice =
+            if lies_in_groove(job) { format!("; {CONFORMING_ADVICE}") } else { String::new() };
+        return Some(format!(
+            "The half-width is {share:.0} % of the smallest radius; {meant}{advice}."
+        ));
     }
     let slope = steepest(job, step);
-    (slope > STEEP)
-        .then(|| format!("Within the contact a surface has a slope of {:.0} %; {meant}.", 100.0 * slope))
+    (slope > STEEP).then(|| {
+        format!("Within the contact a surface has a slope of {:.0} %; {meant}.", 100.0 * slope)
+    })
 }
 
-/// The largest slope between two neighbouring pairs in contact, of surfaces without a radius: those of wedges, cones and profiles.
+/// The largest slope between two neighbouring pairs in contact, of surfaces without a radius:
+/// those of wedges, cones and profiles.
 fn steepest(job: &Job, step: &StepSolution) -> f64 {
     let outlines = [&job.upper, &job.lower].map(|body| outline_of(&body.shape));
     let between = |pair: &[PairState]| match pair {
         [a, b] if a.force > 0.0 && b.force > 0.0 => {
-            let slope = |outline: &Outline| ((outline.height(b.x) - outline.height(a.x)) / (b.x - a.x)).abs();
-            outlines.iter().filter(|outline| outline.curvature().is_none()).map(slope).fold(0.0, f64::max)
+            let slope = |outline: &Outline| {
+                ((outline.height(b.x) - outline.height(a.x)) / (b.x - a.x)).abs()
+            };
+            outlines
+                .iter()
+                .filter(|outline| outline.curvature().is_none())
+                .map(slope)
+                .fold(0.0, f64::max)
         }
         _ => 0.0,
     };
     step.pairs.windows(2).map(between).fold(0.0, f64::max)
 }
 
-/// What is said of a load that took many times the work of others, by counts that are the same on every machine.
+/// What is said of a load that took many times the work of others, by counts that are the same on
+/// every machine.
 fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
     let updates: usize = step.history.iter().map(|record| record.initial_stress_updates).sum();
     let iterations = step.history.len();
     if coupling != Coupling::Accelerated {
         return (updates > MANY_UPDATES).then(|| {
             format!(
-                "The coupling took {updates} evaluations of the plastic law in {iterations} iterations; the accelerated one \
-                 (`solver.coupling`) rarely takes more than 40."
+                "The coupling took {updates} evaluations of the plastic law in {iterations} \
+                 iterations; the accelerated one (`solver.coupling`) rarely takes more than 40."
             )
         });
     }
@@ -384,22 +440,26 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
     let mut causes = Vec::new();
     if increments > MANY_INCREMENTS {
         causes.push(format!(
-            "the load is divided into {increments} increments, until half as many change little (`solver.increments` sets their number)"
+            "the load is divided into {increments} increments, until half as many change little \
+             (`solver.increments` sets their number)"
         ));
     }
     if factorizations > increments {
         causes.push(format!(
-            "the iteration came to a standstill and went on by Newton's method, with {factorizations} factorizations of the stiffness"
+            "the iteration came to a standstill and went on by Newton's method, with \
+             {factorizations} factorizations of the stiffness"
         ));
     }
     if updates > SLOW_ITERATION * increments || causes.is_empty() {
         causes.push(
-            "what yields hardly hardens, or is near the limit load, so that contact and plastic flow settle slowly".to_owned(),
+            "what yields hardly hardens, or is near the limit load, so that contact and plastic \
+             flow settle slowly"
+                .to_owned(),
         );
     }
     Some(format!(
-        "This load took {updates} evaluations of the plastic law in {iterations} iterations, of which others rarely take more than 40 \
-         for each increment of a history: {}.",
+        "This load took {updates} evaluations of the plastic law in {iterations} iterations, of \
+         which others rarely take more than 40 for each increment of a history: {}.",
         causes.join("; ")
     ))
 }
@@ -413,23 +473,27 @@ fn many_meshes(step: &StepSolution) -> Option<String> {
     };
     (step.meshes_of_search > MANY_MESHES).then(|| {
         format!(
-            "The force was sought on {} meshes, of which searches rarely take more than {MANY_MESHES}: {each}. A force near {} \
-             (`load.force` or `load.history`) is solved at once.",
+            "The force was sought on {} meshes, of which searches rarely take more than \
+             {MANY_MESHES}: {each}. A force near {} (`load.force` or `load.history`) is solved at \
+             once.",
             step.meshes_of_search,
             rounded(step.force())
         )
     })
 }
 
-/// What is said of a mesh that is much finer than was asked for, for the sake of details of the surfaces.
+/// What is said of a mesh that is much finer than was asked for, for the sake of details of the
+/// surfaces.
 fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<String> {
     let asked = f64::from(job.mesh.elements_per_half_width);
     let elements = half_width / step.spacing;
     let equations: usize = step.bodies.iter().flatten().map(|body| body.equations).sum();
     (elements > MUCH_FINER * asked && equations > MANY_EQUATIONS).then(|| {
         format!(
-            "Details of the surfaces take {elements:.0} elements over the half-width in place of {asked:.0}, and {:.1} million equations: the \
-             job takes some {:.0} times as long as one of smooth surfaces. A profile with points further apart, or a smoothed one, is faster.",
+            "Details of the surfaces take {elements:.0} elements over the half-width in place of \
+             {asked:.0}, and {:.1} million equations: the job takes some {:.0} times as long as \
+             one of smooth surfaces. A profile with points further apart, or a smoothed one, is \
+             faster.",
             equations as f64 / 1e6,
             (elements / asked).powi(2)
         )
@@ -440,9 +504,15 @@ fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<String> 
 fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'static str, String)> {
     match step.status {
         SolveStatus::Converged => None,
-        SolveStatus::NotConverged => Some(("not_converged", not_converged(&Unfinished::of(step), settings))),
-        SolveStatus::Cancelled => Some(("cancelled", stopped("Stopped on request", step.is_preliminary()))),
-        SolveStatus::TimedOut => Some(("timed_out", stopped("The deadline passed", step.is_preliminary()))),
+        SolveStatus::NotConverged => {
+            Some(("not_converged", not_converged(&Unfinished::of(step), settings)))
+        }
+        SolveStatus::Cancelled => {
+            Some(("cancelled", stopped("Stopped on request", step.is_preliminary())))
+        }
+        SolveStatus::TimedOut => {
+            Some(("timed_out", stopped("The deadline passed", step.is_preliminary())))
+        }
     }
 }
 
@@ -450,8 +520,9 @@ fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'sta
 pub(super) fn stopped(why: &str, is_preliminary: bool) -> String {
     if is_preliminary {
         format!(
-            "{why} before the mesh that was asked for had come to this load: the figures are those of the mesh of half the density on \
-             which increments are chosen, and there are no stresses and no error bars."
+            "{why} before the mesh that was asked for had come to this load: the figures are \
+             those of the mesh of half the density on which increments are chosen, and there are \
+             no stresses and no error bars."
         )
     } else {
         format!("{why}; the figures are those of the last iteration.")
@@ -470,26 +541,31 @@ pub(super) fn strain_remark(
     if has_collapsed {
         let message = if let Some(LastIncrement { from, size, .. }) = last {
             format!(
-                "Plastic strain reaches {percent:.0} %: after {} of the load another increment of {} of it, the smallest that is tried, \
-                 does not end with small strains. Approach and strains are no answer. The history ends here, with that increment.",
+                "Plastic strain reaches {percent:.0} %: after {} of the load another increment of \
+                 {} of it, the smallest that is tried, does not end with small strains. Approach \
+                 and strains are no answer. The history ends here, with that increment.",
                 share(from),
                 share(size)
             )
         } else {
             format!(
-                "Plastic strain reaches {percent:.0} %: the bodies do not bear this load with small strains. It is at or \
-                 beyond their limit load, and approach and strains are no answer. Reduce the load."
+                "Plastic strain reaches {percent:.0} %: the bodies do not bear this load with \
+                 small strains. It is at or beyond their limit load, and approach and strains are \
+                 no answer. Reduce the load."
             )
         };
         return Some(("collapse", message));
     }
     let message = if strain > VERY_LARGE_STRAIN {
         format!(
-            "Plastic strain reaches {percent:.0} %, far beyond the 5 % that small-strain theory is meant for: the \
-             change of shape that is left out is no longer small. Use the figures for orientation only."
+            "Plastic strain reaches {percent:.0} %, far beyond the 5 % that small-strain theory \
+             is meant for: the change of shape that is left out is no longer small. Use the \
+             figures for orientation only."
         )
     } else if strain > LARGE_STRAIN {
-        format!("Plastic strain reaches {percent:.1} %; small-strain theory is meant for up to 5 %.")
+        format!(
+            "Plastic strain reaches {percent:.1} %; small-strain theory is meant for up to 5 %."
+        )
     } else {
         return None;
     };
@@ -505,7 +581,8 @@ pub(super) fn looks_like_millimetres(job: &Job, half_width: f64, radius: f64) ->
     job.units == Units::Si && (is_soft || is_large && is_tiny)
 }
 
-/// What is said of loads that fall under deformation theory, and of approaches below what earlier loads have left.
+/// What is said of loads that fall under deformation theory, and of approaches below what earlier
+/// loads have left.
 pub(super) fn history_remark(
     job: &Job,
     load: ContactLoad,
@@ -514,14 +591,15 @@ pub(super) fn history_remark(
     if job.solver.theory == Theory::Deformation {
         return falls(job).then_some((
             "falling_loads",
-            "Deformation theory takes each load from rest, whatever went before; for unloading choose the theory \
-             `flow`.",
+            "Deformation theory takes each load from rest, whatever went before; for unloading \
+             choose the theory `flow`.",
         ));
     }
     let is_pressed = matches!(load, ContactLoad::Approach(a) if a > 0.0);
     (is_pressed && !touches).then_some((
         "no_contact",
-        "At this approach the bodies do not touch: what earlier loads have left of the dent is deeper.",
+        "At this approach the bodies do not touch: what earlier loads have left of the dent is \
+         deeper.",
     ))
 }
 
@@ -579,18 +657,21 @@ pub(super) fn not_converged(step: &Unfinished<'_>, settings: SolverSettings) -> 
     let iterations = step.history.len();
     let residual = step.residual;
     let other = if settings.coupling == Coupling::Accelerated { "" } else { OTHER_COUPLING };
-    let is_balanced =
-        step.history.last().is_some_and(|last| last.equilibrium_residual <= settings.tolerance.get());
+    let is_balanced = step
+        .history
+        .last()
+        .is_some_and(|last| last.equilibrium_residual <= settings.tolerance.get());
     if let Some(ratio) = step.missed {
         format!(
-            "What is sought is not found: under this force it is {ratio:.4} times what it is to be (of an onset, the highest von \
-             Mises stress over the yield stress), and jumps from one mesh to the next. More elements \
-             (`mesh.elements_per_half_width`) follow it more closely."
+            "What is sought is not found: under this force it is {ratio:.4} times what it is to \
+             be (of an onset, the highest von Mises stress over the yield stress), and jumps from \
+             one mesh to the next. More elements (`mesh.elements_per_half_width`) follow it more \
+             closely."
         )
     } else if !step.contact_check.is_sound() {
         format!(
-            "The final state violates the contact conditions by {} of their scale (penetration, tension \
-             or load); do not use it.{other}",
+            "The final state violates the contact conditions by {} of their scale (penetration, \
+             tension or load); do not use it.{other}",
             share(contact)
         )
     } else if step.has_collapsed {
@@ -599,29 +680,31 @@ pub(super) fn not_converged(step: &Unfinished<'_>, settings: SolverSettings) -> 
         "The contact is wider than what could be meshed; see `contact_at_edge`.".into()
     } else if step.inherits_error && is_balanced {
         format!(
-            "An increment before it in this history has not converged, and this step inherits its error.{other}"
+            "An increment before it in this history has not converged, and this step inherits its \
+             error.{other}"
         )
     } else if step.is_history && is_balanced {
         format!(
-            "The iteration has converged, but over the whole bodies forces are off balance by {} of the contact force: do not use the \
-             figures.",
+            "The iteration has converged, but over the whole bodies forces are off balance by {} \
+             of the contact force: do not use the figures.",
             share(residual)
         )
     } else {
         let advice = if step.is_elastic && is_balanced {
-            " Nothing yields: what is off is rounding, under a load that is tiny beside the stress before it or beside the stiffness of the \
-             bodies. Choose a larger load."
+            " Nothing yields: what is off is rounding, under a load that is tiny beside the \
+             stress before it or beside the stiffness of the bodies. Choose a larger load."
         } else if !other.is_empty() {
             other
         } else if iterations >= settings.max_iterations as usize {
             " Raise `solver.max_iterations`."
         } else {
-            " Newton's method, to which the accelerated coupling turns last, came to no end either: do not use the \
-             figures. A smaller load or a little hardening may have an answer."
+            " Newton's method, to which the accelerated coupling turns last, came to no end \
+             either: do not use the figures. A smaller load or a little hardening may have an \
+             answer."
         };
         format!(
-            "Not converged after {iterations} iterations: forces are off balance by {} of the contact \
-             force.{advice}",
+            "Not converged after {iterations} iterations: forces are off balance by {} of the \
+             contact force.{advice}",
             share(residual)
         )
     }
@@ -662,7 +745,8 @@ mod tests {
                     "load": {{"force": {force}}}, "mesh": {{"elements_per_half_width": 5}}}}"#
             );
             let report =
-                crate::report::run(&Job::from_json(job.as_bytes()).unwrap(), &mut Unobserved).unwrap();
+                crate::report::run(&Job::from_json(job.as_bytes()).unwrap(), &mut Unobserved)
+                    .unwrap();
             let told = report.steps[0].validity.iter().any(|note| note.code == "suspicious_units");
             assert_eq!(told, is_told, "{units} {radius} {force} {modulus}");
         }
@@ -680,7 +764,10 @@ mod tests {
         assert!(notes(&job, &step, 10.0, &[40.0]).is_empty());
         (step.status, step.missed) = (SolveStatus::NotConverged, Some(1.0123));
         let notes = notes(&job, &step, 10.0, &[40.0]);
-        assert!(notes[0].code == "not_converged" && notes[0].message.contains("1.0123 times"), "{notes:?}");
+        assert!(
+            notes[0].code == "not_converged" && notes[0].message.contains("1.0123 times"),
+            "{notes:?}"
+        );
     }
 
     /// Meshes grow with the contact, so no job is known that ends like this.
@@ -695,7 +782,8 @@ mod tests {
         let mut step = run(&job, &mut Unobserved).unwrap().steps.remove(0);
         assert!(notes(&job, &step, 10.0, &[20.0]).is_empty());
         step.reaches_edge = true;
-        let codes: Vec<_> = notes(&job, &step, 10.0, &[20.0]).into_iter().map(|note| note.code).collect();
+        let codes: Vec<_> =
+            notes(&job, &step, 10.0, &[20.0]).into_iter().map(|note| note.code).collect();
         assert_eq!(codes, ["contact_at_edge"]);
     }
 }

@@ -1,13 +1,15 @@
-//! A pin in a hole of nearly its own radius, or a ball in a socket: the contact reaches far round both.
+//! A pin in a hole of nearly its own radius, or a ball in a socket: the contact reaches far round
+//! both.
 //!
 //! ```text
 //! θ = s/R            angle of the common normal at the arc length s, the same on both bodies
 //! δ0 = ΔR (1 - cos θ)   gap along that normal
 //! e = cos θ          what an approach of 1 closes of it
 //! ```
-//! `R = √(R_1 R_2)` is the geometric mean of the radii of pin and hole, `ΔR = R_2 - R_1` the clearance. Up to second order in
-//! `ΔR/R` the gap is the distance of the two circles. In a narrow contact, `δ0 = s²/2 (1/R_1 - 1/R_2)` is that of Hertz's theory
-//! whatever the clearance, because pairs have equal arc lengths on both bodies.
+//! `R = √(R_1 R_2)` is the geometric mean of the radii of pin and hole, `ΔR = R_2 - R_1` the
+//! clearance. Up to second order in `ΔR/R` the gap is the distance of the two circles. In a narrow
+//! contact, `δ0 = s²/2 (1/R_1 - 1/R_2)` is that of Hertz's theory whatever the clearance, because
+//! pairs have equal arc lengths on both bodies.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -32,7 +34,10 @@ impl ConformingPair {
     pub fn of(outlines: [&Outline; 2]) -> Option<Self> {
         let [upper, lower] = outlines.map(Outline::ring);
         let (upper, lower) = (upper?, lower?);
-        Some(Self { common_radius: upper.common_radius(), clearance: -(upper.radius() + lower.radius()) })
+        Some(Self {
+            common_radius: upper.common_radius(),
+            clearance: -(upper.radius() + lower.radius()),
+        })
     }
 
     /// Angle of the common normal at an arc length \[rad\].
@@ -61,7 +66,8 @@ impl ConformingPair {
         MAX_HALF_ANGLE.to_radians() * self.common_radius
     }
 
-    /// Arc length of a contact with half such a width; that of a quarter of the circle for all wider ones \[mm\].
+    /// Arc length of a contact with half such a width; that of a quarter of the circle for all
+    /// wider ones \[mm\].
     pub fn arc_of_chord(&self, half_chord: f64) -> f64 {
         let sine = half_chord / self.common_radius;
         self.common_radius * if sine < 1.0 { sine.asin() } else { FRAC_PI_2 }
@@ -72,13 +78,22 @@ impl ConformingPair {
         self.common_radius * self.common_radius / self.clearance
     }
 
-    /// Force under which elastic bodies touch to an arc length \[N/mm, or N\]: Hertz's, times what Persson's theory of equal
-    /// materials makes of it in the plane.
-    pub fn elastic_force(&self, stress_state: StressState, effective_modulus: f64, arc: f64) -> f64 {
+    /// Force under which elastic bodies touch to an arc length \[N/mm, or N\]: Hertz's, times what
+    /// Persson's theory of equal materials makes of it in the plane.
+    pub fn elastic_force(
+        &self,
+        stress_state: StressState,
+        effective_modulus: f64,
+        arc: f64,
+    ) -> f64 {
         let angle = self.angle(arc);
         let narrow = match stress_state {
-            StressState::PlaneStrain | StressState::PlaneStress => 0.25 * PI * self.clearance * angle * angle,
-            StressState::Axisymmetric => 4.0 / 3.0 * self.clearance * self.common_radius * angle.powi(3),
+            StressState::PlaneStrain | StressState::PlaneStress => {
+                0.25 * PI * self.clearance * angle * angle
+            }
+            StressState::Axisymmetric => {
+                4.0 / 3.0 * self.clearance * self.common_radius * angle.powi(3)
+            }
         };
         let ratio = 8.0 / (PI * angle * angle) / PinInHole::of_half_angle(angle).clearance_ratio();
         effective_modulus * narrow * if ratio > 0.0 { ratio } else { f64::INFINITY }

@@ -31,8 +31,9 @@ pub enum SolveError {
     Elasticity(#[from] ElasticityError),
     /// The load would spread the contact over too much of the bodies.
     #[error(
-        "the contact would reach about {half_width:.4} mm to each side on a surface that spans {available:.4} mm; \
-         small-displacement contact theory does not carry that far: reduce the load"
+        "the contact would reach about {half_width:.4} mm to each side on a surface that spans \
+         {available:.4} mm; small-displacement contact theory does not carry that far: reduce the \
+         load"
     )]
     TooWide {
         /// Expected half-width \[mm\].
@@ -42,8 +43,8 @@ pub enum SolveError {
     },
     /// The load would press a pin round more of its hole than is solved.
     #[error(
-        "the contact would reach about {half_angle:.0}° to each side; a contact in a hole is solved up to {MAX_HALF_ANGLE}°: \
-         reduce the load, or widen the clearance"
+        "the contact would reach about {half_angle:.0}° to each side; a contact in a hole is \
+         solved up to {MAX_HALF_ANGLE}°: reduce the load, or widen the clearance"
     )]
     TooFarRound {
         /// Expected angle to each side \[degrees\].
@@ -51,8 +52,9 @@ pub enum SolveError {
     },
     /// The surfaces do not open away from the contact.
     #[error(
-        "the surfaces do not open within {limit:.4} mm of where they first touch, half of the way to their ends, so that no load \
-         makes a contact that ends there: make the surfaces wider if they open beyond"
+        "the surfaces do not open within {limit:.4} mm of where they first touch, half of the way \
+         to their ends, so that no load makes a contact that ends there: make the surfaces wider \
+         if they open beyond"
     )]
     Conforming {
         /// How far from there contacts are solved \[mm\].
@@ -60,8 +62,9 @@ pub enum SolveError {
     },
     /// The surfaces first touch where one of them is about to end.
     #[error(
-        "the surfaces first touch at x = {x:.4} mm, but contacts are solved from {left:.4} to {right:.4} mm, a fifth short of the \
-         ends of the surfaces: make them wider, or move what touches towards the middle"
+        "the surfaces first touch at x = {x:.4} mm, but contacts are solved from {left:.4} to \
+         {right:.4} mm, a fifth short of the ends of the surfaces: make them wider, or move what \
+         touches towards the middle"
     )]
     TouchesAtEnd {
         /// Where they first touch \[mm\].
@@ -73,9 +76,10 @@ pub enum SolveError {
     },
     /// A surface that is given by points has details much smaller than the contact.
     #[error(
-        "within the contact, of half-width {half_width:.4} mm, the surfaces have details that only elements of \
-         {spacing:.2e} mm resolve, but {finest:.2e} mm is the finest that is solved: give the surface with fewer points, \
-         smooth its trace, or leave out a radius that is so much smaller than the contact"
+        "within the contact, of half-width {half_width:.4} mm, the surfaces have details that \
+         only elements of {spacing:.2e} mm resolve, but {finest:.2e} mm is the finest that is \
+         solved: give the surface with fewer points, smooth its trace, or leave out a radius that \
+         is so much smaller than the contact"
     )]
     TraceTooFine {
         /// Expected half-width \[mm\].
@@ -87,8 +91,9 @@ pub enum SolveError {
     },
     /// A profile has a corner in the contact, and nothing says whether it is one.
     #[error(
-        "the face turns by {opening:.3} at the point x = {x:.6} mm of a profile, within the contact: set its \
-         `interpolation` to \"linear\" if this is a corner, to \"smooth\" if it is to be rounded off"
+        "the face turns by {opening:.3} at the point x = {x:.6} mm of a profile, within the \
+         contact: set its `interpolation` to \"linear\" if this is a corner, to \"smooth\" if it \
+         is to be rounded off"
     )]
     AmbiguousCorner {
         /// The body, 0 for the upper one.
@@ -112,8 +117,8 @@ pub enum SolveError {
     NoSecantStiffness,
     /// The load is far beyond what half-spaces bear with small strains.
     #[error(
-        "elastic bodies would press on each other with {overload:.0} times the stress at which these flow; half-spaces with \
-         small strains are solved up to {most} times: reduce the load"
+        "elastic bodies would press on each other with {overload:.0} times the stress at which \
+         these flow; half-spaces with small strains are solved up to {most} times: reduce the load"
     )]
     Overloaded {
         /// Largest pressure of elastic bodies over the stress under which the material flows.

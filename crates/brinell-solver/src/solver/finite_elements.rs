@@ -5,7 +5,9 @@ use crate::material::ReferenceModuli;
 use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::system::{Design, System};
-use crate::solver::mesh_solve::{MeshSolve, MeshSolveRequest, enlarged, fields, most_columns, narrow};
+use crate::solver::mesh_solve::{
+    MeshSolve, MeshSolveRequest, enlarged, fields, most_columns, narrow,
+};
 use crate::solver::method::contact_system::{BlockVector, Linearize as _};
 use crate::solver::method::couplings::iteration::Outcome;
 use crate::solver::method::phases::Phase;
@@ -18,7 +20,8 @@ use crate::solver::strategy::coupling;
 const MAX_NARROWINGS: usize = 12;
 /// Enlargements after which the contact is taken to be wider than the body.
 const MAX_ENLARGEMENTS: usize = 12;
-/// How much farther than it was found plastic flow is looked for when it had not been expected there.
+/// How much farther than it was found plastic flow is looked for when it had not been expected
+/// there.
 const WIDENING: f64 = 1.3;
 
 /// Two bodies that are meshed as a request says.
@@ -50,7 +53,8 @@ impl MeshDesign {
 }
 
 impl FiniteElements<'_> {
-    /// Takes the tangent moduli of a state, or the elastic ones without any, if the coupling wants it.
+    /// Takes the tangent moduli of a state, or the elastic ones without any, if the coupling wants
+    /// it.
     fn linearize(
         &self,
         system: &mut System,
@@ -89,7 +93,8 @@ impl FiniteElements<'_> {
         Ok(Verdict::Continue { system, start, history })
     }
 
-    /// The design with a wider zone, if the contact reaches the edge of the present one and there is room.
+    /// The design with a wider zone, if the contact reaches the edge of the present one and there
+    /// is room.
     fn wider(&self, design: &MeshDesign, solve: &MeshSolve, under: Round) -> Option<MeshDesign> {
         // A contact that reaches the edge of a narrowed zone is reported.
         let may_enlarge = design.enlargements < MAX_ENLARGEMENTS && design.narrowings == 0;
@@ -102,7 +107,8 @@ impl FiniteElements<'_> {
         if self.is_history {
             return Some(MeshDesign { zone, enlargements, ..design.clone() });
         }
-        let (search_region, widenings) = (solve.system.search_region, design.widenings + under.number);
+        let (search_region, widenings) =
+            (solve.system.search_region, design.widenings + under.number);
         Some(MeshDesign { zone, search_region, enlargements, widenings, ..design.clone() })
     }
 }
@@ -123,7 +129,9 @@ impl Engine for FiniteElements<'_> {
             let MeshDesign { zone, search_region, .. } = &*design;
             let plan = Design { zone, refinement, search_region: *search_region, cache };
             match System::build(self.problem, plan, previous, run) {
-                Err(SolveError::Mesh(MeshError::Inverted { .. })) if design.narrowings < MAX_NARROWINGS => {
+                Err(SolveError::Mesh(MeshError::Inverted { .. }))
+                    if design.narrowings < MAX_NARROWINGS =>
+                {
                     design.narrowings += 1;
                     design.zone = narrow(self.problem, &design.zone);
                 }
@@ -132,7 +140,8 @@ impl Engine for FiniteElements<'_> {
         }
     }
 
-    /// From the straight line through the last two states, or from an answer on another mesh if the request has one.
+    /// From the straight line through the last two states, or from an answer on another mesh if
+    /// the request has one.
     fn resume(
         &self,
         design: &MeshDesign,
@@ -157,8 +166,10 @@ impl Engine for FiniteElements<'_> {
         under: Round,
         run: &mut Run<'_>,
     ) -> Result<VerdictOf<Self>, SolveError> {
-        let fields = run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
-        let mut solve = run.time(Phase::Output, || MeshSolve::of(self.problem, system, outcome, fields));
+        let fields =
+            run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
+        let mut solve =
+            run.time(Phase::Output, || MeshSolve::of(self.problem, system, outcome, fields));
         solve.enlargements = design.enlargements;
         if solve.outcome.status.is_stopped() {
             return Ok(Verdict::Accept(solve));

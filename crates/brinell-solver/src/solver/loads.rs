@@ -30,9 +30,9 @@ pub(crate) fn loads(load: &Load) -> Loads {
         Load::Forces(forces) => {
             Loads::Given(forces.iter().map(|force| ContactLoad::Force(force.get())).collect())
         }
-        Load::Approaches(approaches) => {
-            Loads::Given(approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect())
-        }
+        Load::Approaches(approaches) => Loads::Given(
+            approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect(),
+        ),
         Load::History(loads) => {
             let load = |load: &HistoryLoad| match load {
                 HistoryLoad::Force(force) => ContactLoad::Force(force.get()),
@@ -47,9 +47,12 @@ pub(crate) fn loads(load: &Load) -> Loads {
 
 /// The largest force and the largest approach, those above zero.
 pub(crate) fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
-    let largest = |of: fn(&ContactLoad) -> Option<f64>| loads.iter().filter_map(of).fold(0.0, f64::max);
-    let force = largest(|load| if let ContactLoad::Force(force) = load { Some(*force) } else { None });
-    let approach = largest(|load| if let ContactLoad::Approach(a) = load { Some(*a) } else { None });
+    let largest =
+        |of: fn(&ContactLoad) -> Option<f64>| loads.iter().filter_map(of).fold(0.0, f64::max);
+    let force =
+        largest(|load| if let ContactLoad::Force(force) = load { Some(*force) } else { None });
+    let approach =
+        largest(|load| if let ContactLoad::Approach(a) = load { Some(*a) } else { None });
     let mut found = Vec::new();
     if force > 0.0 {
         found.push(ContactLoad::Force(force));
@@ -60,8 +63,8 @@ pub(crate) fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
     found
 }
 
-/// How much finer than asked a mesh is made, so that it serves for the next load too. A larger contact finds room
-/// enough as it is, in the zone that is made wider than the contact anyway.
+/// How much finer than asked a mesh is made, so that it serves for the next load too. A larger
+/// contact finds room enough as it is, in the zone that is made wider than the contact anyway.
 pub(crate) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -> f64 {
     match next {
         Some(next) if next.magnitude() < load.magnitude() => FALLING_RESERVE,

@@ -1,6 +1,10 @@
 //! One load on finite elements: what is asked, what is found, and which zone comes next.
 
-#![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a positive number of columns"
+)]
 
 use std::sync::Arc;
 
@@ -88,8 +92,14 @@ pub(crate) struct MeshSolve {
 
 impl MeshSolve {
     /// Puts together what an iteration found.
-    pub fn of(problem: &Problem, system: System, outcome: Outcome, fields: Vec<ModelField>) -> Self {
-        let Found { patch, reaches_edge, meets } = find_contact(problem, &system, &outcome, &fields);
+    pub fn of(
+        problem: &Problem,
+        system: System,
+        outcome: Outcome,
+        fields: Vec<ModelField>,
+    ) -> Self {
+        let Found { patch, reaches_edge, meets } =
+            find_contact(problem, &system, &outcome, &fields);
         Self { system, outcome, fields, patch, reaches_edge, meets, enlargements: 0 }
     }
 
@@ -102,7 +112,10 @@ impl MeshSolve {
 
     /// Whether any point has yielded.
     pub fn yields(&self) -> bool {
-        self.fields.iter().flat_map(|field| field.stress.points.iter().flatten()).any(|point| point.yielded)
+        self.fields
+            .iter()
+            .flat_map(|field| field.stress.points.iter().flatten())
+            .any(|point| point.yielded)
     }
 
     /// Whether the material yields outside the plastic region.
@@ -115,7 +128,10 @@ impl MeshSolve {
     pub fn nodal_fields(&self) -> Vec<NodalField<'_>> {
         let fields = self.system.bodies.iter().zip(&self.fields);
         fields
-            .map(|(body, field)| NodalField { mesh: &body.elastic.mesh, displacement: &field.nodal })
+            .map(|(body, field)| NodalField {
+                mesh: &body.elastic.mesh,
+                displacement: &field.nodal,
+            })
             .collect()
     }
 
@@ -134,7 +150,8 @@ impl MeshSolve {
 
     /// Connected parts of the contact.
     pub fn parts(&self) -> Vec<ContactPatch> {
-        let (x, pressures) = self.system.pressure_over_x(&self.outcome.state.response.contact.force);
+        let (x, pressures) =
+            self.system.pressure_over_x(&self.outcome.state.response.contact.force);
         ContactPatch::parts(&x, &pressures)
     }
 
@@ -185,7 +202,9 @@ impl Answer for MeshSolve {
                 solution.figures(system.stress_state, symmetric, self.middle(), &pressure)
             })
             .collect();
-        let of = |model: Option<usize>| model.and_then(|k| of_model.get(k)).copied().unwrap_or_default();
+        let of = |model: Option<usize>| {
+            model.and_then(|k| of_model.get(k)).copied().unwrap_or_default()
+        };
         system.model_of.map(of)
     }
 
@@ -196,8 +215,9 @@ impl Answer for MeshSolve {
 
 /// How much wider a zone becomes when the contact reaches its edge.
 pub(crate) const ENLARGEMENT: f64 = 1.5;
-/// Columns of a zone that becomes wider over those that it was made with; beyond that its elements become larger. So much finer than
-/// the whole width asks for are parts of a contact resolved at most, and what grows by more was sized for something smaller.
+/// Columns of a zone that becomes wider over those that it was made with; beyond that its elements
+/// become larger. So much finer than the whole width asks for are parts of a contact resolved at
+/// most, and what grows by more was sized for something smaller.
 const MOST_COLUMNS: usize = 6;
 /// By how much a zone goes beyond where the surfaces meet, as a part of its half-width.
 const BEYOND_MEETING: f64 = 0.1;
@@ -221,9 +241,13 @@ pub(crate) fn run(
     })
 }
 
-/// Forms the full displacement field of each model once and evaluates the material law everywhere; nothing for an
-/// iteration that was stopped or is stopped here.
-pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -> Vec<ModelField> {
+/// Forms the full displacement field of each model once and evaluates the material law everywhere;
+/// nothing for an iteration that was stopped or is stopped here.
+pub(crate) fn fields(
+    system: &System,
+    outcome: &mut Outcome,
+    observer: &mut dyn Observer,
+) -> Vec<ModelField> {
     if outcome.status.is_stopped() {
         return Vec::new();
     }
@@ -257,8 +281,9 @@ pub(crate) fn most_columns(zone: &ContactZone) -> usize {
     MOST_COLUMNS * zone.columns()
 }
 
-/// A wider zone, as far as the surfaces `meet` beyond it; where they have no room for it on one side, it grows on the other. Elements
-/// stay as they are while their columns are no more than `most`. `None` where there is no room for a wider one.
+/// A wider zone, as far as the surfaces `meet` beyond it; where they have no room for it on one
+/// side, it grows on the other. Elements stay as they are while their columns are no more than
+/// `most`. `None` where there is no room for a wider one.
 pub(crate) fn enlarged(
     problem: &Problem,
     zone: &ContactZone,
@@ -269,7 +294,12 @@ pub(crate) fn enlarged(
     (fits(problem, &wider) && wider.half_width() > zone.half_width()).then_some(wider)
 }
 
-fn enlarge(problem: &Problem, zone: &ContactZone, meet: Option<(f64, f64)>, most: usize) -> ContactZone {
+fn enlarge(
+    problem: &Problem,
+    zone: &ContactZone,
+    meet: Option<(f64, f64)>,
+    most: usize,
+) -> ContactZone {
     let wider = resized(problem, zone, ENLARGEMENT);
     if problem.conforming.is_some() {
         return wider;
@@ -299,7 +329,8 @@ pub(crate) fn narrow(problem: &Problem, zone: &ContactZone) -> ContactZone {
 /// A zone so many times as wide, with elements of the same size.
 fn resized(problem: &Problem, zone: &ContactZone, factor: f64) -> ContactZone {
     let (centre, mut half) = (zone.centre(), factor * zone.half_width());
-    let mut columns = ((zone.x_max() - zone.x_min()) / zone.spacing() * factor + ROUNDING).round() as usize;
+    let mut columns =
+        ((zone.x_max() - zone.x_min()) / zone.spacing() * factor + ROUNDING).round() as usize;
     if problem.conforming.is_some() && half > problem.span().1 {
         // All there is of a pin in a hole.
         half = problem.span().1;
@@ -321,17 +352,23 @@ struct Found {
     meets: Option<(f64, f64)>,
 }
 
-fn find_contact(problem: &Problem, system: &System, outcome: &Outcome, fields: &[ModelField]) -> Found {
+fn find_contact(
+    problem: &Problem,
+    system: &System,
+    outcome: &Outcome,
+    fields: &[ModelField],
+) -> Found {
     let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
-    let patch = ContactPatch::find(&x, &pressures, system.zone.is_symmetric(), |k| system.zone.edge(k))
-        .map(|patch| patch.within(problem.walls()));
+    let patch =
+        ContactPatch::find(&x, &pressures, system.zone.is_symmetric(), |k| system.zone.edge(k))
+            .map(|patch| patch.within(problem.walls()));
     let is_known = !outcome.status.is_stopped() && problem.may_touch_elsewhere();
     let meets = is_known.then(|| meets_beyond_zone(problem, system, outcome, fields)).flatten();
     Found { patch, reaches_edge: meets.is_some() || reaches_edge(problem, system, outcome), meets }
 }
 
-/// Whether one of the outermost two pairs of an open end of the zone carries force; only the outermost one counts where a zone
-/// is all there is of a pin in a hole.
+/// Whether one of the outermost two pairs of an open end of the zone carries force; only the
+/// outermost one counts where a zone is all there is of a pin in a hole.
 fn reaches_edge(problem: &Problem, system: &System, outcome: &Outcome) -> bool {
     let active = &outcome.state.response.contact.active_set;
     let last = system.zone.columns();
@@ -343,8 +380,8 @@ fn reaches_edge(problem: &Problem, system: &System, outcome: &Outcome) -> bool {
 
 /// From where to where the free surfaces beside the zone have moved into each other.
 ///
-/// The gap there is `δ0 + w_u + w_l - α` with the inward displacements w of both surfaces, each interpolated
-/// between its own nodes.
+/// The gap there is `δ0 + w_u + w_l - α` with the inward displacements w of both surfaces, each
+/// interpolated between its own nodes.
 fn meets_beyond_zone(
     problem: &Problem,
     system: &System,
@@ -363,10 +400,12 @@ fn meets_beyond_zone(
             .map(|(surface, n)| *n as f64 * interpolate(surface, x))
             .sum()
     };
-    let nodes = surfaces.iter().flatten().map(|point| point[0]).filter(|x| (left..=right).contains(x));
+    let nodes =
+        surfaces.iter().flatten().map(|point| point[0]).filter(|x| (left..=right).contains(x));
     let abscissae = nodes.chain(problem.knots_within(left, right).iter().copied());
     let zone = &system.zone;
-    let beyond = abscissae.filter(|x| *x > zone.x_max() || (*x < zone.x_min() && !zone.is_symmetric()));
+    let beyond =
+        abscissae.filter(|x| *x > zone.x_max() || (*x < zone.x_min() && !zone.is_symmetric()));
     let meeting = beyond.filter(|&x| problem.initial_gap(x) + inward(x) - contact.approach < 0.0);
     meeting.fold(None, |range, x| {
         let (from, to) = range.unwrap_or((x, x));
@@ -374,7 +413,8 @@ fn meets_beyond_zone(
     })
 }
 
-/// Piecewise linear through `[x, value]` in order of x; constant beyond the ends, zero where there is nothing.
+/// Piecewise linear through `[x, value]` in order of x; constant beyond the ends, zero where there
+/// is nothing.
 fn interpolate(points: &[[f64; 2]], x: f64) -> f64 {
     let right = points.partition_point(|p| p[0] < x);
     match (right.checked_sub(1).map(|k| points[k]), points.get(right)) {

@@ -37,7 +37,9 @@ pub use error::SolveError;
 pub(crate) use final_check::TIP_ELEMENTS;
 pub(crate) use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run, run_each, run_with};
-pub(crate) use load_stepping::utilization::{EDGE_UTILIZATION, at_narrow_edge, highest_utilization};
+pub(crate) use load_stepping::utilization::{
+    EDGE_UTILIZATION, at_narrow_edge, highest_utilization,
+};
 pub use mesh_sizing::estimate::{Estimate, estimate};
 pub use method::force_search::{Unreachable, UnreachableReason};
 pub use method::increments::LastIncrement;

@@ -10,9 +10,11 @@ pub fn outline_of(shape: &Shape) -> Outline {
             Outline::arc(radius.get().recip(), radius.get(), radius.get())
         }
         Shape::Block(Block { width, depth }) => Outline::arc(0.0, 0.5 * width.get(), depth.get()),
-        Shape::Groove(groove) => {
-            Outline::arc(-groove.radius().get().recip(), 0.5 * groove.width().get(), groove.depth().get())
-        }
+        Shape::Groove(groove) => Outline::arc(
+            -groove.radius().get().recip(),
+            0.5 * groove.width().get(),
+            groove.depth().get(),
+        ),
         Shape::Hole(hole) => {
             let radius = hole.radius().get();
             Outline::arc(-radius.recip(), radius, hole.wall())
@@ -21,24 +23,33 @@ pub fn outline_of(shape: &Shape) -> Outline {
             let is_smooth = profile.interpolation() != Some(Interpolation::Linear);
             Outline::through(profile.points(), is_smooth, profile.depth().get())
         }
-        Shape::Wedge(wedge) => {
-            Outline::wedge(wedge.slope(), wedge.tip_radius(), wedge.width().get(), wedge.depth().get())
-        }
+        Shape::Wedge(wedge) => Outline::wedge(
+            wedge.slope(),
+            wedge.tip_radius(),
+            wedge.width().get(),
+            wedge.depth().get(),
+        ),
         Shape::Cone(cone) => {
             Outline::wedge(cone.slope(), cone.tip_radius(), cone.width().get(), cone.depth().get())
         }
         Shape::Punch(punch) => {
             Outline::punch(0.5 * punch.width().get(), punch.edge_radius(), punch.depth().get())
         }
-        Shape::Parabola(parabola) => {
-            Outline::power(2.0, 2.0 * parabola.radius().get(), parabola.width().get(), parabola.depth().get())
-        }
+        Shape::Parabola(parabola) => Outline::power(
+            2.0,
+            2.0 * parabola.radius().get(),
+            parabola.width().get(),
+            parabola.depth().get(),
+        ),
         Shape::Ellipse(Ellipse { semi_axis_x, semi_axis_y }) => {
             Outline::ellipse([semi_axis_x.get(), semi_axis_y.get()])
         }
-        Shape::Power(power) => {
-            Outline::power(power.exponent(), power.scale().get(), power.width().get(), power.depth().get())
-        }
+        Shape::Power(power) => Outline::power(
+            power.exponent(),
+            power.scale().get(),
+            power.width().get(),
+            power.depth().get(),
+        ),
         // The section along x of a half-space, which no analysis meshes.
         Shape::Sphere(_) | Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_) => {
             let [curvature, ..] = shape.curvatures().unwrap_or_default();

@@ -9,8 +9,8 @@ use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Corner, Outline};
 use crate::job::{self, Analysis, Body, Deformable, InitialStressProfile, Job, Material, Shape};
 use crate::material::{
-    BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity,
-    HardeningLaw, Inhomogeneous, OutOfPlane, ReturnMapping,
+    BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, ElasticModuli,
+    FlowPlasticity, HardeningLaw, Inhomogeneous, OutOfPlane, ReturnMapping,
 };
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::first_contact::smallest_gap;
@@ -130,8 +130,8 @@ fn flow_theory_with<const N: usize>(
     })
 }
 
-/// A model of the hardening law of a material; of its scaled laws where strength varies over depth, and from its stress before
-/// any load.
+/// A model of the hardening law of a material; of its scaled laws where strength varies over
+/// depth, and from its stress before any load.
 fn in_body<M: ConstitutiveModel>(
     material: &Deformable,
     outline: &Outline,
@@ -145,7 +145,8 @@ fn in_body<M: ConstitutiveModel>(
     Arc::new(Inhomogeneous::new(law, strength, model))
 }
 
-/// Part of the half-width in which a corner counts: one near the end of the contact ends it, rounded or not.
+/// Part of the half-width in which a corner counts: one near the end of the contact ends it,
+/// rounded or not.
 const INNER_PART: f64 = 0.95;
 /// Rounding of a corner that makes a difference, as a part of the gap at the ends of the contact.
 const ROUNDING_SHARE: f64 = 0.05;
@@ -180,7 +181,9 @@ impl Problem {
                 model: material
                     .as_ref()
                     .map(|material| model(material, &outline, out_of_plane(stress_state))),
-                initial_stress: material.as_ref().and_then(|material| GivenStress::of(material, &outline)),
+                initial_stress: material
+                    .as_ref()
+                    .and_then(|material| GivenStress::of(material, &outline)),
                 outline,
                 material,
                 support: body.support.into(),
@@ -198,7 +201,8 @@ impl Problem {
             conforming,
         };
         let (left, right) = problem.span();
-        let mut knots: Vec<f64> = problem.bodies.iter().flat_map(|body| body.outline.knots()).collect();
+        let mut knots: Vec<f64> =
+            problem.bodies.iter().flat_map(|body| body.outline.knots()).collect();
         knots.retain(|x| (left..=right).contains(x));
         knots.sort_by(f64::total_cmp);
         knots.dedup();
@@ -260,7 +264,8 @@ impl Problem {
         self.knots.get(first..end).unwrap_or(&[])
     }
 
-    /// The nearest edges beside a place, beyond which no contact around it reaches \[mm\]; infinite where there is none.
+    /// The nearest edges beside a place, beyond which no contact around it reaches \[mm\];
+    /// infinite where there is none.
     pub fn edges_around(&self, centre: f64) -> [f64; 2] {
         let [mut left, mut right] = self.walls();
         for corner in &self.corners {
@@ -286,7 +291,8 @@ impl Problem {
         radii.fold(f64::INFINITY, f64::min)
     }
 
-    /// Half of the width of the narrowest arc that rounds off a tip \[mm\]; infinite where there is none.
+    /// Half of the width of the narrowest arc that rounds off a tip \[mm\]; infinite where there
+    /// is none.
     pub fn tip_arc(&self) -> f64 {
         self.bodies.iter().filter_map(|body| body.outline.tip_arc()).fold(f64::INFINITY, f64::min)
     }
@@ -311,23 +317,27 @@ impl Problem {
         self.corners.binary_search_by(|corner| corner.x.total_cmp(&x)).is_ok()
     }
 
-    /// A zone of about so many even columns, with a node at each corner and at each edge whose radius is smaller than a column.
+    /// A zone of about so many even columns, with a node at each corner and at each edge whose
+    /// radius is smaller than a column.
     pub fn zone(&self, x_min: f64, x_max: f64, columns: usize, symmetric: bool) -> ContactZone {
         let spacing = (x_max - x_min) / columns as f64;
-        let rounded = self.bodies.iter().flat_map(|body| body.outline.edges_rounded_below(spacing));
+        let rounded =
+            self.bodies.iter().flat_map(|body| body.outline.edges_rounded_below(spacing));
         let mut corners: Vec<Corner> = self.corners.iter().copied().chain(rounded).collect();
         corners.retain(|corner| (x_min..x_max).contains(&corner.x));
         corners.sort_by(|a, b| a.x.total_cmp(&b.x));
         ContactZone::with_corners(x_min, x_max, columns, symmetric, &corners)
     }
 
-    /// The sharpest corner of a profile within the middle part of a contact, where nothing says whether it is one and a
-    /// smooth curve through it would make a difference; and the body that has it, 0 for the upper one.
+    /// The sharpest corner of a profile within the middle part of a contact, where nothing says
+    /// whether it is one and a smooth curve through it would make a difference; and the body that
+    /// has it, 0 for the upper one.
     pub fn ambiguous_corner(&self, centre: f64, half_width: f64) -> Option<(usize, Corner)> {
         let (left, right) = (centre - INNER_PART * half_width, centre + INNER_PART * half_width);
         let opening = 0.5 * (self.initial_gap(left) + self.initial_gap(right));
         let bodies = self.bodies.iter().enumerate().filter(|(_, body)| {
-            body.interpolation_is_open && body.outline.rounding(left, right) > ROUNDING_SHARE * opening
+            body.interpolation_is_open
+                && body.outline.rounding(left, right) > ROUNDING_SHARE * opening
         });
         let corners = bodies.flat_map(|(side, body)| {
             body.outline.possible_corners().into_iter().map(move |corner| (side, corner))
@@ -353,7 +363,8 @@ impl Problem {
         -self.bodies.iter().map(|body| body.outline.height(x)).sum::<f64>() - self.smallest_gap
     }
 
-    /// By how much an approach of 1 closes the gap at an abscissa: nearly 1 where a contact is narrow beside the radii.
+    /// By how much an approach of 1 closes the gap at an abscissa: nearly 1 where a contact is
+    /// narrow beside the radii.
     pub fn closing(&self, x: f64) -> f64 {
         self.conforming.map_or(1.0, |pair| pair.closing(x))
     }
@@ -363,8 +374,8 @@ impl Problem {
         self.bodies.iter().all(|body| body.outline.is_arc())
     }
 
-    /// By how much the surfaces open, both sides together, at the distance a from where they touch \[mm\]. At an edge a contact
-    /// grows to one side only, which stands for both.
+    /// By how much the surfaces open, both sides together, at the distance a from where they touch
+    /// \[mm\]. At an edge a contact grows to one side only, which stands for both.
     pub fn opening(&self, touch: f64, a: f64) -> f64 {
         let at_touch = |corner: &&Corner| {
             (corner.x - touch).abs() <= SAME_PLACE * corner.x.abs() && corner.edge() != 0.0
@@ -375,8 +386,9 @@ impl Problem {
         }
     }
 
-    /// Force under which elastic half-spaces with these surfaces touch over the half-width a around one place, which is the only one
-    /// \[N/mm, or N in axisymmetry\]; in axisymmetry away from the axis, of a ring, that for each length of it \[N/mm\].
+    /// Force under which elastic half-spaces with these surfaces touch over the half-width a
+    /// around one place, which is the only one \[N/mm, or N in axisymmetry\]; in axisymmetry away
+    /// from the axis, of a ring, that for each length of it \[N/mm\].
     ///
     /// Exact, with `g(x)` half of the opening, for contacts in one part:
     /// ```text
@@ -385,8 +397,9 @@ impl Problem {
     /// ```
     ///
     /// # Reference
-    /// I. N. Sneddon, *The relation between load and penetration in the axisymmetric Boussinesq problem for a punch of
-    /// arbitrary profile*, Int. J. Engng Sci. 3 (1965) 47–57; K. L. Johnson, *Contact Mechanics* (1985), section 2.7.
+    /// I. N. Sneddon, *The relation between load and penetration in the axisymmetric Boussinesq
+    /// problem for a punch of arbitrary profile*, Int. J. Engng Sci. 3 (1965) 47–57; K. L.
+    /// Johnson, *Contact Mechanics* (1985), section 2.7.
     pub fn elastic_force(&self, touch: f64, a: f64) -> f64 {
         let modulus = self.effective_modulus();
         if let Some(pair) = &self.conforming {
@@ -409,20 +422,22 @@ impl Problem {
         modulus * parts.sum::<f64>()
     }
 
-    /// Pressure in the middle of an elastic contact of half-width a around x = 0 \[MPa\], where it is the largest on a tip that is
-    /// rounded off.
+    /// Pressure in the middle of an elastic contact of half-width a around x = 0 \[MPa\], where it
+    /// is the largest on a tip that is rounded off.
     ///
     /// With `g(x)` half of the opening, for contacts in one part:
     /// ```text
     /// p(0) = E*/π ∫₀ᵃ g'(x)/x a/√(a² - x²) dx                            plane
     /// p(0) = E*/π ∫₀ᵃ g'(r) [1/√(a² - r²) + arccos(r/a)/r] dr            axisymmetric
     /// ```
-    /// The second is Sneddon's pressure `E*/π ∫ dα/ds /s ds` with his approach `α(s) = s ∫₀ˢ g'(r)/√(s² - r²) dr`, integrated by parts.
+    /// The second is Sneddon's pressure `E*/π ∫ dα/ds /s ds` with his approach `α(s) = s ∫₀ˢ
+    /// g'(r)/√(s² - r²) dr`, integrated by parts.
     ///
     /// # Reference
     /// As for [`Self::elastic_force`].
     pub fn elastic_pressure_in_middle(&self, a: f64) -> f64 {
-        // With x = a sin φ. Steps of φ shrink towards the middle, where slopes change within an arc that may be very narrow.
+        // With x = a sin φ. Steps of φ shrink towards the middle, where slopes change within an
+        // arc that may be very narrow.
         let narrowest = (1e-3 * self.tip_arc() / a).min(1e-3);
         let ratio = (narrowest / (0.5 * PI)).powf(f64::from(PRESSURE_STEPS).recip());
         let mut outer = 0.5 * PI;
@@ -444,7 +459,8 @@ impl Problem {
 
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
-        // A pin and its hole are meshed from the contact round to the far side, which is on the axis.
+        // A pin and its hole are meshed from the contact round to the far side, which is on the
+        // axis.
         let is_half = self.stress_state == StressState::Axisymmetric || self.conforming.is_some();
         is_half || (self.use_symmetry && self.has_symmetric_outlines())
     }
@@ -497,9 +513,11 @@ impl Problem {
         (room[0].0.max(room[1].0), room[0].1.min(room[1].1))
     }
 
-    /// A pressure that a fully plastic contact of the softer body bears \[MPa\]; infinite for elastic bodies.
+    /// A pressure that a fully plastic contact of the softer body bears \[MPa\]; infinite for
+    /// elastic bodies.
     pub fn hardness(&self) -> f64 {
-        // Of the strongest depth: a contact that is too narrow for it is widened, one too wide is refused.
+        // Of the strongest depth: a contact that is too narrow for it is widened, one too wide is
+        // refused.
         let hardness = |body: &ProblemBody| {
             let (_, strongest) = body.strength_range();
             Some(2.6 * strongest * body.hardening()?.flow_stress())
@@ -514,7 +532,8 @@ impl ProblemBody {
         self.model.as_ref()?.hardening()
     }
 
-    /// Stress at which its hardening curve begins \[MPa\]; `None` if it cannot yield, or does from the first load on.
+    /// Stress at which its hardening curve begins \[MPa\]; `None` if it cannot yield, or does from
+    /// the first load on.
     pub fn yield_stress(&self) -> Option<f64> {
         Some(self.hardening()?.yield_stress()).filter(|stress| *stress > 0.0)
     }

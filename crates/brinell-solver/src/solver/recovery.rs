@@ -1,13 +1,14 @@
 //! Stresses at any point of a body, recovered from the Gauss points.
 //!
-//! The mean stress over an element is the most accurate value it has, and it belongs to its centroid. Around
-//! each node the means of the surrounding elements are fitted by a plane, component by component, and the plane
-//! is read at the node; between nodes values are interpolated by the shape functions. At a boundary the patch is
-//! one layer of elements deeper; on the symmetry axis it is completed by mirror images.
+//! The mean stress over an element is the most accurate value it has, and it belongs to its
+//! centroid. Around each node the means of the surrounding elements are fitted by a plane,
+//! component by component, and the plane is read at the node; between nodes values are
+//! interpolated by the shape functions. At a boundary the patch is one layer of elements deeper;
+//! on the symmetry axis it is completed by mirror images.
 //!
 //! # Reference
-//! O. C. Zienkiewicz, J. Z. Zhu, *The superconvergent patch recovery and a posteriori error estimates*, Int. J.
-//! Numer. Meth. Engng 33 (1992) 1331–1364.
+//! O. C. Zienkiewicz, J. Z. Zhu, *The superconvergent patch recovery and a posteriori error
+//! estimates*, Int. J. Numer. Meth. Engng 33 (1992) 1331–1364.
 
 use std::collections::HashMap;
 
@@ -18,7 +19,8 @@ use crate::fem::element::{QUADRATURE_POINTS, natural_coordinates, shape_function
 use crate::fem::mesh::Mesh;
 use crate::solver::BodySolution;
 
-/// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p, q]` at a point, q the largest von Mises stress so far \[MPa, MPa, MPa, MPa, 1, MPa\].
+/// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p, q]` at a point, q the largest von Mises stress so far \[MPa,
+/// MPa, MPa, MPa, 1, MPa\].
 pub(crate) type Values = [f64; 6];
 
 /// Recovers values on one body, node by node as they are needed.
@@ -39,7 +41,8 @@ struct ElementsAround {
 
 impl ElementsAround {
     fn of(mesh: &Mesh) -> Self {
-        // The first entry of a node serves as the place of its next element while they are filled in.
+        // The first entry of a node serves as the place of its next element while they are filled
+        // in.
         let mut offsets = vec![0u32; mesh.nodes.len() + 2];
         for &node in mesh.elements.iter().flatten() {
             offsets[node as usize + 2] += 1;
@@ -72,11 +75,13 @@ impl<'a> Recovery<'a> {
         Self { body, symmetric, elements_around, at_node: HashMap::new(), last: 0 }
     }
 
-    /// Values at a point `[x, y]` of the body \[mm\]; `None` outside the mesh. Cheap next to the point before.
+    /// Values at a point `[x, y]` of the body \[mm\]; `None` outside the mesh. Cheap next to the
+    /// point before.
     pub fn at(&mut self, point: [f64; 2]) -> Option<Values> {
         let mesh = &self.body.mesh;
-        let within =
-            |element: usize| shape_within(&mesh.corners(element), point).map(|shape| (element, shape));
+        let within = |element: usize| {
+            shape_within(&mesh.corners(element), point).map(|shape| (element, shape))
+        };
         let around = mesh.elements[self.last].iter().flat_map(|&node| self.elements_of(node));
         let near = around.map(|&element| element as usize).find_map(within);
         let (element, shape) = near.or_else(|| (0..mesh.elements.len()).find_map(within))?;
@@ -157,7 +162,8 @@ fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) 
     (mean.position, [x, y, z, t, mean.equivalent_plastic_strain, mean.largest_von_mises])
 }
 
-/// Least-squares plane through samples, read at `centre`; their mean where they determine no plane.
+/// Least-squares plane through samples, read at `centre`; their mean where they determine no
+/// plane.
 fn plane_fit(samples: &[([f64; 2], Values)], centre: [f64; 2]) -> Values {
     let scale = samples
         .iter()
@@ -178,8 +184,10 @@ fn shape_within(corners: &[[f64; 2]; 4], point: [f64; 2]) -> Option<[f64; 4]> {
     const OUTSIDE: f64 = 1.0 + 1e-7;
     for (k, &coordinate) in point.iter().enumerate() {
         let values = corners.iter().map(|c| c[k]);
-        let (low, high) =
-            (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
+        let (low, high) = (
+            values.clone().fold(f64::INFINITY, f64::min),
+            values.fold(f64::NEG_INFINITY, f64::max),
+        );
         let slack = 1e-9 * (high - low);
         if coordinate < low - slack || coordinate > high + slack {
             return None;

@@ -16,18 +16,20 @@ pub struct ElasticReference {
     pub peak_pressure: f64,
     /// Effective radius \[mm\].
     pub effective_radius: f64,
-    /// Force at which the first body begins to yield \[N/mm, or N in axisymmetry\]; `None` if none has a yield
-    /// stress.
+    /// Force at which the first body begins to yield \[N/mm, or N in axisymmetry\]; `None` if none
+    /// has a yield stress.
     pub yield_onset_force: Option<f64>,
     /// Depth at which it does \[mm\].
     pub yield_onset_depth: Option<f64>,
-    /// Elastic shakedown limit of a line contact that rolls freely, in plane strain; `None` where no body yields.
+    /// Elastic shakedown limit of a line contact that rolls freely, in plane strain; `None` where
+    /// no body yields.
     pub rolling_limit: Option<DepthLimit>,
 }
 
 impl ElasticReference {
-    /// The reference for a job under a force \[N/mm, or N in axisymmetry\]; `None` where Hertz's theory does not
-    /// apply: a pin in its hole, surfaces that are no arcs or do not open away from the origin, half-spaces.
+    /// The reference for a job under a force \[N/mm, or N in axisymmetry\]; `None` where Hertz's
+    /// theory does not apply: a pin in its hole, surfaces that are no arcs or do not open away
+    /// from the origin, half-spaces.
     pub fn of(job: &Job, force: f64) -> Option<Self> {
         if job.analysis == Analysis::ThreeDimensional {
             return None;
@@ -46,7 +48,8 @@ impl ElasticReference {
         let yielding = || problem.bodies.iter().filter(|_| !is_stressed);
         let onset = |body: &ProblemBody| onset(problem.stress_state, body, radius, modulus);
         let first = yielding().filter_map(onset).min_by(|a, b| a.0.total_cmp(&b.0));
-        let rolling = |body: &ProblemBody| rolling_limit(problem.stress_state, body, radius, modulus);
+        let rolling =
+            |body: &ProblemBody| rolling_limit(problem.stress_state, body, radius, modulus);
         let rolling_limit = yielding().filter_map(rolling);
         let (half_width, peak_pressure) = contact(problem.stress_state, force, radius, modulus);
         Some(Self {
@@ -55,7 +58,8 @@ impl ElasticReference {
             effective_radius: radius,
             yield_onset_force: first.map(|(force, _)| force),
             yield_onset_depth: first.map(|(_, depth)| depth),
-            rolling_limit: rolling_limit.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure)),
+            rolling_limit: rolling_limit
+                .min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure)),
         })
     }
 }
@@ -84,13 +88,20 @@ fn rolling_limit(
     let yield_stress = body.yield_stress().filter(|_| stress_state == StressState::PlaneStrain)?;
     let half_width = 2.0 * radius / modulus;
     Some(match body.material.as_ref()?.strength() {
-        Some(strength) => DepthLimit::rolling(half_width, |depth| yield_stress * strength.factor(depth)),
+        Some(strength) => {
+            DepthLimit::rolling(half_width, |depth| yield_stress * strength.factor(depth))
+        }
         None => DepthLimit::uniform_rolling(half_width, yield_stress),
     })
 }
 
 /// Force and depth at which a body begins to yield.
-fn onset(stress_state: StressState, body: &ProblemBody, radius: f64, modulus: f64) -> Option<(f64, f64)> {
+fn onset(
+    stress_state: StressState,
+    body: &ProblemBody,
+    radius: f64,
+    modulus: f64,
+) -> Option<(f64, f64)> {
     let material = body.material.as_ref()?;
     let yield_stress = body.hardening()?.yield_stress();
     if yield_stress <= 0.0 {
@@ -103,7 +114,9 @@ fn onset(stress_state: StressState, body: &ProblemBody, radius: f64, modulus: f6
             StressState::PlaneStrain => {
                 DepthLimit::line_onset(poisson_ratio, 2.0 * radius / modulus, yield_stress)
             }
-            StressState::PlaneStress => DepthLimit::line_onset(0.0, 2.0 * radius / modulus, yield_stress),
+            StressState::PlaneStress => {
+                DepthLimit::line_onset(0.0, 2.0 * radius / modulus, yield_stress)
+            }
             StressState::Axisymmetric => {
                 DepthLimit::point_onset(poisson_ratio, 0.5 * PI * radius / modulus, yield_stress)
             }

@@ -41,7 +41,8 @@ pub struct Solution {
     pub passes: usize,
     /// Why loads at the end are missing, or have but what a coarser mesh has found of them.
     pub interrupted: Option<Interrupt>,
-    /// Of a force that was sought: relative change of the figure by which it was, over that of the force.
+    /// Of a force that was sought: relative change of the figure by which it was, over that of the
+    /// force.
     pub sensitivity: Option<f64>,
 }
 
@@ -60,7 +61,8 @@ pub struct StepSolution {
     pub stress_state: StressState,
     /// A pin and its hole, whose abscissae are arc lengths.
     pub conforming: Option<ConformingPair>,
-    /// The smallest gap of the outlines as they are given, in whose place the gaps and the approach begin \[mm\].
+    /// The smallest gap of the outlines as they are given, in whose place the gaps and the
+    /// approach begin \[mm\].
     pub smallest_gap: f64,
     /// Tangential spacing of the candidate pairs \[mm\].
     pub spacing: f64,
@@ -70,15 +72,16 @@ pub struct StepSolution {
     pub patch: Option<ContactPatch>,
     /// Its connected parts, from outermost node to outermost node.
     pub parts: Vec<ContactPatch>,
-    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; `None` where bodies yield as it grows, and of a step
-    /// that was stopped \[N/mm per mm\].
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; `None` where
+    /// bodies yield as it grows, and of a step that was stopped \[N/mm per mm\].
     pub contact_stiffness: Option<f64>,
-    /// Largest contact pressure; of bodies that yield in plane stress at most what their flow stress allows \[MPa\].
+    /// Largest contact pressure; of bodies that yield in plane stress at most what their flow
+    /// stress allows \[MPa\].
     pub peak_pressure: f64,
     /// x of it; where nothing touches, of the largest that the history had \[mm\].
     pub peak_position: f64,
-    /// x of the middle of the contact, 0 of half models; where nothing touches, of the contact with the largest pressure that the
-    /// history had \[mm\].
+    /// x of the middle of the contact, 0 of half models; where nothing touches, of the contact
+    /// with the largest pressure that the history had \[mm\].
     pub middle: f64,
     /// Upper and lower body; `None` for a rigid one.
     pub bodies: [Option<Arc<BodySolution>>; 2],
@@ -98,15 +101,19 @@ pub struct StepSolution {
     pub mesh: StepMesh,
     /// The last increment of a history.
     pub last_increment: LastIncrement,
-    /// Element size that surfaces given by points would need, where it is smaller than that of the mesh \[mm\].
+    /// Element size that surfaces given by points would need, where it is smaller than that of the
+    /// mesh \[mm\].
     pub unresolved: Option<f64>,
     /// The rounded edge of a punch, where elements are too large for the contact on it.
     pub rounded_edge: Option<NarrowEdge>,
-    /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power below 2.
+    /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power
+    /// below 2.
     pub rounded_tip: Option<RoundedTip>,
-    /// The figure that is sought over its wanted value, where no force gave it: it jumps from one mesh to the next.
+    /// The figure that is sought over its wanted value, where no force gave it: it jumps from one
+    /// mesh to the next.
     pub missed: Option<f64>,
-    /// Of the onset of yield: relative error of the force, by how much meshes of half the density change it.
+    /// Of the onset of yield: relative error of the force, by how much meshes of half the density
+    /// change it.
     pub onset_error: Option<f64>,
     /// Relative change of a target over that of the force, under the force that was sought for it.
     pub target_sensitivity: Option<f64>,
@@ -118,14 +125,16 @@ pub struct StepSolution {
     pub coarse: Option<CoarseFigures>,
     /// The increments of this load, for bodies with a memory.
     pub increments: Vec<IncrementRecord>,
-    /// By how much half as many increments change the figures, relative to them; bodies with a memory only.
+    /// By how much half as many increments change the figures, relative to them; bodies with a
+    /// memory only.
     pub increment_error: Option<CoarseFigures>,
     /// The largest approach and half-width of a history so far \[mm\]; zero without one.
     pub reached: [f64; 2],
-    /// Loads before it in a history whose largest pressure the mesh did not tell; what they left in the bodies is unknown as well.
+    /// Loads before it in a history whose largest pressure the mesh did not tell; what they left
+    /// in the bodies is unknown as well.
     pub unknown_peaks_before: usize,
-    /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the elastic one, of the pairs
-    /// in contact \[N/mm per mm\].
+    /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the
+    /// elastic one, of the pairs in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,
     /// Where the work of the force has gone, for bodies with a memory.
     pub energy: Option<Energy>,
@@ -153,7 +162,8 @@ pub struct NarrowEdge {
 /// A tip that is narrow beside the elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoundedTip {
-    /// Half of the width of the arc \[mm\]; `None` of a power below 2, whose curvature is infinite there.
+    /// Half of the width of the arc \[mm\]; `None` of a power below 2, whose curvature is infinite
+    /// there.
     pub arc: Option<f64>,
     /// Largest pressure on it of elastic bodies, in closed form \[MPa\].
     pub elastic_pressure: f64,
@@ -212,12 +222,14 @@ pub struct BodySolution {
     pub equations: usize,
     /// Constitutive model of the material.
     pub model: Arc<dyn MaterialModel>,
-    /// Stress at the points of each element before the load, after the body has relaxed; none without initial stress.
+    /// Stress at the points of each element before the load, after the body has relaxed; none
+    /// without initial stress.
     pub initial_stress: Option<Arc<PointStresses>>,
 }
 
 impl StepSolution {
-    /// Whether it is what a coarser mesh has found of a load that the mesh that was asked for did not come to.
+    /// Whether it is what a coarser mesh has found of a load that the mesh that was asked for did
+    /// not come to.
     pub fn is_preliminary(&self) -> bool {
         self.mesh == StepMesh::Coarse
     }
@@ -234,8 +246,9 @@ impl StepSolution {
         if self.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
     }
 
-    /// Of a contact in several parts: the one with the fewest elements, of those that carry a share of the force worth looking at,
-    /// and its elements over half of its own width. `None` for a contact in one part.
+    /// Of a contact in several parts: the one with the fewest elements, of those that carry a
+    /// share of the force worth looking at, and its elements over half of its own width. `None`
+    /// for a contact in one part.
     pub fn coarsest_part(&self) -> Option<(ContactPatch, f64)> {
         let is_on_axis = |part: &ContactPatch| self.symmetric && part.left == 0.0;
         if let [only] = self.parts.as_slice()
@@ -245,7 +258,8 @@ impl StepSolution {
         }
         let least = LEAST_PART * self.pairs.iter().map(|pair| pair.force).sum::<f64>();
         let resolved = self.parts.iter().filter_map(|part| {
-            let inside = || self.pairs.iter().filter(|pair| (part.left..=part.right).contains(&pair.x));
+            let inside =
+                || self.pairs.iter().filter(|pair| (part.left..=part.right).contains(&pair.x));
             let nodes = inside().count() as f64;
             // Each node stands for one element, on the axis for half of one.
             let elements = if is_on_axis(part) { nodes - 0.5 } else { 0.5 * nodes };
@@ -277,8 +291,8 @@ impl StepSolution {
         self.patch.map_or(0.0, |patch| patch.half_width())
     }
 
-    /// Force over the width or, of a body of revolution, over the area of the contact circle; 0 where nothing touches
-    /// \[MPa\].
+    /// Force over the width or, of a body of revolution, over the area of the contact circle; 0
+    /// where nothing touches \[MPa\].
     pub fn mean_pressure(&self) -> f64 {
         let a = self.half_width();
         if a <= 0.0 {
@@ -337,7 +351,10 @@ impl BodySolution {
             stress,
             equations: elastic.equations.len(),
             model: Arc::clone(&body.model),
-            initial_stress: body.initial_stress.as_ref().map(|initial| Arc::clone(&initial.stress)),
+            initial_stress: body
+                .initial_stress
+                .as_ref()
+                .map(|initial| Arc::clone(&initial.stress)),
         }
     }
 
@@ -362,24 +379,33 @@ impl BodySolution {
 
     /// Largest equivalent plastic strain at a Gauss point.
     pub fn max_plastic_strain(&self) -> f64 {
-        let strains = self.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain);
+        let strains =
+            self.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain);
         strains.fold(0.0, f64::max)
     }
 
-    /// Largest strain at a Gauss point to which small-strain theory is held: the equivalent plastic one or, where that adds up
-    /// over a history of loads, the equivalent strain if it is less.
+    /// Largest strain at a Gauss point to which small-strain theory is held: the equivalent
+    /// plastic one or, where that adds up over a history of loads, the equivalent strain if it is
+    /// less.
     pub fn max_strain(&self) -> f64 {
         let accumulates = self.model.has_memory();
-        self.stress.points.iter().flatten().map(|point| point.strain(accumulates)).fold(0.0, f64::max)
+        self.stress
+            .points
+            .iter()
+            .flatten()
+            .map(|point| point.strain(accumulates))
+            .fold(0.0, f64::max)
     }
 
-    /// The surface near the contact: x and how far the node has moved outward, in order of x \[mm\].
+    /// The surface near the contact: x and how far the node has moved outward, in order of x
+    /// \[mm\].
     pub fn surface(&self) -> Vec<[f64; 2]> {
         let zone = &self.mesh.zone;
         let limit = SURFACE * zone.half_width();
         let node = |&node: &u32| {
             let (position, u) = (self.mesh.nodes[node as usize], self.displacement[node as usize]);
-            let ([x, _], [n_x, n_y]) = (self.mesh.frame.place(position), self.mesh.frame.normal(position));
+            let ([x, _], [n_x, n_y]) =
+                (self.mesh.frame.place(position), self.mesh.frame.normal(position));
             [x, n_x * u[0] + n_y * u[1]]
         };
         let nodes = self.mesh.free_surface_nodes.iter();
@@ -416,9 +442,15 @@ impl BodySolution {
         if symmetric { 2.0 * area } else { area }
     }
 
-    /// All figures that have an error. Stresses are those below the node of the surface nearest to the middle of the contact, under
-    /// a pressure at each candidate node \[MPa\].
-    pub fn figures(&self, state: StressState, symmetric: bool, middle: f64, pressure: &[f64]) -> BodyFigures {
+    /// All figures that have an error. Stresses are those below the node of the surface nearest to
+    /// the middle of the contact, under a pressure at each candidate node \[MPa\].
+    pub fn figures(
+        &self,
+        state: StressState,
+        symmetric: bool,
+        middle: f64,
+        pressure: &[f64],
+    ) -> BodyFigures {
         if self.displacement.is_empty() {
             return BodyFigures::default();
         }
@@ -426,12 +458,14 @@ impl BodySolution {
         let below = self.normal_line(middle).into_iter().map(|node| {
             let position = self.mesh.nodes[node as usize];
             let [sigma_x, sigma_y, sigma_z, tau_xy, ..] = recovery.node(node);
-            let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(self.mesh.frame.normal(position));
+            let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }
+                .along(self.mesh.frame.normal(position));
             [stress.sigma_x, stress.von_mises() / self.model.strength(position)]
         });
-        let [least_stress, largest_von_mises] = below.fold([0.0; 2], |[least, most], [along, von_mises]| {
-            [f64::min(least, along), f64::max(most, von_mises)]
-        });
+        let [least_stress, largest_von_mises] =
+            below.fold([0.0; 2], |[least, most], [along, von_mises]| {
+                [f64::min(least, along), f64::max(most, von_mises)]
+            });
         BodyFigures {
             max_plastic_strain: self.max_plastic_strain(),
             mean_plastic_strain: self.mean_plastic_strain(),
@@ -454,11 +488,13 @@ impl BodySolution {
     /// Width of the body \[mm\].
     pub fn width(&self, symmetric: bool) -> f64 {
         let x = || self.mesh.nodes.iter().map(|node| node[0]);
-        let (left, right) = (x().fold(f64::INFINITY, f64::min), x().fold(f64::NEG_INFINITY, f64::max));
+        let (left, right) =
+            (x().fold(f64::INFINITY, f64::min), x().fold(f64::NEG_INFINITY, f64::max));
         if symmetric { 2.0 * right } else { right - left }
     }
 
-    /// Depth of the far boundary below the contact \[mm\]; infinite of a pin, which is held at its centre.
+    /// Depth of the far boundary below the contact \[mm\]; infinite of a pin, which is held at its
+    /// centre.
     pub fn depth(&self) -> f64 {
         if let SurfaceFrame::Circle { radius } = self.mesh.frame {
             let depths = self.mesh.nodes.iter().map(|&node| self.mesh.frame.place(node)[1]);

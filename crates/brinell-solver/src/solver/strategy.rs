@@ -15,7 +15,8 @@ pub(crate) fn coupling(name: job::Coupling) -> &'static dyn Coupling {
 }
 
 impl Named for SolveStatus {
-    const ALL: &'static [Self] = &[Self::Converged, Self::NotConverged, Self::Cancelled, Self::TimedOut];
+    const ALL: &'static [Self] =
+        &[Self::Converged, Self::NotConverged, Self::Cancelled, Self::TimedOut];
 
     fn name(self) -> &'static str {
         match self {

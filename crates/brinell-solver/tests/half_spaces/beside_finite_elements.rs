@@ -83,8 +83,8 @@ fn compare_loads(upper: &Value, lower: &Value) {
     loaded_alike(&under(problem, 4.0), &expected.steps[0], elastic);
 }
 
-/// Loads and their removal by flow theory, the last of them compared: dent and residual stress on the axis too. Says whether
-/// plastic flow went back.
+/// Loads and their removal by flow theory, the last of them compared: dent and residual stress on
+/// the axis too. Says whether plastic flow went back.
 fn compare_cycles(upper: &Value, lower: &Value, ratio: f64, cycles: usize) -> bool {
     let mut problem = in_three_dimensions(upper, lower);
     let force = force_of(&problem, ratio);
@@ -130,7 +130,8 @@ fn strength_and_stress_over_depth_agree() {
     law["over_depth"] = json!([[0.0, 1.4], [0.05, 1.2], [0.2, 1.0]]);
     compare_cycles(&json!({"rigid": true}), &material(Some(&law)), 4.0, 1);
     let mut stressed = material(Some(&laws()[0]));
-    let row = |depth: f64, stress: f64| json!({"depth": depth, "sigma_x": stress, "sigma_z": stress});
+    let row =
+        |depth: f64, stress: f64| json!({"depth": depth, "sigma_x": stress, "sigma_z": stress});
     stressed["initial_stress"] = json!([row(0.0, -250.0), row(0.1, -100.0), row(0.3, 0.0)]);
     compare_loads(&json!({"rigid": true}), &stressed);
     compare_cycles(&json!({"rigid": true}), &stressed, 4.0, 1);
@@ -144,7 +145,8 @@ fn backstress_agrees() {
     compare_cycles(&json!({"rigid": true}), &material(Some(&law)), 4.0, 1);
 }
 
-/// Of a body that hardens by backstress alone plastic flow goes back when the load is taken away, and again when it returns.
+/// Of a body that hardens by backstress alone plastic flow goes back when the load is taken away,
+/// and again when it returns.
 #[test]
 #[ignore = "full"]
 fn reversed_flow_agrees() {
@@ -153,7 +155,8 @@ fn reversed_flow_agrees() {
     assert!(compare_cycles(&json!({"rigid": true}), &material(Some(&law)), 6.0, 2));
     law["over_depth"] = json!([[0.0, 1.3], [0.1, 1.15], [0.4, 1.0]]);
     let mut whole = material(Some(&law));
-    let row = |depth: f64, stress: f64| json!({"depth": depth, "sigma_x": stress, "sigma_z": stress});
+    let row =
+        |depth: f64, stress: f64| json!({"depth": depth, "sigma_x": stress, "sigma_z": stress});
     whole["initial_stress"] = json!([row(0.0, -250.0), row(0.2, -100.0), row(0.6, 0.0)]);
     assert!(compare_cycles(&json!({"rigid": true}), &whole, 6.0, 2));
 }

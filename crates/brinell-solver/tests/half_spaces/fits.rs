@@ -24,8 +24,8 @@ fn kogut_etsion_area(approach: f64) -> f64 {
     PI * critical * RADIUS * if w <= 6.0 { 0.93 * w.powf(1.136) } else { 0.94 * w.powf(1.146) }
 }
 
-/// R. L. Jackson, I. Green, J. Tribol. 127 (2005) 343–354: force \[N\] at an approach \[mm\], beyond 1.9 of that at which the ball
-/// begins to yield.
+/// R. L. Jackson, I. Green, J. Tribol. 127 (2005) 343–354: force \[N\] at an approach \[mm\],
+/// beyond 1.9 of that at which the ball begins to yield.
 fn jackson_green(approach: f64) -> f64 {
     let factor = 1.295 * (0.736_f64 * 0.3).exp();
     let strain = YIELD_STRESS / EFFECTIVE;
@@ -34,7 +34,8 @@ fn jackson_green(approach: f64) -> f64 {
         4.0 / 3.0 * (RADIUS / EFFECTIVE).powi(2) * (factor * PI * YIELD_STRESS / 2.0).powi(3);
     let w = approach / critical;
     assert!(w > 1.9, "{w}");
-    let radius = PI * factor * strain / 2.0 * w.sqrt() * (w / 1.9).powf(0.07 * (23.0 * strain).exp());
+    let radius =
+        PI * factor * strain / 2.0 * w.sqrt() * (w / 1.9).powf(0.07 * (23.0 * strain).exp());
     let hardness = 2.84 * (1.0 - (-0.82 * radius.powf(-0.7)).exp());
     let elastic = (-0.25 * w.powf(5.0 / 12.0)).exp() * w.powf(1.5);
     let plastic = 4.0 * hardness / factor * (1.0 - (-w.powf(5.0 / 9.0) / 25.0).exp()) * w;

@@ -6,15 +6,15 @@ use serde_json::json;
 
 use super::*;
 
-/// Peak pressure of a rigid cylinder of the same radius in plane strain, under a force for each unit of its length.
+/// Peak pressure of a rigid cylinder of the same radius in plane strain, under a force for each
+/// unit of its length.
 fn plane_peak(line_load: f64, theory: &str) -> f64 {
     let load = if theory == "flow" {
         json!({"history": [{"force": line_load}]})
     } else {
         json!({"force": line_load})
     };
-    let plasticity =
-        json!({"law": "bilinear", "yield_stress": YIELD_STRESS, "tangent_modulus": 0.05 * 210_000.0});
+    let plasticity = json!({"law": "bilinear", "yield_stress": YIELD_STRESS, "tangent_modulus": 0.05 * 210_000.0});
     let job = json!({
         "analysis": "plane_strain",
         "upper": {"shape": {"type": "cylinder", "radius": RADIUS}, "material": {"rigid": true}},
@@ -29,7 +29,8 @@ fn plane_peak(line_load: f64, theory: &str) -> f64 {
     report.steps[0].contact.peak_pressure
 }
 
-/// In the middle of a long ellipse bodies are in plane strain, under the line load that is there: yield sheds load along it.
+/// In the middle of a long ellipse bodies are in plane strain, under the line load that is there:
+/// yield sheds load along it.
 #[test]
 #[ignore = "full"]
 fn the_middle_of_a_long_ellipse_is_in_plane_strain() {
@@ -59,13 +60,19 @@ fn one_increment_from_rest_is_deformation_theory() {
     near(flow.surface.grid.hx(), whole.surface.grid.hx(), 1e-12, "cells");
     near(flow.figures.approach, whole.figures.approach, 1e-9, "approach");
     near(flow.largest_cell_pressure, whole.largest_cell_pressure, 1e-9, "peak");
-    near(flow.figures.max_plastic_strain[1], whole.figures.max_plastic_strain[1], 1e-9, "plastic strain");
+    near(
+        flow.figures.max_plastic_strain[1],
+        whole.figures.max_plastic_strain[1],
+        1e-9,
+        "plastic strain",
+    );
     near(flow.figures.dent[1], whole.figures.dent[1], 1e-9, "dent");
 }
 
 /// `∫P dα` of the increments, by powers of the approach between them.
 fn work_of_force(step: &HalfSpaceStep) -> f64 {
-    let ends: Vec<[f64; 2]> = step.increments.iter().map(|end| [end.approach, end.force]).collect();
+    let ends: Vec<[f64; 2]> =
+        step.increments.iter().map(|end| [end.approach, end.force]).collect();
     let first = 0.4 * ends[0][0] * ends[0][1];
     let segments = ends.windows(2).map(|pair| {
         let [[before, low], [after, high]] = [pair[0], pair[1]];

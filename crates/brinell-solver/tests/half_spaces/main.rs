@@ -1,5 +1,6 @@
-//! Contacts in three dimensions: Hertz, and bodies that yield against figures of axisymmetric finite elements and of
-//! finer grids. An executable of its own, because nothing of it is shared with plane problems.
+//! Contacts in three dimensions: Hertz, and bodies that yield against figures of axisymmetric
+//! finite elements and of finer grids. An executable of its own, because nothing of it is shared
+//! with plane problems.
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 
 mod beside_finite_elements;
@@ -10,8 +11,8 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use brinell_solver::job::{
-    Bilinear, Coupling, Deformable, Elastic, Hardening, History, HistoryLoad, Load, NonNegativeF64,
-    PoissonRatio, PositiveF64, SolverSettings, Target, TargetFigure, Theory,
+    Bilinear, Coupling, Deformable, Elastic, Hardening, History, HistoryLoad, Load,
+    NonNegativeF64, PoissonRatio, PositiveF64, SolverSettings, Target, TargetFigure, Theory,
 };
 use brinell_solver::solver::half_spaces::{HalfSpaceProblem, HalfSpaceStep, estimate, run_each};
 use brinell_solver::solver::{
@@ -27,8 +28,10 @@ fn positive(value: f64) -> PositiveF64 {
 
 /// Steel with a tangent modulus of this part of Young's modulus beyond yield, or without yield.
 fn steel(tangent: Option<f64>) -> Deformable {
-    let elastic =
-        Elastic { young_modulus: positive(210_000.0), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
+    let elastic = Elastic {
+        young_modulus: positive(210_000.0),
+        poisson_ratio: PoissonRatio::new(0.3).unwrap(),
+    };
     let hardening = tangent.map(|tangent| {
         Hardening::Bilinear(Bilinear {
             yield_stress: positive(YIELD_STRESS),
@@ -63,7 +66,8 @@ fn solved(problem: &HalfSpaceProblem) -> Vec<HalfSpaceStep> {
         assert_eq!(step.status, SolveStatus::Converged);
         let figures = step.figures;
         println!(
-            "{figures:?}\n  errors {:?}\n  {} iterations, {} enlargements, kkt {:e}, plastic {:e}, grid {}×{} ",
+            "{figures:?}\n  errors {:?}\n  {} iterations, {} enlargements, kkt {:e}, plastic \
+             {:e}, grid {}×{} ",
             step.errors,
             step.history.len(),
             step.enlargements,
@@ -81,7 +85,8 @@ fn under(mut problem: HalfSpaceProblem, ratio: f64) -> HalfSpaceStep {
     solved(&problem).remove(0)
 }
 
-/// Counts what it is asked, keeps the largest memory it is told of, and stops a solve after so many questions.
+/// Counts what it is asked, keeps the largest memory it is told of, and stops a solve after so
+/// many questions.
 #[derive(Default)]
 struct Watch {
     asked: usize,
@@ -116,7 +121,8 @@ impl Observer for Watch {
     }
 }
 
-/// Grids of soft bodies are as large as `estimate` says before anything is solved, however far plastic strain reaches.
+/// Grids of soft bodies are as large as `estimate` says before anything is solved, however far
+/// plastic strain reaches.
 #[test]
 fn soft_bodies_keep_to_the_estimate() {
     for (radius_y, tangent, ratio) in
@@ -130,7 +136,11 @@ fn soft_bodies_keep_to_the_estimate() {
         let step = &steps[0];
         let grid = &step.surface.grid;
         let axis = step.figures.semi_axes[0];
-        println!("{radius_y} {ratio}: {} enlargements, {:.1} cells", step.enlargements, axis / grid.hx());
+        println!(
+            "{radius_y} {ratio}: {} enlargements, {:.1} cells",
+            step.enlargements,
+            axis / grid.hx()
+        );
         assert_eq!(step.status, SolveStatus::Converged);
         assert!(grid.nx() <= expected.cells[0] && grid.ny() <= expected.cells[1]);
         assert!(step.bodies[1].as_ref().unwrap().layers.len() <= expected.layers);
@@ -182,11 +192,14 @@ fn a_solve_stops_within_an_evaluation() {
     }
 }
 
-/// How long a cancelled solve may go on: a bearing ball by default, and a large ball by flow theory.
+/// How long a cancelled solve may go on: a bearing ball by default, and a large ball by flow
+/// theory.
 #[test]
 #[ignore = "full"]
 fn a_solve_asks_twice_a_second_at_least() {
-    for (cells, theory) in [(10, Theory::Deformation), (10, Theory::Flow), (30, Theory::Deformation)] {
+    for (cells, theory) in
+        [(10, Theory::Deformation), (10, Theory::Flow), (30, Theory::Deformation)]
+    {
         let mut problem = on_flat(RADIUS, steel(Some(0.05)), cells);
         problem.solver.theory = theory;
         let force = force_of(&problem, 4.0);
@@ -308,7 +321,12 @@ fn a_ball_under_deformation_theory_on_a_finer_grid() {
     for coupling in [Coupling::Strong, Coupling::Weak] {
         let other = by(coupling);
         near(other.figures.approach, step.figures.approach, 1e-6, "approach");
-        near(other.figures.max_plastic_strain[1], step.figures.max_plastic_strain[1], 1e-4, "strain");
+        near(
+            other.figures.max_plastic_strain[1],
+            step.figures.max_plastic_strain[1],
+            1e-4,
+            "strain",
+        );
     }
 }
 
@@ -386,10 +404,15 @@ fn ellipses_that_yield() {
     near(loaded.figures.max_plastic_strain[1], 5.02e-3, 1.5e-2, "plastic strain");
     near(unloaded.figures.dent[1], 1.177e-3, 1e-2, "dent");
     // Towards plane strain.
-    assert!(1141.0 < five && five < loaded.figures.peak_pressure && loaded.figures.peak_pressure < 1256.9);
+    assert!(
+        1141.0 < five
+            && five < loaded.figures.peak_pressure
+            && loaded.figures.peak_pressure < 1256.9
+    );
 }
 
-/// The force is found under which elastic bodies come up to the yield stress: `p0 = 1.613 σ_y` for ν = 0.3.
+/// The force is found under which elastic bodies come up to the yield stress: `p0 = 1.613 σ_y` for
+/// ν = 0.3.
 #[test]
 fn the_onset_of_yield_is_that_of_johnson() {
     let mut problem = on_flat(RADIUS, steel(Some(0.05)), 10);
@@ -430,8 +453,10 @@ fn two_equal_bodies_are_one_that_counts_twice() {
     near(two.figures.dent[0], two.figures.dent[1], f64::EPSILON, "dent");
 
     // Bodies that differ by nothing that matters are solved one beside the other.
-    let elastic =
-        Elastic { young_modulus: positive(210_000.0), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
+    let elastic = Elastic {
+        young_modulus: positive(210_000.0),
+        poisson_ratio: PoissonRatio::new(0.3).unwrap(),
+    };
     let harder = Hardening::Bilinear(Bilinear {
         yield_stress: positive(YIELD_STRESS * (1.0 + 1e-12)),
         tangent_modulus: NonNegativeF64::new(0.05 * 210_000.0).unwrap(),

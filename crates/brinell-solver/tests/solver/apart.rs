@@ -1,5 +1,5 @@
-//! Contacts that begin at two places or at the edge of a surface: flat punches on hollow blocks, faces with two bumps, and pins that reach
-//! nearly all round their holes.
+//! Contacts that begin at two places or at the edge of a surface: flat punches on hollow blocks,
+//! faces with two bumps, and pins that reach nearly all round their holes.
 
 use std::f64::consts::PI;
 
@@ -34,33 +34,42 @@ fn on_groove(analysis: &str, edge_radius: f64, load: Value, elements: u32) -> Va
         "lower": {"shape": {"type": "groove", "radius": 20.0, "width": 20.0, "depth": 20.0}, "material": steel()}})
 }
 
-/// Sharp edges of a slope s to the surface beside them, each over the width b: `P = π/4 E* s b`, as of a tilted punch that
-/// is about to lift off (Johnson, Contact Mechanics, 2.8, with the far end where the pressure ends).
+/// Sharp edges of a slope s to the surface beside them, each over the width b: `P = π/4 E* s b`,
+/// as of a tilted punch that is about to lift off (Johnson, Contact Mechanics, 2.8, with the far
+/// end where the pressure ends).
 #[test]
 #[ignore = "full"]
 fn two_edges_of_a_punch() {
     let force = 5000.0;
     let width = 4.0 * 0.5 * force / (PI * MODULUS * 0.1);
-    let on = |elements: u32| step(&on_groove("plane_strain", 0.0, json!({"force": force}), elements));
+    let on =
+        |elements: u32| step(&on_groove("plane_strain", 0.0, json!({"force": force}), elements));
     let [coarse, fine] = [on(10), on(20)];
     for (step, spacing) in [(&coarse, 0.032), (&fine, 0.016)] {
-        let [left, right] = step.contact.patches.as_slice() else { panic!("{:?}", step.contact.patches) };
+        let [left, right] = step.contact.patches.as_slice() else {
+            panic!("{:?}", step.contact.patches)
+        };
         assert_eq!((left.left, right.right), (-2.0, 2.0));
         assert!((right.right - right.left - width).abs() < spacing, "{right:?} for {width}");
         assert!(codes(step).contains(&"sharp_corner"));
     }
-    // The pair of an edge closes where the edge is, so that the approach does not hang on the mesh.
+    // The pair of an edge closes where the edge is, so that the approach does not hang on the
+    // mesh.
     assert_within(coarse.approach, fine.approach, 1e-2);
 }
 
-/// However light the load, what touches first carries it; and force and approach ask for the same state.
+/// However light the load, what touches first carries it; and force and approach ask for the same
+/// state.
 #[test]
 #[ignore = "full"]
 fn edges_touch_under_the_smallest_approach() {
     for analysis in ["plane_strain", "plane_stress", "axisymmetric"] {
         for approach in [1e-6, 1e-4, 1e-2] {
             let found = step(&on_groove(analysis, 0.0, json!({"approach": approach}), 10));
-            assert!(found.contact.force > 0.0 && found.contact.half_width == 2.0, "{analysis} {approach}");
+            assert!(
+                found.contact.force > 0.0 && found.contact.half_width == 2.0,
+                "{analysis} {approach}"
+            );
             let again = step(&on_groove(analysis, 0.0, json!({"force": found.contact.force}), 10));
             let bar = found.estimated_error.and_then(|bars| bars.force).unwrap_or(0.5);
             assert_within(again.approach, approach, bar.max(1e-3));
@@ -78,7 +87,10 @@ fn a_hollow_that_is_pressed_flat() {
                 job["lower"]["shape"] = json!({"type": "block", "width": 20.0, "depth": 20.0});
             }
             let step = step(&job);
-            assert!(step.contact.half_width == 2.0 && step.contact.patches.len() == 1, "{analysis} {force}");
+            assert!(
+                step.contact.half_width == 2.0 && step.contact.patches.len() == 1,
+                "{analysis} {force}"
+            );
             step.approach
         };
         let [hollow, flat] =
@@ -87,7 +99,8 @@ fn a_hollow_that_is_pressed_flat() {
     }
 }
 
-/// Parts of a contact that no element resolves are not answered without a word, neither under a force nor at the onset of yield.
+/// Parts of a contact that no element resolves are not answered without a word, neither under a
+/// force nor at the onset of yield.
 #[test]
 #[ignore = "full"]
 fn parts_that_are_too_small_for_the_mesh_are_said() {
@@ -112,8 +125,8 @@ fn bumps(heights: [f64; 2], interpolation: &str, force: f64, material: Value) ->
         "lower": {"shape": {"type": "block", "width": 80.0, "depth": 40.0}, "material": steel()}})
 }
 
-/// A contact that begins on one bump and reaches the other one, far on one side: its zone grows where the surfaces have room, and
-/// what it costs is known.
+/// A contact that begins on one bump and reaches the other one, far on one side: its zone grows
+/// where the surfaces have room, and what it costs is known.
 #[test]
 #[ignore = "full"]
 fn two_unequal_bumps_far_apart() {
@@ -122,13 +135,19 @@ fn two_unequal_bumps_far_apart() {
             let job = bumps([0.01, 0.0101], interpolation, 1000.0, material.clone());
             let found = report(&job);
             assert_eq!(found.status, SolveStatus::Converged, "{:?}", found.steps[0].validity);
-            let [left, right] = found.steps[0].contact.patches.as_slice() else { panic!("not two parts") };
+            let [left, right] = found.steps[0].contact.patches.as_slice() else {
+                panic!("not two parts")
+            };
             assert!(left.left < -5.0 && left.right < 0.0 && right.left > 0.0 && right.right > 5.0);
             let expected = report::preflight(&parse(&job)).unwrap().equations as f64;
             assert_within(found.mesh.equations as f64, expected, 0.5);
             let mirrored = step(&bumps([0.0101, 0.01], interpolation, 1000.0, material));
             assert_within(mirrored.approach, found.steps[0].approach, 1e-4);
-            assert_within(mirrored.contact.peak_pressure, found.steps[0].contact.peak_pressure, 1e-2);
+            assert_within(
+                mirrored.contact.peak_pressure,
+                found.steps[0].contact.peak_pressure,
+                1e-2,
+            );
         }
     }
 }
@@ -160,7 +179,8 @@ fn a_smooth_face_has_no_sharp_corner() {
 fn points_of_a_flat_face_are_not_resolved() {
     let punch = json!({"shape": {"type": "punch", "width": 2.0, "depth": 2.0}, "material": {"rigid": true}});
     let points: Vec<[f64; 2]> = (0..40).map(|k| [0.25 * f64::from(k), 0.0]).collect();
-    let face = json!({"type": "profile", "interpolation": "linear", "points": points, "depth": 20.0});
+    let face =
+        json!({"type": "profile", "interpolation": "linear", "points": points, "depth": 20.0});
     let block = json!({"type": "block", "width": 19.5, "depth": 20.0});
     let [on_face, on_block] = [face, block].map(|shape| {
         let job = json!({"analysis": "plane_strain", "load": {"force": 400.0}, "upper": punch,
@@ -171,7 +191,8 @@ fn points_of_a_flat_face_are_not_resolved() {
     assert_within(on_face.1, on_block.1, 1e-3);
 }
 
-/// Up to 80° to each side, on meshes of few elements as well; the force of a half-width is found there, and one beyond is refused.
+/// Up to 80° to each side, on meshes of few elements as well; the force of a half-width is found
+/// there, and one beyond is refused.
 #[test]
 fn pins_reach_80_degrees_on_coarse_meshes() {
     let pin = |load: Value, elements: u32| {
@@ -189,15 +210,19 @@ fn pins_reach_80_degrees_on_coarse_meshes() {
                 (found.contact.half_angle.unwrap() - degrees).abs() < 0.5 * spacing,
                 "{degrees} {elements}"
             );
-            assert_within(found.contact.peak_pressure, persson.peak_pressure_ratio() * force / 10.0, 2e-2);
+            assert_within(
+                found.contact.peak_pressure,
+                persson.peak_pressure_ratio() * force / 10.0,
+                2e-2,
+            );
         }
     }
     let arc = |degrees: f64| degrees.to_radians() * (10.0_f64 * 10.05).sqrt();
     let sought = report(&pin(json!({"target": {"half_width": arc(70.0)}}), 20));
     let persson = PinInHole::of_half_angle(70.0_f64.to_radians());
     assert_within(sought.target.unwrap().force, MODULUS * 0.05 / persson.clearance_ratio(), 0.05);
-    let beyond =
-        report::preflight(&parse(&pin(json!({"target": {"half_width": arc(81.0)}}), 20))).unwrap_err();
+    let beyond = report::preflight(&parse(&pin(json!({"target": {"half_width": arc(81.0)}}), 20)))
+        .unwrap_err();
     assert!(beyond[0].pointer == "/load" && beyond[0].detail.contains("80°"), "{beyond:?}");
     // An approach leads farther, never to the 84.8° of a pin without clearance.
     let wide = step(&pin(json!({"approach": 1.5}), 20));
@@ -211,7 +236,8 @@ fn pins_reach_80_degrees_on_coarse_meshes() {
     );
 }
 
-/// Where no force is the onset of yield, it is said why: a sharp corner, or the stress before the load.
+/// Where no force is the onset of yield, it is said why: a sharp corner, or the stress before the
+/// load.
 #[test]
 fn onsets_that_no_force_is() {
     let yielding = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3,
@@ -220,10 +246,11 @@ fn onsets_that_no_force_is() {
     job["load"] = json!({"onset": true});
     job["lower"]["material"] = yielding.clone();
     job["upper"]["shape"] = json!({"type": "wedge", "angle": 10.0, "width": 10.0, "depth": 10.0});
-    let fault = |job: &Value| match report::run(&parse(job), &mut brinell_solver::solver::Unobserved) {
-        Err(report::RunError::Input(mut faults)) => faults.remove(0).detail,
-        other => panic!("{other:?}"),
-    };
+    let fault =
+        |job: &Value| match report::run(&parse(job), &mut brinell_solver::solver::Unobserved) {
+            Err(report::RunError::Input(mut faults)) => faults.remove(0).detail,
+            other => panic!("{other:?}"),
+        };
     assert!(fault(&job).contains("sharp corner"), "{}", fault(&job));
     job["upper"]["shape"] = json!({"type": "cylinder", "radius": 10.0});
     let mut stressed = yielding;
@@ -233,20 +260,26 @@ fn onsets_that_no_force_is() {
     assert!(fault(&job).contains("stress before the load"), "{}", fault(&job));
 }
 
-/// What touches only where a surface is about to end is refused before it is solved, with what to do about it.
+/// What touches only where a surface is about to end is refused before it is solved, with what to
+/// do about it.
 #[test]
 fn contacts_at_the_end_of_a_surface_are_refused() {
     for analysis in ["plane_strain", "axisymmetric"] {
-        for load in
-            [json!({"force": 10.0}), json!({"approach": 0.01}), json!({"target": {"peak_pressure": 100.0}})]
-        {
+        for load in [
+            json!({"force": 10.0}),
+            json!({"approach": 0.01}),
+            json!({"target": {"peak_pressure": 100.0}}),
+        ] {
             let mut job = bumps([0.0; 2], "smooth", 10.0, steel());
             job["analysis"] = json!(analysis);
             job["load"] = load;
             for at in [8.5, 9.5, 9.99] {
                 job["upper"]["shape"]["points"] = json!([[0.0, 0.0], [at, 0.5], [10.0, 0.4]]);
                 let faults = report::preflight(&parse(&job)).unwrap_err();
-                assert!(faults.len() == 2 && faults.iter().all(|fault| fault.pointer.ends_with("/shape")));
+                assert!(
+                    faults.len() == 2
+                        && faults.iter().all(|fault| fault.pointer.ends_with("/shape"))
+                );
                 assert!(faults[0].detail.contains("towards the middle"), "{}", faults[0].detail);
             }
         }

@@ -1,19 +1,20 @@
 //! How far the supports come together.
 //!
-//! A disc on its diametral plane, `α = P(1-ν²)/(πE) [2 ln(4R/a) - 1]`, is Johnson's for a plane that is free to
-//! widen: roller support. A layer on a rigid base takes the stresses of a half-plane,
-//! `α = P(1-ν²)/(πE) [2 ln(2d/a) - ν/(1-ν)]`, which neglects what the base gives back. With the base the constant
-//! is `1 + 2C` instead of `-ν/(1-ν)`, where
+//! A disc on its diametral plane, `α = P(1-ν²)/(πE) [2 ln(4R/a) - 1]`, is Johnson's for a plane
+//! that is free to widen: roller support. A layer on a rigid base takes the stresses of a
+//! half-plane, `α = P(1-ν²)/(πE) [2 ln(2d/a) - ν/(1-ν)]`, which neglects what the base gives back.
+//! With the base the constant is `1 + 2C` instead of `-ν/(1-ν)`, where
 //!
 //! ```text
 //! C = ∫ [L(ξ) - 1 + e^(-ξ)]/ξ dξ from 0 to ∞
 //! L = (cosh 2ξ - 1)/(sinh 2ξ + 2ξ)                                       frictionless base
 //! L = (2κ sinh 2ξ - 4ξ)/(2κ cosh 2ξ + 4ξ² + κ² + 1),  κ = 3 - 4ν         bonded base
 //! ```
-//! L being the flexibility of a layer of unit depth under `cos ξx` over that of a half-plane; the rest is the
-//! integral of `(1 - e^(-ξ)) 2J_1(ξa)/(ξa)/ξ` for Hertz's pressure and `a << d`.
+//! L being the flexibility of a layer of unit depth under `cos ξx` over that of a half-plane; the
+//! rest is the integral of `(1 - e^(-ξ)) 2J_1(ξa)/(ξa)/ξ` for Hertz's pressure and `a << d`.
 //!
-//! K. L. Johnson, *Contact Mechanics* (1985), sections 5.6 and 5.8; I. N. Sneddon, *Fourier Transforms* (1951).
+//! K. L. Johnson, *Contact Mechanics* (1985), sections 5.6 and 5.8; I. N. Sneddon, *Fourier
+//! Transforms* (1951).
 
 use brinell_solver::analytical::{ElasticConstants, HertzLine, disc_approach, layer_approach};
 use serde_json::{Value, json};

@@ -1,7 +1,8 @@
 //! Thick-walled vessels, pressed beyond yield and relieved: what flow theory leaves in them.
 //!
-//! In the incompressible cylinder and in the sphere the stress deviator keeps its direction, so that closed forms exist: the
-//! plastic field less the elastic one of the pressure that is taken away, while nothing yields in reverse.
+//! In the incompressible cylinder and in the sphere the stress deviator keeps its direction, so
+//! that closed forms exist: the plastic field less the elastic one of the pressure that is taken
+//! away, while nothing yields in reverse.
 //!
 //! R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter V.
 
@@ -60,7 +61,9 @@ fn pressurise(
         let (p, q) = (mesh.nodes[k], mesh.nodes[k + 1]);
         // A straight edge, and on a body of revolution the thickness 2πx, which grows along it.
         let thickness = match stress_state {
-            StressState::Axisymmetric => [PI * (2.0 * p[0] + q[0]) / 1.5, PI * (p[0] + 2.0 * q[0]) / 1.5],
+            StressState::Axisymmetric => {
+                [PI * (2.0 * p[0] + q[0]) / 1.5, PI * (p[0] + 2.0 * q[0]) / 1.5]
+            }
             _ => [1.0, 1.0],
         };
         for (node, thickness) in [k, k + 1].into_iter().zip(thickness) {
@@ -79,8 +82,9 @@ fn pressurise(
     states
 }
 
-/// Radius, radial and hoop stress at the centroid of every element, where stresses are most accurate, but for those beside
-/// `x = 0`: on the axis of a body of revolution the hoop stress is a percent less accurate.
+/// Radius, radial and hoop stress at the centroid of every element, where stresses are most
+/// accurate, but for those beside `x = 0`: on the axis of a body of revolution the hoop stress is
+/// a percent less accurate.
 fn polar(loaded: &Loaded) -> impl Iterator<Item = [f64; 3]> {
     let means = loaded.field.points.iter().map(GaussPoint::mean);
     let polar = means.map(|point| {
@@ -93,7 +97,8 @@ fn polar(loaded: &Loaded) -> impl Iterator<Item = [f64; 3]> {
     polar.filter(|(cos, _)| *cos > 0.08).map(|(_, stress)| stress)
 }
 
-/// Stresses within 0.5 % of the yield stress under pressure, and within 1 % of the largest one without.
+/// Stresses within 0.5 % of the yield stress under pressure, and within 1 % of the largest one
+/// without.
 fn assert_stresses(
     loaded: &Loaded,
     residual: &Loaded,
@@ -103,8 +108,16 @@ fn assert_stresses(
 ) {
     for [r, radial, hoop] in polar(loaded) {
         let expected = plastic(r);
-        assert!((radial - expected[0]).abs() < 5e-3 * YIELD, "r {r}: σ_r {radial}, not {}", expected[0]);
-        assert!((hoop - expected[1]).abs() < 5e-3 * YIELD, "r {r}: σ_θ {hoop}, not {}", expected[1]);
+        assert!(
+            (radial - expected[0]).abs() < 5e-3 * YIELD,
+            "r {r}: σ_r {radial}, not {}",
+            expected[0]
+        );
+        assert!(
+            (hoop - expected[1]).abs() < 5e-3 * YIELD,
+            "r {r}: σ_θ {hoop}, not {}",
+            expected[1]
+        );
     }
     let left = |r: f64| [plastic(r)[0] - elastic(r)[0], plastic(r)[1] - elastic(r)[1]];
     assert_within(left(INNER)[1], at_the_bore, 1e-5);
@@ -121,8 +134,13 @@ fn a_cylinder_keeps_the_stresses_of_its_closed_form() {
     let pressure = k * (1.0 - (c / OUTER).powi(2) + 2.0 * (c / INNER).ln());
     assert_within(pressure / k, 1.248_43, 1e-5);
     let mesh = quarter(64, 20);
-    let states =
-        pressurise(&mesh, StressState::PlaneStrain, 0.4999, 20, &[0.9 * pressure, pressure, 0.0, pressure]);
+    let states = pressurise(
+        &mesh,
+        StressState::PlaneStrain,
+        0.4999,
+        20,
+        &[0.9 * pressure, pressure, 0.0, pressure],
+    );
     let lame = |r: f64| {
         let factor = pressure * INNER * INNER / (OUTER * OUTER - INNER * INNER);
         [factor * (1.0 - (OUTER / r).powi(2)), factor * (1.0 + (OUTER / r).powi(2))]
@@ -143,7 +161,8 @@ fn a_cylinder_keeps_the_stresses_of_its_closed_form() {
     }
 }
 
-/// Hoop stress at the surface of the bore, of fewer elements: 12 % of the largest residual stress lie between it and the middle of the first.
+/// Hoop stress at the surface of the bore, of fewer elements: 12 % of the largest residual stress
+/// lie between it and the middle of the first.
 #[test]
 fn the_bore_has_the_stress_of_its_surface() {
     let (k, c) = (YIELD / 3f64.sqrt(), 1.5);
@@ -180,7 +199,8 @@ fn the_bore_has_the_stress_of_its_surface() {
 #[test]
 #[ignore = "full"]
 fn a_sphere_keeps_the_stresses_of_its_closed_form() {
-    let pressure_of = |c: f64| YIELD * (2.0 * (c / INNER).ln() + 2.0 / 3.0 * (1.0 - (c / OUTER).powi(3)));
+    let pressure_of =
+        |c: f64| YIELD * (2.0 * (c / INNER).ln() + 2.0 / 3.0 * (1.0 - (c / OUTER).powi(3)));
     let (c, pressure) = (1.4, pressure_of(1.4));
     assert_within(pressure / YIELD, 1.110_944, 1e-6);
     let mesh = quarter(48, 20);
@@ -201,9 +221,19 @@ fn a_sphere_keeps_the_stresses_of_its_closed_form() {
     assert_stresses(&states[0], &states[1], plastic, lame, -0.904_476 * YIELD);
     let gained = |states: &[Loaded]| {
         let strain = |loaded: &Loaded| -> Vec<f64> {
-            loaded.field.points.iter().flatten().map(|point| point.equivalent_plastic_strain).collect()
+            loaded
+                .field
+                .points
+                .iter()
+                .flatten()
+                .map(|point| point.equivalent_plastic_strain)
+                .collect()
         };
-        strain(&states[1]).iter().zip(strain(&states[0])).map(|(now, then)| now - then).fold(0.0, f64::max)
+        strain(&states[1])
+            .iter()
+            .zip(strain(&states[0]))
+            .map(|(now, then)| now - then)
+            .fold(0.0, f64::max)
     };
     assert!(gained(&states) < 1e-12, "nothing yields in reverse");
     let states = pressurise(&mesh, StressState::Axisymmetric, 0.3, 20, &[pressure_of(1.5), 0.0]);

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use brinell_solver::fem::assembly::{
-    Equations, MaterialModel, PlasticPoints, PointStresses, Restraint, StiffnessAssembler, StressField,
-    Unloaded, given_stress, initial_force, out_of_plane, relaxed_stress,
+    Equations, MaterialModel, PlasticPoints, PointStresses, Restraint, StiffnessAssembler,
+    StressField, Unloaded, given_stress, initial_force, out_of_plane, relaxed_stress,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::{ContactZone, Mesh, SurfaceFrame};
@@ -17,8 +17,10 @@ pub fn positive(value: f64) -> PositiveF64 {
 }
 
 pub fn material(young: f64, poisson: f64, plasticity: Option<Hardening>) -> Deformable {
-    let elastic =
-        Elastic { young_modulus: positive(young), poisson_ratio: PoissonRatio::new(poisson).unwrap() };
+    let elastic = Elastic {
+        young_modulus: positive(young),
+        poisson_ratio: PoissonRatio::new(poisson).unwrap(),
+    };
     Deformable::new(elastic, plasticity).unwrap()
 }
 
@@ -27,8 +29,9 @@ pub fn grid(columns: i32, rows: i32, place: impl Fn(i32, i32) -> [f64; 2]) -> Me
     let node = |i: i32, j: i32| u32::try_from(i * (rows + 1) + j).unwrap();
     let points = || (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j)));
     let cells = (0..columns).flat_map(|i| (0..rows).map(move |j| (i, j)));
-    let elements: Vec<[u32; 4]> =
-        cells.map(|(i, j)| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]).collect();
+    let elements: Vec<[u32; 4]> = cells
+        .map(|(i, j)| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)])
+        .collect();
     Mesh {
         nodes: points().map(|(i, j)| place(i, j)).collect(),
         elements,
@@ -73,20 +76,27 @@ impl Specimen {
         let order = EliminationOrder::new(&graph, &mesh.lattice, &[]);
         let equations = Equations::new(&order, &Restraint::from(held), 0);
         let symbolic = SymbolicCholesky::new(equations.pattern(&graph)).unwrap();
-        let assembler =
-            StiffnessAssembler { mesh, stress_state, equations: &equations, pattern: symbolic.pattern() };
+        let assembler = StiffnessAssembler {
+            mesh,
+            stress_state,
+            equations: &equations,
+            pattern: symbolic.pattern(),
+        };
         let ElasticModuli { bulk, shear } = model.elastic();
-        let values = assembler.assemble(|_, quad| element_stiffness(quad, bulk, &[shear; QUADRATURE_POINTS]));
+        let values = assembler
+            .assemble(|_, quad| element_stiffness(quad, bulk, &[shear; QUADRATURE_POINTS]));
         let factor = Cholesky::factor(&symbolic, &values).unwrap();
         let unloaded = Unloaded { mesh, stress_state, initial_stress: None };
         let everywhere = vec![true; mesh.elements.len()];
-        let region = model.hardening().map(|_| Arc::clone(&model).points(&unloaded, &equations, &everywhere));
+        let region = model
+            .hardening()
+            .map(|_| Arc::clone(&model).points(&unloaded, &equations, &everywhere));
         let u = vec![0.0; equations.len() + 1];
         Self { mesh: mesh.clone(), equations, factor, model, stress_state, region, u }
     }
 
-    /// Solves `∫Bᵀσ dV = force` from the accepted states by the plain initial-stress iteration, until displacements change by
-    /// less than 1e-11.
+    /// Solves `∫Bᵀσ dV = force` from the accepted states by the plain initial-stress iteration,
+    /// until displacements change by less than 1e-11.
     pub fn load(&mut self, force: &[[f64; 2]], max_iterations: usize) -> Loaded {
         let equations = &self.equations;
         let mut external = vec![0.0; equations.len() + 1];
@@ -116,7 +126,8 @@ impl Specimen {
         let displacement: Vec<[f64; 2]> =
             nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
         self.u = u;
-        let unloaded = Unloaded { mesh: &self.mesh, stress_state: self.stress_state, initial_stress: None };
+        let unloaded =
+            Unloaded { mesh: &self.mesh, stress_state: self.stress_state, initial_stress: None };
         let field = match &self.region {
             Some(region) => region.stress_field(&unloaded, &displacement),
             None => self.model.stress_field(&unloaded, &displacement),
@@ -132,7 +143,8 @@ impl Specimen {
         let mut u: Vec<f64> = force.iter().map(|f| -f).collect();
         self.factor.solve(&mut u);
         let nodes = (0u32..).take(mesh.nodes.len());
-        let nodal: Vec<_> = nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
+        let nodal: Vec<_> =
+            nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
         relaxed_stress(mesh, *stress_state, self.model.elastic(), &given, &nodal)
     }
 

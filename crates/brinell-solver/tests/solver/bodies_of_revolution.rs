@@ -4,8 +4,8 @@
 //! elastic         σ_r = p a³/(b³-a³) (1 - b³/r³),  σ_θ = p a³/(b³-a³) (1 + b³/2r³)
 //! plastic to c    p(c) = 2σ_y ln(c/a) + (2/3) σ_y (1 - c³/b³);   limit 2σ_y ln(b/a)
 //! ```
-//! The sphere's stresses stay in proportion (two principal stresses are equal), so deformation theory is exact for
-//! every ν.
+//! The sphere's stresses stay in proportion (two principal stresses are equal), so deformation
+//! theory is exact for every ν.
 //!
 //! R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter V.
 
@@ -58,8 +58,8 @@ fn tractions(mesh: &Mesh, along: f64, around: f64) -> Vec<[f64; 2]> {
     force
 }
 
-/// Any mesh must reproduce a homogeneous state, elastic or plastic: a pull along the axis, and one all around it
-/// (radial and hoop stress equal).
+/// Any mesh must reproduce a homogeneous state, elastic or plastic: a pull along the axis, and one
+/// all around it (radial and hoop stress equal).
 #[test]
 fn patch_test() {
     let mesh = distorted_cylinder();
@@ -79,13 +79,18 @@ fn patch_test() {
             for point in state.field.points.iter().flatten() {
                 assert_eq!(point.yielded, yields);
                 for (got, expected) in point.stress.iter().zip([around, along, around, 0.0]) {
-                    assert!((got - expected).abs() < 1e-6 * 500.0, "{along} {around}: {:?}", point.stress);
+                    assert!(
+                        (got - expected).abs() < 1e-6 * 500.0,
+                        "{along} {around}: {:?}",
+                        point.stress
+                    );
                 }
             }
             // The uniaxial curve: σ/E + (σ - σ_y)/H for the pull along the axis.
             let q: f64 = (along - around).abs();
             let modulus = 21_000.0 / (1.0 - 21_000.0 / YOUNG);
-            let plastic = if yields { (q - 240.0) / modulus * (along - around).signum() } else { 0.0 };
+            let plastic =
+                if yields { (q - 240.0) / modulus * (along - around).signum() } else { 0.0 };
             let expected = (along - 2.0 * POISSON * around) / YOUNG + plastic;
             let top = mesh.nodes.iter().position(|[_, y]| *y == 1.0).unwrap();
             assert!((state.displacement[top][1] - expected).abs() < 1e-6 * expected.abs());
@@ -132,7 +137,8 @@ fn pressure_at(c: f64) -> f64 {
     2.0 * YIELD * (c / INNER).ln() + 2.0 / 3.0 * YIELD * (1.0 - (c / OUTER).powi(3))
 }
 
-/// Elastic displacement at the outer surface of a shell from `c` to the outside under `pressure` at `c`.
+/// Elastic displacement at the outer surface of a shell from `c` to the outside under `pressure`
+/// at `c`.
 fn outer_displacement(c: f64, pressure: f64) -> f64 {
     let factor = pressure * c.powi(3) / (OUTER.powi(3) - c.powi(3));
     let hoop = factor * 1.5;
@@ -155,8 +161,16 @@ fn assert_stresses(loaded: &Loaded, exact: impl Fn(f64) -> [f64; 2], tolerance: 
         let [sx, sy, hoop, t] = point.stress;
         let radial = sx * cos * cos + sy * sin * sin + 2.0 * t * sin * cos;
         let expected = exact(r);
-        assert!((radial - expected[0]).abs() < tolerance, "σ_r {radial} instead of {} at {r}", expected[0]);
-        assert!((hoop - expected[1]).abs() < tolerance, "σ_θ {hoop} instead of {} at {r}", expected[1]);
+        assert!(
+            (radial - expected[0]).abs() < tolerance,
+            "σ_r {radial} instead of {} at {r}",
+            expected[0]
+        );
+        assert!(
+            (hoop - expected[1]).abs() < tolerance,
+            "σ_θ {hoop} instead of {} at {r}",
+            expected[1]
+        );
     }
 }
 
@@ -166,7 +180,9 @@ fn an_elastic_sphere_follows_lame() {
     let (mesh, loaded) = pressurise(24, 24, &material(YOUNG, POISSON, None), pressure, 10);
     let factor = pressure / ((OUTER / INNER).powi(3) - 1.0);
     assert_displacement(&mesh, &loaded, outer_displacement(INNER, pressure), 4e-3);
-    let lame = |r: f64| [factor * (1.0 - (OUTER / r).powi(3)), factor * (1.0 + 0.5 * (OUTER / r).powi(3))];
+    let lame = |r: f64| {
+        [factor * (1.0 - (OUTER / r).powi(3)), factor * (1.0 + 0.5 * (OUTER / r).powi(3))]
+    };
     assert_stresses(&loaded, lame, 0.03 * pressure);
 }
 
@@ -196,7 +212,8 @@ fn the_plastic_zone_spreads_as_hill_says() {
     }
 }
 
-/// The limit pressure is met from both sides: 1 % below it the sphere settles, 1 % above nothing holds it.
+/// The limit pressure is met from both sides: 1 % below it the sphere settles, 1 % above nothing
+/// holds it.
 #[test]
 fn the_limit_pressure_is_met_within_one_percent() {
     let limit = 2.0 * YIELD * (OUTER / INNER).ln();

@@ -1,5 +1,5 @@
-//! A pin in a hole of nearly its own radius, and a ball in a socket: Persson's contact in an infinite plate, Hertz's where the
-//! contact is narrow, and what holds of both.
+//! A pin in a hole of nearly its own radius, and a ball in a socket: Persson's contact in an
+//! infinite plate, Hertz's where the contact is narrow, and what holds of both.
 
 use std::f64::consts::PI;
 
@@ -42,8 +42,9 @@ fn persson(degrees: f64) -> (PinInHole, f64) {
     (pin, MODULUS * CLEARANCE / pin.clearance_ratio())
 }
 
-/// Persson's table at the default mesh: the half-angle and the peak pressure of a force, within 1 % in a plate 20 pin radii
-/// wide, round or square. The angle of the pressure that is found has Persson's peak as well.
+/// Persson's table at the default mesh: the half-angle and the peak pressure of a force, within 1
+/// % in a plate 20 pin radii wide, round or square. The angle of the pressure that is found has
+/// Persson's peak as well.
 #[test]
 fn pins_of_persson() {
     let square = json!({"type": "hole", "radius": RADIUS + CLEARANCE, "width": 20.0 * RADIUS});
@@ -53,9 +54,17 @@ fn pins_of_persson() {
             let step = step(&pin(hole, &json!({"force": force})));
             let angle = step.contact.half_angle.unwrap();
             assert_within(angle, degrees, 1e-2);
-            assert_within(step.contact.peak_pressure * RADIUS / force, expected.peak_pressure_ratio(), 1e-2);
+            assert_within(
+                step.contact.peak_pressure * RADIUS / force,
+                expected.peak_pressure_ratio(),
+                1e-2,
+            );
             let found = PinInHole::of_half_angle(angle.to_radians());
-            assert_within(step.contact.peak_pressure * RADIUS / force, found.peak_pressure_ratio(), 1e-2);
+            assert_within(
+                step.contact.peak_pressure * RADIUS / force,
+                found.peak_pressure_ratio(),
+                1e-2,
+            );
             assert_within(step.contact.half_width, angle.to_radians() * RADIUS, 1e-3);
             let chord = 2.0 * RADIUS * angle.to_radians().sin();
             assert_within(step.contact.mean_pressure, force / chord, 1e-3);
@@ -74,7 +83,8 @@ fn pins_of_persson() {
     }
 }
 
-/// A plate that is narrow holds its hole: the contact is narrower, by 3 % where it is 6 radii wide.
+/// A plate that is narrow holds its hole: the contact is narrower, by 3 % where it is 6 radii
+/// wide.
 #[test]
 fn a_narrow_plate_has_a_narrow_contact() {
     let (_, force) = persson(45.0);
@@ -86,13 +96,16 @@ fn a_narrow_plate_has_a_narrow_contact() {
     assert_within(angle(30.0), 43.66, 2e-3);
 }
 
-/// A narrow contact is Hertz's whatever the clearance: plane strain, plane stress, a ball in its socket.
+/// A narrow contact is Hertz's whatever the clearance: plane strain, plane stress, a ball in its
+/// socket.
 #[test]
 fn narrow_contacts_are_of_hertz() {
     for clearance in [0.1, 10.0] {
         let radius = RADIUS * (RADIUS + clearance) / clearance;
-        for (analysis, modulus) in [("plane_strain", 0.5 * MODULUS), ("plane_stress", 0.5 * YOUNG)] {
-            let hertz = HertzLine::from_peak_pressure(0.02 * modulus * RADIUS / radius, radius, modulus);
+        for (analysis, modulus) in [("plane_strain", 0.5 * MODULUS), ("plane_stress", 0.5 * YOUNG)]
+        {
+            let hertz =
+                HertzLine::from_peak_pressure(0.02 * modulus * RADIUS / radius, radius, modulus);
             let mut job = pin(&plate(clearance), &json!({"force": hertz.force()}));
             job["lower"]["shape"]["outer_radius"] = json!(40.0 * RADIUS);
             job["analysis"] = json!(analysis);
@@ -109,12 +122,14 @@ fn narrow_contacts_are_of_hertz() {
     }
 }
 
-/// Forces along the normals add up to the load, and the slope of the load-approach curve is the stiffness.
+/// Forces along the normals add up to the load, and the slope of the load-approach curve is the
+/// stiffness.
 #[test]
 fn a_pin_is_in_equilibrium() {
     let stiffness_and = |force: f64| {
         let solution = solve(&pin(&plate(CLEARANCE), &json!({"force": force}))).steps.remove(0);
-        let vertical: f64 = solution.pairs.iter().map(|pair| pair.force * (pair.x / 10.005).cos()).sum();
+        let vertical: f64 =
+            solution.pairs.iter().map(|pair| pair.force * (pair.x / 10.005).cos()).sum();
         let on_axis = solution.pairs[0].force;
         assert_within(2.0 * vertical - on_axis, force, 1e-5);
         (solution.contact_stiffness.unwrap(), solution.approach)
@@ -125,8 +140,8 @@ fn a_pin_is_in_equilibrium() {
     assert_within(stiffness, 0.1 * force / (above - below), 5e-3);
 }
 
-/// What is upper and what is lower makes no difference; force and approach ask for the same state; so do both contact methods
-/// and all couplings.
+/// What is upper and what is lower makes no difference; force and approach ask for the same state;
+/// so do both contact methods and all couplings.
 #[test]
 #[ignore = "full"]
 fn the_same_pin_however_it_is_asked_for() {
@@ -173,14 +188,16 @@ fn onset_of_a_pin() {
     let onset = step(&job).yield_onset.unwrap();
     let radius = RADIUS * (RADIUS + clearance) / clearance;
     let expected = YieldOnset::line_von_mises(0.3).line_force(300.0, radius, 0.5 * MODULUS);
-    // The half-width is 2 % of the pin's radius, and the stress across the pin P/πR beside p0 = 2P/πa.
+    // The half-width is 2 % of the pin's radius, and the stress across the pin P/πR beside p0 =
+    // 2P/πa.
     assert_within(onset.force, expected, 4e-2);
     let a = (4.0 * expected * radius / (PI * 0.5 * MODULUS)).sqrt();
     assert_within(onset.depth, 0.7 * a, 8e-2);
     assert!(onset.position < 0.1 * a);
 }
 
-/// Flow theory goes through the same contact conditions: a dent is left, and an elastic pin comes back.
+/// Flow theory goes through the same contact conditions: a dent is left, and an elastic pin comes
+/// back.
 #[test]
 fn pins_are_unloaded() {
     let mut job = pin(&plate(0.1), &json!({"history": [{"force": 6000.0}, {"force": 0.0}]}));
@@ -196,8 +213,12 @@ fn pins_are_unloaded() {
     let (loaded, unloaded) = (&plastic.steps[0], &plastic.steps[1]);
     assert_eq!(unloaded.status, SolveStatus::Converged);
     let flow = unloaded.flow.as_ref().unwrap();
-    let dent = flow.surfaces.lower.as_ref().unwrap().depth + flow.surfaces.upper.as_ref().unwrap().depth;
-    assert!(unloaded.approach > 0.05 * loaded.approach && dent > 0.5 * unloaded.approach, "{dent}");
+    let dent =
+        flow.surfaces.lower.as_ref().unwrap().depth + flow.surfaces.upper.as_ref().unwrap().depth;
+    assert!(
+        unloaded.approach > 0.05 * loaded.approach && dent > 0.5 * unloaded.approach,
+        "{dent}"
+    );
     // The work of the closed cycle is what was dissipated and what residual stresses store.
     assert!(flow.energy.dissipated > 0.0 && flow.energy.elastic < 0.2 * flow.energy.work);
 }
@@ -220,7 +241,8 @@ fn a_pin_in_si() {
     assert!(si.validity.is_empty(), "{:?}", si.validity);
 }
 
-/// The numbers of rows and columns, and with them the answer, are the same in other units, where lengths differ by rounding.
+/// The numbers of rows and columns, and with them the answer, are the same in other units, where
+/// lengths differ by rounding.
 #[test]
 fn other_units_have_the_same_mesh() {
     for clearance in [1.922_904_155_5e-6, 1e-4, 3e-2] {

@@ -1,4 +1,5 @@
-//! `contact_stiffness` against differences of the approach between loads that are jobs of their own.
+//! `contact_stiffness` against differences of the approach between loads that are jobs of their
+//! own.
 
 use brinell_solver::report::StepReport;
 use serde_json::{Value, json};
@@ -11,7 +12,9 @@ fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
         let mut job = job.clone();
         job["output"] = json!({"subsurface": false, "contact_stiffness": factor == 1.0});
         let scaled = |force: &Value| json!({"force": factor * force.as_f64().unwrap()});
-        if let Some(last) = job["load"]["history"].as_array_mut().and_then(|loads| loads.last_mut()) {
+        if let Some(last) =
+            job["load"]["history"].as_array_mut().and_then(|loads| loads.last_mut())
+        {
             *last = scaled(&last["force"]);
         } else {
             job["load"] = scaled(&job["load"]["force"]);
@@ -42,11 +45,13 @@ fn pair(analysis: &str, plasticity: &Value, load: &Value) -> Value {
     json!({"analysis": analysis, "upper": body, "lower": body, "load": load})
 }
 
-/// Each job has meshes that end alike at the ends of its contact, so that load-approach curves of jobs of their own are smooth.
+/// Each job has meshes that end alike at the ends of its contact, so that load-approach curves of
+/// jobs of their own are smooth.
 #[test]
 #[ignore = "full"]
 fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
-    let swift = json!({"law": "swift", "yield_stress": 500, "strain_offset": 0.002, "exponent": 0.15});
+    let swift =
+        json!({"law": "swift", "yield_stress": 500, "strain_offset": 0.002, "exponent": 0.15});
     for (analysis, plasticity, forces) in [
         ("plane_strain", law(10_000.0), [612.6106, 1089.0855, 1701.696]),
         ("plane_strain", law(0.0), [612.6106, 1089.0855, 1400.0]),
@@ -62,12 +67,13 @@ fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
     }
 }
 
-/// Under flow theory the loads of a history before are applied again. Meshes of histories do not end alike, so that it takes loads
-/// farther apart to tell.
+/// Under flow theory the loads of a history before are applied again. Meshes of histories do not
+/// end alike, so that it takes loads farther apart to tell.
 #[test]
 #[ignore = "full"]
 fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
-    let ludwik = json!({"law": "ludwik", "yield_stress": 500, "coefficient": 800, "exponent": 0.3});
+    let ludwik =
+        json!({"law": "ludwik", "yield_stress": 500, "coefficient": 800, "exponent": 0.3});
     for (analysis, plasticity, before, force) in [
         ("plane_strain", law(10_500.0), &[][..], 1089.0),
         ("plane_strain", ludwik.clone(), &[653.0, 0.0], 1089.0),
@@ -75,17 +81,21 @@ fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
         ("axisymmetric", law(10_500.0), &[], 3500.0),
         ("axisymmetric", ludwik, &[2000.0, 0.0], 3500.0),
     ] {
-        let loads: Vec<Value> = before.iter().chain([&force]).map(|force| json!({"force": force})).collect();
+        let loads: Vec<Value> =
+            before.iter().chain([&force]).map(|force| json!({"force": force})).collect();
         let mut job = pair(analysis, &plasticity, &json!({"history": loads}));
         job["solver"] = json!({"theory": "flow"});
         agrees(&job, 0.1, if analysis == "plane_stress" { 0.05 } else { 0.02 });
     }
 }
 
-/// On meshes of few elements it is the difference of jobs of their own, in the units of the job; nothing else changes.
+/// On meshes of few elements it is the difference of jobs of their own, in the units of the job;
+/// nothing else changes.
 #[test]
 fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
-    for (analysis, force) in [("plane_strain", 800.0), ("plane_stress", 500.0), ("axisymmetric", 600.0)] {
+    for (analysis, force) in
+        [("plane_strain", 800.0), ("plane_stress", 500.0), ("axisymmetric", 600.0)]
+    {
         let mut job = pair(analysis, &law(10_000.0), &json!({"force": force}));
         job["mesh"] = json!({"elements_per_half_width": 5});
         let (step, slope) = step_and_slope(&job, 0.05);
@@ -126,7 +136,8 @@ fn a_history_is_as_stiff_as_histories_that_differ_in_their_last_load() {
 /// Elastic cylinders, against loads on meshes that grow with the contact.
 #[test]
 fn elastic_bodies_always_have_their_stiffness() {
-    let (step, slope) = step_and_slope(&pair("plane_strain", &Value::Null, &json!({"force": 100})), 0.05);
+    let (step, slope) =
+        step_and_slope(&pair("plane_strain", &Value::Null, &json!({"force": 100})), 0.05);
     assert_within(step.contact_stiffness.unwrap(), slope, 1.5e-3);
 }
 
@@ -151,8 +162,8 @@ fn a_contact_that_ends_on_a_narrow_edge_does_not_grow() {
     }
 }
 
-/// Below the largest load of a history the ends of the contact go back, or forth again over what has yielded, and the bodies answer
-/// elastically.
+/// Below the largest load of a history the ends of the contact go back, or forth again over what
+/// has yielded, and the bodies answer elastically.
 #[test]
 #[ignore = "full"]
 fn a_history_below_its_largest_load_is_as_stiff_as_its_elastic_bodies() {
@@ -168,7 +179,8 @@ fn a_history_below_its_largest_load_is_as_stiff_as_its_elastic_bodies() {
             "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
             "lower": {"shape": {"type": "block", "width": 60, "depth": 30},
                       "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}}});
-        // The mesh is that of the largest load, on which the contact has to grow by more than an element to tell its slope.
+        // The mesh is that of the largest load, on which the contact has to grow by more than an
+        // element to tell its slope.
         let (step, slope) = step_and_slope(&job, 0.1);
         assert_within(step.contact_stiffness.unwrap(), slope, 0.01);
         let bar = step.estimated_error.unwrap().contact_stiffness.unwrap();

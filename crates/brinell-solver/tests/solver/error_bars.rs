@@ -1,5 +1,6 @@
-//! The error bars hold: six problems on five meshes, each against the same problem on a mesh of 64 elements over the
-//! half-width, which is itself eight times closer to the truth than the bars at 8.
+//! The error bars hold: six problems on five meshes, each against the same problem on a mesh of 64
+//! elements over the half-width, which is itself eight times closer to the truth than the bars
+//! at 8.
 
 use std::thread;
 
@@ -12,8 +13,7 @@ const MESHES: [u32; 5] = [8, 11, 15, 20, 28];
 const REFERENCE: u32 = 64;
 
 fn problems() -> Vec<Value> {
-    let ramberg_osgood =
-        json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
+    let ramberg_osgood = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
     let mut on_block = two_cylinders("clamped", Value::Null, 400.0);
     on_block["lower"]["shape"] = json!({"type": "block", "width": 200.0, "depth": 200.0});
     let mut spheres = two_cylinders("clamped", Value::Null, 500.0);
@@ -41,13 +41,16 @@ fn at(problem: &Value, elements: u32) -> StepReport {
 
 /// Bar over true error of peak pressure, half-width and approach, on every mesh.
 fn ratios(problem: &Value) -> Vec<[f64; 3]> {
-    let figures = |step: &StepReport| [step.contact.peak_pressure, step.contact.half_width, step.approach];
+    let figures =
+        |step: &StepReport| [step.contact.peak_pressure, step.contact.half_width, step.approach];
     let exact = figures(&at(problem, REFERENCE));
     let ratios = MESHES.map(|elements| {
         let step = at(problem, elements);
         let bar = step.estimated_error.unwrap();
         let (bars, found) = ([bar.peak_pressure, bar.half_width, bar.approach], figures(&step));
-        std::array::from_fn(|k| bars[k].unwrap() / (found[k] / exact[k] - 1.0).abs().max(f64::MIN_POSITIVE))
+        std::array::from_fn(|k| {
+            bars[k].unwrap() / (found[k] / exact[k] - 1.0).abs().max(f64::MIN_POSITIVE)
+        })
     });
     ratios.to_vec()
 }
@@ -60,7 +63,8 @@ fn unloaded(analysis: &str, shape: &Value, law: &str, force: f64, elements: u32)
         }
         _ => json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 0.0}),
     };
-    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": plasticity});
+    let steel =
+        json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": plasticity});
     let job = json!({"analysis": analysis, "load": {"history": [{"force": force}, {"force": 0}]},
         "upper": {"shape": shape, "material": {"rigid": true}},
         "lower": {"shape": {"type": "block", "width": 60, "depth": 30}, "material": steel},
@@ -68,7 +72,8 @@ fn unloaded(analysis: &str, shape: &Value, law: &str, force: f64, elements: u32)
     report(&job).steps.remove(1)
 }
 
-/// What a history leaves of the approach has a bar, which holds against twice as many elements; nothing else is in doubt there.
+/// What a history leaves of the approach has a bar, which holds against twice as many elements;
+/// nothing else is in doubt there.
 #[test]
 #[ignore = "full"]
 fn the_approach_that_is_left_has_a_bar_that_holds() {
@@ -81,7 +86,8 @@ fn the_approach_that_is_left_has_a_bar_that_holds() {
         ("axisymmetric", &roller, "voce", 52.0),
     ];
     for (analysis, shape, law, force) in cases {
-        let [coarse, fine] = [8, 16].map(|elements| unloaded(analysis, shape, law, force, elements));
+        let [coarse, fine] =
+            [8, 16].map(|elements| unloaded(analysis, shape, law, force, elements));
         let bars = coarse.estimated_error.unwrap();
         let error = (coarse.approach / fine.approach - 1.0).abs();
         let bar = bars.approach.unwrap();
@@ -93,17 +99,25 @@ fn the_approach_that_is_left_has_a_bar_that_holds() {
 #[test]
 #[ignore = "full"]
 fn the_true_error_lies_within_the_bar() {
-    let workers: Vec<_> = problems().into_iter().map(|job| thread::spawn(move || ratios(&job))).collect();
-    let all: Vec<[f64; 3]> = workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect();
+    let workers: Vec<_> =
+        problems().into_iter().map(|job| thread::spawn(move || ratios(&job))).collect();
+    let all: Vec<[f64; 3]> =
+        workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect();
     for (k, name) in ["peak pressure", "half-width", "approach"].into_iter().enumerate() {
         let mut ratio: Vec<f64> = all.iter().map(|ratios| ratios[k]).collect();
         ratio.sort_by(f64::total_cmp);
-        let share =
-            |holds: fn(f64) -> bool| ratio.iter().filter(|r| holds(**r)).count() as f64 / ratio.len() as f64;
-        let (covered, tight, median) = (share(|r| r >= 1.0), share(|r| r <= 20.0), ratio[ratio.len() / 2]);
-        println!("{name}: within {covered:.3}, not 20 times too wide {tight:.3}, median ratio {median:.1}");
+        let share = |holds: fn(f64) -> bool| {
+            ratio.iter().filter(|r| holds(**r)).count() as f64 / ratio.len() as f64
+        };
+        let (covered, tight, median) =
+            (share(|r| r >= 1.0), share(|r| r <= 20.0), ratio[ratio.len() / 2]);
+        println!(
+            "{name}: within {covered:.3}, not 20 times too wide {tight:.3}, median ratio \
+             {median:.1}"
+        );
         assert!(covered >= 0.95, "{name}: {covered} of the errors lie within their bars");
-        // An error changes its sign between meshes, so some are zero by chance and no bar is near them.
+        // An error changes its sign between meshes, so some are zero by chance and no bar is near
+        // them.
         assert!(tight >= 0.75, "{name}: {tight} of the bars are not 20 times too wide");
         assert!(median <= 10.0, "{name}: the median bar is {median} times too wide");
     }
@@ -142,9 +156,10 @@ fn bar_of(bars: &ErrorEstimate, name: &str) -> Option<f64> {
     }
 }
 
-/// Errors that the difference to a mesh of half the density does not show, each against four times as many elements: the pressure beside
-/// the end of a plateau in plane stress, the force under a prescribed approach of bodies that flow, the clamped end of a column, and
-/// a contact that ends on a rounded edge. The bar holds, or there is none.
+/// Errors that the difference to a mesh of half the density does not show, each against four times
+/// as many elements: the pressure beside the end of a plateau in plane stress, the force under a
+/// prescribed approach of bodies that flow, the clamped end of a column, and a contact that ends
+/// on a rounded edge. The bar holds, or there is none.
 #[test]
 #[ignore = "full"]
 fn errors_that_a_coarser_mesh_does_not_show() {
@@ -153,8 +168,7 @@ fn errors_that_a_coarser_mesh_does_not_show() {
     let soft = json!({"law": "bilinear", "yield_stress": 300.0, "tangent_modulus": 210.0});
     let plateau = json!({"analysis": "plane_stress", "load": {"approach": 0.02},
         "upper": body(roller.clone(), 210_000.0, 0.3, soft.clone()), "lower": body(block, 210_000.0, 0.3, soft)});
-    let ramberg_osgood =
-        json!({"law": "ramberg_osgood", "reference_stress": 238.0, "offset": 0.579, "exponent": 4.03});
+    let ramberg_osgood = json!({"law": "ramberg_osgood", "reference_stress": 238.0, "offset": 0.579, "exponent": 4.03});
     let parabola = json!({"type": "parabola", "radius": 0.192, "width": 0.214, "depth": 0.373});
     let mut flowing = json!({"analysis": "plane_strain", "load": {"approach": 3.31e-5},
         "upper": body(parabola, 1_220_000.0, 0.499, ramberg_osgood),
@@ -185,7 +199,8 @@ fn errors_that_a_coarser_mesh_does_not_show() {
     }
 }
 
-/// The pressure at a corner that carries the peak has no limit, of bodies that yield as well: the answer says so, and the peak has no bar.
+/// The pressure at a corner that carries the peak has no limit, of bodies that yield as well: the
+/// answer says so, and the peak has no bar.
 #[test]
 #[ignore = "full"]
 fn a_peak_without_a_limit_is_told() {

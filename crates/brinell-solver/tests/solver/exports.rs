@@ -73,8 +73,11 @@ impl Grid {
 
 /// The bytes of a data array, after its count of them.
 fn array(text: &str, kind: &str, name: &str) -> Vec<u8> {
-    let element = text.split("<DataArray ").find(|part| part.contains(&format!("Name=\"{name}\""))).unwrap();
-    assert!(element.starts_with(&format!("type=\"{kind}\"")) && element.contains("format=\"binary\""));
+    let element =
+        text.split("<DataArray ").find(|part| part.contains(&format!("Name=\"{name}\""))).unwrap();
+    assert!(
+        element.starts_with(&format!("type=\"{kind}\"")) && element.contains("format=\"binary\"")
+    );
     let (_, rest) = element.split_once('>').unwrap();
     let bytes = STANDARD.decode(rest.split_once('<').unwrap().0).unwrap();
     let (count, values) = bytes.split_at(8);
@@ -89,13 +92,17 @@ fn floats(text: &str, name: &str) -> Vec<f64> {
 
 fn integers(text: &str, name: &str) -> Vec<usize> {
     let bytes = array(text, "Int64", name);
-    let number = |eight: &[u8]| usize::try_from(i64::from_le_bytes(eight.try_into().unwrap())).unwrap();
+    let number =
+        |eight: &[u8]| usize::try_from(i64::from_le_bytes(eight.try_into().unwrap())).unwrap();
     bytes.chunks_exact(8).map(number).collect()
 }
 
 fn tuples<T: Copy, const N: usize>(values: &[T]) -> Vec<[T; N]> {
     assert_eq!(values.len() % N, 0);
-    values.chunks_exact(N).map(|chunk| <[T; N]>::try_from(chunk).unwrap_or_else(|_| unreachable!())).collect()
+    values
+        .chunks_exact(N)
+        .map(|chunk| <[T; N]>::try_from(chunk).unwrap_or_else(|_| unreachable!()))
+        .collect()
 }
 
 #[test]
@@ -111,12 +118,17 @@ fn both_bodies_are_whole_and_the_right_way_round() {
         let ratio = areas.iter().sum::<f64>() / half_disc;
         assert!((0.98..1.0).contains(&ratio), "{ratio}");
         let nodes = grid.nodes_of(body);
-        assert_eq!(nodes.iter().filter(|node| grid.points[**node][0] == 0.0).count() % 2, nodes.len() % 2);
+        assert_eq!(
+            nodes.iter().filter(|node| grid.points[**node][0] == 0.0).count() % 2,
+            nodes.len() % 2
+        );
         let sum: f64 = nodes.iter().map(|node| grid.points[*node][0]).sum();
         assert!(sum.abs() < 1e-9);
     }
     // The upper body lies above: what is lowest of it is what is highest of the lower one.
-    let heights = |body| grid.nodes_of(body).into_iter().map(|node| grid.points[node][1]).collect::<Vec<_>>();
+    let heights = |body| {
+        grid.nodes_of(body).into_iter().map(|node| grid.points[node][1]).collect::<Vec<_>>()
+    };
     assert!(heights(0).iter().all(|y| *y <= 0.0) && heights(1).iter().all(|y| *y >= 0.0));
 }
 
@@ -132,7 +144,10 @@ fn the_surface_carries_the_contact_pressure() {
         for (body, sign) in [(0, -1.0), (1, 1.0)] {
             let node = grid.node_at(body, [x, sign * height]);
             let sigma_y = grid.stress[node][1];
-            assert!((sigma_y + pressure).abs() < 0.03 * contact.peak_pressure, "{x}: {sigma_y} {pressure}");
+            assert!(
+                (sigma_y + pressure).abs() < 0.03 * contact.peak_pressure,
+                "{x}: {sigma_y} {pressure}"
+            );
         }
     }
 }
@@ -180,14 +195,16 @@ fn bodies_that_touch_off_the_centre_are_put_together_there() {
     let contact = &report.steps[0].contact;
     assert!((contact.peak_position - 4e-3).abs() < 2e-4, "{}", contact.peak_position);
     let pairs = contact.nodes.x.iter().zip(&contact.nodes.pressure);
-    let pressed: Vec<f64> = pairs.filter(|(_, pressure)| **pressure > 0.0).map(|(x, _)| *x).collect();
+    let pressed: Vec<f64> =
+        pairs.filter(|(_, pressure)| **pressure > 0.0).map(|(x, _)| *x).collect();
     assert!(pressed.len() > 8, "{}", pressed.len());
     let upper = grid.nodes_of(1);
     let height = |node: &usize| grid.points[*node][1];
     let lowest = upper.iter().map(height).fold(f64::INFINITY, f64::min);
     assert!(lowest.abs() < 1e-9, "the surfaces just touch before loading: {lowest}");
     for x in pressed {
-        let column = upper.iter().copied().filter(|node| (grid.points[*node][0] - x).abs() < 1e-12);
+        let column =
+            upper.iter().copied().filter(|node| (grid.points[*node][0] - x).abs() < 1e-12);
         let above = column.min_by(|a, b| height(a).total_cmp(&height(b))).unwrap();
         let below = grid.node_at(0, [x, 0.0]);
         let gap = height(&above) + grid.displacement[above][1] - grid.displacement[below][1];
@@ -284,7 +301,8 @@ fn a_history_is_written_as_tables_and_figures() {
     assert_eq!((cell("unloading_stiffness"), cell("increments")), ("0", "1"));
     let surfaces = written(Export::SurfaceCsv);
     let dent = report.steps[1].flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap();
-    let last = format!("2,lower,{},{}", dent.x[dent.x.len() - 1], dent.height[dent.height.len() - 1]);
+    let last =
+        format!("2,lower,{},{}", dent.x[dent.x.len() - 1], dent.height[dent.height.len() - 1]);
     assert_eq!(surfaces.lines().last(), Some(last.as_str()));
     for (form, texts) in [
         (Export::LoadApproachSvg, ["approach [mm]", "force [N/mm]"]),

@@ -56,7 +56,11 @@ fn a_kept_factor_gives_the_same_bits() {
     assert!(before.hits > before.misses, "{before:?}");
     let passes = cached(&jobs[0], &cache).passes as u64;
     let after = cache.stats();
-    assert_eq!((after.misses, after.hits), (before.misses, before.hits + passes), "one for each mesh");
+    assert_eq!(
+        (after.misses, after.hits),
+        (before.misses, before.hits + passes),
+        "one for each mesh"
+    );
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Increments of flow theory that are hard: near the limit load, after one that has diverged, and under next to no load.
+//! Increments of flow theory that are hard: near the limit load, after one that has diverged, and
+//! under next to no load.
 
 use brinell_solver::report::{Report, StepReport};
 use brinell_solver::solver::SolveStatus;
@@ -22,8 +23,8 @@ fn near_limit_load(force: f64) -> Report {
     }))
 }
 
-/// The increments that the program chooses are too large for this load: some of them end with strains of hundreds of per cent, or not
-/// at all. Smaller ones do not.
+/// The increments that the program chooses are too large for this load: some of them end with
+/// strains of hundreds of per cent, or not at all. Smaller ones do not.
 #[test]
 fn an_increment_without_an_answer_is_repeated_in_smaller_ones() {
     let report = near_limit_load(14_000.0);
@@ -33,17 +34,25 @@ fn an_increment_without_an_answer_is_repeated_in_smaller_ones() {
     let strain = step.plasticity.upper.as_ref().unwrap().mean_equivalent_plastic_strain;
     assert!(strain < 0.5, "{strain}");
     // 300 increments have a peak of 1049 MPa.
-    assert_within(step.contact.peak_pressure, 1049.0, step.estimated_error.unwrap().peak_pressure.unwrap());
+    assert_within(
+        step.contact.peak_pressure,
+        1049.0,
+        step.estimated_error.unwrap().peak_pressure.unwrap(),
+    );
 }
 
-/// A collapse says how far increments went and how small the last one was, not that a limit load was found.
+/// A collapse says how far increments went and how small the last one was, not that a limit load
+/// was found.
 #[test]
 fn a_collapse_says_which_increment_has_no_answer() {
     let report = near_limit_load(30_000.0);
     let step = &report.steps[0];
     assert_eq!(step.status, SolveStatus::NotConverged);
     let message = says(step, "collapse").unwrap();
-    assert!(message.contains("the smallest that is tried") && !message.contains("limit load"), "{message}");
+    assert!(
+        message.contains("the smallest that is tried") && !message.contains("limit load"),
+        "{message}"
+    );
     let ends = &step.flow.as_ref().unwrap().increments.force;
     let [.., before, last] = ends[..] else { panic!("{ends:?}") };
     assert!(last - before < 0.02 * 30_000.0, "{before} {last}");
@@ -104,7 +113,8 @@ fn the_first_step_inherits_no_error() {
     assert_eq!(report.steps[1].status, SolveStatus::Converged);
 }
 
-/// Where strain begins with an infinite slope, rounding alone decides which points at the verge of yield have any.
+/// Where strain begins with an infinite slope, rounding alone decides which points at the verge of
+/// yield have any.
 #[test]
 fn what_has_yielded_is_the_same_by_both_theories() {
     let cylinder = json!({"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 3000, "poisson_ratio": 0.499,

@@ -11,7 +11,8 @@ use brinell_solver::solver::{Options, Solution, SolveStatus, Unobserved, run, ru
 use crate::contacts::{ANALYSES, job, laws, surfaces};
 use crate::problems::{assert_within, parse};
 
-/// Force on two equal cylinders at which Hertz's peak pressure is so many times the yield stress \[N/mm\].
+/// Force on two equal cylinders at which Hertz's peak pressure is so many times the yield stress
+/// \[N/mm\].
 fn force(peak_over_yield: f64) -> f64 {
     612.6106 * (peak_over_yield / 3.0).powi(2)
 }
@@ -34,7 +35,13 @@ fn cylinders(plasticity: &str, load: &str, solver: &str, elements: u32) -> Job {
 fn solve(job: &Job) -> Solution {
     let solution = run(job, &mut Unobserved).unwrap();
     for step in &solution.steps {
-        assert_eq!(step.status, SolveStatus::Converged, "{:?}: {:?}", step.load, step.contact_check);
+        assert_eq!(
+            step.status,
+            SolveStatus::Converged,
+            "{:?}: {:?}",
+            step.load,
+            step.contact_check
+        );
     }
     solution
 }
@@ -62,12 +69,18 @@ fn one_increment_is_deformation_theory() {
             asked["solver"] = json!({"theory": "flow", "increments": 1, "tolerance": 1e-11});
             let flow = solve(&parse(&asked));
             let (expected, found) = (&deformation.steps[0], &flow.steps[0]);
-            assert!((expected.spacing - found.spacing).abs() < 1e-12 * expected.spacing, "the same mesh");
+            assert!(
+                (expected.spacing - found.spacing).abs() < 1e-12 * expected.spacing,
+                "the same mesh"
+            );
             let [peak, approach] = [
                 found.peak_pressure / expected.peak_pressure - 1.0,
                 found.approach / expected.approach - 1.0,
             ];
-            assert!(peak.abs() < 1e-9 && approach.abs() < 1e-9, "{analysis} {name}: {peak:e} {approach:e}");
+            assert!(
+                peak.abs() < 1e-9 && approach.abs() < 1e-9,
+                "{analysis} {name}: {peak:e} {approach:e}"
+            );
         }
     }
 }
@@ -93,11 +106,15 @@ fn the_chosen_increments_are_fine_enough() {
         assert_fine_enough(cylinders(BILINEAR, &up_and_down(ratio), FLOW, 10));
     }
     // A sphere at 20 critical interferences.
-    assert_fine_enough(sphere_under_flat(20.0, BILINEAR_SPHERE, "[{\"approach\": W}, {\"force\": 0}]"));
+    assert_fine_enough(sphere_under_flat(
+        20.0,
+        BILINEAR_SPHERE,
+        "[{\"approach\": W}, {\"force\": 0}]",
+    ));
 }
 
-/// The prototype behind the theory, with other elements and other increments, has about 1150 MPa at three yield stresses
-/// and 6.7 % less than deformation theory at four.
+/// The prototype behind the theory, with other elements and other increments, has about 1150 MPa
+/// at three yield stresses and 6.7 % less than deformation theory at four.
 #[test]
 fn peak_pressures_are_below_those_of_deformation_theory() {
     let three = solve(&cylinders(BILINEAR, &up_and_down(3.0), FLOW, 20));
@@ -121,8 +138,11 @@ fn a_force_taken_away_leaves_a_dent() {
     assert!(step.approach > 1.4e-3 && step.approach < 1.8e-3, "{}", step.approach);
     let flow = step.flow.as_ref().unwrap();
     let surface = flow.surfaces.lower.as_ref().unwrap();
-    // Both dents together are about the approach that is left; the bodies have given way beside them too.
-    assert!(2.0 * surface.depth > 0.5 * step.approach && 2.0 * surface.depth < 1.5 * step.approach);
+    // Both dents together are about the approach that is left; the bodies have given way beside
+    // them too.
+    assert!(
+        2.0 * surface.depth > 0.5 * step.approach && 2.0 * surface.depth < 1.5 * step.approach
+    );
     assert!(surface.pile_up > 0.0 && surface.pile_up_position > 0.0);
     assert_eq!((surface.yielded_in_reverse, flow.unloading_stiffness), (false, 0.0));
     let subsurface = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
@@ -131,8 +151,8 @@ fn a_force_taken_away_leaves_a_dent() {
     assert!(way.force.first() == Some(&0.0) && way.force.last() == Some(&0.0));
 }
 
-/// Taking the force away changes neither the plastic strain nor where it is reported, and the outline stays around what has
-/// yielded.
+/// Taking the force away changes neither the plastic strain nor where it is reported, and the
+/// outline stays around what has yielded.
 #[test]
 fn what_has_yielded_is_still_there_without_force() {
     let load = r#"{"history": [{"force": 700}, {"force": 300}, {"force": 0}, {"force": 0}]}"#;
@@ -150,11 +170,15 @@ fn what_has_yielded_is_still_there_without_force() {
     assert_eq!(zones[0].area.to_bits(), zones[1].area.to_bits());
     // Beside the zone some elastic points bear more when the force is taken away.
     for (p, q) in zones[0].outline[0].iter().zip(&zones[1].outline[0]) {
-        assert!((p[0] - q[0]).hypot(p[1] - q[1]) < 1e-2 * loaded.contact.half_width, "{p:?} {q:?}");
+        assert!(
+            (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-2 * loaded.contact.half_width,
+            "{p:?} {q:?}"
+        );
     }
 }
 
-/// The work of the force, integrated along many increments, is the elastic energy and the plastic work in the bodies.
+/// The work of the force, integrated along many increments, is the elastic energy and the plastic
+/// work in the bodies.
 #[test]
 fn the_work_of_the_force_is_stored_or_lost() {
     let kinematic = r#"{"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0,
@@ -179,7 +203,10 @@ fn the_work_of_the_force_is_stored_or_lost() {
 /// Taken away and put on again, the load finds the same state, and nothing is lost on the way.
 #[test]
 fn an_elastic_loop_closes() {
-    let load = format!(r#"{{"history": [{{"force": {0}}}, {{"force": 0}}, {{"force": {0}}}]}}"#, force(3.0));
+    let load = format!(
+        r#"{{"history": [{{"force": {0}}}, {{"force": 0}}, {{"force": {0}}}]}}"#,
+        force(3.0)
+    );
     let solver = r#"{"theory": "flow", "tolerance": 1e-10}"#;
     let solution = solve(&cylinders(BILINEAR, &load, solver, 10));
     let (first, again) = (&solution.steps[0], &solution.steps[2]);
@@ -229,15 +256,19 @@ fn what_a_theory_cannot_do_is_refused_by_name() {
             other => panic!("{other:?}"),
         }
     };
-    let secant = faults(r#"{"force": 100}"#, r#"{"theory": "flow", "coupling": "secant_stiffness"}"#);
+    let secant =
+        faults(r#"{"force": 100}"#, r#"{"theory": "flow", "coupling": "secant_stiffness"}"#);
     assert!(secant.contains("/solver/coupling"), "{secant}");
     let memory = faults(r#"{"history": [{"force": 100}, {"force": 0}]}"#, r#"{"increments": 4}"#);
-    for pointer in ["/upper/material/plasticity/backstress", "/load/history/1", "/solver/increments"] {
+    for pointer in
+        ["/upper/material/plasticity/backstress", "/load/history/1", "/solver/increments"]
+    {
         assert!(memory.contains(pointer), "{memory}");
     }
 }
 
-/// `w_c = (π C Y/2E')² R`, C = 1.295 exp(0.736 ν): the interference at which a sphere first yields (Jackson and Green).
+/// `w_c = (π C Y/2E')² R`, C = 1.295 exp(0.736 ν): the interference at which a sphere first yields
+/// (Jackson and Green).
 fn critical_interference(modulus: f64, yield_stress: f64, radius: f64) -> f64 {
     let c = 1.295 * (0.736_f64 * 0.3).exp();
     (std::f64::consts::PI * c * yield_stress / (2.0 * modulus)).powi(2) * radius
@@ -262,10 +293,14 @@ fn ball_on_block(interferences: &[f64], tangent_modulus: f64, elements: u32) -> 
 }
 
 fn steel_modulus() -> f64 {
-    effective_modulus([Some(ElasticConstants { young_modulus: 200_000.0, poisson_ratio: 0.3 }), None])
+    effective_modulus([
+        Some(ElasticConstants { young_modulus: 200_000.0, poisson_ratio: 0.3 }),
+        None,
+    ])
 }
 
-const BILINEAR_SPHERE: &str = r#"{"law": "bilinear", "yield_stress": 200, "tangent_modulus": 4000}"#;
+const BILINEAR_SPHERE: &str =
+    r#"{"law": "bilinear", "yield_stress": 200, "tangent_modulus": 4000}"#;
 /// The same curve by Prager's law.
 const PRAGER_SPHERE: &str = r#"{"law": "bilinear", "yield_stress": 200, "tangent_modulus": 0,
     "backstress": [{"modulus": 4081.632653, "rate": 0}]}"#;
@@ -284,8 +319,9 @@ fn sphere_under_flat(interference: f64, plasticity: &str, history: &str) -> Job 
     Job::from_json(job.as_bytes()).unwrap()
 }
 
-/// Under a force that comes and goes plastic flow dies out, although the first cycle yields in reverse: what the fourth cycle
-/// adds is below a thousandth of the plastic work, and the next adds less than half of that.
+/// Under a force that comes and goes plastic flow dies out, although the first cycle yields in
+/// reverse: what the fourth cycle adds is below a thousandth of the plastic work, and the next
+/// adds less than half of that.
 #[test]
 #[ignore = "full"]
 fn a_pulsating_contact_shakes_down_within_three_cycles() {
@@ -293,10 +329,15 @@ fn a_pulsating_contact_shakes_down_within_three_cycles() {
         let job = sphere_under_flat(60.0, law, "[{\"approach\": W}]");
         let force = report(&job).steps[0].contact.force;
         let history = format!(r#"{{"force": {force}}}, {{"force": 0}}"#);
-        let report = report(&sphere_under_flat(60.0, law, &format!("[{}]", [history.as_str(); 5].join(","))));
+        let report = report(&sphere_under_flat(
+            60.0,
+            law,
+            &format!("[{}]", [history.as_str(); 5].join(",")),
+        ));
         assert_eq!(report.status, SolveStatus::Converged);
         let work = |k: usize| report.steps[k].flow.as_ref().unwrap().energy.plastic;
-        let reverse = |k: usize| report.steps[k].flow.as_ref().unwrap().surfaces.lower.clone().unwrap();
+        let reverse =
+            |k: usize| report.steps[k].flow.as_ref().unwrap().surfaces.lower.clone().unwrap();
         assert!(reverse(1).yielded_in_reverse);
         let added = |k: usize| work(2 * k + 1) - work(2 * k - 1);
         assert!(added(3) < 1e-3 * work(9), "the fourth cycle adds {:e}", added(3) / work(9));
@@ -318,21 +359,25 @@ fn a_dent_unloads_by_the_slope_of_a_flat_punch() {
     }
 }
 
-/// A punch below what the body bears, without load, and beyond it: the answers of the first two loads are kept, and the
-/// history ends with the collapse.
+/// A punch below what the body bears, without load, and beyond it: the answers of the first two
+/// loads are kept, and the history ends with the collapse.
 #[test]
 fn a_history_ends_where_a_body_collapses() {
     let text = include_str!("../cases/flat_punch_given_by_points.json");
     let mut job: serde_json::Value = serde_json::from_str(text).unwrap();
     let force = job["load"]["force"].as_f64().unwrap();
-    let loads = [0.5 * force, 0.0, 1.3 * force, 0.0].map(|force| serde_json::json!({"force": force}));
+    let loads =
+        [0.5 * force, 0.0, 1.3 * force, 0.0].map(|force| serde_json::json!({"force": force}));
     job["load"] = serde_json::json!({"history": loads});
     job["upper"]["shape"] = serde_json::json!({"type": "punch", "width": 2.0, "depth": 5.0});
     job["solver"] = serde_json::json!({"theory": "flow", "increments": 8});
     job["mesh"] = serde_json::json!({"elements_per_half_width": 8});
     let report = report(&Job::from_json(job.to_string().as_bytes()).unwrap());
     let status: Vec<_> = report.steps.iter().map(|step| step.status).collect();
-    assert_eq!(status, [SolveStatus::Converged, SolveStatus::Converged, SolveStatus::NotConverged]);
+    assert_eq!(
+        status,
+        [SolveStatus::Converged, SolveStatus::Converged, SolveStatus::NotConverged]
+    );
     let says = |code: &str| report.steps[2].validity.iter().any(|note| note.code == code);
     assert!(says("collapse") && says("not_converged"));
     let iterations: usize = report.steps.iter().map(|step| step.history.len()).sum();
@@ -347,7 +392,8 @@ fn every_analysis_comes_back_to_no_force() {
     for analysis in ANALYSES {
         let mut asked = job(analysis, "accelerated", &laws()[0].1, [&cylinder, &cylinder], 4.0);
         let force = asked["load"]["force"].take();
-        asked["load"] = json!({"history": [{"force": 0}, {"force": force}, {"force": 0}, {"force": 0}]});
+        asked["load"] =
+            json!({"history": [{"force": 0}, {"force": force}, {"force": 0}, {"force": 0}]});
         asked["solver"] = json!({"theory": "flow"});
         asked["mesh"] = json!({"elements_per_half_width": 8});
         let report = report(&parse(&asked));
@@ -355,7 +401,8 @@ fn every_analysis_comes_back_to_no_force() {
         // A figure that is not finite would be written as null.
         for step in &report.steps {
             let flow = serde_json::to_value(&step.flow).unwrap();
-            let contact = serde_json::to_value((&step.contact, step.approach, &step.subsurface)).unwrap();
+            let contact =
+                serde_json::to_value((&step.contact, step.approach, &step.subsurface)).unwrap();
             for text in [flow.to_string(), contact.to_string()] {
                 assert!(!text.replace("\"upper\":null", "").contains("null"), "{analysis} {text}");
             }
@@ -380,9 +427,11 @@ fn flow_theory_knows_no_up_no_left_and_no_units() {
     };
     let asked = |upper: &str, lower: &str, size: f64, stress: f64, units: &str| {
         let force = 900.0 * size * stress;
-        parse(&json!({"analysis": "plane_strain", "units": units, "upper": body(upper, size, stress),
+        parse(
+            &json!({"analysis": "plane_strain", "units": units, "upper": body(upper, size, stress),
             "lower": body(lower, size, stress), "load": {"history": [{"force": force}, {"force": 0}]},
-            "mesh": {"elements_per_half_width": 8}, "solver": {"theory": "flow"}}))
+            "mesh": {"elements_per_half_width": 8}, "solver": {"theory": "flow"}}),
+        )
     };
     let expected = report(&asked("cylinder", "block", 1.0, 1.0, "mm_N_MPa"));
     let variants = [
@@ -396,7 +445,8 @@ fn flow_theory_knows_no_up_no_left_and_no_units() {
         for (a, b) in found.steps.iter().zip(&expected.steps) {
             assert_within(a.approach, b.approach * length, 1e-6);
             assert!(
-                (a.contact.peak_pressure - b.contact.peak_pressure * stress).abs() <= 1e-6 * stress * 1e3
+                (a.contact.peak_pressure - b.contact.peak_pressure * stress).abs()
+                    <= 1e-6 * stress * 1e3
             );
             assert_within(
                 a.flow.as_ref().unwrap().energy.plastic,

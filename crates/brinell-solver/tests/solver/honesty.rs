@@ -16,7 +16,13 @@ fn case(text: &str) -> Vec<StepReport> {
 }
 
 /// A rigid punch, 4 mm wide, on a block that yields at 500 MPa.
-fn punch(analysis: &str, young_modulus: f64, edge_radius: f64, elements: u32, load: &Value) -> StepReport {
+fn punch(
+    analysis: &str,
+    young_modulus: f64,
+    edge_radius: f64,
+    elements: u32,
+    load: &Value,
+) -> StepReport {
     let metal = json!({"young_modulus": young_modulus, "poisson_ratio": 0.3,
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0.05 * young_modulus}});
     let shape = json!({"type": "punch", "width": 4, "edge_radius": edge_radius, "depth": 5});
@@ -27,7 +33,8 @@ fn punch(analysis: &str, young_modulus: f64, edge_radius: f64, elements: u32, lo
     report(&job).steps.remove(0)
 }
 
-/// Exact forces of first yield by the half-plane's pressure and Flamant's stresses \[N/mm\]; elements alone find 1065 for 110.
+/// Exact forces of first yield by the half-plane's pressure and Flamant's stresses \[N/mm\];
+/// elements alone find 1065 for 110.
 #[test]
 fn an_onset_on_a_rounded_edge_is_that_of_the_closed_form() {
     for (edge_radius, exact) in [(0.02, 50.4), (0.1, 110.3), (0.4, 202.5), (1.0, 253.7)] {
@@ -40,8 +47,15 @@ fn an_onset_on_a_rounded_edge_is_that_of_the_closed_form() {
             "{edge_radius}: {}",
             onset.force
         );
-        assert!((onset.position.abs() + edge_radius - 2.0).abs() < 0.02 && onset.depth < 0.01, "{onset:?}");
-        assert!(remark(&step, "coarse_mesh").unwrap().contains("Onset of yield is that of the closed form"));
+        assert!(
+            (onset.position.abs() + edge_radius - 2.0).abs() < 0.02 && onset.depth < 0.01,
+            "{onset:?}"
+        );
+        assert!(
+            remark(&step, "coarse_mesh")
+                .unwrap()
+                .contains("Onset of yield is that of the closed form")
+        );
         // Below and above the force that the closed form tells.
         for (force, is_told) in [(0.9 * exact, false), (1.2 * exact, true)] {
             let step = punch("plane_strain", 210_000.0, edge_radius, 10, &json!({"force": force}));
@@ -60,17 +74,25 @@ fn elements_find_the_onset_of_the_closed_form() {
     {
         let by = |elements: u32| {
             let step = punch(analysis, young_modulus, 1.0, elements, &json!({"onset": true}));
-            let is_closed =
-                remark(&step, "coarse_mesh").is_some_and(|message| message.contains("closed form"));
-            (is_closed, step.yield_onset.unwrap().force, step.estimated_error.unwrap().force.unwrap())
+            let is_closed = remark(&step, "coarse_mesh")
+                .is_some_and(|message| message.contains("closed form"));
+            (
+                is_closed,
+                step.yield_onset.unwrap().force,
+                step.estimated_error.unwrap().force.unwrap(),
+            )
         };
         let [(is_closed, closed, bar), (is_still_closed, found, _)] = [15, 60].map(by);
         assert!(is_closed && !is_still_closed, "{analysis}");
-        assert!((closed / found - 1.0).abs() < bar.min(0.06), "{analysis}: {closed} {found}, bar {bar}");
+        assert!(
+            (closed / found - 1.0).abs() < bar.min(0.06),
+            "{analysis}: {closed} {found}, bar {bar}"
+        );
     }
 }
 
-/// The yield surface of plane stress has no pressure beyond 2/√3 of the yield stress; elements find 1.20 beside the edge of a plateau.
+/// The yield surface of plane stress has no pressure beyond 2/√3 of the yield stress; elements
+/// find 1.20 beside the edge of a plateau.
 #[test]
 fn pressure_in_plane_stress_stays_on_the_yield_surface() {
     let mut job = cylinders(0.0, &json!({"force": 299.2}));
@@ -83,8 +105,8 @@ fn pressure_in_plane_stress_stays_on_the_yield_surface() {
     assert!((largest - step.contact.peak_pressure).abs() < 1e-9);
 }
 
-/// Residual stress at the surface below the middle of two balls, by flow theory; 80 elements find -156 MPa there and 252 MPa at most. The
-/// pressure is that of the contact.
+/// Residual stress at the surface below the middle of two balls, by flow theory; 80 elements find
+/// -156 MPa there and 252 MPa at most. The pressure is that of the contact.
 #[test]
 fn stress_at_the_surface_of_a_dent() {
     let metal = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
@@ -103,7 +125,8 @@ fn stress_at_the_surface_of_a_dent() {
     assert!(remark(&steps[1], "coarse_mesh").unwrap().contains("stresses along the surface"));
 }
 
-/// Cylinders on which 80 elements find 7 MPa at the surface and 321 MPa at most below it. Within the error that is told, or 5 %.
+/// Cylinders on which 80 elements find 7 MPa at the surface and 321 MPa at most below it. Within
+/// the error that is told, or 5 %.
 #[test]
 #[ignore = "full"]
 fn stress_at_the_surface_of_a_groove_is_within_what_is_told() {
@@ -114,8 +137,10 @@ fn stress_at_the_surface_of_a_groove_is_within_what_is_told() {
         job["output"] = json!({"subsurface": true});
         let step = report(&job).steps.remove(1);
         let found = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap().sigma_x[0];
-        let told = remark(&step, "coarse_mesh").and_then(|message| message.split("known to about ").nth(1));
-        let told = told.map_or(0.0, |rest| rest.split(' ').next().unwrap().parse::<f64>().unwrap());
+        let told = remark(&step, "coarse_mesh")
+            .and_then(|message| message.split("known to about ").nth(1));
+        let told =
+            told.map_or(0.0, |rest| rest.split(' ').next().unwrap().parse::<f64>().unwrap());
         assert!((found - 7.0).abs() < told.max(0.05 * 321.0), "{elements}: {found}, {told}");
         assert_eq!(told > 0.0, elements < 28);
     }
@@ -141,8 +166,7 @@ fn an_approach_below_its_error_is_told() {
 fn elastic_bodies_are_not_advised_to_harden() {
     let elastic = json!({"young_modulus": 11_537, "poisson_ratio": 0.3});
     let mut stressed = elastic.clone();
-    stressed["initial_stress"] =
-        json!([{"depth": 0, "sigma_x": 6.8, "sigma_z": 6.8}, {"depth": 12, "sigma_x": 0, "sigma_z": 0}]);
+    stressed["initial_stress"] = json!([{"depth": 0, "sigma_x": 6.8, "sigma_z": 6.8}, {"depth": 12, "sigma_x": 0, "sigma_z": 0}]);
     let job = json!({"analysis": "axisymmetric", "load": {"force": 1e-9},
         "upper": {"shape": {"type": "cylinder", "radius": 1e3}, "material": elastic},
         "lower": {"shape": {"type": "block", "width": 850, "depth": 1088}, "material": stressed},
@@ -158,14 +182,18 @@ fn elastic_bodies_are_not_advised_to_harden() {
 fn pressure_next_to_the_end_of_a_flat_by_points_is_told() {
     let steps = case(include_str!("../cases/flat_with_tight_radius_by_points.json"));
     assert_eq!(steps[0].estimated_error.unwrap().peak_pressure, None);
-    assert!(remark(&steps[0], "coarse_mesh").is_some_and(|message| message.contains("next to an end")));
+    assert!(
+        remark(&steps[0], "coarse_mesh").is_some_and(|message| message.contains("next to an end"))
+    );
 }
 
 #[test]
 fn a_high_power_of_revolution_on_few_elements_is_told() {
     for step in &case(include_str!("../cases/high_power_of_revolution_on_few_elements.json")) {
         assert_eq!(step.estimated_error.unwrap().peak_pressure, None);
-        assert!(remark(step, "coarse_mesh").is_some_and(|message| message.contains("next to an end")));
+        assert!(
+            remark(step, "coarse_mesh").is_some_and(|message| message.contains("next to an end"))
+        );
     }
 }
 
@@ -174,7 +202,10 @@ fn a_high_power_of_revolution_on_few_elements_is_told() {
 fn a_ring_of_few_elements_has_no_bars() {
     let step = &case(include_str!("../cases/ring_of_one_node.json"))[0];
     assert_eq!((step.status, step.estimated_error), (SolveStatus::Converged, None));
-    assert!(remark(step, "coarse_mesh").is_some_and(|message| message.contains("a ring of few elements")));
+    assert!(
+        remark(step, "coarse_mesh")
+            .is_some_and(|message| message.contains("a ring of few elements"))
+    );
 }
 
 /// Cylinders under a load or target.
@@ -193,7 +224,9 @@ fn the_largest_strain_of_a_material_that_does_not_harden_is_not_given() {
         job["mesh"]["elements_per_half_width"] = json!(elements);
         let step = report(&job).steps.remove(0);
         let zone = step.plasticity.lower.clone().unwrap();
-        assert!(remark(&step, "unbounded_strain").is_some() && step.max_plastic_strain().is_none());
+        assert!(
+            remark(&step, "unbounded_strain").is_some() && step.max_plastic_strain().is_none()
+        );
         (zone.max_equivalent_plastic_strain, zone.area, zone.mean_equivalent_plastic_strain)
     };
     let [(largest, area, mean), (_, fine_area, fine_mean)] = [10, 30].map(zone);
@@ -202,23 +235,34 @@ fn the_largest_strain_of_a_material_that_does_not_harden_is_not_given() {
     assert!((mean / fine_mean - 1.0).abs() < 0.05, "{mean} {fine_mean}");
 
     let step = report(&cylinders(2000.0, &json!({"force": 1200}))).steps.remove(0);
-    assert!(step.max_plastic_strain().unwrap() > 0.0 && remark(&step, "unbounded_strain").is_none());
+    assert!(
+        step.max_plastic_strain().unwrap() > 0.0 && remark(&step, "unbounded_strain").is_none()
+    );
 
     let job = cylinders(0.0, &json!({"target": {"max_plastic_strain": 0.01}}));
     let faults = format!("{:?}", Job::from_value(&job).unwrap_err());
-    assert!(faults.contains("/load/target/max_plastic_strain") && faults.contains("no limit"), "{faults}");
+    assert!(
+        faults.contains("/load/target/max_plastic_strain") && faults.contains("no limit"),
+        "{faults}"
+    );
 }
 
 #[test]
 fn a_bilinear_curve_is_said_to_tell_little_of_small_strains() {
     for (strain, is_told) in [(0.002, true), (0.02, false)] {
         let job = cylinders(5000.0, &json!({"target": {"max_plastic_strain": strain}}));
-        let report: Result<_, RunError> = report::run(&Job::from_value(&job).unwrap(), &mut Unobserved);
-        assert_eq!(remark(&report.unwrap().steps[0], "bilinear_curve").is_some(), is_told, "{strain}");
+        let report: Result<_, RunError> =
+            report::run(&Job::from_value(&job).unwrap(), &mut Unobserved);
+        assert_eq!(
+            remark(&report.unwrap().steps[0], "bilinear_curve").is_some(),
+            is_told,
+            "{strain}"
+        );
     }
 }
 
-/// A flat of 4 mm with edges of 0.4 mm by points: half-planes yield under 202.5 N/mm, 20 elements alone find 636.
+/// A flat of 4 mm with edges of 0.4 mm by points: half-planes yield under 202.5 N/mm, 20 elements
+/// alone find 636.
 #[test]
 fn an_onset_next_to_an_end_of_the_contact_is_not_given() {
     let mut job = flat_by_points(0.4);
@@ -228,7 +272,10 @@ fn an_onset_next_to_an_end_of_the_contact_is_not_given() {
         let step = report(&job).steps.remove(0);
         assert_eq!(step.status, SolveStatus::Converged);
         assert!(step.yield_onset.is_none() && step.estimated_error.is_none());
-        assert!(remark(&step, "onset_unknown").is_some_and(|message| message.contains("next to an end")));
+        assert!(
+            remark(&step, "onset_unknown")
+                .is_some_and(|message| message.contains("next to an end"))
+        );
         job["load"] = json!({"force": 263});
         let step = report(&job).steps.remove(0);
         let zone = step.plasticity.lower.as_ref().unwrap();
@@ -255,28 +302,35 @@ fn flat_by_points(radius: f64) -> Value {
         "lower": {"shape": {"type": "block", "width": 60, "depth": 40}, "material": steel}})
 }
 
-/// The force is the answer of a target: what the mesh does to the figure it does to the force, with the sensitivity of the figure.
+/// The force is the answer of a target: what the mesh does to the figure it does to the force,
+/// with the sensitivity of the figure.
 #[test]
 fn the_force_of_a_target_has_a_bar() {
     let sphere = json!({"shape": {"type": "cylinder", "radius": 10}, "material":
         {"young_modulus": 210_000, "poisson_ratio": 0.3,
             "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 2100}}});
     let found = |elements: u32, load: &Value| {
-        let report =
-            report(&json!({"analysis": "axisymmetric", "upper": sphere, "lower": sphere, "load": load,
-            "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}}));
+        let report = report(
+            &json!({"analysis": "axisymmetric", "upper": sphere, "lower": sphere, "load": load,
+            "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}}),
+        );
         let step = &report.steps[0];
         (step.contact.force, step.approach, step.estimated_error, report.target.clone())
     };
     let target = json!({"target": {"peak_pressure": 1300}});
-    let [(force, approach, bars, target), (fine, fine_approach, ..)] = [10, 40].map(|n| found(n, &target));
+    let [(force, approach, bars, target), (fine, fine_approach, ..)] =
+        [10, 40].map(|n| found(n, &target));
     let (bars, target) = (bars.unwrap(), target.unwrap());
     assert!(bars.force.unwrap() > 0.0 && bars.force.unwrap() <= target.relative_error.unwrap());
     assert!((force / fine - 1.0).abs() < bars.force.unwrap(), "{force} {fine} {bars:?}");
-    assert!((approach / fine_approach - 1.0).abs() < bars.approach.unwrap(), "{approach} {fine_approach}");
+    assert!(
+        (approach / fine_approach - 1.0).abs() < bars.approach.unwrap(),
+        "{approach} {fine_approach}"
+    );
 }
 
-/// Plastic strain of 3000 times the elastic one: the difference of strains would be 9 times the yield stress.
+/// Plastic strain of 3000 times the elastic one: the difference of strains would be 9 times the
+/// yield stress.
 #[test]
 fn no_stress_at_the_surface_is_beyond_what_elements_have_borne() {
     let soft = json!({"young_modulus": 290_000, "poisson_ratio": 0.45,
@@ -292,12 +346,14 @@ fn no_stress_at_the_surface_is_beyond_what_elements_have_borne() {
         let bars = step.estimated_error.unwrap().bodies.unwrap().upper.unwrap();
         assert!(bars.least_stress > Some(0.3) && bars.utilization > Some(0.3), "{bars:?}");
         assert!(
-            remark(step, "coarse_mesh").is_some_and(|told| told.contains("at the depth 0, are known to"))
+            remark(step, "coarse_mesh")
+                .is_some_and(|told| told.contains("at the depth 0, are known to"))
         );
     }
 }
 
-/// What a load next to whose contact's end the mesh did not tell the pressure has left is not known either.
+/// What a load next to whose contact's end the mesh did not tell the pressure has left is not
+/// known either.
 #[test]
 fn what_an_unknown_peak_has_left_has_no_bars() {
     let mut job = flat_by_points(0.4);
@@ -307,6 +363,12 @@ fn what_an_unknown_peak_has_left_has_no_bars() {
     let steps = report(&job).steps;
     assert_eq!(steps[0].estimated_error.unwrap().peak_pressure, None);
     let left = steps[1].estimated_error.unwrap().bodies.unwrap().lower.unwrap();
-    assert_eq!((left.max_equivalent_plastic_strain, left.area, left.least_stress), (None, None, None));
-    assert!(remark(&steps[1], "coarse_mesh").is_some_and(|message| message.contains("an earlier load")));
+    assert_eq!(
+        (left.max_equivalent_plastic_strain, left.area, left.least_stress),
+        (None, None, None)
+    );
+    assert!(
+        remark(&steps[1], "coarse_mesh")
+            .is_some_and(|message| message.contains("an earlier load"))
+    );
 }

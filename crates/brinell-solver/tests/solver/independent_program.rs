@@ -1,8 +1,9 @@
 //! The same contact by an independent finite-element program with deformation plasticity.
 //!
-//! CalculiX 2.20, cylinders of R 20 mm, Ramberg–Osgood with a 0.3, m 5, σ_0 500 MPa, P = 612.6106 N/mm, roller
-//! supports: peak 1243 MPa and α 0.018501 mm at *finite* strain. At small strain the prototype behind the
-//! project's theory gives 1248.1 MPa and 0.01853 mm; the difference between the two is the strain measure's.
+//! CalculiX 2.20, cylinders of R 20 mm, Ramberg–Osgood with a 0.3, m 5, σ_0 500 MPa, P = 612.6106
+//! N/mm, roller supports: peak 1243 MPa and α 0.018501 mm at *finite* strain. At small strain the
+//! prototype behind the project's theory gives 1248.1 MPa and 0.01853 mm; the difference between
+//! the two is the strain measure's.
 
 use brinell_solver::solver::SolveStatus;
 use serde_json::json;

@@ -1,5 +1,6 @@
-//! Stress before the load: what depends on the depth below a plane alone moves nothing; what is not in equilibrium relaxes to
-//! the closed form of a ring; yield begins where the sum of both stresses says.
+//! Stress before the load: what depends on the depth below a plane alone moves nothing; what is
+//! not in equilibrium relaxes to the closed form of a ring; yield begins where the sum of both
+//! stresses says.
 
 use std::sync::Arc;
 
@@ -42,8 +43,8 @@ fn hard() -> Value {
     json!({"law": "bilinear", "yield_stress": 4000.0, "tangent_modulus": 1000.0})
 }
 
-/// A stress of depth alone moves nothing in a block, under either theory, with or without a hardening curve; it adds to the
-/// stress of the load.
+/// A stress of depth alone moves nothing in a block, under either theory, with or without a
+/// hardening curve; it adds to the stress of the load.
 #[test]
 fn a_stress_of_depth_alone_moves_nothing() {
     for analysis in ["plane_strain", "axisymmetric"] {
@@ -61,16 +62,24 @@ fn a_stress_of_depth_alone_moves_nothing() {
                 assert_within(stressed.energy.work, plain.energy.work, 1e-6);
                 assert_within(stressed.energy.elastic, plain.energy.elastic, 1e-6);
             }
-            for (a, b) in stressed.contact.nodes.pressure.iter().zip(&plain.contact.nodes.pressure) {
+            for (a, b) in stressed.contact.nodes.pressure.iter().zip(&plain.contact.nodes.pressure)
+            {
                 assert!((a - b).abs() < 1e-9 * plain.contact.peak_pressure);
             }
-            assert!(stressed.hertz.is_some() && stressed.hertz.as_ref().unwrap().yield_onset_force.is_none());
-            let [with, without] =
-                [stressed, plain].map(|step| step.subsurface.as_ref().unwrap().lower.clone().unwrap());
+            assert!(
+                stressed.hertz.is_some()
+                    && stressed.hertz.as_ref().unwrap().yield_onset_force.is_none()
+            );
+            let [with, without] = [stressed, plain]
+                .map(|step| step.subsurface.as_ref().unwrap().lower.clone().unwrap());
             let initial = with.initial_sigma_x.as_ref().unwrap();
             for (k, depth) in with.depth.iter().enumerate().filter(|(_, depth)| **depth < 2.0) {
                 let sum = without.sigma_x[k] + initial[k];
-                assert!((with.sigma_x[k] - sum).abs() < 1e-6 * 650.0, "{depth}: {} {sum}", with.sigma_x[k]);
+                assert!(
+                    (with.sigma_x[k] - sum).abs() < 1e-6 * 650.0,
+                    "{depth}: {} {sum}",
+                    with.sigma_x[k]
+                );
                 assert!(with.initial_sigma_y.as_ref().unwrap()[k].abs() < 20.0);
             }
             // The mean over an element misses the kink by what it turns over half of one.
@@ -98,7 +107,8 @@ fn moduli() -> ElasticModuli {
     ElasticModuli::from(material(MODULI.0, MODULI.1, None).elastic())
 }
 
-/// What is left of `[σ_r, σ_θ](r)` in a ring with free surfaces, as `[r, σ_r, σ_θ]` of each element.
+/// What is left of `[σ_r, σ_θ](r)` in a ring with free surfaces, as `[r, σ_r, σ_θ]` of each
+/// element.
 fn relaxed(given: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 3]> {
     let mesh = ring();
     let held = mesh.nodes.iter().map(|[x, y]| [*x == 0.0, *y == 0.0]).collect();
@@ -118,7 +128,8 @@ fn relaxed(given: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 3]> {
         let corners = mesh.corners(element);
         let place: [f64; 2] =
             std::array::from_fn(|k| (0..4).map(|g| 0.25 * Quad::point(&corners, g)[k]).sum());
-        let [xx, yy, _, xy]: [f64; 4] = std::array::from_fn(|k| points.iter().map(|p| 0.25 * p[k]).sum());
+        let [xx, yy, _, xy]: [f64; 4] =
+            std::array::from_fn(|k| points.iter().map(|p| 0.25 * p[k]).sum());
         let r = place[0].hypot(place[1]);
         let [c, s] = place.map(|x| x / r);
         let (along, across) = (xx * c * c + yy * s * s, xx * s * s + yy * c * c);
@@ -127,7 +138,8 @@ fn relaxed(given: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 3]> {
     means.collect()
 }
 
-/// A ring in which the stress of a pressure in its bore is left without the pressure has no stress.
+/// A ring in which the stress of a pressure in its bore is left without the pressure has no
+/// stress.
 #[test]
 fn the_stress_of_a_pressure_that_is_gone_relaxes_to_nothing() {
     let pressure = 100.0;
@@ -140,8 +152,8 @@ fn the_stress_of_a_pressure_that_is_gone_relaxes_to_nothing() {
     }
 }
 
-/// A hoop stress g alone, the same everywhere, relaxes to `u = g/M (r/2 ln r - r/4) + A r + B/r` with `M = K + 4G/3`, both
-/// surfaces free.
+/// A hoop stress g alone, the same everywhere, relaxes to `u = g/M (r/2 ln r - r/4) + A r + B/r`
+/// with `M = K + 4G/3`, both surfaces free.
 #[test]
 fn a_hoop_stress_relaxes_to_its_closed_form() {
     let (g, ElasticModuli { bulk, shear }) = (-400.0, moduli());
@@ -169,13 +181,17 @@ fn a_hoop_stress_relaxes_to_its_closed_form() {
         let [along, around] = strain(r, constants);
         let hoop = m * around + lame * along + g;
         largest = largest.max(hoop.abs());
-        assert!((found_radial - radial(r, constants)).abs() < 2e-3 * g.abs(), "{r}: {found_radial}");
+        assert!(
+            (found_radial - radial(r, constants)).abs() < 2e-3 * g.abs(),
+            "{r}: {found_radial}"
+        );
         assert!((found_hoop - hoop).abs() < 2e-3 * g.abs(), "{r}: {found_hoop} {hoop}");
     }
     assert!(largest > 0.1 * g.abs());
 }
 
-/// Onset of yield under the sum of both stresses, within 0.5 %, of a layer under compression and one under tension.
+/// Onset of yield under the sum of both stresses, within 0.5 %, of a layer under compression and
+/// one under tension.
 #[test]
 fn onset_of_yield_in_a_stressed_block() {
     let (yield_stress, poisson): (f64, f64) = (800.0, 0.3);
@@ -208,8 +224,9 @@ fn onset_of_yield_in_a_stressed_block() {
     }
 }
 
-/// A roller with a stressed layer relaxes: what is left is in equilibrium round its circle, `dσ_r/dr = (σ_θ - σ_r)/r`, and the
-/// contact is that of an elastic roller. Both theories agree where hardly anything yields.
+/// A roller with a stressed layer relaxes: what is left is in equilibrium round its circle,
+/// `dσ_r/dr = (σ_θ - σ_r)/r`, and the contact is that of an elastic roller. Both theories agree
+/// where hardly anything yields.
 #[test]
 fn a_stressed_roller() {
     let plasticity = json!({"law": "bilinear", "yield_stress": 900.0, "tangent_modulus": 5000.0});
@@ -231,8 +248,10 @@ fn a_stressed_roller() {
     assert_within(flow.contact.peak_pressure, stressed.contact.peak_pressure, 5e-3);
     assert_within(flow.approach, stressed.approach, 2e-3);
     let body = stressed.subsurface.as_ref().unwrap().upper.as_ref().unwrap();
-    let (hoop, radial) = (body.initial_sigma_x.as_ref().unwrap(), body.initial_sigma_y.as_ref().unwrap());
-    // The layer pulls on what is below it: its stress over the radius, added up from the free surface.
+    let (hoop, radial) =
+        (body.initial_sigma_x.as_ref().unwrap(), body.initial_sigma_y.as_ref().unwrap());
+    // The layer pulls on what is below it: its stress over the radius, added up from the free
+    // surface.
     let mut sum = 0.0;
     for k in 1..body.depth.len() {
         let (depth, step) = (body.depth[k], body.depth[k] - body.depth[k - 1]);
@@ -244,7 +263,8 @@ fn a_stressed_roller() {
         }
     }
     assert!(hoop[1] < -250.0 && sum.abs() > 1.0);
-    // What is stored before the load is no work of it: the area under the curve of force over approach.
+    // What is stored before the load is no work of it: the area under the curve of force over
+    // approach.
     let flow = flow.flow.as_ref().unwrap();
     let (force, approach) = (&flow.increments.force, &flow.increments.approach);
     let power = (force[0].ln() - force[1].ln()) / (approach[0].ln() - approach[1].ln());
@@ -255,11 +275,13 @@ fn a_stressed_roller() {
     assert_within(flow.energy.work, area, 1e-2);
 }
 
-/// Whatever cannot be answered is refused, with the field at fault; what can is written back as it was read.
+/// Whatever cannot be answered is refused, with the field at fault; what can is written back as it
+/// was read.
 #[test]
 fn rows_are_checked() {
     let refused = |job: &Value| {
-        Job::from_value(job).map_or_else(|error| format!("{error:?}"), |_| String::from("accepted"))
+        Job::from_value(job)
+            .map_or_else(|error| format!("{error:?}"), |_| String::from("accepted"))
     };
     let mut falling = pressed("plane_strain", &peened());
     falling["lower"]["material"]["initial_stress"][1]["depth"] = json!(0.0);
@@ -275,8 +297,7 @@ fn rows_are_checked() {
     weak["lower"]["material"]["plasticity"]["over_depth"] = json!([[0.0, 1.2], [0.4, 1.0]]);
     assert_eq!(refused(&weak), "accepted");
     let mut everywhere = pressed("plane_strain", &peened());
-    everywhere["lower"]["material"]["plasticity"] =
-        json!({"law": "ramberg_osgood", "reference_stress": 900.0, "offset": 0.3, "exponent": 5.0});
+    everywhere["lower"]["material"]["plasticity"] = json!({"law": "ramberg_osgood", "reference_stress": 900.0, "offset": 0.3, "exponent": 5.0});
     assert!(refused(&everywhere).contains("yield point"));
     assert!(refused(&pressed("plane_stress", &peened())).contains("/0/sigma_z"));
     let mut uneven = pressed("axisymmetric", &peened());

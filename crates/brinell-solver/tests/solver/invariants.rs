@@ -4,7 +4,9 @@ use brinell_solver::solver::{Options, SolveStatus, StepSolution};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-use crate::problems::{FORCE_3, assert_within, bilinear, cylinder, paper, parse, report, solve, solve_with};
+use crate::problems::{
+    FORCE_3, assert_within, bilinear, cylinder, paper, parse, report, solve, solve_with,
+};
 
 fn block(plasticity: Value) -> Value {
     let mut body = cylinder("clamped", plasticity);
@@ -86,7 +88,10 @@ fn the_unit_system_changes_figures_not_physics() {
 
 #[test]
 fn half_and_full_models_agree() {
-    for job in [paper(FORCE_3, "accelerated"), unequal(&cylinder("roller", bilinear()), &block(bilinear()))] {
+    for job in [
+        paper(FORCE_3, "accelerated"),
+        unequal(&cylinder("roller", bilinear()), &block(bilinear())),
+    ] {
         let mut job = job;
         job["solver"] = json!({"tolerance": 1e-9});
         let half = solve(&job);
@@ -104,7 +109,8 @@ fn both_contact_methods_give_the_same_answer() {
     job["solver"]["contact"] = json!("simplex");
     let simplex = solve(&job);
     assert_same(&simplex.steps[0], &active_set.steps[0], 1e-9);
-    // Every simplex starts afresh and brings one pair into contact a pivot, α first; the active set is warm.
+    // Every simplex starts afresh and brings one pair into contact a pivot, α first; the active
+    // set is warm.
     let pivots = |solution: &brinell_solver::solver::Solution| -> Vec<usize> {
         solution.steps[0].history.iter().map(|record| record.contact_pivots).collect()
     };
@@ -120,8 +126,8 @@ fn a_rigid_body_deforms_nothing_and_halves_the_approach() {
     let mut flat = block(json!(null));
     flat["material"] = json!({"rigid": true});
     let both = &solve(&unequal(&elastic, &elastic)).steps[0].clone();
-    // Against a rigid flat the effective radius doubles and the effective modulus doubles: under the same force
-    // the half-width is the same.
+    // Against a rigid flat the effective radius doubles and the effective modulus doubles: under
+    // the same force the half-width is the same.
     let against_rigid = solve(&unequal(&elastic, &flat));
     let step = &against_rigid.steps[0];
     assert!(step.bodies[1].is_none());
@@ -152,7 +158,8 @@ fn a_lower_yield_stress_lowers_the_peak_and_widens_the_contact() {
 #[test]
 fn the_zone_grows_with_the_contact() {
     // Perfectly plastic and thin: the plastic layer is squeezed out sideways.
-    let mut soft = block(json!({"law": "bilinear", "yield_stress": 200.0, "tangent_modulus": 50.0}));
+    let mut soft =
+        block(json!({"law": "bilinear", "yield_stress": 200.0, "tangent_modulus": 50.0}));
     soft["shape"] = json!({"type": "block", "width": 60.0, "depth": 30.0});
     let mut hard = cylinder("clamped", json!(null));
     hard["shape"]["radius"] = json!(30.0);
@@ -168,7 +175,8 @@ fn the_zone_grows_with_the_contact() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
-    /// Elastic contacts of random bodies: converged, in equilibrium, Hertz within what finite bodies allow.
+    /// Elastic contacts of random bodies: converged, in equilibrium, Hertz within what finite
+    /// bodies allow.
     #[test]
     fn random_elastic_contacts_are_sound(
         radius in 5.0..200.0f64,
@@ -199,7 +207,8 @@ proptest! {
     }
 }
 
-/// Decisions that are ties in one of the units: slopes that jump by 0.05 at every point, and a zone that just fits.
+/// Decisions that are ties in one of the units: slopes that jump by 0.05 at every point, and a
+/// zone that just fits.
 #[test]
 #[ignore = "full"]
 fn ties_are_decided_alike_in_all_units() {
@@ -211,9 +220,12 @@ fn ties_are_decided_alike_in_all_units() {
                load: Value,
                scale: [f64; 3]| {
         let [length, stress, force] = scale;
-        let points: Vec<_> =
-            (-20..=20).map(|k| 0.5 * f64::from(k)).map(|x| json!([x * length, height(x) * length])).collect();
-        let material = |modulus: f64| json!({"young_modulus": modulus * stress, "poisson_ratio": 0.3});
+        let points: Vec<_> = (-20..=20)
+            .map(|k| 0.5 * f64::from(k))
+            .map(|x| json!([x * length, height(x) * length]))
+            .collect();
+        let material =
+            |modulus: f64| json!({"young_modulus": modulus * stress, "poisson_ratio": 0.3});
         let mut load = load;
         if let Some(given) = load["force"].as_f64() {
             load["force"] = json!(given * force);
@@ -237,7 +249,9 @@ fn ties_are_decided_alike_in_all_units() {
         (&summits, "linear", roller(), 2400.0),
     ] {
         let [mm, si] = [[1.0, 1.0, 1.0], [1e-3, 1e6, 1e3]].map(|scale| {
-            report(&job(height, interpolation, other.clone(), json!({"force": force}), scale)).steps.remove(0)
+            report(&job(height, interpolation, other.clone(), json!({"force": force}), scale))
+                .steps
+                .remove(0)
         });
         assert_within(si.contact.half_width, 1e-3 * mm.contact.half_width, 1e-9);
         assert_within(si.contact.peak_pressure, 1e6 * mm.contact.peak_pressure, 1e-6);

@@ -56,11 +56,12 @@ fn cylinder_on_block(force: f64) -> Value {
     })
 }
 
-/// The NAFEMS contact benchmark: a steel cylinder on an aluminium block, a = 6.2146 mm, p0 = 3585.4 MPa.
+/// The NAFEMS contact benchmark: a steel cylinder on an aluminium block, a = 6.2146 mm, p0 =
+/// 3585.4 MPa.
 ///
-/// At a/R = 0.12 a circle is no longer the parabola of Hertz's theory: the arc rises faster, which makes the
-/// contact narrower and the peak higher by about (a/R)²/8 = 0.19 %. Under a sixteenth of the force that part is
-/// sixteen times smaller, and so must the difference be.
+/// At a/R = 0.12 a circle is no longer the parabola of Hertz's theory: the arc rises faster, which
+/// makes the contact narrower and the peak higher by about (a/R)²/8 = 0.19 %. Under a sixteenth of
+/// the force that part is sixteen times smaller, and so must the difference be.
 #[test]
 fn nafems_cylinder_on_block() {
     let benchmark = report(&cylinder_on_block(35_000.0));
@@ -76,11 +77,12 @@ fn nafems_cylinder_on_block() {
     assert_within(step.contact.peak_pressure, step.hertz.as_ref().unwrap().peak_pressure, 5e-4);
 }
 
-/// Approach of the centre of a disc towards its contact point, `P(1-ν²)/(πE) [2 ln(4R/a) - 1]`, for a disc that
-/// is free to spread: roller support.
+/// Approach of the centre of a disc towards its contact point, `P(1-ν²)/(πE) [2 ln(4R/a) - 1]`,
+/// for a disc that is free to spread: roller support.
 ///
-/// Johnson's disc is loaded by a force at the opposite point; here the diametral plane moves as a whole, which
-/// is stiffer by a part that does not depend on the load. The *difference* between two loads is free of it.
+/// Johnson's disc is loaded by a force at the opposite point; here the diametral plane moves as a
+/// whole, which is stiffer by a part that does not depend on the load. The *difference* between
+/// two loads is free of it.
 #[test]
 fn approach_grows_as_for_a_disc() {
     let elastic = ElasticConstants { young_modulus: 210_000.0, poisson_ratio: 0.3 };
@@ -95,8 +97,9 @@ fn approach_grows_as_for_a_disc() {
     assert_within(heavy.0, heavy.1, 0.05);
 }
 
-/// A rigid cylinder of radius R on a layer that is much thinner than the contact is wide, held at its base: strained across alone, it
-/// has the pressure `M (a² - x²) / 2Rd` with `M = E (1-ν) / ((1+ν) (1-2ν))` and carries `2 M a³ / 3Rd`.
+/// A rigid cylinder of radius R on a layer that is much thinner than the contact is wide, held at
+/// its base: strained across alone, it has the pressure `M (a² - x²) / 2Rd` with `M = E (1-ν) /
+/// ((1+ν) (1-2ν))` and carries `2 M a³ / 3Rd`.
 ///
 /// K. L. Johnson, *Contact Mechanics* (1985), section 5.8.
 #[test]
@@ -115,8 +118,8 @@ fn a_thin_layer_is_compressed_as_by_itself() {
     assert_within(step.contact.force, 2.0 * modulus * half_width.powi(3) / (300.0 * depth), 0.05);
 }
 
-/// Layers of any thickness under a contact of the same force: the thinner, the smaller the contact, without a jump where columns take
-/// the place of rings.
+/// Layers of any thickness under a contact of the same force: the thinner, the smaller the
+/// contact, without a jump where columns take the place of rings.
 #[test]
 fn layers_of_any_thickness_are_meshed() {
     for elements in [4, 7, 14] {

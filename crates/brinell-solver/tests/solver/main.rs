@@ -1,5 +1,6 @@
-//! The solver from outside, one executable: verification against closed forms, invariants and independent
-//! programs (one file for each named problem), the wire format, results, exports and purity.
+//! The solver from outside, one executable: verification against closed forms, invariants and
+//! independent programs (one file for each named problem), the wire format, results, exports and
+//! purity.
 //!
 //! A test that takes more than two seconds is `#[ignore = "full"]`: `.ci/full` runs it.
 

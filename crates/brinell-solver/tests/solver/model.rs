@@ -45,7 +45,9 @@ mod accepted {
         let job = Job::from_json(TWO_CYLINDERS.as_bytes()).unwrap();
         assert_eq!(job.units, Units::MmNMpa);
         assert_eq!(job.upper, job.lower);
-        let Shape::Cylinder(Cylinder { radius }) = job.upper.shape else { panic!("{:?}", job.upper.shape) };
+        let Shape::Cylinder(Cylinder { radius }) = job.upper.shape else {
+            panic!("{:?}", job.upper.shape)
+        };
         assert!((radius.get() - 20.0).abs() < f64::EPSILON);
         let Material::Deformable(steel) = &job.upper.material else { panic!("rigid") };
         assert!(matches!(steel.plasticity(), Some(Hardening::Bilinear(Bilinear { .. }))));
@@ -119,7 +121,10 @@ mod accepted {
 
     #[test]
     fn perfect_plasticity_a_rigid_body_and_a_sweep_of_one() {
-        assert_eq!(faults_of(&with("/upper/material/plasticity/tangent_modulus", json!(0))), "none");
+        assert_eq!(
+            faults_of(&with("/upper/material/plasticity/tangent_modulus", json!(0))),
+            "none"
+        );
         assert_eq!(faults_of(&with("/upper/material", json!({"rigid": true}))), "none");
         assert_eq!(faults_of(&with("/load", json!({"forces": [100.0]}))), "none");
         assert_eq!(faults_of(&with("/mesh", json!({"elements_per_half_width": 8.0}))), "none");
@@ -136,8 +141,10 @@ mod refused {
         assert_snapshot!(faults(TWO_CYLINDERS.replace("612.6106", "1e999")), @"not valid JSON: a number is too large; magnitudes end at 1.8e308 (line 22, column 26)");
         assert_snapshot!(faults(&TWO_CYLINDERS[..300]), @"not valid JSON: the text ends too early (EOF while parsing a string) (line 10, column 74)");
         assert_snapshot!(faults(""), @"not valid JSON: the document is empty (line 1, column 1)");
-        assert_snapshot!(faults(b"\xff\xfe{\0"), @"not valid JSON: the text is not UTF-8 (line 1, column 1)");
-        assert_snapshot!(faults("[".repeat(100_000)), @"not valid JSON: values are nested too deeply (line 1, column 128)");
+        assert_snapshot!(faults(b"\xff\xfe{\0"), @"not valid JSON: the text is not UTF-8 (line 1, \
+                                                   column 1)");
+        assert_snapshot!(faults("[".repeat(100_000)), @"not valid JSON: values are nested too \
+                                                        deeply (line 1, column 128)");
         assert_snapshot!(faults("{\"a\":".repeat(100_000)), @"not valid JSON: values are nested too deeply (line 1, column 636)");
     }
 
@@ -174,7 +181,8 @@ mod refused {
         job["load"]["force"] = json!(1e300);
         let all = faults_of(&job);
         let load = all.lines().find(|line| line.starts_with("/load")).unwrap();
-        assert_snapshot!(load, @"/load/force: must be between 1e-6 and 1e12 N/m (units SI), got 1e300");
+        assert_snapshot!(load, @"/load/force: must be between 1e-6 and 1e12 N/m (units SI), got \
+                                 1e300");
     }
 
     #[test]
@@ -222,7 +230,8 @@ mod refused {
 
     #[test]
     fn duplicate_keys() {
-        let doubled = TWO_CYLINDERS.replacen("\"radius\": 20.0", "\"radius\": 20.0, \"radius\": 30.0", 1);
+        let doubled =
+            TWO_CYLINDERS.replacen("\"radius\": 20.0", "\"radius\": 20.0, \"radius\": 30.0", 1);
         assert_snapshot!(faults(doubled), @r#"/upper/shape/radius: the key "radius" is given more than once"#);
     }
 
@@ -253,7 +262,9 @@ mod refused {
     #[test]
     fn targets() {
         let target = |target: Value| faults_of(&with("/load", json!({"target": target})));
-        assert_snapshot!(target(json!({})), @"/load/target: must have one of: permanent_approach, dent_depth, peak_pressure, mean_pressure, half_width, max_plastic_strain");
+        assert_snapshot!(target(json!({})), @"/load/target: must have one of: permanent_approach, \
+                                              dent_depth, peak_pressure, mean_pressure, \
+                                              half_width, max_plastic_strain");
         assert_snapshot!(target(json!({"peak_pressure": 1200, "half_width": -1})), @r"
         /load/target: must have only one of: permanent_approach, dent_depth, peak_pressure, mean_pressure, half_width, max_plastic_strain
         /load/target/half_width: must be greater than 0, got -1
@@ -268,7 +279,9 @@ mod refused {
         for side in ["upper", "lower"] {
             elastic[side]["material"].as_object_mut().unwrap().remove("plasticity");
         }
-        assert_snapshot!(faults_of(&elastic), @"/load/target/max_plastic_strain: neither body has a hardening law, so nothing yields under any force");
+        assert_snapshot!(faults_of(&elastic), @"/load/target/max_plastic_strain: neither body has \
+                                                a hardening law, so nothing yields under any \
+                                                force");
         assert_snapshot!(faults_of(&with("/load", json!({"forces": [1, -1, "2"]}))), @r"
         /load/forces/1: must be greater than 0, got -1
         /load/forces/2: must be a number, got a string
@@ -308,7 +321,8 @@ mod refused {
         /lower/material/plasticity/exponent: must be between 1 and 200, got 0.5
         /lower/material/plasticity/offset: must be between 1e-9 and 1000000, got 0
         ");
-        let swift = json!({"law": "swift", "yield_stress": 500, "strain_offset": 0.01, "exponent": 1.5});
+        let swift =
+            json!({"law": "swift", "yield_stress": 500, "strain_offset": 0.01, "exponent": 1.5});
         assert_snapshot!(faults_of(&with(curve, swift)), @"/lower/material/plasticity/exponent: must be between 0.001 and 1, got 1.5");
     }
 
@@ -358,7 +372,8 @@ mod refused {
     fn the_whole_format_is_solved() {
         let mut job = with("/analysis", json!("axisymmetric"));
         job["lower"]["shape"] = json!({"type": "groove", "radius": 30, "width": 20, "depth": 10});
-        job["upper"]["material"]["plasticity"] = json!({"law": "table", "points": [[0, 250], [0.1, 300]]});
+        job["upper"]["material"]["plasticity"] =
+            json!({"law": "table", "points": [[0, 250], [0.1, 300]]});
         job["load"] = json!({"approaches": [0.01, 0.02]});
         assert!(Job::from_value(&job).is_ok());
         job["load"] = json!({"onset": true});
@@ -374,7 +389,9 @@ mod refused {
         job["lower"]["shape"] = profile(json!([[0, 0], [5, -0.1], [20, -3]]));
         assert!(Job::from_value(&job).is_ok());
         job["lower"]["shape"] = profile(json!([[-10, -1], [0, 0], [20, -3]]));
-        assert_snapshot!(faults_of(&job), @"/lower/shape/points: must start at x = 0 or be symmetric about it, because an axisymmetric body is the profile turned about x = 0");
+        assert_snapshot!(faults_of(&job), @"/lower/shape/points: must start at x = 0 or be \
+                                            symmetric about it, because an axisymmetric body is \
+                                            the profile turned about x = 0");
     }
 
     #[test]
@@ -392,7 +409,8 @@ mod refused {
         };
         assert_eq!(faults.len(), 101);
         assert!(faults.iter().all(|fault| fault.pointer.len() < 300 && fault.detail.len() < 500));
-        assert_snapshot!(faults.last().unwrap(), @"(job): 905 more faults are not listed; these are the first 100");
+        assert_snapshot!(faults.last().unwrap(), @"(job): 905 more faults are not listed; these \
+                                                   are the first 100");
     }
 }
 
@@ -431,7 +449,8 @@ fn any_json() -> impl Strategy<Value = Value> {
 }
 
 fn any_leaf() -> impl Strategy<Value = Value> {
-    let words = vec!["plane_strain", "SI", "cylinder", "profile", "table", "bilinear", "simplex", ""];
+    let words =
+        vec!["plane_strain", "SI", "cylinder", "profile", "table", "bilinear", "simplex", ""];
     prop_oneof![
         Just(Value::Null),
         any::<bool>().prop_map(Value::from),
@@ -452,9 +471,16 @@ fn pointers(value: &Value) -> Vec<String> {
     };
     let mut all = vec![String::new()];
     match value {
-        Value::Object(members) => all.extend(members.iter().flat_map(|(key, child)| below(key, child))),
+        Value::Object(members) => {
+            all.extend(members.iter().flat_map(|(key, child)| below(key, child)))
+        }
         Value::Array(items) => {
-            all.extend(items.iter().enumerate().flat_map(|(index, child)| below(&index.to_string(), child)));
+            all.extend(
+                items
+                    .iter()
+                    .enumerate()
+                    .flat_map(|(index, child)| below(&index.to_string(), child)),
+            );
         }
         _ => {}
     }
@@ -468,8 +494,14 @@ fn check(outcome: Result<Job, JobError>) {
         Err(JobError::Syntax { message, line, .. }) => assert!(!message.is_empty() && line > 0),
         Err(JobError::Fields(faults)) => {
             assert!((1..=101).contains(&faults.len()));
-            assert!(faults.iter().all(|fault| !fault.detail.is_empty() && fault.detail.len() < 500));
-            assert!(faults.iter().all(|fault| fault.pointer.is_empty() || fault.pointer.starts_with('/')));
+            assert!(
+                faults.iter().all(|fault| !fault.detail.is_empty() && fault.detail.len() < 500)
+            );
+            assert!(
+                faults
+                    .iter()
+                    .all(|fault| fault.pointer.is_empty() || fault.pointer.starts_with('/'))
+            );
         }
     }
 }

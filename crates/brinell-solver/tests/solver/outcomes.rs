@@ -1,6 +1,7 @@
 //! What has to converge to 1e-6: laws, shapes, couplings and analyses.
 //!
-//! `cargo run --release -p brinell-tools --bin outcomes` prints all combinations, those that do not converge among them.
+//! `cargo run --release -p brinell-tools --bin outcomes` prints all combinations, those that do
+//! not converge among them.
 
 use brinell_solver::solver::{SolveStatus, StepSolution};
 use serde_json::{Value, json};
@@ -22,8 +23,8 @@ fn cylinders(analysis: &str, coupling: &str, law: &Value, ratio: f64) -> StepSol
     converged(&job(analysis, coupling, law, [&cylinder, &cylinder], ratio))
 }
 
-/// The paper's couplings. In plane stress they are slow: strong coupling takes 165 iterations with straight hardening and
-/// does not get there in 500 with a table or Ludwik's curve.
+/// The paper's couplings. In plane stress they are slow: strong coupling takes 165 iterations with
+/// straight hardening and does not get there in 500 with a table or Ludwik's curve.
 #[test]
 #[ignore = "full"]
 fn every_coupling_converges_at_three_yield_stresses() {
@@ -38,15 +39,19 @@ fn every_coupling_converges_at_three_yield_stresses() {
     }
 }
 
-/// In plane stress with perfect plasticity the equations lose ellipticity, and the strain wants to gather in a line:
-/// there it takes longer.
+/// In plane stress with perfect plasticity the equations lose ellipticity, and the strain wants to
+/// gather in a line: there it takes longer.
 #[test]
 #[ignore = "full"]
 fn the_default_coupling_converges_within_25_iterations_up_to_five_yield_stresses() {
     for (name, law) in &laws() {
         for ratio in [3.0, 4.0, 5.0] {
             for analysis in ANALYSES {
-                let most = if (analysis, *name) == ("plane_stress", "perfectly plastic") { 250 } else { 25 };
+                let most = if (analysis, *name) == ("plane_stress", "perfectly plastic") {
+                    250
+                } else {
+                    25
+                };
                 let taken = cylinders(analysis, "accelerated", law, ratio).history.len();
                 assert!(taken <= most, "{analysis} {name} {ratio}: {taken} iterations");
             }
@@ -54,7 +59,8 @@ fn the_default_coupling_converges_within_25_iterations_up_to_five_yield_stresses
     }
 }
 
-/// Loads up and down by large steps, little hardening: moduli taken from the state of another load may be far too soft.
+/// Loads up and down by large steps, little hardening: moduli taken from the state of another load
+/// may be far too soft.
 #[test]
 #[ignore = "full"]
 fn no_step_of_a_sweep_is_lost() {
@@ -63,7 +69,8 @@ fn no_step_of_a_sweep_is_lost() {
     let mut places = (1..).map(|k| (0.618_034 * f64::from(k)).fract());
     for _ in 0..90 {
         let mut sweep = job("plane_stress", "accelerated", &law, [&cylinder, &cylinder], 1.0);
-        let forces: Vec<f64> = places.by_ref().take(4).map(|t| 40.0 * f64::powf(17.5, t)).collect();
+        let forces: Vec<f64> =
+            places.by_ref().take(4).map(|t| 40.0 * f64::powf(17.5, t)).collect();
         sweep["load"] = json!({"forces": forces});
         for (step, force) in solve(&sweep).steps.iter().zip(&forces) {
             assert_eq!(step.status, SolveStatus::Converged, "{force} of {forces:?}");

@@ -1,7 +1,9 @@
-//! The problem of Jiang and Shang: two equal cylinders pressed together past yield, by every coupling.
+//! The problem of Jiang and Shang: two equal cylinders pressed together past yield, by every
+//! coupling.
 //!
-//! R 20 mm, E 210000, ν 0.3, σ_y 500, E_t 10500 MPa, plane strain, diametral planes clamped. References are
-//! mesh-converged figures of an independent prototype; p0 is the elastic peak pressure of the same force.
+//! R 20 mm, E 210000, ν 0.3, σ_y 500, E_t 10500 MPa, plane strain, diametral planes clamped.
+//! References are mesh-converged figures of an independent prototype; p0 is the elastic peak
+//! pressure of the same force.
 
 use brinell_solver::solver::{IterationRecord, SolveStatus};
 use serde_json::json;
@@ -52,7 +54,11 @@ fn all_couplings_reach_the_same_answer() {
         for coupling in COUPLINGS {
             let step = &solve(&paper(force, coupling)).steps[0];
             assert_eq!(step.status, SolveStatus::Converged, "{coupling}");
-            assert!(step.equilibrium_residual <= 1.5e-6, "{coupling}: {}", step.equilibrium_residual);
+            assert!(
+                step.equilibrium_residual <= 1.5e-6,
+                "{coupling}: {}",
+                step.equilibrium_residual
+            );
             assert_within(step.peak_pressure, reference.peak_pressure, 1e-4);
             assert_within(step.approach, reference.approach, 1e-4);
         }
@@ -61,13 +67,15 @@ fn all_couplings_reach_the_same_answer() {
 
 /// Iterations and initial-stress updates until the displacement change falls below a tolerance.
 fn counts(history: &[IterationRecord], tolerance: f64) -> (usize, usize, usize) {
-    let end = history.iter().position(|record| record.displacement_change <= tolerance).unwrap() + 1;
+    let end =
+        history.iter().position(|record| record.displacement_change <= tolerance).unwrap() + 1;
     let sum = |count: fn(&IterationRecord) -> usize| history[..end].iter().map(count).sum();
     (end, sum(|record| record.initial_stress_updates), sum(|record| record.factorizations))
 }
 
-/// At most 20 % more iterations than the prototype needed; the accelerated coupling, which starts from a coarser answer and
-/// its tangent moduli, at most that much more than half of the prototype's 5, 10, 6, 14 and 29.
+/// At most 20 % more iterations than the prototype needed; the accelerated coupling, which starts
+/// from a coarser answer and its tangent moduli, at most that much more than half of the
+/// prototype's 5, 10, 6, 14 and 29.
 #[test]
 fn iteration_counts_stay_near_the_prototypes() {
     let with = |force: f64, coupling: &str, tolerance: f64| {
@@ -88,7 +96,10 @@ fn iteration_counts_stay_near_the_prototypes() {
         let found = with(force, "strong", tolerance).0;
         assert!(found <= most(strong), "strong at {tolerance:e}: {found} against {strong}");
         let found = with(force, "accelerated", tolerance).0;
-        assert!(found <= most(accelerated), "accelerated at {tolerance:e}: {found} against {accelerated}");
+        assert!(
+            found <= most(accelerated),
+            "accelerated at {tolerance:e}: {found} against {accelerated}"
+        );
         let found = with(force, "secant_stiffness", tolerance).2;
         assert!(found <= most(secant), "secant at {tolerance:e}: {found} against {secant}");
         if let Some((alternations, updates)) = weak {
@@ -101,7 +112,8 @@ fn iteration_counts_stay_near_the_prototypes() {
     }
 }
 
-/// Plasticity that is not converged well enough sends the alternation round in a circle, on some meshes and not on others.
+/// Plasticity that is not converged well enough sends the alternation round in a circle, on some
+/// meshes and not on others.
 #[test]
 fn weak_coupling_converges_on_every_mesh() {
     for elements in [5, 8, 10, 12, 15] {
@@ -110,7 +122,11 @@ fn weak_coupling_converges_on_every_mesh() {
             job["mesh"]["elements_per_half_width"] = json!(elements);
             let step = &solve(&job).steps[0];
             assert_eq!(step.status, SolveStatus::Converged, "{elements} elements, force {force}");
-            assert!(step.history.len() <= 55, "{elements} elements, force {force}: {}", step.history.len());
+            assert!(
+                step.history.len() <= 55,
+                "{elements} elements, force {force}: {}",
+                step.history.len()
+            );
         }
     }
 }

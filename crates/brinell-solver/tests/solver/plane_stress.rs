@@ -1,4 +1,5 @@
-//! Plane stress: a patch against the uniaxial and the biaxial curve, Lamé's annulus, Hertz with E* = E/2.
+//! Plane stress: a patch against the uniaxial and the biaxial curve, Lamé's annulus, Hertz with
+//! E* = E/2.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -27,9 +28,19 @@ fn pull(along: f64, across: f64, law: Option<Hardening>) -> (Mesh, crate::bodies
     let held = mesh.nodes.iter().map(|[x, y]| [*x == 0.0, *y == 0.0]).collect();
     let share = |s: f64| if (1e-12..1.0 - 1e-12).contains(&s) { 1.0 / 3.0 } else { 1.0 / 6.0 };
     let on = |s: f64| if s > 1.0 - 1e-12 { 1.0 } else { 0.0 };
-    let force: Vec<[f64; 2]> =
-        mesh.nodes.iter().map(|&[x, y]| [along * on(x) * share(y), across * on(y) * share(x)]).collect();
-    let loaded = load(&mesh, StressState::PlaneStress, &material(YOUNG, POISSON, law), held, &force, 20_000);
+    let force: Vec<[f64; 2]> = mesh
+        .nodes
+        .iter()
+        .map(|&[x, y]| [along * on(x) * share(y), across * on(y) * share(x)])
+        .collect();
+    let loaded = load(
+        &mesh,
+        StressState::PlaneStress,
+        &material(YOUNG, POISSON, law),
+        held,
+        &force,
+        20_000,
+    );
     (mesh, loaded)
 }
 
@@ -40,12 +51,15 @@ fn a_patch_follows_the_curve() {
         yield_stress: positive(YIELD),
         tangent_modulus: NonNegativeF64::new(TANGENT).unwrap(),
     });
-    for (along, across) in [(500.0, 0.0), (0.0, 400.0), (500.0, 500.0), (500.0, 250.0), (300.0, -300.0)] {
+    for (along, across) in
+        [(500.0, 0.0), (0.0, 400.0), (500.0, 500.0), (500.0, 250.0), (300.0, -300.0)]
+    {
         let (mesh, loaded) = pull(along, across, Some(law.clone()));
         let q = f64::sqrt(along * along - along * across + across * across);
         let plastic = (q - YIELD) * (1.0 - TANGENT / YOUNG) / TANGENT;
-        let strain =
-            |own: f64, other: f64| (own - POISSON * other) / YOUNG + plastic * (own - 0.5 * other) / q;
+        let strain = |own: f64, other: f64| {
+            (own - POISSON * other) / YOUNG + plastic * (own - 0.5 * other) / q
+        };
         for point in loaded.field.points.iter().flatten() {
             assert!(point.yielded);
             assert_within(point.equivalent_plastic_strain, plastic, 1e-6);
@@ -58,7 +72,10 @@ fn a_patch_follows_the_curve() {
         for (got, expected) in
             loaded.displacement[corner].iter().zip([strain(along, across), strain(across, along)])
         {
-            assert!((got - expected).abs() < 1e-6 * size, "{along} {across}: {got} instead of {expected}");
+            assert!(
+                (got - expected).abs() < 1e-6 * size,
+                "{along} {across}: {got} instead of {expected}"
+            );
         }
     }
 }
@@ -82,11 +99,13 @@ fn a_thin_annulus_follows_lame() {
             force[node][1] -= 0.5 * pressure * (q[0] - p[0]);
         }
     }
-    let loaded = load(&mesh, StressState::PlaneStress, &material(YOUNG, POISSON, None), held, &force, 10);
+    let loaded =
+        load(&mesh, StressState::PlaneStress, &material(YOUNG, POISSON, None), held, &force, 10);
     let factor = pressure / (f64::powi(outer / inner, 2) - 1.0);
     for (node, u) in mesh.nodes.iter().zip(&loaded.displacement) {
         let r = node[0].hypot(node[1]);
-        let expected = factor / YOUNG * ((1.0 - POISSON) * r + (1.0 + POISSON) * outer * outer / r);
+        let expected =
+            factor / YOUNG * ((1.0 - POISSON) * r + (1.0 + POISSON) * outer * outer / r);
         assert_within(u[0].hypot(u[1]), expected, 1e-3);
     }
     for points in &loaded.field.points {

@@ -4,8 +4,9 @@
 //! a³ = 3FR/(4E*),  p0 = 3F/(2πa²),  α = a²/R,  first yield at p0 = 1.613 σ_y, 0.481 a deep (ν = 0.3)
 //! ```
 //!
-//! α = a²/R belongs to bodies without end. A sphere held on its diametral plane is stiffer by a part of the order
-//! of a/R, and pressure and area of a real sphere differ from Hertz's by (a/R)²; the loads here keep a/R small.
+//! α = a²/R belongs to bodies without end. A sphere held on its diametral plane is stiffer by a
+//! part of the order of a/R, and pressure and area of a real sphere differ from Hertz's by (a/R)²;
+//! the loads here keep a/R small.
 //!
 //! H. Hertz (1882); K. L. Johnson, *Contact Mechanics* (1985), section 4.2.
 
@@ -82,13 +83,14 @@ fn stresses_on_the_axis_are_those_of_hertz() {
         compared += 1;
     }
     assert!(compared > 30);
-    let (k, most) = profile.von_mises.iter().enumerate().max_by(|x, y| x.1.total_cmp(y.1)).unwrap();
+    let (k, most) =
+        profile.von_mises.iter().enumerate().max_by(|x, y| x.1.total_cmp(y.1)).unwrap();
     assert_within(p0 / most, 1.613, 5e-3);
     assert!((profile.depth[k] / a - 0.481).abs() < 0.05);
 }
 
-/// `{"onset": true}` for two equal spheres of this yield stress: Hertz's contact under the force found, and the
-/// report of it.
+/// `{"onset": true}` for two equal spheres of this yield stress: Hertz's contact under the force
+/// found, and the report of it.
 fn onset(yield_stress: f64, elements: u32) -> (HertzPoint, Report) {
     let law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0.0});
     let mut body = cylinder("clamped", law);
@@ -109,10 +111,12 @@ fn first_yield_is_found_where_the_closed_form_has_it() {
         let (hertz, report) = onset(100.0, elements);
         assert_within(hertz.peak_pressure() / 100.0, 1.613, tolerance);
         let profile = report.steps[0].subsurface.as_ref().unwrap().upper.as_ref().unwrap();
-        let (k, _) = profile.von_mises.iter().enumerate().max_by(|x, y| x.1.total_cmp(y.1)).unwrap();
+        let (k, _) =
+            profile.von_mises.iter().enumerate().max_by(|x, y| x.1.total_cmp(y.1)).unwrap();
         assert!((profile.depth[k] / hertz.contact_radius() - 0.481).abs() < 0.05);
 
-        // The force goes with the third power of the pressure; Jackson and Green's fit of it is good to 0.5 %.
+        // The force goes with the third power of the pressure; Jackson and Green's fit of it is
+        // good to 0.5 %.
         let fitted = YieldOnset::jackson_green_force(0.3, 100.0, 5.0, MODULUS);
         assert_within(hertz.force(), fitted, 3.0 * tolerance + 5e-3);
     }

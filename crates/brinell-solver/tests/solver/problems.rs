@@ -66,7 +66,9 @@ pub fn bits(solution: &Solution) -> Vec<u64> {
             step.equilibrium_residual,
         ]);
         figures.extend(step.pairs.iter().flat_map(|pair| [pair.force, pair.pressure, pair.gap]));
-        figures.extend(step.history.iter().flat_map(|record| [record.approach, record.equilibrium_residual]));
+        figures.extend(
+            step.history.iter().flat_map(|record| [record.approach, record.equilibrium_residual]),
+        );
         for body in step.bodies.iter().flatten() {
             figures.extend(body.stress.points.iter().flatten().flat_map(|point| point.stress));
         }

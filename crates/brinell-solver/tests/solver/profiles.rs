@@ -1,4 +1,5 @@
-//! Faces given by points, and grooves: against the shapes they imitate, their mirror images and each other.
+//! Faces given by points, and grooves: against the shapes they imitate, their mirror images and
+//! each other.
 
 use brinell_solver::analytical::HertzLine;
 use brinell_solver::report;
@@ -70,8 +71,8 @@ fn mirrored(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().rev().map(|[x, y]| [-x, *y]).collect()
 }
 
-/// The interpolation gives up accuracy beside a crest for not overshooting; with 15 points on a half-width the
-/// peak is 0.1 % high, with 37 it is the cylinder's own.
+/// The interpolation gives up accuracy beside a crest for not overshooting; with 15 points on a
+/// half-width the peak is 0.1 % high, with 37 it is the cylinder's own.
 #[test]
 fn a_profile_of_a_circle_is_a_cylinder() {
     let force = 612.6106;
@@ -80,7 +81,9 @@ fn a_profile_of_a_circle_is_a_cylinder() {
         let points = face(10.0, n, |x| -x * x / (RADIUS + (RADIUS * RADIUS - x * x).sqrt()));
         let crowned = step(&profile(&points, Value::Null), &block(Value::Null), force);
         assert_within(crowned.peak_pressure, hertz.peak_pressure(), tolerance);
-        assert!((crowned.patch.unwrap().half_width() - hertz.half_width()).abs() < crowned.spacing);
+        assert!(
+            (crowned.patch.unwrap().half_width() - hertz.half_width()).abs() < crowned.spacing
+        );
     }
 }
 
@@ -90,7 +93,8 @@ fn two_equal_bumps_share_the_load() {
     for plasticity in [Value::Null, bilinear()] {
         let job = press(&profile(&bumps(0.0), plasticity.clone()), &block(plasticity), 1000.0);
         let half = &solve(&job).steps[0];
-        let full = &solve_with(&job, Options { use_symmetry: false, ..Options::default() }).steps[0];
+        let full =
+            &solve_with(&job, Options { use_symmetry: false, ..Options::default() }).steps[0];
         assert_sound(half);
         assert_sound(full);
         assert!(half.symmetric && !full.symmetric);
@@ -98,7 +102,9 @@ fn two_equal_bumps_share_the_load() {
         assert_same(half, full, 1e-6);
         let (left, right) = (full.parts[0], full.parts[1]);
         assert!((left.left + right.right).abs() < 1e-9 && (left.right + right.left).abs() < 1e-9);
-        let force = |side: f64| full.pairs.iter().filter(|p| p.x * side > 0.0).map(|p| p.force).sum::<f64>();
+        let force = |side: f64| {
+            full.pairs.iter().filter(|p| p.x * side > 0.0).map(|p| p.force).sum::<f64>()
+        };
         assert_within(force(-1.0), force(1.0), 1e-6);
         assert_within(force(1.0), 500.0, 1e-6);
         // The valley is open.
@@ -132,7 +138,8 @@ fn unequal_bumps_mirrored_and_swapped() {
     }
 }
 
-/// Flow theory up and back to no force: the mirror image at every load, dents and plastic work with it.
+/// Flow theory up and back to no force: the mirror image at every load, dents and plastic work
+/// with it.
 #[test]
 #[ignore = "full"]
 fn a_history_of_unequal_bumps_mirrored() {
@@ -149,7 +156,8 @@ fn a_history_of_unequal_bumps_mirrored() {
         assert_eq!((one.status, other.status), (SolveStatus::Converged, SolveStatus::Converged));
         assert_within(other.approach, one.approach, 1e-6);
         let peak = tilted.steps[0].contact.peak_pressure;
-        let pressures = one.contact.nodes.pressure.iter().zip(other.contact.nodes.pressure.iter().rev());
+        let pressures =
+            one.contact.nodes.pressure.iter().zip(other.contact.nodes.pressure.iter().rev());
         assert!(pressures.into_iter().all(|(a, b)| (a - b).abs() < 1e-5 * peak));
         let [a, b] = [one, other].map(|step| step.flow.as_ref().unwrap());
         assert_within(b.energy.plastic, a.energy.plastic, 1e-6);
@@ -158,7 +166,8 @@ fn a_history_of_unequal_bumps_mirrored() {
         for (k, (x, y)) in a.x.iter().zip(&a.height).enumerate() {
             let opposite = b.x.len() - 1 - k;
             assert!(
-                (x + b.x[opposite]).abs() < 1e-9 && (y - b.height[opposite]).abs() < 1e-6 * a.depth,
+                (x + b.x[opposite]).abs() < 1e-9
+                    && (y - b.height[opposite]).abs() < 1e-6 * a.depth,
                 "at {x}"
             );
         }
@@ -194,7 +203,8 @@ fn a_cylinder_in_a_groove_has_hertz_pressure() {
     }
 }
 
-/// A flat with rounded flanks: the pressure is highest near the ends of the flat, not in its middle.
+/// A flat with rounded flanks: the pressure is highest near the ends of the flat, not in its
+/// middle.
 #[test]
 fn a_flat_with_rounded_flanks() {
     let points = face(10.0, 400, |x| -0.05 * (x.abs() - 0.5).max(0.0).powi(2));
@@ -213,7 +223,8 @@ fn a_flat_with_rounded_flanks() {
     }
 }
 
-/// Heights may count from anywhere: the bodies touch all the same, and depths count from where they do.
+/// Heights may count from anywhere: the bodies touch all the same, and depths count from where
+/// they do.
 #[test]
 fn a_face_at_another_height_is_the_same_face() {
     let points = face(10.0, 40, |x| -x * x / 40.0);
@@ -224,7 +235,8 @@ fn a_face_at_another_height_is_the_same_face() {
         crate::problems::report(&press(&upper, &block(bilinear()), 900.0))
     });
     let [plain, others @ ..] = reports.each_ref().map(|report| &report.steps[0]);
-    let of = |step: &brinell_solver::report::StepReport| step.plasticity.upper.as_ref().unwrap().depth;
+    let of =
+        |step: &brinell_solver::report::StepReport| step.plasticity.upper.as_ref().unwrap().depth;
     assert!(of(plain) > 0.0);
     for other in others {
         assert_eq!(other.approach_datum, plain.approach_datum);

@@ -1,8 +1,9 @@
-//! A deeply plastic contact: the mean pressure approaches Prandtl's `(2 + π) σ_y/√3 = 2.968 σ_y` from below.
+//! A deeply plastic contact: the mean pressure approaches Prandtl's `(2 + π) σ_y/√3 = 2.968 σ_y`
+//! from below.
 //!
-//! L. Prandtl (1920); R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter IX. It is reached only as the
-//! elastic part of the strain vanishes beside the plastic one; a contact that stays small beside its bodies is
-//! still some 10 % below.
+//! L. Prandtl (1920); R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter IX. It is
+//! reached only as the elastic part of the strain vanishes beside the plastic one; a contact that
+//! stays small beside its bodies is still some 10 % below.
 
 use brinell_solver::analytical::{prandtl_mean_pressure, shear_yield_von_mises};
 use brinell_solver::solver::SolveStatus;
@@ -24,7 +25,8 @@ fn the_mean_pressure_stays_below_prandtls() {
         "solver": {"max_iterations": 2000}});
     let report = report(&job);
     let ceiling = prandtl_mean_pressure(shear_yield_von_mises(YIELD));
-    let mean: Vec<f64> = report.steps.iter().map(|step| step.contact.mean_pressure / ceiling).collect();
+    let mean: Vec<f64> =
+        report.steps.iter().map(|step| step.contact.mean_pressure / ceiling).collect();
     for (step, mean) in report.steps.iter().zip(&mean) {
         assert_eq!(step.status, SolveStatus::Converged);
         assert!(*mean < 1.0, "{mean} of the ceiling");

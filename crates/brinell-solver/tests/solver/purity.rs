@@ -1,6 +1,8 @@
-//! The solver and the crates below it are pure: no async, no files, no network, no clock, no threads, no printing.
+//! The solver and the crates below it are pure: no async, no files, no network, no clock, no
+//! threads, no printing.
 //!
-//! Cargo keeps the crates apart; these names come from the standard library, which every crate sees.
+//! Cargo keeps the crates apart; these names come from the standard library, which every crate
+//! sees.
 
 use std::fs;
 use std::path::{Path, PathBuf};

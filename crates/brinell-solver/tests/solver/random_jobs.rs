@@ -1,6 +1,8 @@
-//! What must hold of any answer, over seeded random jobs and over jobs that once failed (`tests/cases`).
+//! What must hold of any answer, over seeded random jobs and over jobs that once failed
+//! (`tests/cases`).
 //!
-//! `BRINELL_RANDOM_JOBS=1000 cargo test --release -p brinell-solver --test solver random_jobs_` runs four thousand jobs.
+//! `BRINELL_RANDOM_JOBS=1000 cargo test --release -p brinell-solver --test solver random_jobs_`
+//! runs four thousand jobs.
 
 use std::path::Path;
 
@@ -41,7 +43,9 @@ fn assert_finite(value: &Value, path: &str) {
         Value::Array(items) => items.iter().for_each(|item| assert_finite(item, path)),
         Value::Object(fields) => fields.iter().for_each(|(key, item)| {
             assert!(
-                !item.is_null() || MAY_BE_NULL.contains(&key.as_str()) || path.contains("/estimated_error"),
+                !item.is_null()
+                    || MAY_BE_NULL.contains(&key.as_str())
+                    || path.contains("/estimated_error"),
                 "{path}/{key} is not a finite number"
             );
             if !item.is_null() {
@@ -52,8 +56,8 @@ fn assert_finite(value: &Value, path: &str) {
     }
 }
 
-/// Whether the job converges by its own coupling or by the default one, the answers of both being sound; `None` where it is
-/// refused.
+/// Whether the job converges by its own coupling or by the default one, the answers of both being
+/// sound; `None` where it is refused.
 fn is_solved(text: &str) -> Option<bool> {
     let mut job: Value = serde_json::from_str(text).unwrap();
     let solver = job["solver"].as_object_mut();
@@ -81,7 +85,10 @@ fn solve_and_check(text: &str) -> Option<bool> {
         Ok(report) => report,
         // Whether any body yields, and under which load, is not known before it is solved.
         Err(RunError::Input(errors)) if matches!(job.load, Load::Onset | Load::Target(_)) => {
-            assert!(errors.iter().all(|error| error.pointer.starts_with("/load")), "{errors:?}\n{text}");
+            assert!(
+                errors.iter().all(|error| error.pointer.starts_with("/load")),
+                "{errors:?}\n{text}"
+            );
             return None;
         }
         Err(error) => panic!("{error}\n{text}"),
@@ -92,7 +99,8 @@ fn solve_and_check(text: &str) -> Option<bool> {
     }
     if job.solver.theory == Theory::Deformation {
         let converged = report.steps.iter().filter(|step| step.status == SolveStatus::Converged);
-        let mut curve: Vec<(f64, f64)> = converged.map(|step| (step.contact.force, step.approach)).collect();
+        let mut curve: Vec<(f64, f64)> =
+            converged.map(|step| (step.contact.force, step.approach)).collect();
         curve.sort_by(|a, b| a.0.total_cmp(&b.0));
         assert!(
             // Forces that differ by rounding alone are one.
@@ -171,7 +179,8 @@ fn a_few_random_jobs() {
 
 random_jobs!(random_jobs_1: 20_261_122, random_jobs_2: 2, random_jobs_3: 3, random_jobs_4: 4);
 
-/// Names of the jobs of a folder beside this crate's tests that are refused, and of those that do not converge.
+/// Names of the jobs of a folder beside this crate's tests that are refused, and of those that do
+/// not converge.
 fn outcomes(folder: &str) -> [Vec<String>; 2] {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
@@ -204,12 +213,14 @@ fn jobs_that_once_failed_have_sound_answers() {
     assert_eq!(failed, expected);
 }
 
-/// Random jobs that version 0.1.0 did not survive, did not solve, took long for or answered wrongly.
+/// Random jobs that version 0.1.0 did not survive, did not solve, took long for or answered
+/// wrongly.
 #[test]
 #[ignore = "full"]
 fn reported_jobs_have_sound_answers() {
     let [refused, failed] = outcomes("tests/cases/reported");
-    // Profiles without `interpolation` that have a corner within the contact, and a contact that is too wide.
+    // Profiles without `interpolation` that have a corner within the contact, and a contact that
+    // is too wide.
     let expected = [
         "did_not_converge_1006",
         "did_not_converge_1304",

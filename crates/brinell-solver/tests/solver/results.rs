@@ -1,11 +1,14 @@
-//! What a report says beyond the contact itself: fields, plastic zone, load–approach curve, onset, validity.
+//! What a report says beyond the contact itself: fields, plastic zone, load–approach curve, onset,
+//! validity.
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use brinell_solver::job::Job;
 use brinell_solver::report::{self, FieldsReport, LoadReport, Report, Side, StepReport};
-use brinell_solver::solver::{Held, Interrupt, IterationRecord, Observer, Options, SolveStatus, Unobserved};
+use brinell_solver::solver::{
+    Held, Interrupt, IterationRecord, Observer, Options, SolveStatus, Unobserved,
+};
 use serde_json::{Value, json};
 
 const FORCE: f64 = 612.6106;
@@ -24,8 +27,7 @@ fn cylinders(plasticity: &Value, force: f64) -> Value {
     if !plasticity.is_null() {
         material["plasticity"] = plasticity.clone();
     }
-    let body =
-        json!({"shape": {"type": "cylinder", "radius": 20.0}, "support": "clamped", "material": material});
+    let body = json!({"shape": {"type": "cylinder", "radius": 20.0}, "support": "clamped", "material": material});
     json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"force": force}})
 }
 
@@ -83,10 +85,13 @@ fn fields_are_in_one_frame_for_both_bodies() {
     let step = step(&job);
     let fields = step.fields.as_ref().unwrap();
     let (upper, lower) = (fields.upper.as_ref().unwrap(), fields.lower.as_ref().unwrap());
-    assert!(upper.nodes.iter().all(|[_, y]| *y >= 0.0) && lower.nodes.iter().all(|[_, y]| *y <= 0.0));
+    assert!(
+        upper.nodes.iter().all(|[_, y]| *y >= 0.0) && lower.nodes.iter().all(|[_, y]| *y <= 0.0)
+    );
     for body in [upper, lower] {
         assert_sound(body);
-        let areas = body.elements.iter().map(|e| signed_area(&e.map(|node| body.nodes[node as usize])));
+        let areas =
+            body.elements.iter().map(|e| signed_area(&e.map(|node| body.nodes[node as usize])));
         assert!(areas.fold(f64::INFINITY, f64::min) > 0.0);
         let (_, at_origin) = nearest(body, [0.0, 0.0]);
         assert_within(-body.sigma_y[at_origin], step.contact.peak_pressure, 0.03);
@@ -119,7 +124,8 @@ fn assert_sound(body: &FieldsReport) {
 }
 
 fn nearest(body: &FieldsReport, [x, y]: [f64; 2]) -> (f64, usize) {
-    let distances = body.nodes.iter().enumerate().map(|(k, node)| ((node[0] - x).hypot(node[1] - y), k));
+    let distances =
+        body.nodes.iter().enumerate().map(|(k, node)| ((node[0] - x).hypot(node[1] - y), k));
     distances.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
 }
 
@@ -156,13 +162,16 @@ fn fields_in_si_are_the_same_numbers_in_other_units() {
 fn the_outline_of_the_plastic_zone_encloses_its_area() {
     for force in [FORCE, 1089.0855] {
         let step = step(&cylinders(&bilinear(), force));
-        for zone in [step.plasticity.upper.as_ref().unwrap(), step.plasticity.lower.as_ref().unwrap()] {
+        for zone in
+            [step.plasticity.upper.as_ref().unwrap(), step.plasticity.lower.as_ref().unwrap()]
+        {
             let points: usize = zone.outline.iter().map(Vec::len).sum();
             assert!((3..=400).contains(&points), "{points} points");
             let enclosed: f64 = zone.outline.iter().map(|polygon| signed_area(polygon)).sum();
             assert_within(enclosed, zone.area, 0.03);
             let xs = || zone.outline.iter().flatten().map(|point| point[0]);
-            let (left, right) = (xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max));
+            let (left, right) =
+                (xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max));
             assert!((left + right).abs() < 1e-9, "{left} to {right}");
         }
     }
@@ -200,8 +209,8 @@ fn the_stiffness_of_a_sweep_is_the_slope_of_its_curve_and_that_of_its_steps() {
         assert_within(*slope, step.contact_stiffness.unwrap(), 1e-12);
     }
     for (k, slope) in curve.stiffness.iter().enumerate().take(6).skip(1) {
-        let secant =
-            (curve.force[k + 1] - curve.force[k - 1]) / (curve.approach[k + 1] - curve.approach[k - 1]);
+        let secant = (curve.force[k + 1] - curve.force[k - 1])
+            / (curve.approach[k + 1] - curve.approach[k - 1]);
         assert_within(*slope, secant, 0.02);
     }
     assert!(run(&paper()).load_approach.is_none());
@@ -230,10 +239,16 @@ fn the_onset_of_yield_is_reported_with_its_place() {
 fn several_contacts_are_several_patches() {
     let single = step(&paper()).contact;
     assert_eq!(single.patches.len(), 1);
-    assert_within(single.patches[0].right - single.patches[0].left, 2.0 * single.half_width, 1e-12);
+    assert_within(
+        single.patches[0].right - single.patches[0].left,
+        2.0 * single.half_width,
+        1e-12,
+    );
 
-    let bumps: Vec<[f64; 2]> =
-        (-60..=60).map(|k| f64::from(k) * 0.1).map(|x| [x, -0.5 * (x.abs() - 2.0).powi(2) / 20.0]).collect();
+    let bumps: Vec<[f64; 2]> = (-60..=60)
+        .map(|k| f64::from(k) * 0.1)
+        .map(|x| [x, -0.5 * (x.abs() - 2.0).powi(2) / 20.0])
+        .collect();
     let mut job = cylinders(&Value::Null, 100.0);
     job["upper"]["shape"] = json!({"type": "profile", "points": bumps, "depth": 10.0});
     job["lower"]["shape"] = json!({"type": "block", "width": 40.0, "depth": 20.0});
@@ -278,7 +293,8 @@ fn deformation_theory() {
     assert_says(&paper(), "deformation_theory");
 }
 
-/// A load divided into many increments takes many times the work of others, by count; few increments and default jobs do not.
+/// A load divided into many increments takes many times the work of others, by count; few
+/// increments and default jobs do not.
 #[test]
 fn a_load_that_takes_much_work_says_why() {
     let history = |increments: u32| {
@@ -313,26 +329,28 @@ fn a_core_that_yields_before_the_load_is_told() {
     let mut job = cylinders(&plasticity, 50.0);
     for side in ["upper", "lower"] {
         let row = |depth: f64, stress: f64| json!({"depth": depth, "sigma_x": stress, "sigma_z": stress});
-        job[side]["material"]["initial_stress"] = json!([row(0.0, -800.0), row(2.0, -800.0), row(2.1, 0.0)]);
+        job[side]["material"]["initial_stress"] =
+            json!([row(0.0, -800.0), row(2.0, -800.0), row(2.1, 0.0)]);
     }
     job["mesh"] = json!({"elements_per_half_width": 6});
     assert_says(&job, "initial_yield");
 }
 
-/// A pin that nearly fills its hole touches over a large part of its own radius, small as that is beside the effective one.
+/// A pin that nearly fills its hole touches over a large part of its own radius, small as that is
+/// beside the effective one.
 #[test]
 fn a_pin_in_its_groove_is_a_wide_contact() {
     let mut job = cylinders(&Value::Null, 5000.0);
     job["upper"]["shape"] = json!({"type": "cylinder", "radius": 10.0});
-    job["lower"]["shape"] = json!({"type": "groove", "radius": 10.2, "width": 20.0, "depth": 40.0});
+    job["lower"]["shape"] =
+        json!({"type": "groove", "radius": 10.2, "width": 20.0, "depth": 40.0});
     assert_says(&job, "wide_contact");
 }
 
 #[test]
 fn sharp_corner() {
     let mut job = cylinders(&Value::Null, 100.0);
-    job["upper"] =
-        json!({"shape": {"type": "punch", "width": 2.0, "depth": 5.0}, "material": {"rigid": true}});
+    job["upper"] = json!({"shape": {"type": "punch", "width": 2.0, "depth": 5.0}, "material": {"rigid": true}});
     job["lower"]["shape"] = json!({"type": "block", "width": 60.0, "depth": 30.0});
     assert_says(&job, "sharp_corner");
 }
@@ -417,7 +435,8 @@ fn no_zero_has_a_sign() {
     job["output"] = json!({"fields": true});
     let report = serde_json::to_string(&run(&job)).unwrap();
     let signed = [":-0.0,", ":-0.0}", ",-0.0,", "[-0.0,", ",-0.0]"].map(|zero| report.find(zero));
-    let place = signed.into_iter().flatten().min().map(|at| &report[at.saturating_sub(120)..at + 6]);
+    let place =
+        signed.into_iter().flatten().min().map(|at| &report[at.saturating_sub(120)..at + 6]);
     assert_eq!(place, None);
 }
 
@@ -457,5 +476,8 @@ fn steps_of_a_history_are_handed_over_as_they_end() {
     order.dedup();
     assert_eq!(order, [('i', 0), ('s', 0), ('i', 1), ('s', 1), ('i', 2), ('s', 2)]);
     let estimate = report::preflight(&job).unwrap().bytes;
-    assert!(held.iter().all(|held| *held > 0) && (held.iter().sum::<usize>() as u64) < estimate, "{held:?}");
+    assert!(
+        held.iter().all(|held| *held > 0) && (held.iter().sum::<usize>() as u64) < estimate,
+        "{held:?}"
+    );
 }

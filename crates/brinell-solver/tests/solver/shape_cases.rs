@@ -1,5 +1,6 @@
-//! Jobs with spikes, tips, edges and pins that were once missed, smoothed or refused without advice (`tests/shape_cases`): each is
-//! answered as a closed form says, or refused with what to do about it.
+//! Jobs with spikes, tips, edges and pins that were once missed, smoothed or refused without
+//! advice (`tests/shape_cases`): each is answered as a closed form says, or refused with what to
+//! do about it.
 
 use std::path::Path;
 
@@ -46,7 +47,11 @@ fn codes(step: &StepReport) -> Vec<&str> {
 fn assert_corner_is_asked_about(job: &Value) {
     let fault = refused(job);
     assert_eq!(fault.pointer, "/upper/shape/interpolation");
-    assert!(fault.detail.contains("\"linear\"") && fault.detail.contains("\"smooth\""), "{}", fault.detail);
+    assert!(
+        fault.detail.contains("\"linear\"") && fault.detail.contains("\"smooth\""),
+        "{}",
+        fault.detail
+    );
 }
 
 /// By how much a half-width may be off: 1 %, or the distance of two nodes.
@@ -57,7 +62,8 @@ fn assert_half_width(step: &StepReport, expected: f64) {
     assert!(error < (0.01 * expected).max(spacing), "{} for {expected}", step.contact.half_width);
 }
 
-/// Cones and a wedge by points: those of two points are asked about, however blunt; 101 points leave nothing to ask.
+/// Cones and a wedge by points: those of two points are asked about, however blunt; 101 points
+/// leave nothing to ask.
 #[test]
 fn cones_and_wedges_by_points() {
     for blunt in [1.0, 0.2, 0.02] {
@@ -84,8 +90,8 @@ fn cones_and_wedges_by_points() {
     assert_within(many.contact.mean_pressure, 0.05 * MODULUS, 1e-2);
 }
 
-/// A flat punch by points, elastic, whose flanks have a slope of 100: at the approach α the block touches them up to
-/// `1 + α/100`.
+/// A flat punch by points, elastic, whose flanks have a slope of 100: at the approach α the block
+/// touches them up to `1 + α/100`.
 #[test]
 fn a_flat_punch_by_points() {
     let job = case("flat_punch_elastic");
@@ -101,7 +107,8 @@ fn a_flat_punch_by_points() {
     }
 }
 
-/// Punches on perfectly plastic blocks: at nine tenths of the limit load, at Prandtl's, and 2 % beyond it.
+/// Punches on perfectly plastic blocks: at nine tenths of the limit load, at Prandtl's, and 2 %
+/// beyond it.
 #[test]
 fn punches_near_their_limit() {
     for name in ["circular_punch_near_its_limit", "flat_punch_at_its_limit"] {
@@ -113,11 +120,13 @@ fn punches_near_their_limit() {
     }
     let beyond = report(&case("flat_punch_beyond_its_limit"));
     assert_eq!(beyond.status, SolveStatus::NotConverged);
-    assert!(codes(&beyond.steps[0]).contains(&"collapse") && beyond.steps[0].estimated_error.is_none());
+    assert!(
+        codes(&beyond.steps[0]).contains(&"collapse") && beyond.steps[0].estimated_error.is_none()
+    );
 }
 
-/// A pin in a groove of nearly its own radius is refused or remarked upon, and both times sent to `hole`, where it has the
-/// half-angle and the pressure of Persson's contact.
+/// A pin in a groove of nearly its own radius is refused or remarked upon, and both times sent to
+/// `hole`, where it has the half-angle and the pressure of Persson's contact.
 #[test]
 fn pins_in_grooves_are_sent_to_holes() {
     for clearance in ["0.02", "0.05", "0.2"] {
@@ -129,12 +138,16 @@ fn pins_in_grooves_are_sent_to_holes() {
         } else {
             let step = step(&job);
             let notes = step.validity.iter();
-            notes.filter(|note| note.code == "wide_contact").map(|note| note.message.clone()).collect()
+            notes
+                .filter(|note| note.code == "wide_contact")
+                .map(|note| note.message.clone())
+                .collect()
         };
         assert!(advice.contains("`hole`"), "{advice}");
         let force = job["load"]["force"].as_f64().unwrap();
         let clearance: f64 = clearance.parse().unwrap();
-        job["lower"]["shape"] = json!({"type": "hole", "radius": 10.0 + clearance, "outer_radius": 100.0});
+        job["lower"]["shape"] =
+            json!({"type": "hole", "radius": 10.0 + clearance, "outer_radius": 100.0});
         let found = step(&job);
         let persson = PinInHole::of_clearance_ratio(MODULUS * clearance / force);
         assert_within(found.contact.half_angle.unwrap(), persson.half_angle().to_degrees(), 1e-2);
@@ -158,8 +171,8 @@ fn a_radius_that_no_mesh_resolves_is_refused() {
     assert_within(step(&job).contact.half_width, 5.0, 1e-9);
 }
 
-/// What no force will find is said by the check before the solve: elastic bodies have no onset of yield, and a pin that fills
-/// its groove has no contact that ends.
+/// What no force will find is said by the check before the solve: elastic bodies have no onset of
+/// yield, and a pin that fills its groove has no contact that ends.
 #[test]
 fn searches_without_an_end_are_refused_before_they_begin() {
     let mut job = case("pin_in_groove_clearance_0.2");
@@ -170,7 +183,10 @@ fn searches_without_an_end_are_refused_before_they_begin() {
     report::preflight(&parse(&job)).unwrap();
     job["lower"]["shape"]["radius"] = json!(10.0);
     let faults = report::preflight(&parse(&job)).unwrap_err();
-    assert!(faults.len() == 2 && faults.iter().all(|fault| fault.detail.contains("`hole`")), "{faults:?}");
+    assert!(
+        faults.len() == 2 && faults.iter().all(|fault| fault.detail.contains("`hole`")),
+        "{faults:?}"
+    );
 }
 
 /// What a search costs is estimated by the force from which it begins.
@@ -181,8 +197,7 @@ fn searches_cost_what_was_estimated() {
             "plasticity": {"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 2100.0}})
     };
     let roller = json!({"shape": {"type": "cylinder", "radius": 10.0}, "material": steel(500.0)});
-    let hole =
-        json!({"shape": {"type": "hole", "radius": 10.05, "outer_radius": 50.0}, "material": steel(700.0)});
+    let hole = json!({"shape": {"type": "hole", "radius": 10.05, "outer_radius": 50.0}, "material": steel(700.0)});
     let block = json!({"shape": {"type": "block", "width": 80.0, "depth": 40.0}, "material": steel(700.0)});
     for lower in [hole, block] {
         for load in [
@@ -194,7 +209,10 @@ fn searches_cost_what_was_estimated() {
                 "mesh": {"elements_per_half_width": 10}});
             let estimate = report::preflight(&parse(&job)).unwrap().equations as f64;
             let found = report(&job).mesh.equations as f64;
-            assert!(found < 2.0 * estimate && estimate < 2.0 * found, "{estimate} for {found}: {job}");
+            assert!(
+                found < 2.0 * estimate && estimate < 2.0 * found,
+                "{estimate} for {found}: {job}"
+            );
         }
     }
 }
@@ -202,7 +220,9 @@ fn searches_cost_what_was_estimated() {
 /// Both edges of a punch touch a groove first, and all between them at the end.
 #[test]
 fn a_punch_in_a_groove_costs_what_was_estimated() {
-    for (analysis, force) in [("plane_strain", 20.0), ("plane_strain", 150.0), ("plane_stress", 150.0)] {
+    for (analysis, force) in
+        [("plane_strain", 20.0), ("plane_strain", 150.0), ("plane_stress", 150.0)]
+    {
         let job = json!({"analysis": analysis, "load": {"force": force}, "mesh": {"elements_per_half_width": 12},
             "upper": {"shape": {"type": "punch", "width": 0.177, "depth": 10.0, "edge_radius": 0.0014}, "material": {"rigid": true}},
             "lower": {"shape": {"type": "groove", "radius": 15.0, "width": 20.0, "depth": 30.0},
@@ -224,8 +244,9 @@ fn a_ball_that_would_sink_in_is_refused() {
     assert!(fault.detail.contains("reduce the load"), "{}", fault.detail);
 }
 
-/// Spikes 0.01 mm high, half a micrometre to a tenth of a millimetre to each side of their tips, on and off the samples of any search:
-/// asked about; straight, they touch with their tips as wedges do and nowhere else, or are refused as too steep.
+/// Spikes 0.01 mm high, half a micrometre to a tenth of a millimetre to each side of their tips,
+/// on and off the samples of any search: asked about; straight, they touch with their tips as
+/// wedges do and nowhere else, or are refused as too steep.
 #[test]
 fn spikes_are_found_wherever_they_stand() {
     for half in [0.5, 0.1, 0.01, 0.002, 0.0005] {
@@ -242,7 +263,8 @@ fn spikes_are_found_wherever_they_stand() {
             }
             let step = step(&straight(job));
             let slope: f64 = 0.01 / half;
-            // Both bodies give way; a spike is no half-plane, but on its slopes of 2 and 10 % nearly.
+            // Both bodies give way; a spike is no half-plane, but on its slopes of 2 and 10 %
+            // nearly.
             let expected = 5.0 / (0.5 * MODULUS * slope);
             assert_within(step.contact.half_width, expected, if slope > 0.5 { 0.1 } else { 1e-2 });
             assert!((step.contact.peak_position - at).abs() < expected);
@@ -253,8 +275,9 @@ fn spikes_are_found_wherever_they_stand() {
     }
 }
 
-/// The same contact, shifted by micrometres beside the samples, has the same approach at both densities: of a tip to 1e-4, of one that is
-/// rounded off between its points, so that these shape it, to 2e-3.
+/// The same contact, shifted by micrometres beside the samples, has the same approach at both
+/// densities: of a tip to 1e-4, of one that is rounded off between its points, so that these shape
+/// it, to 2e-3.
 #[test]
 #[ignore = "full"]
 fn a_shift_does_not_change_the_approach() {
@@ -283,8 +306,8 @@ fn a_shift_does_not_change_the_approach() {
     }
 }
 
-/// A rigid face with two summits, one lower by 1e-6 mm, under an approach that brings both into contact: found together, instead of by
-/// ever wider zones of elements for one of them.
+/// A rigid face with two summits, one lower by 1e-6 mm, under an approach that brings both into
+/// contact: found together, instead of by ever wider zones of elements for one of them.
 #[test]
 fn summits_of_nearly_one_height_are_found_together() {
     let job = case("two_summits_of_nearly_one_height");
@@ -300,7 +323,8 @@ fn summits_of_nearly_one_height_are_found_together() {
     assert!(codes(step).contains(&"coarse_mesh"));
 }
 
-/// A spike with flanks of 280 % on a body that deforms is refused before it is solved, whatever the material and the theory.
+/// A spike with flanks of 280 % on a body that deforms is refused before it is solved, whatever
+/// the material and the theory.
 #[test]
 fn a_steep_spike_is_refused_of_every_material() {
     let plastic = case("spike_of_slope_3");
@@ -331,15 +355,18 @@ fn rough_traces_are_those_that_were_reported() {
         (-1.000_507_421_640_317_8, -1.000_797_282_579_779_7, -10_673_562.225_617_686),
     ];
     for (trace, (first, last, sum)) in TRACES.into_iter().zip(reported) {
-        let heights: Vec<f64> = rough_traces::trace(trace).into_iter().map(|[_, height]| height).collect();
+        let heights: Vec<f64> =
+            rough_traces::trace(trace).into_iter().map(|[_, height]| height).collect();
         assert_within(heights[0], first, 1e-15);
         assert_within(heights[heights.len() - 1], last, 1e-15);
-        let weighted: f64 = heights.iter().enumerate().map(|(k, height)| (k + 1) as f64 * height).sum();
+        let weighted: f64 =
+            heights.iter().enumerate().map(|(k, height)| (k + 1) as f64 * height).sum();
         assert_within(weighted, sum, 1e-14);
     }
 }
 
-/// What a rough trace costs is known before it is solved, and by how much the mesh is too coarse for its summits afterwards.
+/// What a rough trace costs is known before it is solved, and by how much the mesh is too coarse
+/// for its summits afterwards.
 #[test]
 #[ignore = "full"]
 fn rough_traces_cost_what_was_estimated() {
@@ -349,12 +376,17 @@ fn rough_traces_cost_what_was_estimated() {
     assert_within(found.mesh.equations as f64, expected, 0.1);
     let step = &found.steps[0];
     assert_eq!(step.status, SolveStatus::Converged);
-    // Half-planes under Hertz's parabola are 0.408 mm wide to each side, and the summits reach farther.
+    // Half-planes under Hertz's parabola are 0.408 mm wide to each side, and the summits reach
+    // farther.
     let hertz = HertzLine::new(300.0, 50.0, 0.5 * MODULUS);
     assert!(
-        step.contact.half_width > hertz.half_width() && step.contact.half_width < 1.2 * hertz.half_width()
+        step.contact.half_width > hertz.half_width()
+            && step.contact.half_width < 1.2 * hertz.half_width()
     );
-    assert!(step.contact.peak_pressure > 2.0 * hertz.peak_pressure() && step.contact.patches.len() > 10);
+    assert!(
+        step.contact.peak_pressure > 2.0 * hertz.peak_pressure()
+            && step.contact.patches.len() > 10
+    );
     assert_eq!(codes(step), ["coarse_mesh"]);
     // Of points a quarter as far apart.
     assert_corner_is_asked_about(&third);

@@ -1,8 +1,8 @@
 //! `converged` is never said of a wrong contact set, whatever the contact method believes.
 
 use brinell_solver::contact::{
-    ActiveSet, ActiveSetSolver, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
-    StopHook,
+    ActiveSet, ActiveSetSolver, ContactError, ContactLoad, ContactProblem, ContactSolution,
+    ContactSolver, StopHook,
 };
 use brinell_solver::solver::{Options, SolveStatus};
 use serde_json::json;
@@ -25,7 +25,8 @@ impl<F: Fn(&mut ContactSolution)> ContactSolver for Tampered<F> {
     }
 }
 
-/// Gives the load to the pairs of the first half-width only: a set that is too narrow, with forces that balance.
+/// Gives the load to the pairs of the first half-width only: a set that is too narrow, with forces
+/// that balance.
 struct TooNarrow;
 
 impl ContactSolver for TooNarrow {
@@ -83,7 +84,9 @@ fn wrong_contact_sets_are_found_out() {
     let lost_force = Tampered(|solution| solution.force[3] *= 0.99);
     let shifted = Tampered(|solution| solution.force.rotate_right(1));
     for elastic in [true, false] {
-        for contact in [&TooNarrow as &dyn ContactSolver, &tension, &penetration, &lost_force, &shifted] {
+        for contact in
+            [&TooNarrow as &dyn ContactSolver, &tension, &penetration, &lost_force, &shifted]
+        {
             assert_eq!(status_with(contact, elastic), (SolveStatus::NotConverged, false));
         }
     }
@@ -102,5 +105,8 @@ fn too_few_iterations_are_not_convergence() {
     let solution = solve_with(&job, Options::default());
     assert_eq!(solution.steps[0].status, SolveStatus::NotConverged);
     assert_eq!(solution.steps[0].history.len(), 5);
-    assert!(solution.steps[0].contact_check.is_sound(), "the contact of an unfinished state is still exact");
+    assert!(
+        solution.steps[0].contact_check.is_sound(),
+        "the contact of an unfinished state is still exact"
+    );
 }

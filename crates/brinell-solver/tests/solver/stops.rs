@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use brinell_solver::job::Job;
 use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::{
-    IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, Unobserved, run,
+    IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, Unobserved,
+    run,
 };
 use serde_json::{Value, json};
 
@@ -47,7 +48,8 @@ fn job(coupling: &str) -> Job {
     Job::from_json(job.to_string().as_bytes()).unwrap()
 }
 
-/// Meshes that serve several loads, and coarser ones beside them, may be stopped in the midst of anything.
+/// Meshes that serve several loads, and coarser ones beside them, may be stopped in the midst of
+/// anything.
 #[test]
 #[ignore = "full"]
 fn a_sweep_that_is_stopped_keeps_the_steps_before() {
@@ -62,12 +64,20 @@ fn a_sweep_that_is_stopped_keeps_the_steps_before() {
     let (mut most, mut stopped) = (0, 0);
     for questions in 0.. {
         match run(&job, &mut StopSweepAt(questions)) {
-            Err(SolveError::Interrupted(Interrupt::Cancelled)) => assert_eq!(most, 0, "question {questions}"),
+            Err(SolveError::Interrupted(Interrupt::Cancelled)) => {
+                assert_eq!(most, 0, "question {questions}")
+            }
             Err(error) => panic!("stopped at question {questions}: {error}"),
             Ok(solution) => {
-                let converged =
-                    solution.steps.iter().filter(|step| step.status == SolveStatus::Converged).count();
-                assert!(converged >= most && converged + 1 >= solution.steps.len(), "question {questions}");
+                let converged = solution
+                    .steps
+                    .iter()
+                    .filter(|step| step.status == SolveStatus::Converged)
+                    .count();
+                assert!(
+                    converged >= most && converged + 1 >= solution.steps.len(),
+                    "question {questions}"
+                );
                 most = converged;
                 if most == 4 {
                     break;
@@ -99,7 +109,8 @@ fn questions(solve: impl FnOnce(&mut StopSweepAt)) -> usize {
     usize::MAX - whole.0
 }
 
-/// Loads that are finished stay answers with stresses; of the others there is what the coarse mesh has found.
+/// Loads that are finished stay answers with stresses; of the others there is what the coarse mesh
+/// has found.
 #[test]
 #[ignore = "full"]
 fn a_history_that_is_stopped_keeps_the_loads_that_are_finished() {
@@ -113,14 +124,19 @@ fn a_history_that_is_stopped_keeps_the_loads_that_are_finished() {
             Err(SolveError::Interrupted(Interrupt::Cancelled)) => Vec::new(),
             Err(error) => panic!("stopped at question {questions}: {error}"),
         };
-        let converged = steps.iter().take_while(|step| step.status == SolveStatus::Converged).count();
+        let converged =
+            steps.iter().take_while(|step| step.status == SolveStatus::Converged).count();
         assert!(steps.len() >= most && converged >= most_converged, "question {questions}");
         (most, most_converged) = (steps.len(), converged);
         for (k, (step, expected)) in steps.iter().zip(&whole.steps).enumerate() {
-            let has_stresses = step.bodies.iter().flatten().all(|body| !body.stress.points.is_empty());
+            let has_stresses =
+                step.bodies.iter().flatten().all(|body| !body.stress.points.is_empty());
             assert_eq!(has_stresses, k < converged, "question {questions}");
             if k < converged {
-                assert_eq!((step.peak_pressure, step.approach), (expected.peak_pressure, expected.approach));
+                assert_eq!(
+                    (step.peak_pressure, step.approach),
+                    (expected.peak_pressure, expected.approach)
+                );
             } else {
                 assert_eq!(step.status, SolveStatus::Cancelled);
                 assert!(step.is_preliminary() || k == converged, "one load at most is iterated");
@@ -133,7 +149,10 @@ fn a_history_that_is_stopped_keeps_the_loads_that_are_finished() {
             }
         }
     }
-    assert!(most == 4 && most_converged >= 3 && preliminary > 100, "{most} {most_converged} {preliminary}");
+    assert!(
+        most == 4 && most_converged >= 3 && preliminary > 100,
+        "{most} {most_converged} {preliminary}"
+    );
 }
 
 /// So it is in the report, and each step says what it is.
@@ -178,7 +197,8 @@ impl Observer for StopSweepAt {
     }
 }
 
-/// Questions are asked up to the last field of the report, and a job that is stopped at any of them has no field at all.
+/// Questions are asked up to the last field of the report, and a job that is stopped at any of
+/// them has no field at all.
 #[test]
 fn the_report_of_a_job_can_be_stopped() {
     let cylinder = |yield_stress: f64| {
@@ -194,13 +214,22 @@ fn the_report_of_a_job_can_be_stopped() {
     let mut whole = StopSweepAt(usize::MAX);
     assert_eq!(report::run(&job, &mut whole).unwrap().status, SolveStatus::Converged);
     let asked = usize::MAX - whole.0;
-    // Solution, stress and check of each body, stiffness; stresses over depth, plastic zone and fields of each body.
+    // Solution, stress and check of each body, stiffness; stresses over depth, plastic zone and
+    // fields of each body.
     for questions in asked - 18..asked {
         let stopped = report::run(&job, &mut StopSweepAt(questions)).unwrap();
         let step = &stopped.steps[0];
-        assert_eq!((stopped.status, step.status), (SolveStatus::Cancelled, SolveStatus::Cancelled));
-        assert!(step.contact_stiffness.is_none() && step.contact.peak_pressure > 0.0, "question {questions}");
-        assert!(step.fields.is_none() && step.subsurface.is_none() && step.plasticity.upper.is_none());
+        assert_eq!(
+            (stopped.status, step.status),
+            (SolveStatus::Cancelled, SolveStatus::Cancelled)
+        );
+        assert!(
+            step.contact_stiffness.is_none() && step.contact.peak_pressure > 0.0,
+            "question {questions}"
+        );
+        assert!(
+            step.fields.is_none() && step.subsurface.is_none() && step.plasticity.upper.is_none()
+        );
     }
     assert_eq!(report::run(&job, &mut StopSweepAt(asked)).unwrap().status, SolveStatus::Converged);
 }
@@ -215,14 +244,20 @@ fn a_job_that_is_stopped_keeps_its_iterations() {
             let mut observer = StopAt { questions, iterations: 0 };
             match run(&job, &mut observer) {
                 Err(SolveError::Interrupted(Interrupt::Cancelled)) => {
-                    assert_eq!(observer.iterations, 0, "{coupling}, stopped at question {questions}");
+                    assert_eq!(
+                        observer.iterations, 0,
+                        "{coupling}, stopped at question {questions}"
+                    );
                 }
                 Err(error) => panic!("{coupling}, stopped at question {questions}: {error}"),
                 Ok(solution) => {
                     let step = &solution.steps[0];
                     assert_eq!(step.history.len(), observer.iterations, "{coupling} {questions}");
                     assert!(step.pairs.iter().any(|pair| pair.pressure > 0.0));
-                    renewals = step.history[1..].iter().filter(|record| record.factorizations > 0).count();
+                    renewals = step.history[1..]
+                        .iter()
+                        .filter(|record| record.factorizations > 0)
+                        .count();
                     if step.status == SolveStatus::Converged {
                         break;
                     }
@@ -246,7 +281,8 @@ impl Observer for Increments {
     }
 }
 
-/// Every iteration of the final mesh says in which increment of which load it is; those of deformation theory are in none.
+/// Every iteration of the final mesh says in which increment of which load it is; those of
+/// deformation theory are in none.
 #[test]
 fn a_history_says_how_far_it_is() {
     let mut asked = job("accelerated");
@@ -260,8 +296,9 @@ fn a_history_says_how_far_it_is() {
     let solution = run(&asked, &mut seen).unwrap();
     let mut told = seen.0.clone();
     told.dedup();
-    let all = (1..=2)
-        .flat_map(|load| (1..=3).map(move |number| IncrementNumber { number, count: 3, load, loads: 2 }));
+    let all = (1..=2).flat_map(|load| {
+        (1..=3).map(move |number| IncrementNumber { number, count: 3, load, loads: 2 })
+    });
     assert_eq!(told, all.collect::<Vec<_>>());
     let kept: Vec<_> =
         solution.steps.iter().flat_map(|step| &step.history).filter_map(|r| r.increment).collect();

@@ -1,5 +1,5 @@
-//! Strength that varies with the depth below the surface: closed forms of a graded tube and of the onset of yield below a
-//! line contact, and what a hard case and a soft core do to a contact.
+//! Strength that varies with the depth below the surface: closed forms of a graded tube and of the
+//! onset of yield below a line contact, and what a hard case and a soft core do to a contact.
 
 use std::sync::Arc;
 
@@ -7,16 +7,20 @@ use brinell_solver::analytical::{DepthLimit, HertzLine};
 use brinell_solver::fem::assembly::MaterialModel;
 use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
-use brinell_solver::job::{Bilinear, Groove, Hardening, Job, JobError, NonNegativeF64, OverDepth, Shape};
+use brinell_solver::job::{
+    Bilinear, Groove, Hardening, Job, JobError, NonNegativeF64, OverDepth, Shape,
+};
 use brinell_solver::material::{
-    DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity, Inhomogeneous, OutOfPlane,
-    ReturnMapping,
+    DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity, Inhomogeneous,
+    OutOfPlane, ReturnMapping,
 };
 use brinell_solver::solver::{BodySolution, SolveStatus, outline_of};
 use serde_json::{Value, json};
 
 use crate::bodies::{Specimen, grid, material, positive};
-use crate::problems::{assert_within, bilinear, bits, cylinder, parse, report, solve, two_cylinders};
+use crate::problems::{
+    assert_within, bilinear, bits, cylinder, parse, report, solve, two_cylinders,
+};
 
 const INNER: f64 = 100.0;
 const OUTER: f64 = 200.0;
@@ -26,7 +30,8 @@ const POISSON: f64 = 0.4999;
 const BORE: f64 = 140.0;
 const SLOPE: f64 = -0.25;
 
-/// A quarter of a tube whose bore is the surface: the centre lies at `[0, INNER]` in the frame of the body.
+/// A quarter of a tube whose bore is the surface: the centre lies at `[0, INNER]` in the frame of
+/// the body.
 fn tube(radial: i32, around: i32) -> Mesh {
     grid(radial, around, |i, j| {
         let r = INNER * (OUTER / INNER).powf(f64::from(i) / f64::from(radial));
@@ -36,7 +41,8 @@ fn tube(radial: i32, around: i32) -> Mesh {
     })
 }
 
-/// The yield stress falls straight from bore to rim: `k(r) = k_0 + k_1 (r - a)`, with `σ_y = √3 k`.
+/// The yield stress falls straight from bore to rim: `k(r) = k_0 + k_1 (r - a)`, with `σ_y = √3
+/// k`.
 fn graded(flow: bool) -> Arc<dyn MaterialModel> {
     let yield_stress = 3f64.sqrt() * BORE;
     let law = Hardening::Bilinear(Bilinear {
@@ -47,12 +53,18 @@ fn graded(flow: bool) -> Arc<dyn MaterialModel> {
     let wall = OUTER - INNER;
     let over_depth = OverDepth::Factors(vec![[0.0, 1.0], [wall, 1.0 + SLOPE * wall / BORE]]);
     let bore = Groove::new(positive(INNER), positive(2.0 * INNER), positive(wall)).unwrap();
-    let strength = DepthStrength::new(over_depth.profile(yield_stress), outline_of(&Shape::Groove(bore)));
+    let strength =
+        DepthStrength::new(over_depth.profile(yield_stress), outline_of(&Shape::Groove(bore)));
     let elastic = ElasticModuli::from(material.elastic());
     let (law, plane) = (material.hardening_law(), OutOfPlane::Strained);
     if flow {
         let of = |law: Option<_>| {
-            FlowPlasticity::new(elastic, ReturnMapping::new(law.unwrap(), elastic.shear), [], plane)
+            FlowPlasticity::new(
+                elastic,
+                ReturnMapping::new(law.unwrap(), elastic.shear),
+                [],
+                plane,
+            )
         };
         Arc::new(Inhomogeneous::new(law, Some(strength), of))
     } else {
@@ -61,8 +73,8 @@ fn graded(flow: bool) -> Arc<dyn MaterialModel> {
     }
 }
 
-/// `p = k(c)(1 - c²/b²) + 2[(k0 - k1 a) ln(c/a) + k1(c - a)]`, while `k(r) > k(c) c²/r²` beyond c; u at the rim follows from
-/// the elastic part, `2 (1 - ν²) k(c) c²/(E b)`.
+/// `p = k(c)(1 - c²/b²) + 2[(k0 - k1 a) ln(c/a) + k1(c - a)]`, while `k(r) > k(c) c²/r²` beyond c;
+/// u at the rim follows from the elastic part, `2 (1 - ν²) k(c) c²/(E b)`.
 #[test]
 fn a_graded_tube_yields_as_its_closed_form_says() {
     let shear_yield = |r: f64| BORE + SLOPE * (r - INNER);
@@ -91,7 +103,10 @@ fn a_graded_tube_yields_as_its_closed_form_says() {
             let [xx, yy, _, xy] = point.stress;
             let shear = (0.5 * (xx - yy)).hypot(xy);
             let expected = if r < c { shear_yield(r) } else { shear_yield(c) * (c / r).powi(2) };
-            assert!((shear / expected - 1.0).abs() < 0.02, "c = {c}, r = {r}: {shear} instead of {expected}");
+            assert!(
+                (shear / expected - 1.0).abs() < 0.02,
+                "c = {c}, r = {r}: {shear} instead of {expected}"
+            );
         }
     }
 }
@@ -103,8 +118,8 @@ fn graded_cylinder(yield_stress: f64, over_depth: &Value) -> Value {
     body
 }
 
-/// `p0 = min_z σ_y(z)/F(z/a)`, F by McEwen. Contacts so small that the bodies are half-planes. A step within an element is
-/// met where it is.
+/// `p0 = min_z σ_y(z)/F(z/a)`, F by McEwen. Contacts so small that the bodies are half-planes. A
+/// step within an element is met where it is.
 #[test]
 #[ignore = "full"]
 fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
@@ -125,11 +140,13 @@ fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
         assert_eq!(found.status, SolveStatus::Converged);
         let step = &found.steps[0];
         let hertz = HertzLine::new(step.contact.force, 5.0, modulus);
-        let profile = OverDepth::Factors(serde_json::from_value(over_depth).unwrap()).profile(35.0);
+        let profile =
+            OverDepth::Factors(serde_json::from_value(over_depth).unwrap()).profile(35.0);
         let least = (0..20_000)
             .map(|k| 1e-4 * f64::from(k) * 10.0 * hertz.half_width())
             .map(|z| {
-                35.0 * profile.factor(z) * hertz.peak_pressure() / hertz.stress_on_axis(z, 0.3).von_mises()
+                35.0 * profile.factor(z) * hertz.peak_pressure()
+                    / hertz.stress_on_axis(z, 0.3).von_mises()
             })
             .fold(f64::INFINITY, f64::min);
         assert_within(hertz.peak_pressure(), least, 5e-3);
@@ -139,7 +156,10 @@ fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
         let reference = step.hertz.as_ref().unwrap();
         assert!((reference.yield_onset_depth.unwrap() - limit.depth).abs() < 1e-12);
         let onset = step.yield_onset.as_ref().unwrap();
-        assert!((onset.depth - limit.depth).abs() < 0.15 * hertz.half_width(), "{onset:?} {limit:?}");
+        assert!(
+            (onset.depth - limit.depth).abs() < 0.15 * hertz.half_width(),
+            "{onset:?} {limit:?}"
+        );
     }
 }
 
@@ -174,13 +194,16 @@ fn a_constant_factor_is_another_curve() {
     let (young, factor): (f64, f64) = (210_000.0, 1.5);
     let plastic = factor * 10_500.0 / (1.0 - 10_500.0 / young);
     let tangent = plastic / (1.0 + plastic / young);
-    let stronger = json!({"law": "bilinear", "yield_stress": 500.0 * factor, "tangent_modulus": tangent});
+    let stronger =
+        json!({"law": "bilinear", "yield_stress": 500.0 * factor, "tangent_modulus": tangent});
     for theory in ["deformation", "flow"] {
         let graded = solve(&with_factor(theory, Some(json!([[0.2, factor]])), bilinear()));
         let plain = solve(&with_factor(theory, None, stronger.clone()));
         for (a, b) in graded.steps.iter().zip(&plain.steps) {
             assert!((a.approach / b.approach - 1.0).abs() < 1e-9, "{theory}");
-            assert!((a.peak_pressure - b.peak_pressure).abs() <= 1e-9 * plain.steps[0].peak_pressure);
+            assert!(
+                (a.peak_pressure - b.peak_pressure).abs() <= 1e-9 * plain.steps[0].peak_pressure
+            );
         }
     }
 }
@@ -194,8 +217,8 @@ fn yielded_depths(body: &BodySolution) -> Option<(f64, f64)> {
     })
 }
 
-/// A case that bears the contact by itself over a core that does not: all of the zone lies below the case, three half-widths
-/// away from the contact.
+/// A case that bears the contact by itself over a core that does not: all of the zone lies below
+/// the case, three half-widths away from the contact.
 #[test]
 fn a_zone_at_the_core_is_found() {
     for theory in ["deformation", "flow"] {
@@ -215,11 +238,13 @@ fn a_zone_at_the_core_is_found() {
     }
 }
 
-/// A soft surface over a hard core and a hard case over a soft core lie on the two sides of a uniform body.
+/// A soft surface over a hard core and a hard case over a soft core lie on the two sides of a
+/// uniform body.
 #[test]
 fn a_harder_case_makes_a_higher_peak() {
     let peak = |over_depth: Value| {
-        let step = solve(&with_factor("deformation", Some(over_depth), bilinear())).steps.remove(0);
+        let step =
+            solve(&with_factor("deformation", Some(over_depth), bilinear())).steps.remove(0);
         assert_eq!(step.status, SolveStatus::Converged);
         step.peak_pressure
     };
@@ -242,7 +267,10 @@ fn hardness_and_units_are_only_other_words() {
     let mut other = parse(&job);
     other.units = brinell_solver::job::Units::Si;
     let written = serde_json::to_value(&other).unwrap();
-    assert_eq!(written["lower"]["material"]["plasticity"]["over_depth"]["hardness"]["profile"][0][0], 1e-4);
+    assert_eq!(
+        written["lower"]["material"]["plasticity"]["over_depth"]["hardness"]["profile"][0][0],
+        1e-4
+    );
     let in_si = solve(&written);
     assert_within(in_si.steps[0].peak_pressure, by_factors.steps[0].peak_pressure, 1e-12);
 }
@@ -260,10 +288,11 @@ fn faults(over_depth: &Value) -> Vec<String> {
 #[test]
 fn profiles_that_are_none_are_refused_field_by_field() {
     let at = |rest: &str| {
-        ["lower", "upper"].map(|side| format!("/{side}/material/plasticity/over_depth{rest}")).to_vec()
+        ["lower", "upper"]
+            .map(|side| format!("/{side}/material/plasticity/over_depth{rest}"))
+            .to_vec()
     };
-    let case =
-        |surface: f64, core: f64| json!({"hardness": {"surface": surface, "core": core, "case_depth": 1.0}});
+    let case = |surface: f64, core: f64| json!({"hardness": {"surface": surface, "core": core, "case_depth": 1.0}});
     for (over_depth, place) in [
         (json!([]), ""),
         (json!({}), "/hardness"),
@@ -304,7 +333,8 @@ fn hardness_scales_any_curve_of_the_same_shape() {
     }
 }
 
-/// Extremes of what is accepted, by every law and theory: an answer, or a status that says that there is none.
+/// Extremes of what is accepted, by every law and theory: an answer, or a status that says that
+/// there is none.
 #[test]
 #[ignore = "full"]
 fn the_strangest_profiles_end_in_an_answer_or_say_so() {

@@ -1,10 +1,12 @@
 //! Stresses under an elastic line contact.
 //!
-//! McEwen's field is that of two half-planes. In a disc of radius R the force that arrives at the other end of the
-//! diameter adds a uniform tension `σ_x = P/(πR)`, which is a/2R of the peak pressure (J. H. Michell, Proc. London
-//! Math. Soc. 32 (1900) 35–61); the loads here are small enough to leave it at 0.1 %.
+//! McEwen's field is that of two half-planes. In a disc of radius R the force that arrives at the
+//! other end of the diameter adds a uniform tension `σ_x = P/(πR)`, which is a/2R of the peak
+//! pressure (J. H. Michell, Proc. London Math. Soc. 32 (1900) 35–61); the loads here are small
+//! enough to leave it at 0.1 %.
 //!
-//! E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40 (1949) 454–459.
+//! E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40 (1949)
+//! 454–459.
 
 use brinell_solver::analytical::HertzLine;
 use serde_json::Value;
@@ -58,7 +60,9 @@ fn stresses_converge_at_second_order() {
             .enumerate()
             .filter(|(_, d)| (0.3..1.2).contains(&(**d / hertz.half_width())));
         let squares: Vec<f64> = inside
-            .map(|(k, &d)| (profile.sigma_x[k] - tension - hertz.stress_on_axis(d, 0.3).sigma_x).powi(2))
+            .map(|(k, &d)| {
+                (profile.sigma_x[k] - tension - hertz.stress_on_axis(d, 0.3).sigma_x).powi(2)
+            })
             .collect();
         (squares.iter().sum::<f64>() / squares.len() as f64).sqrt() / hertz.peak_pressure()
     };
@@ -67,14 +71,15 @@ fn stresses_converge_at_second_order() {
     assert!(order > 1.5, "order {order:.2} from {coarse:.2e} to {fine:.2e}");
 }
 
-/// A crown that is steeper on one side: the middle of the contact and its largest pressure are at places of their own.
+/// A crown that is steeper on one side: the middle of the contact and its largest pressure are at
+/// places of their own.
 #[test]
 fn profiles_lie_below_the_middle_and_below_the_peak() {
     let steel = serde_json::json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 2000}});
-    let points = [[-5.0, -0.5], [-1.0, -0.02], [0.0, 0.0], [0.3, -0.004], [1.0, -0.08], [5.0, -0.9]];
-    let profile =
-        serde_json::json!({"type": "profile", "points": points, "depth": 10, "interpolation": "smooth"});
+    let points =
+        [[-5.0, -0.5], [-1.0, -0.02], [0.0, 0.0], [0.3, -0.004], [1.0, -0.08], [5.0, -0.9]];
+    let profile = serde_json::json!({"type": "profile", "points": points, "depth": 10, "interpolation": "smooth"});
     let job = serde_json::json!({"analysis": "plane_strain",
         "upper": {"shape": profile, "material": {"rigid": true}},
         "lower": {"shape": {"type": "block", "width": 40, "depth": 20}, "material": steel},
@@ -86,9 +91,13 @@ fn profiles_lie_below_the_middle_and_below_the_peak() {
     let peak = steps[0].contact.peak_position;
     assert!((peak - middle).abs() > 0.02, "{peak} {middle}");
     for step in &steps {
-        let places: Vec<f64> = step.profiles().map(|(_, profile)| profile.position.unwrap()).collect();
+        let places: Vec<f64> =
+            step.profiles().map(|(_, profile)| profile.position.unwrap()).collect();
         assert_eq!(places.len(), 2);
-        assert!((places[0] - middle).abs() < 1e-12 && (places[1] - peak).abs() < 1e-12, "{places:?}");
+        assert!(
+            (places[0] - middle).abs() < 1e-12 && (places[1] - peak).abs() < 1e-12,
+            "{places:?}"
+        );
     }
 
     // The largest pressure of cylinders is in the middle.

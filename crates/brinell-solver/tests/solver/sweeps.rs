@@ -14,9 +14,9 @@ fn sweep(analysis: &str, load: Value) -> Value {
 
 /// Analysis, loads, and how near a step has to come to a job of its own.
 ///
-/// A mesh that serves several loads has other elements than one made for a single load, and the two differ by the error
-/// of the mesh: where between two nodes the contact ends moves the approach, deep in the plastic range in plane
-/// stress by up to 0.28 %, in axisymmetry by 0.19 %.
+/// A mesh that serves several loads has other elements than one made for a single load, and the
+/// two differ by the error of the mesh: where between two nodes the contact ends moves the
+/// approach, deep in the plastic range in plane stress by up to 0.28 %, in axisymmetry by 0.19 %.
 const CASES: [(&str, [f64; 5], f64); 3] = [
     ("plane_strain", [100.0, 200.0, 450.0, 612.6106, 900.0], 3e-4),
     ("plane_stress", [60.0, 120.0, 250.0, 400.0, 700.0], 3e-3),

@@ -38,7 +38,8 @@ fn refusal(job: &Value) -> String {
     }
 }
 
-/// The force that is found, given as a force, is the same job to the last bit, and its figure is the wanted one.
+/// The force that is found, given as a force, is the same job to the last bit, and its figure is
+/// the wanted one.
 #[test]
 #[ignore = "full"]
 fn a_force_that_is_found_does_what_it_was_sought_for() {
@@ -67,12 +68,14 @@ fn a_force_that_is_found_does_what_it_was_sought_for() {
             let mut given = job.clone();
             let force = json!({"force": match report.steps[0].load { report::LoadReport::Force(force) => force, report::LoadReport::Approach(_) => unreachable!() }});
             let is_permanent = report.steps.len() == 2;
-            given["load"] = if is_permanent { json!({"history": [force, {"force": 0}]}) } else { force };
+            given["load"] =
+                if is_permanent { json!({"history": [force, {"force": 0}]}) } else { force };
             let direct = run(&given).unwrap();
             let (step, last) = (&direct.steps[0], direct.steps.last().unwrap());
             let bodies = [&step.plasticity.upper, &step.plasticity.lower];
             let dents = |flow: &report::FlowReport| {
-                [&flow.surfaces.upper, &flow.surfaces.lower].map(|body| body.as_ref().unwrap().depth)
+                [&flow.surfaces.upper, &flow.surfaces.lower]
+                    .map(|body| body.as_ref().unwrap().depth)
             };
             let figure = match answer.figure.as_str() {
                 "peak_pressure" => step.contact.peak_pressure,
@@ -93,7 +96,11 @@ fn a_force_that_is_found_does_what_it_was_sought_for() {
                     "{name}: {answer:?}"
                 );
             }
-            assert!(answer.sensitivity > 0.05 && answer.sensitivity < 6.0, "{name}: {}", answer.sensitivity);
+            assert!(
+                answer.sensitivity > 0.05 && answer.sensitivity < 6.0,
+                "{name}: {}",
+                answer.sensitivity
+            );
         }
     }
 }
@@ -115,7 +122,10 @@ fn an_elastic_contact_meets_hertz() {
     assert!(report.mesh.passes <= 15, "{}", report.mesh.passes);
     let (point, _) = found(&point);
     let force = 4.0 * 0.2_f64.powi(3) * modulus / (3.0 * 10.0);
-    assert!((point.force / force - 1.0).abs() < point.relative_error.unwrap(), "{point:?} {force}");
+    assert!(
+        (point.force / force - 1.0).abs() < point.relative_error.unwrap(),
+        "{point:?} {force}"
+    );
 }
 
 #[test]
@@ -135,7 +145,8 @@ fn units_and_sides_do_not_matter() {
     let (si, _) = found(&si);
     assert_within(si.force, 1e3 * mm.force, 1e-9);
     assert_within(si.reached, 1e-3 * mm.reached, 1e-9);
-    let block = json!({"shape": {"type": "block", "width": 40, "depth": 20}, "material": {"rigid": true}});
+    let block =
+        json!({"shape": {"type": "block", "width": 40, "depth": 20}, "material": {"rigid": true}});
     let mut over = job.clone();
     over["lower"] = block.clone();
     let mut under = job;
@@ -146,22 +157,32 @@ fn units_and_sides_do_not_matter() {
 #[test]
 #[ignore = "full"]
 fn what_no_force_gives_is_refused_with_what_there_is() {
-    let peak = |value: f64| cylinders("plane_strain", "deformation", &json!({"peak_pressure": value}));
+    let peak =
+        |value: f64| cylinders("plane_strain", "deformation", &json!({"peak_pressure": value}));
     let large = refusal(&peak(9000.0));
     assert!(
-        large.starts_with("/load/target/peak_pressure: the largest peak pressure that is reached is"),
+        large.starts_with(
+            "/load/target/peak_pressure: the largest peak pressure that is reached is"
+        ),
         "{large}"
     );
-    assert!(large.ends_with("the contact would spread over more of the surfaces than is solved"), "{large}");
+    assert!(
+        large.ends_with("the contact would spread over more of the surfaces than is solved"),
+        "{large}"
+    );
     let small = refusal(&peak(1e-6));
-    assert!(small.contains("the peak pressure is larger than this under any force, down to"), "{small}");
+    assert!(
+        small.contains("the peak pressure is larger than this under any force, down to"),
+        "{small}"
+    );
     let mut limit = peak(1700.0);
     for side in ["upper", "lower"] {
         limit[side]["material"]["plasticity"]["tangent_modulus"] = json!(0);
     }
     let limit = refusal(&limit);
     assert!(limit.contains("under a larger one"), "{limit}");
-    // In plane stress a perfectly plastic body bears about 2/√3 σ_y, and any force by a wider contact.
+    // In plane stress a perfectly plastic body bears about 2/√3 σ_y, and any force by a wider
+    // contact.
     let mut level = cylinders("plane_stress", "flow", &json!({"peak_pressure": 1000}));
     level["lower"]["material"]["plasticity"]["tangent_modulus"] = json!(0);
     level["mesh"] = json!({"elements_per_half_width": 6});
@@ -171,16 +192,19 @@ fn what_no_force_gives_is_refused_with_what_there_is() {
         "{level}"
     );
     let wide =
-        Job::from_value(&cylinders("plane_strain", "deformation", &json!({"half_width": 15}))).unwrap();
+        Job::from_value(&cylinders("plane_strain", "deformation", &json!({"half_width": 15})))
+            .unwrap();
     let wide = report::preflight(&wide).unwrap_err();
     assert_eq!(wide[0].pointer, "/load");
 }
 
-/// A sharp punch is as wide under every force, and the mean pressure under an elastic cone is the same.
+/// A sharp punch is as wide under every force, and the mean pressure under an elastic cone is the
+/// same.
 #[test]
 fn a_figure_that_does_not_depend_on_the_force_tells_none() {
     let elastic = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
-    let block = json!({"shape": {"type": "block", "width": 200, "depth": 100}, "material": elastic});
+    let block =
+        json!({"shape": {"type": "block", "width": 200, "depth": 100}, "material": elastic});
     let job = |analysis: &str, shape: Value, target: Value| {
         json!({"analysis": analysis, "upper": {"shape": shape, "material": {"rigid": true}}, "lower": block,
             "load": {"target": target}, "mesh": {"elements_per_half_width": ELEMENTS}})

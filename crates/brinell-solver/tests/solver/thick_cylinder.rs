@@ -1,7 +1,7 @@
 //! Thick-walled cylinder under internal pressure, and the patch test: the plasticity part alone.
 //!
-//! With ν → 1/2 all stresses grow in proportion, so that deformation theory is exact and Hill's solution with it;
-//! and a mesh that locks would show it here at once.
+//! With ν → 1/2 all stresses grow in proportion, so that deformation theory is exact and Hill's
+//! solution with it; and a mesh that locks would show it here at once.
 //!
 //! R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter V.
 
@@ -63,8 +63,11 @@ fn perfectly_plastic(poisson: f64) -> Deformable {
 
 /// Radial displacement at the outer surface.
 fn outer_displacement(mesh: &Mesh, loaded: &Loaded) -> f64 {
-    let outermost =
-        mesh.nodes.iter().zip(&loaded.displacement).filter(|([x, y], _)| *y == 0.0 && *x > OUTER - 1e-9);
+    let outermost = mesh
+        .nodes
+        .iter()
+        .zip(&loaded.displacement)
+        .filter(|([x, y], _)| *y == 0.0 && *x > OUTER - 1e-9);
     outermost.map(|(_, u)| u[0]).next().unwrap()
 }
 
@@ -107,14 +110,18 @@ fn the_plastic_zone_spreads_as_hill_says() {
             let radial = x * cos * cos + y * sin * sin + 2.0 * t * sin * cos;
             let hoop = x * sin * sin + y * cos * cos - 2.0 * t * sin * cos;
             let expected = exact.stress(r);
-            assert!((radial - expected.radial).abs() < 6.0, "σ_r {radial} instead of {}", expected.radial);
+            assert!(
+                (radial - expected.radial).abs() < 6.0,
+                "σ_r {radial} instead of {}",
+                expected.radial
+            );
             assert!((hoop - expected.hoop).abs() < 6.0, "σ_θ {hoop} instead of {}", expected.hoop);
         }
     }
 }
 
-/// A little above the limit pressure nothing can hold the ring; a little below it still settles. Elements that
-/// lock carry more than the limit.
+/// A little above the limit pressure nothing can hold the ring; a little below it still settles.
+/// Elements that lock carry more than the limit.
 #[test]
 fn the_limit_pressure_is_not_exceeded() {
     let limit = HILL.limit_pressure();
@@ -130,7 +137,8 @@ fn the_limit_pressure_is_not_exceeded() {
     assert!(lost > 5.0 * held);
 }
 
-/// The other side of the 1 %: 0.99 of the limit settles, and on Hill's displacement; 1.01 does not, see above.
+/// The other side of the 1 %: 0.99 of the limit settles, and on Hill's displacement; 1.01 does
+/// not, see above.
 #[test]
 fn the_limit_pressure_is_met_within_one_percent() {
     let pressure = 0.99 * HILL.limit_pressure();
@@ -140,7 +148,8 @@ fn the_limit_pressure_is_met_within_one_percent() {
     assert_within(outer_displacement(&mesh, &loaded), exact.displacement(OUTER), 0.05);
 }
 
-/// A pure power law, incompressible: `q ~ r^(-2/m)`. The elastic part is made small by a large offset.
+/// A pure power law, incompressible: `q ~ r^(-2/m)`. The elastic part is made small by a large
+/// offset.
 #[test]
 fn a_power_law_ring_follows_its_closed_form() {
     let (offset, exponent, reference) = (50.0, 3.0, 100.0);
@@ -185,12 +194,20 @@ fn patch_test() {
     });
     for (law, traction, yields) in [(None, 500.0, false), (Some(hardening), 500.0, true)] {
         let mut force = vec![[0.0; 2]; mesh.nodes.len()];
-        for (node, [x, y]) in mesh.nodes.iter().enumerate().filter(|(_, [x, _])| (*x - 1.0).abs() < 1e-12) {
+        for (node, [x, y]) in
+            mesh.nodes.iter().enumerate().filter(|(_, [x, _])| (*x - 1.0).abs() < 1e-12)
+        {
             let share = if *y < 1e-12 || *y > 1.0 - 1e-12 { 0.5 } else { 1.0 };
             force[node][0] = traction * share / 3.0 * x;
         }
-        let loaded =
-            load(&mesh, StressState::PlaneStrain, &material(210_000.0, 0.3, law), held.clone(), &force, 5000);
+        let loaded = load(
+            &mesh,
+            StressState::PlaneStrain,
+            &material(210_000.0, 0.3, law),
+            held.clone(),
+            &force,
+            5000,
+        );
         let first = loaded.field.points[0][0];
         assert_eq!(first.yielded, yields);
         for point in loaded.field.points.iter().flatten() {
@@ -198,7 +215,9 @@ fn patch_test() {
             for (a, b) in point.stress.iter().zip(&first.stress) {
                 assert!((a - b).abs() < 1e-6 * traction);
             }
-            assert!(point.stress[1].abs() < 1e-6 * traction && point.stress[3].abs() < 1e-6 * traction);
+            assert!(
+                point.stress[1].abs() < 1e-6 * traction && point.stress[3].abs() < 1e-6 * traction
+            );
         }
     }
 }

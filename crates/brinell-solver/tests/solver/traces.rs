@@ -1,4 +1,5 @@
-//! Faces given by points that are finer than the mesh, or have corners: spikes, rough traces, sharp profiles.
+//! Faces given by points that are finer than the mesh, or have corners: spikes, rough traces,
+//! sharp profiles.
 
 use brinell_solver::analytical::PowerIndenter;
 use brinell_solver::report::{self, StepReport};
@@ -56,7 +57,9 @@ fn rough(n: i32, amplitude: f64) -> Vec<[f64; 2]> {
     let mut state = 12_345_u64;
     (-n..=n)
         .map(|k| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             let noise = 2.0 * (state >> 11) as f64 / (1_u64 << 53) as f64 - 1.0;
             let x = 10.0 * f64::from(k) / f64::from(n);
             [x, -x * x / 100.0 + amplitude * noise]
@@ -64,8 +67,9 @@ fn rough(n: i32, amplitude: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The cost of a rough trace is known before it is solved, also where its highest summits could bear the force alone and where
-/// it touches in parts that are narrower than the distance of its points asks for.
+/// The cost of a rough trace is known before it is solved, also where its highest summits could
+/// bear the force alone and where it touches in parts that are narrower than the distance of its
+/// points asks for.
 #[test]
 #[ignore = "full"]
 fn a_rough_trace_costs_what_was_estimated() {
@@ -81,12 +85,14 @@ fn a_rough_trace_costs_what_was_estimated() {
         let job = with_interpolation(on_block(&rough(n, amplitude), force, 10), "smooth");
         let expected = estimate(&parse(&job)).unwrap().equations as f64;
         let solution = solve(&job);
-        let found: usize = solution.steps[0].bodies.iter().flatten().map(|body| body.equations).sum();
+        let found: usize =
+            solution.steps[0].bodies.iter().flatten().map(|body| body.equations).sum();
         assert_within(found as f64, expected, tolerance);
     }
 }
 
-/// Half a micrometre of noise on points 2.5 µm apart: nothing under five million equations resolves it, and that is said.
+/// Half a micrometre of noise on points 2.5 µm apart: nothing under five million equations
+/// resolves it, and that is said.
 #[test]
 fn a_very_rough_trace_is_known_to_be_dear() {
     let job = on_block(&rough(4000, 5e-4), 300.0, 20);
@@ -100,7 +106,8 @@ fn a_very_rough_trace_is_known_to_be_dear() {
 
 #[test]
 fn a_trace_that_no_mesh_resolves_is_refused_with_the_size_it_needs() {
-    let points: Vec<[f64; 2]> = rough(5000, 1e-3).into_iter().filter(|[x, _]| x.abs() < 9.0).collect();
+    let points: Vec<[f64; 2]> =
+        rough(5000, 1e-3).into_iter().filter(|[x, _]| x.abs() < 9.0).collect();
     let job = with_interpolation(on_block(&points, 20_000.0, 20), "smooth");
     let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err();
     assert!(
@@ -110,7 +117,8 @@ fn a_trace_that_no_mesh_resolves_is_refused_with_the_size_it_needs() {
     assert!(refused.to_string().contains("elements of"), "{refused}");
 }
 
-/// Teeth that a mesh of the density asked for has one element for are resolved, or said to be too fine for it.
+/// Teeth that a mesh of the density asked for has one element for are resolved, or said to be too
+/// fine for it.
 #[test]
 #[ignore = "full"]
 fn teeth_are_resolved_or_said() {
@@ -120,7 +128,8 @@ fn teeth_are_resolved_or_said() {
             [x, if k % 2 == 0 { 0.0 } else { 1e-3 } - x * x / 200.0]
         })
         .collect();
-    let on = |elements: u32| step(&with_interpolation(on_block(&teeth, 1000.0, elements), "smooth"));
+    let on =
+        |elements: u32| step(&with_interpolation(on_block(&teeth, 1000.0, elements), "smooth"));
     let [coarse, fine, finer] = [5, 20, 30].map(on);
     let says = |step: &StepReport| step.validity.iter().any(|note| note.code == "coarse_mesh");
     assert!(coarse.contact.peak_pressure < 0.7 * fine.contact.peak_pressure && says(&coarse));

@@ -6,15 +6,15 @@ use brinell_solver::fem::assembly::MaterialModel;
 use brinell_solver::fem::mesh::Outline;
 use brinell_solver::job::{Deformable, Job};
 use brinell_solver::material::{
-    ConstitutiveModel, ElasticModuli, FlowPlasticity, HardeningLaw, OutOfPlane, PointResponse, ReturnMapping,
-    von_mises,
+    ConstitutiveModel, ElasticModuli, FlowPlasticity, HardeningLaw, OutOfPlane, PointResponse,
+    ReturnMapping, von_mises,
 };
 use brinell_solver::solver::{ModelOf, Options, Solution, SolveStatus, Unobserved, run_with};
 
 use crate::problems::assert_within;
 
-/// Incremental J2 plasticity with `q = σ_y + H p`, where the out-of-plane strain is known: the radial return of
-/// J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), box 3.1.
+/// Incremental J2 plasticity with `q = σ_y + H p`, where the out-of-plane strain is known: the
+/// radial return of J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), box 3.1.
 #[derive(Debug)]
 struct LinearIsotropicFlow {
     elastic: ElasticModuli,
@@ -62,9 +62,10 @@ impl ConstitutiveModel for LinearIsotropicFlow {
             plastic_strain: std::array::from_fn(|k| state.plastic_strain[k] + growth * normal[k]),
             accumulated: state.accumulated + growth,
         };
-        let stress = self
-            .elastic
-            .stress(std::array::from_fn(|k| strain[k] - memory.plastic_strain[k]), OutOfPlane::Strained);
+        let stress = self.elastic.stress(
+            std::array::from_fn(|k| strain[k] - memory.plastic_strain[k]),
+            OutOfPlane::Strained,
+        );
         let response = PointResponse {
             stress,
             secant_shear: self.elastic.shear,
@@ -88,7 +89,11 @@ fn trial_model(material: &Deformable, _: &Outline, _: OutOfPlane) -> Arc<dyn Mat
 }
 
 /// The solver's own flow theory, backward Euler over an increment as a whole.
-fn own_model(material: &Deformable, _: &Outline, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
+fn own_model(
+    material: &Deformable,
+    _: &Outline,
+    out_of_plane: OutOfPlane,
+) -> Arc<dyn MaterialModel> {
     let elastic = ElasticModuli::from(material.elastic());
     let mapping = ReturnMapping::new(material.hardening_law().unwrap(), elastic.shear);
     Arc::new(FlowPlasticity::new(elastic, mapping, [], out_of_plane).with_substeps(1))

@@ -1,4 +1,5 @@
-//! First yield of a line contact: p0/σ_y = 1.794 at a depth of 0.704 a (ν = 0.3, von Mises, plane strain).
+//! First yield of a line contact: p0/σ_y = 1.794 at a depth of 0.704 a (ν = 0.3, von Mises, plane
+//! strain).
 
 use brinell_solver::analytical::{DepthLimit, HertzLine, HertzPoint};
 use brinell_solver::report::StepReport;
@@ -19,7 +20,8 @@ fn closed_form_and_mesh_agree_on_the_onset() {
     let elastic = report(&small_cylinders(53.65, Value::Null));
     let step = &elastic.steps[0];
     let profile = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
-    let (k, most) = profile.von_mises.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).unwrap();
+    let (k, most) =
+        profile.von_mises.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).unwrap();
     assert_within(step.contact.peak_pressure / most, 1.794, 5e-3);
     assert!((profile.depth[k] - 0.0383).abs() < 0.002, "{}", profile.depth[k]);
     assert_within(step.contact.half_width, 0.05441, 0.02);
@@ -41,7 +43,8 @@ fn the_reported_onset_force_is_the_closed_form() {
     assert_eq!(step.history.len(), 1);
 }
 
-/// A roller or ball on a block, with strength over depth, and the force under which the block begins to yield.
+/// A roller or ball on a block, with strength over depth, and the force under which the block
+/// begins to yield.
 fn onset_on_block(analysis: &str, poisson_ratio: f64, over_depth: &Value) -> StepReport {
     onset_on_stressed_block(analysis, poisson_ratio, over_depth, &Value::Null)
 }
@@ -104,11 +107,15 @@ fn yield_begins_at_the_edge_of_a_contact_circle_where_the_skin_is_soft() {
     assert_within(step.hertz.unwrap().yield_onset_force.unwrap(), force, 1e-3);
 }
 
-/// The same on few elements, of which the outermost pressure is not known better than the end of the contact.
+/// The same on few elements, of which the outermost pressure is not known better than the end of
+/// the contact.
 #[test]
 fn the_bar_of_an_onset_at_the_edge_of_a_contact_circle_holds_on_few_elements() {
     let rows = |points: [[f64; 2]; 3]| {
-        json!(points.map(|[depth, sigma]| json!({"depth": depth, "sigma_x": sigma, "sigma_z": sigma})))
+        json!(
+            points
+                .map(|[depth, sigma]| json!({"depth": depth, "sigma_x": sigma, "sigma_z": sigma}))
+        )
     };
     let body = |shape: Value, nu: f64, initial: Value| {
         json!({"shape": shape, "material": {"young_modulus": 210_000, "poisson_ratio": nu, "initial_stress": initial,
@@ -132,20 +139,26 @@ fn the_bar_of_an_onset_at_the_edge_of_a_contact_circle_holds_on_few_elements() {
     assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{:?}", step.validity);
 }
 
-/// Places that 20 elements do not resolve: close below the surface on the axis, and below the end of the contact.
+/// Places that 20 elements do not resolve: close below the surface on the axis, and below the end
+/// of the contact.
 #[test]
 #[ignore = "full"]
 fn the_bar_of_an_onset_holds_the_closed_form() {
     let strength = |depth: f64| 500.0 * (0.3 + 0.7 * (depth / 0.4).min(1.0));
     let soft = json!([[0, 0.3], [0.4, 1.0]]);
-    let ball = DepthLimit::point_onset(0.3, 0.5 * std::f64::consts::PI * 100.0 / effective(0.3), strength);
+    let ball = DepthLimit::point_onset(
+        0.3,
+        0.5 * std::f64::consts::PI * 100.0 / effective(0.3),
+        strength,
+    );
     let ball = HertzPoint::from_peak_pressure(ball.peak_pressure, 100.0, effective(0.3)).force();
     // Of a line contact at all places of the section.
     let unit = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
     let stresses: Vec<(f64, f64)> = (1..100u32)
         .map(|k| 0.02 * f64::from(k))
         .map(|z| {
-            let beside = (0..120u32).map(|k| unit.stress(0.01 * f64::from(k), z, 0.45).von_mises());
+            let beside =
+                (0..120u32).map(|k| unit.stress(0.01 * f64::from(k), z, 0.45).von_mises());
             (z, beside.fold(0.0, f64::max))
         })
         .collect();
@@ -161,8 +174,10 @@ fn the_bar_of_an_onset_holds_the_closed_form() {
     let roller = HertzLine::from_peak_pressure(low, 100.0, effective(0.45)).force();
     // In a skin thinner than an element.
     let skin = |depth: f64| 500.0 * (0.4 + 0.6 * ((depth - 0.03) / 0.01).clamp(0.0, 1.0));
-    let skinned = DepthLimit::point_onset(0.3, 0.5 * std::f64::consts::PI * 100.0 / effective(0.3), skin);
-    let skinned = HertzPoint::from_peak_pressure(skinned.peak_pressure, 100.0, effective(0.3)).force();
+    let skinned =
+        DepthLimit::point_onset(0.3, 0.5 * std::f64::consts::PI * 100.0 / effective(0.3), skin);
+    let skinned =
+        HertzPoint::from_peak_pressure(skinned.peak_pressure, 100.0, effective(0.3)).force();
     let thin = json!([[0, 0.4], [0.03, 0.4], [0.04, 1.0]]);
     for (analysis, nu, over_depth, force) in [
         ("axisymmetric", 0.3, &soft, ball),
@@ -170,24 +185,26 @@ fn the_bar_of_an_onset_holds_the_closed_form() {
         ("axisymmetric", 0.3, &thin, skinned),
     ] {
         let step = onset_on_block(analysis, nu, over_depth);
-        let (error, bar) =
-            ((step.contact.force / force - 1.0).abs(), step.estimated_error.unwrap().force.unwrap());
+        let (error, bar) = (
+            (step.contact.force / force - 1.0).abs(),
+            step.estimated_error.unwrap().force.unwrap(),
+        );
         assert!(error <= bar && bar < 0.3, "{analysis}: {error} in {bar}");
         assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{analysis}");
     }
 }
 
-/// Stress before the load that is highest at the surface, at a depth between nodes, and beside the contact.
+/// Stress before the load that is highest at the surface, at a depth between nodes, and beside the
+/// contact.
 #[test]
 #[ignore = "full"]
 fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
     let uniform = json!([[0, 1.0]]);
-    let rows =
-        |points: [[f64; 3]; 4]| {
-            json!(points.map(
+    let rows = |points: [[f64; 3]; 4]| {
+        json!(points.map(
                 |[depth, sigma_x, sigma_z]| json!({"depth": depth, "sigma_x": sigma_x, "sigma_z": sigma_z})
             ))
-        };
+    };
     let below = |z: f64| match z {
         0.0..0.4 => -350.0 * z / 0.4,
         0.4..1.0 => -350.0 + 450.0 * (z - 0.4) / 0.6,
@@ -214,8 +231,10 @@ fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
     assert_within(step.contact.force, force, 5e-3);
     assert!((step.yield_onset.unwrap().depth - 0.4).abs() < 1e-6);
 
-    // In the middle of the surface, where the block has no stress: `σ_x = σ_y = -p0`, `σ_z = -2ν p0`.
-    let given = rows([[0.0, 0.0, 0.0], [0.4, -350.0, -350.0], [1.0, 100.0, 100.0], [5.0, 0.0, 0.0]]);
+    // In the middle of the surface, where the block has no stress: `σ_x = σ_y = -p0`, `σ_z = -2ν
+    // p0`.
+    let given =
+        rows([[0.0, 0.0, 0.0], [0.4, -350.0, -350.0], [1.0, 100.0, 100.0], [5.0, 0.0, 0.0]]);
     let step = onset_on_stressed_block("plane_strain", 0.1, &uniform, &given);
     let force = HertzLine::from_peak_pressure(500.0 / 0.8, 100.0, effective(0.1)).force();
     assert_within(step.contact.force, force, 5e-3);

@@ -1,4 +1,5 @@
-//! Contacts of every law, shape and analysis, for the tests of what converges and the example that prints all of it.
+//! Contacts of every law, shape and analysis, for the tests of what converges and the example that
+//! prints all of it.
 
 use std::f64::consts::PI;
 
@@ -10,16 +11,34 @@ const YIELD: f64 = 500.0;
 /// Every law that yields at, or near, the same stress.
 pub fn laws() -> [(&'static str, Value); 7] {
     [
-        ("bilinear", json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 10_500.0})),
-        ("perfectly plastic", json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 0.0})),
+        (
+            "bilinear",
+            json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 10_500.0}),
+        ),
+        (
+            "perfectly plastic",
+            json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 0.0}),
+        ),
         (
             "ramberg_osgood",
             json!({"law": "ramberg_osgood", "reference_stress": YIELD, "offset": 0.3, "exponent": 5.0}),
         ),
-        ("table", json!({"law": "table", "points": [[0.0, YIELD], [0.005, 600.0], [0.05, 700.0]]})),
-        ("swift", json!({"law": "swift", "yield_stress": YIELD, "strain_offset": 0.005, "exponent": 0.2})),
-        ("ludwik", json!({"law": "ludwik", "yield_stress": YIELD, "coefficient": 800.0, "exponent": 0.5})),
-        ("voce", json!({"law": "voce", "yield_stress": YIELD, "saturation_stress": 800.0, "rate": 30.0})),
+        (
+            "table",
+            json!({"law": "table", "points": [[0.0, YIELD], [0.005, 600.0], [0.05, 700.0]]}),
+        ),
+        (
+            "swift",
+            json!({"law": "swift", "yield_stress": YIELD, "strain_offset": 0.005, "exponent": 0.2}),
+        ),
+        (
+            "ludwik",
+            json!({"law": "ludwik", "yield_stress": YIELD, "coefficient": 800.0, "exponent": 0.5}),
+        ),
+        (
+            "voce",
+            json!({"law": "voce", "yield_stress": YIELD, "saturation_stress": 800.0, "rate": 30.0}),
+        ),
     ]
 }
 
@@ -61,13 +80,20 @@ pub fn surfaces() -> [Surface; 4] {
 
 /// The pairs of surfaces that open away from where they touch.
 pub fn pairs(surfaces: &[Surface]) -> impl Iterator<Item = [&Surface; 2]> {
-    let pairs = surfaces.iter().flat_map(move |upper| surfaces.iter().map(move |lower| [upper, lower]));
+    let pairs =
+        surfaces.iter().flat_map(move |upper| surfaces.iter().map(move |lower| [upper, lower]));
     pairs.filter(|[upper, lower]| upper.curvature + lower.curvature > 0.0)
 }
 
-/// Two surfaces of one material, pressed together so hard that the elastic peak pressure would be `ratio` yield stresses;
-/// ten elements over the half-width, tolerance 1e-6.
-pub fn job(analysis: &str, coupling: &str, law: &Value, [upper, lower]: [&Surface; 2], ratio: f64) -> Value {
+/// Two surfaces of one material, pressed together so hard that the elastic peak pressure would be
+/// `ratio` yield stresses; ten elements over the half-width, tolerance 1e-6.
+pub fn job(
+    analysis: &str,
+    coupling: &str,
+    law: &Value,
+    [upper, lower]: [&Surface; 2],
+    ratio: f64,
+) -> Value {
     let body = |surface: &Surface| {
         json!({"shape": surface.shape, "support": "clamped",
             "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": law}})

@@ -52,8 +52,8 @@ struct Scale {
     yield_stress: f64,
 }
 
-/// Any job that a person might ask for, on a mesh of so many elements over the half-width: a contact of half of a thousandth to
-/// a twentieth of the radius, at up to six yield stresses.
+/// Any job that a person might ask for, on a mesh of so many elements over the half-width: a
+/// contact of half of a thousandth to a twentieth of the radius, at up to six yield stresses.
 pub fn job(random: &mut Random, elements: &[u32]) -> Value {
     let analysis = random.one_of(&["plane_strain", "plane_stress", "axisymmetric"]);
     let [radius, young] = [random.decades(0.1, 1e3), random.decades(1e3, 3e5)];
@@ -124,7 +124,8 @@ fn load(random: &mut Random, scale: &Scale) -> Value {
     }
 }
 
-/// The first of the two is convex; only it may be rigid, of the two of a job at least one has to deform.
+/// The first of the two is convex; only it may be rigid, of the two of a job at least one has to
+/// deform.
 fn body(random: &mut Random, scale: &Scale, is_first: bool) -> Value {
     let (shape, must_be_rigid) =
         if is_first { convex(random, scale) } else { (counterpart(random, scale), false) };
@@ -167,7 +168,8 @@ fn convex(random: &mut Random, scale: &Scale) -> (Value, bool) {
             // As high at the half-width as a cylinder.
             let exponent = random.between(1.2, 6.0);
             let height = half_width * half_width / (2.0 * radius);
-            let scale = (height / half_width.powf(exponent)).powf((1.0 - exponent).recip()).min(1e6);
+            let scale =
+                (height / half_width.powf(exponent)).powf((1.0 - exponent).recip()).min(1e6);
             json!({"type": "power", "exponent": exponent, "scale": scale, "width": 8.0 * half_width, "depth": radius})
         }
         4 => {
@@ -220,18 +222,24 @@ fn plasticity(random: &mut Random, scale: &Scale) -> Value {
         1 => {
             json!({"law": "bilinear", "yield_stress": limit, "tangent_modulus": young * random.decades(1e-4, 0.15)})
         }
-        2 => json!({"law": "ludwik", "yield_stress": limit, "coefficient": limit * random.decades(0.1, 10.0),
-            "exponent": exponent}),
-        3 => json!({"law": "swift", "yield_stress": limit, "strain_offset": random.decades(1e-4, 0.05),
-            "exponent": exponent}),
+        2 => {
+            json!({"law": "ludwik", "yield_stress": limit, "coefficient": limit * random.decades(0.1, 10.0),
+            "exponent": exponent})
+        }
+        3 => {
+            json!({"law": "swift", "yield_stress": limit, "strain_offset": random.decades(1e-4, 0.05),
+            "exponent": exponent})
+        }
         4 => {
             json!({"law": "voce", "yield_stress": limit, "saturation_stress": limit * random.between(1.05, 3.0),
             "rate": random.decades(1.0, 300.0)})
         }
         5 => json!({"law": "table", "points": [[0, limit],
             [random.between(0.01, 0.05), limit * random.between(1.0, 1.5)], [0.2, 1.5 * limit]]}),
-        _ => json!({"law": "ramberg_osgood", "reference_stress": limit, "offset": random.decades(0.1, 1.0),
-            "exponent": random.between(3.0, 20.0)}),
+        _ => {
+            json!({"law": "ramberg_osgood", "reference_stress": limit, "offset": random.decades(0.1, 1.0),
+            "exponent": random.between(3.0, 20.0)})
+        }
     }
 }
 
@@ -291,7 +299,8 @@ fn scale_numbers(value: &mut Value, factors: &[f64]) {
         Value::Number(number) => *value = json!(number.as_f64().unwrap_or(0.0) * factors[0]),
         Value::Array(items) => {
             for (k, item) in items.iter_mut().enumerate() {
-                let factors = if item.is_number() && factors.len() > 1 { &factors[k..=k] } else { factors };
+                let factors =
+                    if item.is_number() && factors.len() > 1 { &factors[k..=k] } else { factors };
                 scale_numbers(item, factors);
             }
         }

@@ -1,8 +1,10 @@
-//! The rough traces that were reported, `y = -x²/100 + amplitude · z` with Gaussian noise z, over -10 to 10 mm. One generator made them one
-//! after the other: CPython's `random.Random(5).gauss`. They are too long to be kept.
+//! The rough traces that were reported, `y = -x²/100 + amplitude · z` with Gaussian noise z, over
+//! -10 to 10 mm. One generator made them one after the other: CPython's `random.Random(5).gauss`.
+//! They are too long to be kept.
 
 /// Number of points, amplitude \[mm\], and how many numbers were drawn before.
-pub const TRACES: [(usize, f64, usize); 3] = [(2001, 1e-4, 0), (8001, 1e-4, 2001), (8001, 5e-4, 10_002)];
+pub const TRACES: [(usize, f64, usize); 3] =
+    [(2001, 1e-4, 0), (8001, 1e-4, 2001), (8001, 5e-4, 10_002)];
 
 /// Points `[x, height]` of a trace \[mm\].
 pub fn trace((count, amplitude, drawn): (usize, f64, usize)) -> Vec<[f64; 2]> {
@@ -39,7 +41,8 @@ impl Gauss {
 const SIZE: usize = 624;
 const SHIFT: usize = 397;
 
-/// MT19937 of M. Matsumoto and T. Nishimura (1998), initialized by an array of one number as CPython does it.
+/// MT19937 of M. Matsumoto and T. Nishimura (1998), initialized by an array of one number as
+/// CPython does it.
 struct MersenneTwister {
     state: Vec<u32>,
     index: usize,
@@ -82,7 +85,8 @@ impl MersenneTwister {
     fn word(&mut self) -> u32 {
         if self.index == SIZE {
             for k in 0..SIZE {
-                let bits = (self.state[k] & 0x8000_0000) | (self.state[(k + 1) % SIZE] & 0x7fff_ffff);
+                let bits =
+                    (self.state[k] & 0x8000_0000) | (self.state[(k + 1) % SIZE] & 0x7fff_ffff);
                 let odd = if bits & 1 == 1 { 0x9908_b0df } else { 0 };
                 self.state[k] = self.state[(k + SHIFT) % SIZE] ^ (bits >> 1) ^ odd;
             }

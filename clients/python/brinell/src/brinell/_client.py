@@ -391,7 +391,9 @@ class AsyncClient(_Connection):
             self._http = httpx.AsyncClient(**self._options())
         return self._http
 
-    async def _stream(self, flow: Flow[T], end: list[T] | None = None) -> AsyncGenerator[Any, None]:
+    async def _stream(
+        self, flow: Flow[T], end: list[T] | None = None
+    ) -> AsyncGenerator[Any, None]:
         """The values that a flow emits; what it returns goes to `end`."""
         opened: httpx.Response | None = None
         lines: AsyncIterator[str] | None = None

@@ -202,7 +202,9 @@ class Core:
         return response.json()
 
     def validate(self, job: JobLike) -> Flow[dict[str, Any]]:
-        answer: dict[str, Any] = yield from self.json("POST", "/v1/validate", body=document_of(job))
+        answer: dict[str, Any] = yield from self.json(
+            "POST", "/v1/validate", body=document_of(job)
+        )
         return answer
 
     def submit(
@@ -449,7 +451,9 @@ class Core:
             place = flying[id]
             document = waiting[place][1]
             if info is None:
-                done[place] = Outcome(document, id, None, error_of(item["status"], item["problem"]))
+                done[place] = Outcome(
+                    document, id, None, error_of(item["status"], item["problem"])
+                )
             elif info["done"]:
                 report = info.get("result")
                 error = None if report is not None else failed(info)

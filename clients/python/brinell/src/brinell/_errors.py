@@ -99,7 +99,9 @@ class JobFailed(BrinellError):
         self.status = status
         self.problem = problem or {}
         detail = self.problem.get("detail") or self.problem.get("title")
-        super().__init__(f"job {id} {status.replace('_', ' ')}" + (f": {detail}" if detail else ""))
+        super().__init__(
+            f"job {id} {status.replace('_', ' ')}" + (f": {detail}" if detail else "")
+        )
 
 
 class StillRunning(BrinellError, TimeoutError):

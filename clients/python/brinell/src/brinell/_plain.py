@@ -199,7 +199,9 @@ def tokens_of(pointer: str) -> list[str]:
     """The steps of a JSON pointer, with or without `#`."""
     path = pointer.removeprefix("#")
     if not path.startswith("/"):
-        raise ValueError(f'a pointer begins with "/" or "#/", as in "/load/force", not {pointer!r}')
+        raise ValueError(
+            f'a pointer begins with "/" or "#/", as in "/load/force", not {pointer!r}'
+        )
     return [step.replace("~1", "/").replace("~0", "~") for step in path[1:].split("/")]
 
 

@@ -54,7 +54,9 @@ class Plot:
         self._along = "r" if round_bodies else "x"
         self._titles = {**TITLES, **(OF_REVOLUTION if round_bodies else {})}
 
-    def pressure(self, step: int = -1, ax: Axes | None = None, label: str = "this contact") -> Axes:
+    def pressure(
+        self, step: int = -1, ax: Axes | None = None, label: str = "this contact"
+    ) -> Axes:
         """Contact pressure, beside Hertz's where there is one."""
         ax = _axes(ax)
         one = self._result.steps[step]
@@ -188,7 +190,9 @@ class Plot:
         ax.plot(
             [s.approach for s in steps], [s.force for s in steps], "o", color="C0", markersize=3
         )
-        ax.set(xlabel=f"approach [{self._length}]", ylabel=f"force [{unit_of_force(self._result)}]")
+        ax.set(
+            xlabel=f"approach [{self._length}]", ylabel=f"force [{unit_of_force(self._result)}]"
+        )
         return ax
 
     def dent(self, step: int = -1, ax: Axes | None = None) -> Axes:

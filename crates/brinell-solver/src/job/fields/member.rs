@@ -25,7 +25,8 @@ pub(in crate::job) trait Member: Sized {
     }
 }
 
-/// Reads a field of an object: it must be there unless it has a default or its type needs no value.
+/// Reads a field of an object: it must be there unless it has a default or its type needs no
+/// value.
 pub(in crate::job) fn read_member<T: Member>(
     object: &Object<'_>,
     field: &Field,
@@ -39,7 +40,11 @@ pub(in crate::job) fn read_member<T: Member>(
 }
 
 /// Reads a number in the range of its kind.
-fn read_figure<T: TryFrom<f64>>(cursor: Cursor<'_>, kind: &Figure, units: Option<Units>) -> Option<T> {
+fn read_figure<T: TryFrom<f64>>(
+    cursor: Cursor<'_>,
+    kind: &Figure,
+    units: Option<Units>,
+) -> Option<T> {
     match kind {
         Figure::Quantity(quantity) => cursor.quantity(*quantity, units),
         Figure::Pure(range) => cursor.number_in(range),
@@ -133,10 +138,14 @@ impl Serialize for Written<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let wire = |kind: &Figure, core| kind.to_wire(self.2, core);
         match (self.0, &self.1.kind) {
-            (Value::Figure(core), FieldKind::Figure(kind)) => serializer.serialize_f64(wire(kind, *core)),
-            (Value::Points(points), FieldKind::Points { columns: [(_, first), (_, second)], .. }) => {
-                serializer.collect_seq(points.iter().map(|[x, y]| [wire(first, *x), wire(second, *y)]))
+            (Value::Figure(core), FieldKind::Figure(kind)) => {
+                serializer.serialize_f64(wire(kind, *core))
             }
+            (
+                Value::Points(points),
+                FieldKind::Points { columns: [(_, first), (_, second)], .. },
+            ) => serializer
+                .collect_seq(points.iter().map(|[x, y]| [wire(first, *x), wire(second, *y)])),
             (Value::Figure(core), _) => serializer.serialize_f64(*core),
             (Value::Points(points), _) => points.serialize(serializer),
             (Value::Whole(number), _) => serializer.serialize_u32(*number),

@@ -1,7 +1,9 @@
-//! One table of fields per object of the job: its reader, its writer, its schema and its form come from it.
+//! One table of fields per object of the job: its reader, its writer, its schema and its form come
+//! from it.
 //!
 //! `record!` declares a struct and its table together, `tagged!` an enumeration of such structs
-//! that a word tells apart. Each law of hardening and each shape is one file that holds one such declaration.
+//! that a word tells apart. Each law of hardening and each shape is one file that holds one such
+//! declaration.
 //!
 //! ```text
 //! record! {
@@ -22,7 +24,8 @@ use super::{FieldError, Named, Quantity, Units};
 
 pub(super) use member::{Member, read_member};
 pub(super) use record::{
-    Record, faults_of, read_record, read_record_of, read_settings, read_settings_from, write_record,
+    Record, faults_of, read_record, read_record_of, read_settings, read_settings_from,
+    write_record,
 };
 pub(super) use record::{record, tagged};
 
@@ -31,7 +34,8 @@ pub(super) use record::{record, tagged};
 pub struct FieldTable {
     /// Name of the type, e.g. `RambergOsgood`.
     pub name: &'static str,
-    /// The word that tells this object from its siblings, e.g. `ramberg_osgood`; empty if it has none.
+    /// The word that tells this object from its siblings, e.g. `ramberg_osgood`; empty if it has
+    /// none.
     pub word: &'static str,
     /// What a form calls it.
     pub label: &'static str,
@@ -120,7 +124,15 @@ impl Figure {
 
 impl Field {
     const fn new(kind: FieldKind) -> Self {
-        Self { key: "", description: "", label: "", symbol: "", kind, example: Example::None, required: true }
+        Self {
+            key: "",
+            description: "",
+            label: "",
+            symbol: "",
+            kind,
+            example: Example::None,
+            required: true,
+        }
     }
 
     /// A figure with a unit.
@@ -149,7 +161,10 @@ impl Field {
     }
 
     /// Points.
-    pub(super) const fn points(columns: [(&'static str, Figure); 2], count: RangeInclusive<usize>) -> Self {
+    pub(super) const fn points(
+        columns: [(&'static str, Figure); 2],
+        count: RangeInclusive<usize>,
+    ) -> Self {
         Self::new(FieldKind::Points { columns, count })
     }
 
@@ -203,7 +218,9 @@ impl Known {
     /// A figure, in N–mm–MPa; `None` if it is missing or at fault.
     pub fn figure(&self, key: &str) -> Option<f64> {
         let found = self.values.iter().find(|(name, _)| *name == key);
-        found.and_then(|(_, value)| if let Value::Figure(figure) = value { Some(*figure) } else { None })
+        found.and_then(
+            |(_, value)| if let Value::Figure(figure) = value { Some(*figure) } else { None },
+        )
     }
 
     /// A word; `None` if it is missing or at fault.
@@ -220,7 +237,9 @@ impl Known {
     /// Points, in N–mm–MPa; `None` if they are missing or at fault.
     pub fn points(&self, key: &str) -> Option<&[[f64; 2]]> {
         let found = self.values.iter().find(|(name, _)| *name == key);
-        found.and_then(|(_, value)| if let Value::Points(points) = value { Some(&**points) } else { None })
+        found.and_then(
+            |(_, value)| if let Value::Points(points) = value { Some(&**points) } else { None },
+        )
     }
 }
 

@@ -12,8 +12,8 @@ pub(in crate::job) trait Record: Sized {
     /// The table.
     const TABLE: FieldTable;
 
-    /// Reads all fields, so that every fault is found, and gives those that could be read to `known`. A field that
-    /// is missing is taken from `default`.
+    /// Reads all fields, so that every fault is found, and gives those that could be read to
+    /// `known`. A field that is missing is taken from `default`.
     fn read_fields(
         object: &Object<'_>,
         units: Option<Units>,
@@ -24,7 +24,8 @@ pub(in crate::job) trait Record: Sized {
     /// The values in the order of the table.
     fn values(&self) -> Vec<Option<Value>>;
 
-    /// Rules between several fields, told of those that are known; pointers are relative to the object.
+    /// Rules between several fields, told of those that are known; pointers are relative to the
+    /// object.
     fn rules(_known: &Known) -> Vec<FieldError> {
         Vec::new()
     }
@@ -41,7 +42,8 @@ pub(in crate::job) fn read_record<T: Record>(
     read_record_of(object, tag, &[], units, default, beside)
 }
 
-/// As [`read_record`], of an object that has the keys `shared` beside those of its table; somebody else reads them.
+/// As [`read_record`], of an object that has the keys `shared` beside those of its table; somebody
+/// else reads them.
 pub(in crate::job) fn read_record_of<T: Record>(
     object: &Object<'_>,
     tag: Option<&'static str>,
@@ -53,7 +55,8 @@ pub(in crate::job) fn read_record_of<T: Record>(
     let own = T::TABLE.fields.iter().map(|field| field.key);
     let keys: Vec<_> = tag.into_iter().chain(own).chain(shared.iter().copied()).collect();
     object.only(&keys);
-    let given = T::TABLE.fields.iter().map(|field| field.key).filter(|key| object.has(key)).collect();
+    let given =
+        T::TABLE.fields.iter().map(|field| field.key).filter(|key| object.has(key)).collect();
     let mut known = Known { values: beside_values(beside), given };
     let read = T::read_fields(object, units, default, &mut known);
     let faults = T::rules(&known);
@@ -62,13 +65,18 @@ pub(in crate::job) fn read_record_of<T: Record>(
     read.filter(|_| holds)
 }
 
-/// Everything wrong with an object that was put together in code: its rules and the ranges of its figures.
-pub(in crate::job) fn faults_of<T: Record>(record: &T, beside: &[(&'static str, f64)]) -> Vec<FieldError> {
+/// Everything wrong with an object that was put together in code: its rules and the ranges of its
+/// figures.
+pub(in crate::job) fn faults_of<T: Record>(
+    record: &T,
+    beside: &[(&'static str, f64)],
+) -> Vec<FieldError> {
     let mut known = Known { values: beside_values(beside), given: Vec::new() };
     let mut faults = Vec::new();
     for (field, value) in T::TABLE.fields.iter().zip(record.values()) {
         let Some(value) = value else { continue };
-        if let (FieldKind::Figure(Figure::Pure(range)), Value::Figure(figure)) = (&field.kind, &value)
+        if let (FieldKind::Figure(Figure::Pure(range)), Value::Figure(figure)) =
+            (&field.kind, &value)
             && !range.contains(figure)
         {
             let detail = format!("must be between {} and {}", range.start(), range.end());
@@ -110,8 +118,8 @@ pub(in crate::job) fn write_record<T: Record, M: SerializeMap>(
     Ok(())
 }
 
-/// Declares a struct and its [`FieldTable`] in one listing. The doc comments are the descriptions. `rules` names a
-/// function for what holds between several fields.
+/// Declares a struct and its [`FieldTable`] in one listing. The doc comments are the descriptions.
+/// `rules` names a function for what holds between several fields.
 macro_rules! record {
     (
         $(#[doc = $doc:literal])+
@@ -218,8 +226,8 @@ macro_rules! tagged {
                 given.filter_map(|(field, value)| Some((field, value?))).collect()
             }
 
-            /// Reads the variant that the tag names. `beside` has figures of the object around it that rules may
-            /// ask for.
+            /// Reads the variant that the tag names. `beside` has figures of the object around it
+            /// that rules may ask for.
             pub(in crate::job) fn read(
                 cursor: $crate::job::reader::Cursor<'_>,
                 units: Option<$crate::job::Units>,
@@ -239,8 +247,9 @@ macro_rules! tagged {
                 None
             }
 
-            /// Everything wrong with an object that was put together in code, with pointers relative to it. `beside`
-            /// has figures of the object around it that rules may ask for.
+            /// Everything wrong with an object that was put together in code, with pointers
+            /// relative to it. `beside` has figures of the object around it that rules may ask
+            /// for.
             pub fn faults(&self, beside: &[(&'static str, f64)]) -> Vec<$crate::job::FieldError> {
                 match self {
                     $(Self::$variant(record) => $crate::job::fields::faults_of(record, beside)),+

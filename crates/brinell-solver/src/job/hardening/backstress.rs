@@ -6,8 +6,8 @@ use crate::job::{NonNegativeF64, PositiveF64, Quantity, Units};
 use crate::material;
 
 record! {
-    /// One term of the backstress X, with dX = 2/3 C dε_p - γ X dp: Prager's law where γ is zero, Armstrong and
-    /// Frederick's elsewhere; several terms are Chaboche's.
+    /// One term of the backstress X, with dX = 2/3 C dε_p - γ X dp: Prager's law where γ is zero,
+    /// Armstrong and Frederick's elsewhere; several terms are Chaboche's.
     #[derive(Copy)]
     pub struct BackstressTerm("", "Backstress") {
         /// Modulus C.
@@ -28,6 +28,8 @@ impl BackstressTerm {
     pub const MAX_TERMS: usize = 4;
 
     pub(in crate::job) fn read_all(cursor: Cursor<'_>, units: Option<Units>) -> Option<Vec<Self>> {
-        cursor.array(0..=Self::MAX_TERMS, |item| read_record(&item.object()?, None, units, None, &[]))
+        cursor.array(0..=Self::MAX_TERMS, |item| {
+            read_record(&item.object()?, None, units, None, &[])
+        })
     }
 }

@@ -1,5 +1,6 @@
-//! The hardening laws as a job gives them: each is one file with the table of its parameters, what holds between them and the law
-//! of [`crate::material::hardening`] that they make, and one name in the list below.
+//! The hardening laws as a job gives them: each is one file with the table of its parameters, what
+//! holds between them and the law of [`crate::material::hardening`] that they make, and one name
+//! in the list below.
 
 mod backstress;
 mod bilinear;
@@ -68,8 +69,10 @@ mod tests {
         let yield_stress = positive(500.0);
         let tangent = |value| NonNegativeF64::new(value).unwrap();
         let points = vec![[0.0, 400.0], [1e-3, 520.0], [0.01, 600.0], [0.1, 640.0]];
-        let elastic =
-            Elastic { young_modulus: positive(YOUNG), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
+        let elastic = Elastic {
+            young_modulus: positive(YOUNG),
+            poisson_ratio: PoissonRatio::new(0.3).unwrap(),
+        };
         let inputs = [
             Hardening::Bilinear(Bilinear { yield_stress, tangent_modulus: tangent(10_500.0) }),
             Hardening::Bilinear(Bilinear { yield_stress, tangent_modulus: tangent(0.0) }),
@@ -79,9 +82,21 @@ mod tests {
                 exponent: positive(5.0),
             }),
             Hardening::Table(Table { points: TablePoints::new(points).unwrap() }),
-            Hardening::Swift(Swift { yield_stress, strain_offset: positive(2e-3), exponent: positive(0.15) }),
-            Hardening::Ludwik(Ludwik { yield_stress, coefficient: positive(700.0), exponent: positive(0.4) }),
-            Hardening::Voce(Voce { yield_stress, saturation_stress: positive(800.0), rate: positive(30.0) }),
+            Hardening::Swift(Swift {
+                yield_stress,
+                strain_offset: positive(2e-3),
+                exponent: positive(0.15),
+            }),
+            Hardening::Ludwik(Ludwik {
+                yield_stress,
+                coefficient: positive(700.0),
+                exponent: positive(0.4),
+            }),
+            Hardening::Voce(Voce {
+                yield_stress,
+                saturation_stress: positive(800.0),
+                rate: positive(30.0),
+            }),
         ];
         inputs.into_iter().map(|input| Deformable::new(elastic, Some(input)).unwrap()).collect()
     }

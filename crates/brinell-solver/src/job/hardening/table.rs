@@ -32,8 +32,8 @@ impl Curve for Table {
 
 /// Points `[plastic_strain, stress]` of a hardening curve.
 ///
-/// Invariants: one to [`MAX_POINTS`](Self::MAX_POINTS) finite points, the first at zero plastic strain, plastic
-/// strain strictly increasing, stress \[MPa\] positive and not falling.
+/// Invariants: one to [`MAX_POINTS`](Self::MAX_POINTS) finite points, the first at zero plastic
+/// strain, plastic strain strictly increasing, stress \[MPa\] positive and not falling.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TablePoints(Vec<[f64; 2]>);
 
@@ -80,7 +80,11 @@ fn faults(points: &[[f64; 2]]) -> Vec<FieldError> {
         match previous {
             _ if !strain.is_finite() => fault(index, 0, "must be finite"),
             None if strain != 0.0 => {
-                fault(index, 0, "must be 0: the first point of the curve is where yielding starts");
+                fault(
+                    index,
+                    0,
+                    "must be 0: the first point of the curve is where yielding starts",
+                );
             }
             Some([before, _]) if strain <= before => {
                 fault(index, 0, "must be greater than the plastic strain of the point before");
@@ -92,7 +96,11 @@ fn faults(points: &[[f64; 2]]) -> Vec<FieldError> {
                 fault(index, 1, "must be finite and greater than 0");
             }
             Some([_, before]) if stress < before => {
-                fault(index, 1, "must be at least the stress of the point before: softening is not covered");
+                fault(
+                    index,
+                    1,
+                    "must be at least the stress of the point before: softening is not covered",
+                );
             }
             _ => {}
         }
@@ -107,7 +115,10 @@ mod tests {
 
     fn pointers(points: &[[f64; 2]]) -> Vec<String> {
         let built = TablePoints::new(points.to_vec());
-        built.map_or_else(|faults| faults.into_iter().map(|fault| fault.pointer).collect(), |_| Vec::new())
+        built.map_or_else(
+            |faults| faults.into_iter().map(|fault| fault.pointer).collect(),
+            |_| Vec::new(),
+        )
     }
 
     #[test]

@@ -11,7 +11,8 @@ pub const MAX_FAULTS: usize = 100;
 /// Longest key, in bytes, that a pointer repeats.
 const LONGEST_KEY: usize = 256;
 
-/// A value's place in the document, as a path of links up to the root. Costs nothing until it is written.
+/// A value's place in the document, as a path of links up to the root. Costs nothing until it is
+/// written.
 #[derive(Debug, Clone, Copy)]
 pub enum Place<'a> {
     /// The document.
@@ -77,7 +78,8 @@ impl Faults {
         list.sort_by_cached_key(|fault| document.position(&fault.pointer));
         let unlisted = self.unlisted.get();
         if unlisted > 0 {
-            let detail = format!("{unlisted} more faults are not listed; these are the first {MAX_FAULTS}");
+            let detail =
+                format!("{unlisted} more faults are not listed; these are the first {MAX_FAULTS}");
             list.push(FieldError { pointer: String::new(), code: FaultCode::MoreFaults, detail });
         }
         list
@@ -101,11 +103,18 @@ mod tests {
     fn the_list_is_bounded() {
         let faults = Faults::default();
         for index in 0..250 {
-            faults.add(&Place::Index(&Place::Root, index), FaultCode::WrongType, format_args!("wrong"));
+            faults.add(
+                &Place::Index(&Place::Root, index),
+                FaultCode::WrongType,
+                format_args!("wrong"),
+            );
         }
         let list = faults.into_sorted(&Node::Array(vec![Node::Null; 250]));
         assert_eq!(list.len(), MAX_FAULTS + 1);
         let last = list.last().unwrap();
-        assert_eq!(last.to_string(), "(job): 150 more faults are not listed; these are the first 100");
+        assert_eq!(
+            last.to_string(),
+            "(job): 150 more faults are not listed; these are the first 100"
+        );
     }
 }

@@ -1,7 +1,8 @@
 //! Reading a document whole: every fault is collected, with its place, before anything is refused.
 //!
-//! A [`Cursor`] is a value with its place. Each of its methods returns `None` after recording what is wrong, so
-//! that a reader first reads *all* of its members and only then combines them with `?`:
+//! A [`Cursor`] is a value with its place. Each of its methods returns `None` after recording what
+//! is wrong, so that a reader first reads *all* of its members and only then combines them with
+//! `?`:
 //! ```text
 //! let radius = object.required("radius", |c| c.quantity(Quantity::Length, units));
 //! let depth = object.required("depth", |c| c.quantity(Quantity::Length, units));
@@ -53,8 +54,8 @@ impl<'a> Cursor<'a> {
         self.faults.add(self.place, code, detail);
     }
 
-    /// Records faults found by a checked constructor, whose pointers are relative to this value, and adds what
-    /// was written there.
+    /// Records faults found by a checked constructor, whose pointers are relative to this value,
+    /// and adds what was written there.
     pub fn report(&self, found: impl IntoIterator<Item = FieldError>) {
         for fault in found {
             let pointer = format!("{}{}", self.place.pointer(), fault.pointer);
@@ -130,9 +131,13 @@ impl<'a> Cursor<'a> {
         None
     }
 
-    /// A figure with a unit, in the range of its quantity, converted to N–mm–MPa. While the unit system is
-    /// unknown only the sign is checked: everything else would be a guess.
-    pub fn quantity<T: TryFrom<f64>>(&self, quantity: Quantity, units: Option<Units>) -> Option<T> {
+    /// A figure with a unit, in the range of its quantity, converted to N–mm–MPa. While the unit
+    /// system is unknown only the sign is checked: everything else would be a guess.
+    pub fn quantity<T: TryFrom<f64>>(
+        &self,
+        quantity: Quantity,
+        units: Option<Units>,
+    ) -> Option<T> {
         let written = self.number()?;
         let (low, _) = quantity.range();
         let known = units.unwrap_or_default();
@@ -143,13 +148,18 @@ impl<'a> Cursor<'a> {
                 format_args!("must be greater than 0, got {}", Figure(written)),
             );
         } else if low >= 0.0 && written < 0.0 {
-            self.fault(FaultCode::OutOfRange, format_args!("must be at least 0, got {}", Figure(written)));
+            self.fault(
+                FaultCode::OutOfRange,
+                format_args!("must be at least 0, got {}", Figure(written)),
+            );
         } else if units.is_some() && !(wire_low..=wire_high).contains(&written) {
             let (low, high, written) = (Figure(wire_low), Figure(wire_high), Figure(written));
             let (unit, system) = (quantity.symbol(known), known.name());
             self.fault(
                 FaultCode::OutOfRange,
-                format_args!("must be between {low} and {high} {unit} (units {system}), got {written}"),
+                format_args!(
+                    "must be between {low} and {high} {unit} (units {system}), got {written}"
+                ),
             );
         } else {
             return T::try_from(quantity.to_core(known, written)).ok();
@@ -175,7 +185,10 @@ impl<'a> Cursor<'a> {
         let found = known.iter().copied().find(|word| *word == written);
         if found.is_none() {
             let (list, got, guess) = (List(known), Quoted(written), Guess { written, known });
-            self.fault(FaultCode::UnknownWord, format_args!("must be one of: {list}, got {got}{guess}"));
+            self.fault(
+                FaultCode::UnknownWord,
+                format_args!("must be one of: {list}, got {got}{guess}"),
+            );
         }
         found
     }
@@ -196,7 +209,8 @@ impl<'a> Cursor<'a> {
         let Node::Array(items) = self.node else {
             let Node::Number(value) = self.node else { return self.not("an array") };
             let value = Figure(*value);
-            let detail = format_args!("must be an array, got a number; write [{value}] for a list of one");
+            let detail =
+                format_args!("must be an array, got a number; write [{value}] for a list of one");
             self.fault(FaultCode::WrongType, detail);
             return None;
         };
@@ -230,14 +244,19 @@ impl<'a> Cursor<'a> {
             );
             return None;
         };
-        let first = read_first(Cursor { node: first, place: &Place::Index(self.place, 0), ..*self });
-        let second = read_second(Cursor { node: second, place: &Place::Index(self.place, 1), ..*self });
+        let first =
+            read_first(Cursor { node: first, place: &Place::Index(self.place, 0), ..*self });
+        let second =
+            read_second(Cursor { node: second, place: &Place::Index(self.place, 1), ..*self });
         Some([first?, second?])
     }
 
     /// Records that this value is of the wrong kind.
     fn not<T>(&self, expected: &str) -> Option<T> {
-        self.fault(FaultCode::WrongType, format_args!("must be {expected}, got {}", self.node.kind()));
+        self.fault(
+            FaultCode::WrongType,
+            format_args!("must be {expected}, got {}", self.node.kind()),
+        );
         None
     }
 }

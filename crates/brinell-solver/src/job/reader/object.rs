@@ -56,7 +56,10 @@ impl<'a> Object<'a> {
     /// The members with their cursors, for objects with free keys.
     pub fn each(&self, mut visit: impl FnMut(&str, Cursor<'_>)) {
         for (key, node) in self.members {
-            visit(key, Cursor { node, place: &Place::Key(self.at.place, key), faults: self.faults() });
+            visit(
+                key,
+                Cursor { node, place: &Place::Key(self.at.place, key), faults: self.faults() },
+            );
         }
     }
 
@@ -75,7 +78,12 @@ impl<'a> Object<'a> {
     }
 
     /// Reads a member that may be left out; `null` is the same as nothing.
-    pub fn or<T>(&self, key: &str, default: T, read: impl FnOnce(Cursor<'_>) -> Option<T>) -> Option<T> {
+    pub fn or<T>(
+        &self,
+        key: &str,
+        default: T,
+        read: impl FnOnce(Cursor<'_>) -> Option<T>,
+    ) -> Option<T> {
         if self.has(key) { self.required(key, read) } else { Some(default) }
     }
 

@@ -14,14 +14,19 @@ pub fn parse(bytes: &[u8]) -> Result<Node, JobError> {
     let text = std::str::from_utf8(bytes).map_err(|error| not_utf8(bytes, error.valid_up_to()))?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if text.trim().is_empty() {
-        return Err(JobError::Syntax { message: "the document is empty".to_owned(), line: 1, column: 1 });
+        return Err(JobError::Syntax {
+            message: "the document is empty".to_owned(),
+            line: 1,
+            column: 1,
+        });
     }
     serde_json::from_str(text).map_err(|error| explain(text, &error))
 }
 
 fn not_utf8(bytes: &[u8], valid: usize) -> JobError {
     let before = bytes.get(..valid).unwrap_or_default();
-    let line_start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+    let line_start =
+        before.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
     JobError::Syntax {
         message: "the text is not UTF-8".to_owned(),
         line: before.split(|byte| *byte == b'\n').count(),
@@ -43,10 +48,13 @@ pub fn explain(text: &str, error: &serde_json::Error) -> JobError {
             "number out of range" => "a number is too large; magnitudes end at 1.8e308".to_owned(),
             "recursion limit exceeded" => "values are nested too deeply".to_owned(),
             "key must be a string" => "a key must be a string in double quotes".to_owned(),
-            "trailing characters" => "there is more text behind the end of the document".to_owned(),
+            "trailing characters" => {
+                "there is more text behind the end of the document".to_owned()
+            }
             "trailing comma" => "there is a comma behind the last member".to_owned(),
             "expected ident" | "expected value" => {
-                "expected a value: an object, an array, a string, a number, true, false or null".to_owned()
+                "expected a value: an object, an array, a string, a number, true, false or null"
+                    .to_owned()
             }
             other => other.to_owned(),
         }
@@ -79,22 +87,37 @@ mod tests {
     fn non_finite_literals_are_named() {
         for literal in ["NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "+Infinity", "INF"] {
             let message = error(format!("{{\n  \"force\": {literal}\n}}"));
-            assert!(message.contains(&format!("\"{literal}\" is not a JSON number")), "{literal}: {message}");
+            assert!(
+                message.contains(&format!("\"{literal}\" is not a JSON number")),
+                "{literal}: {message}"
+            );
             assert!(message.contains("line 2"), "{literal}: {message}");
         }
     }
 
     #[test]
     fn messages() {
-        insta::assert_snapshot!(error(""), @"not valid JSON: the document is empty (line 1, column 1)");
-        insta::assert_snapshot!(error(" \n"), @"not valid JSON: the document is empty (line 1, column 1)");
-        insta::assert_snapshot!(error("{\"a\": [1, 2"), @"not valid JSON: the text ends too early (EOF while parsing a list) (line 1, column 11)");
-        insta::assert_snapshot!(error("[1e400]"), @"not valid JSON: a number is too large; magnitudes end at 1.8e308 (line 1, column 6)");
-        insta::assert_snapshot!(error("{a: 1}"), @"not valid JSON: a key must be a string in double quotes (line 1, column 2)");
-        insta::assert_snapshot!(error("[nul]"), @"not valid JSON: expected a value: an object, an array, a string, a number, true, false or null (line 1, column 5)");
-        insta::assert_snapshot!(error("[1,]"), @"not valid JSON: there is a comma behind the last member (line 1, column 4)");
-        insta::assert_snapshot!(error("1 2"), @"not valid JSON: there is more text behind the end of the document (line 1, column 3)");
-        insta::assert_snapshot!(error(b"{\n \"a\": \"\xff\"}"), @"not valid JSON: the text is not UTF-8 (line 2, column 8)");
+        insta::assert_snapshot!(error(""), @"not valid JSON: the document is empty (line 1, \
+                                             column 1)");
+        insta::assert_snapshot!(error(" \n"), @"not valid JSON: the document is empty (line 1, \
+                                                column 1)");
+        insta::assert_snapshot!(error("{\"a\": [1, \
+                                       2"), @"not valid JSON: the text ends too early (EOF while \
+                                              parsing a list) (line 1, column 11)");
+        insta::assert_snapshot!(error("[1e400]"), @"not valid JSON: a number is too large; \
+                                                    magnitudes end at 1.8e308 (line 1, column 6)");
+        insta::assert_snapshot!(error("{a: 1}"), @"not valid JSON: a key must be a string in \
+                                                   double quotes (line 1, column 2)");
+        insta::assert_snapshot!(error("[nul]"), @"not valid JSON: expected a value: an object, an \
+                                                  array, a string, a number, true, false or null \
+                                                  (line 1, column 5)");
+        insta::assert_snapshot!(error("[1,]"), @"not valid JSON: there is a comma behind the last \
+                                                 member (line 1, column 4)");
+        insta::assert_snapshot!(error("1 2"), @"not valid JSON: there is more text behind the end \
+                                                of the document (line 1, column 3)");
+        insta::assert_snapshot!(error(b"{\n \"a\": \
+                                        \"\xff\"}"), @"not valid JSON: the text is not UTF-8 \
+                                                       (line 2, column 8)");
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! How figures and the user's own words are repeated in messages: readable, and never longer than a line.
+//! How figures and the user's own words are repeated in messages: readable, and never longer than
+//! a line.
 
 use std::fmt;
 
@@ -76,8 +77,8 @@ impl fmt::Display for Guess<'_> {
 }
 
 impl Guess<'_> {
-    /// The known word at the smallest edit distance, if that is at most a third of its length. Case, hyphens
-    /// and underscores do not count, so that `youngModulus` finds `young_modulus`.
+    /// The known word at the smallest edit distance, if that is at most a third of its length.
+    /// Case, hyphens and underscores do not count, so that `youngModulus` finds `young_modulus`.
     fn nearest(&self) -> Option<&str> {
         let written = bare(self.written);
         if written.len() > 2 * LONGEST_QUOTE {
@@ -130,7 +131,8 @@ mod tests {
 
     #[test]
     fn computed_figures_have_five_digits() {
-        let shown = [0.0, 1e7 / 3.0, 0.1 + 0.2, 1e7, -1.0 / 3e6].map(|v| five_digits(v).to_string());
+        let shown =
+            [0.0, 1e7 / 3.0, 0.1 + 0.2, 1e7, -1.0 / 3e6].map(|v| five_digits(v).to_string());
         assert_eq!(shown, ["0", "3333300", "0.3", "1e7", "-3.3333e-7"]);
     }
 

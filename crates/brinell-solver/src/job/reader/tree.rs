@@ -1,7 +1,7 @@
 //! A JSON document as it was written: members in order, duplicate keys kept.
 //!
-//! `serde_json::Value` lets the last of two equal keys win in silence and forgets the order of members; the
-//! reader reports the former and sorts its faults by the latter.
+//! `serde_json::Value` lets the last of two equal keys win in silence and forgets the order of
+//! members; the reader reports the former and sorts its faults by the latter.
 
 use std::fmt;
 
@@ -42,8 +42,9 @@ impl Node {
         steps(pointer).try_fold(self, |node, step| node.child(&step).map(|(_, child)| child))
     }
 
-    /// Where a pointer stands in the document: the positions of its steps among their siblings, which sort
-    /// lexicographically in document order. A missing member sorts behind those that are there.
+    /// Where a pointer stands in the document: the positions of its steps among their siblings,
+    /// which sort lexicographically in document order. A missing member sorts behind those that
+    /// are there.
     pub fn position(&self, pointer: &str) -> Vec<usize> {
         let mut node = Some(self);
         steps(pointer)

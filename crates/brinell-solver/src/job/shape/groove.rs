@@ -28,7 +28,11 @@ impl Groove {
     ///
     /// # Errors
     /// The fault, with a pointer relative to the shape.
-    pub fn new(radius: PositiveF64, width: PositiveF64, depth: PositiveF64) -> Result<Self, Vec<FieldError>> {
+    pub fn new(
+        radius: PositiveF64,
+        width: PositiveF64,
+        depth: PositiveF64,
+    ) -> Result<Self, Vec<FieldError>> {
         let groove = Self { radius, width, depth };
         let faults = faults_of(&groove, &[]);
         if faults.is_empty() { Ok(groove) } else { Err(faults) }

@@ -4,8 +4,9 @@ use crate::job::fields::{Field, Known, faults_of, record, unless};
 use crate::job::{FieldError, PositiveF64, Quantity};
 
 record! {
-    /// A round hole in the middle of a disc or of a square plate, which holds a `cylinder` with clearance; in axisymmetry the
-    /// spherical socket of a ball. Its outer edge is the support. Give `outer_radius` or `width`.
+    /// A round hole in the middle of a disc or of a square plate, which holds a `cylinder` with
+    /// clearance; in axisymmetry the spherical socket of a ball. Its outer edge is the support.
+    /// Give `outer_radius` or `width`.
     #[derive(Copy)]
     pub struct Hole("hole", "Hole") where rules {
         /// Radius of the hole, larger than that of the cylinder in it.
@@ -27,7 +28,11 @@ fn rules(known: &Known) -> Vec<FieldError> {
     let faults = [
         unless(is_one, "/outer_radius", "give either `outer_radius` or `width`"),
         unless(holds(outer), "/outer_radius", "must be greater than `radius`"),
-        unless(holds(width.map(|width| 0.5 * width)), "/width", "must be greater than twice the `radius`"),
+        unless(
+            holds(width.map(|width| 0.5 * width)),
+            "/width",
+            "must be greater than twice the `radius`",
+        ),
     ];
     faults.into_iter().flatten().collect()
 }

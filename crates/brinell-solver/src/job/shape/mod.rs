@@ -1,8 +1,9 @@
-//! Undeformed outlines. Each shape is one file: its dimensions with their table, and what holds between them.
+//! Undeformed outlines. Each shape is one file: its dimensions with their table, and what holds
+//! between them.
 //!
-//! Every shape is described in its own frame: the contact starts at the origin, `x` is tangential, and
-//! heights are counted along the outward normal. Both bodies use the same convention, so swapping `upper` and
-//! `lower` mirrors the problem.
+//! Every shape is described in its own frame: the contact starts at the origin, `x` is tangential,
+//! and heights are counted along the outward normal. Both bodies use the same convention, so
+//! swapping `upper` and `lower` mirrors the problem.
 
 mod block;
 mod cylinder;
@@ -37,11 +38,13 @@ tagged! {
 }
 
 impl Shape {
-    /// Curvatures `[k_xx, k_yy, k_xy]` of the surface of a half-space in the contact plane, positive where it is convex
-    /// \[1/mm\]; `None` of a shape that is no half-space.
+    /// Curvatures `[k_xx, k_yy, k_xy]` of the surface of a half-space in the contact plane,
+    /// positive where it is convex \[1/mm\]; `None` of a shape that is no half-space.
     pub fn curvatures(&self) -> Option<[f64; 3]> {
         match self {
-            Self::Sphere(Sphere { radius, .. }) => Some([radius.get().recip(), radius.get().recip(), 0.0]),
+            Self::Sphere(Sphere { radius, .. }) => {
+                Some([radius.get().recip(), radius.get().recip(), 0.0])
+            }
             Self::Curved(curved) => Some(curved.curvatures()),
             Self::Roller(roller) => Some(turned(roller.curvatures(), roller.rotation)),
             Self::Flat(_) => Some([0.0; 3]),
@@ -50,7 +53,8 @@ impl Shape {
     }
 }
 
-/// Curvatures `[k_xx, k_yy, k_xy]` of a surface with these along its own x and y, which are turned by an angle in degrees.
+/// Curvatures `[k_xx, k_yy, k_xy]` of a surface with these along its own x and y, which are turned
+/// by an angle in degrees.
 fn turned([along, across]: [f64; 2], rotation: Option<f64>) -> [f64; 3] {
     let (mean, half) = (0.5 * (along + across), 0.5 * (along - across));
     let (sine, cosine) = (2.0 * rotation.unwrap_or(0.0)).to_radians().sin_cos();

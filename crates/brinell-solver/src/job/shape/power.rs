@@ -44,8 +44,10 @@ record! {
 }
 
 fn parabola_rules(known: &Known) -> Vec<FieldError> {
-    let (radius, width, depth) = (known.figure("radius"), known.figure("width"), known.figure("depth"));
-    let is_thick = |((radius, width), depth): ((f64, f64), f64)| width * width < 8.0 * radius * depth;
+    let (radius, width, depth) =
+        (known.figure("radius"), known.figure("width"), known.figure("depth"));
+    let is_thick =
+        |((radius, width), depth): ((f64, f64), f64)| width * width < 8.0 * radius * depth;
     let holds = radius.zip(width).zip(depth).is_none_or(is_thick);
     let detail = "must exceed the fall of the surface at its ends, `width`²/(8 `radius`)";
     unless(holds, "/depth", detail).into_iter().collect()
@@ -55,21 +57,29 @@ fn power_rules(known: &Known) -> Vec<FieldError> {
     let (Some(exponent), Some(scale)) = (known.figure("exponent"), known.figure("scale")) else {
         return Vec::new();
     };
-    let Some((width, depth)) = known.figure("width").zip(known.figure("depth")) else { return Vec::new() };
+    let Some((width, depth)) = known.figure("width").zip(known.figure("depth")) else {
+        return Vec::new();
+    };
     let fall = scale * (0.5 * width / scale).powf(exponent);
     let detail = format!(
-        "must exceed the fall of the surface at its ends, `scale` (`width`/(2 `scale`))^`exponent` = {} mm",
+        "must exceed the fall of the surface at its ends, `scale` (`width`/(2 \
+         `scale`))^`exponent` = {} mm",
         five_digits(fall)
     );
     unless(fall < depth, "/depth", &detail).into_iter().collect()
 }
 
 impl Parabola {
-    /// Takes the radius at the vertex, the full width, and the depth from the vertex to the base \[mm\].
+    /// Takes the radius at the vertex, the full width, and the depth from the vertex to the base
+    /// \[mm\].
     ///
     /// # Errors
     /// The fault, with a pointer relative to the shape.
-    pub fn new(radius: PositiveF64, width: PositiveF64, depth: PositiveF64) -> Result<Self, Vec<FieldError>> {
+    pub fn new(
+        radius: PositiveF64,
+        width: PositiveF64,
+        depth: PositiveF64,
+    ) -> Result<Self, Vec<FieldError>> {
         let parabola = Self { radius, width, depth };
         let faults = faults_of(&parabola, &[]);
         if faults.is_empty() { Ok(parabola) } else { Err(faults) }
@@ -92,8 +102,8 @@ impl Parabola {
 }
 
 impl Power {
-    /// Takes the exponent n, the length L at which the surface has fallen by L, the full width, and the depth from the
-    /// vertex to the base \[mm\].
+    /// Takes the exponent n, the length L at which the surface has fallen by L, the full width,
+    /// and the depth from the vertex to the base \[mm\].
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the shape.

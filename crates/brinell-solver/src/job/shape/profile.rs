@@ -6,7 +6,8 @@ use crate::job::{FieldError, Named, PositiveF64, Quantity};
 record! {
     /// A block whose upper face passes through points, smooth or straight between them.
     pub struct Profile("profile", "Profile") where rules {
-        /// Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.
+        /// Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is
+        /// completed by its mirror image.
         points: Vec<[f64; 2]> = Field::points(
             [
                 ("x, tangential.", Figure::Quantity(Quantity::Position)),
@@ -18,9 +19,9 @@ record! {
         .example_points(&[[-10.0, -2.5], [-4.0, -0.4], [0.0, 0.0], [4.0, -0.4], [10.0, -2.5]]),
         /// From height 0 to the base; every height is above it.
         depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
-        /// What the face is like between its points: `smooth` to the first derivative, without overshoot, or `linear`, so that
-        /// points are corners. If it is left out, the face is smooth, and refused where that would round off a corner in the
-        /// contact.
+        /// What the face is like between its points: `smooth` to the first derivative, without
+        /// overshoot, or `linear`, so that points are corners. If it is left out, the face is
+        /// smooth, and refused where that would round off a corner in the contact.
         interpolation: Option<Interpolation> = Field::choice::<Interpolation>("Interpolation").label("Between points", ""),
     }
 }
@@ -70,7 +71,8 @@ impl Profile {
         self.points.iter().map(|[_, height]| *height).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// What lies between the points; `None` where that was not said: smooth, unless it would round off a corner.
+    /// What lies between the points; `None` where that was not said: smooth, unless it would round
+    /// off a corner.
     pub const fn interpolation(&self) -> Option<Interpolation> {
         self.interpolation
     }
@@ -104,7 +106,8 @@ fn outline_faults(points: &[[f64; 2]]) -> Vec<FieldError> {
             && right <= left
         {
             let pointer = format!("/points/{}/0", index + 1);
-            faults.push(FieldError::new(pointer, "must be greater than the x of the point before"));
+            faults
+                .push(FieldError::new(pointer, "must be greater than the x of the point before"));
         }
     }
     let starts_behind = points.first().is_some_and(|[x, _]| *x > 0.0);
@@ -135,7 +138,10 @@ mod tests {
 
     fn pointers(points: &[[f64; 2]]) -> Vec<String> {
         let built = Profile::new(points.to_vec(), PositiveF64::new(5.0).unwrap());
-        built.map_or_else(|faults| faults.into_iter().map(|fault| fault.pointer).collect(), |_| Vec::new())
+        built.map_or_else(
+            |faults| faults.into_iter().map(|fault| fault.pointer).collect(),
+            |_| Vec::new(),
+        )
     }
 
     #[test]

@@ -22,11 +22,14 @@ fn rules(known: &Known) -> Vec<FieldError> {
     let is_flat = known.figure("width").is_none_or(|width| radius < 0.5 * width);
     let has_walls = known.figure("depth").is_none_or(|depth| radius < depth);
     let flat = unless(is_flat, "/edge_radius", "must be less than half the `width`");
-    flat.into_iter().chain(unless(has_walls, "/edge_radius", "must be less than `depth`")).collect()
+    flat.into_iter()
+        .chain(unless(has_walls, "/edge_radius", "must be less than `depth`"))
+        .collect()
 }
 
 impl Punch {
-    /// Takes the full width, the radius of the edges, 0 for sharp ones, and the height of the side walls \[mm\].
+    /// Takes the full width, the radius of the edges, 0 for sharp ones, and the height of the side
+    /// walls \[mm\].
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the shape.
@@ -68,6 +71,9 @@ mod tests {
             built.map_or_else(|faults| faults.len(), |_| 0)
         };
         assert_eq!(faults(2.0, 0.0, 5.0) + faults(2.0, 0.9, 5.0), 0);
-        assert_eq!((faults(2.0, 1.0, 5.0), faults(20.0, 6.0, 5.0), faults(2.0, 6.0, 5.0)), (1, 1, 2));
+        assert_eq!(
+            (faults(2.0, 1.0, 5.0), faults(20.0, 6.0, 5.0), faults(2.0, 6.0, 5.0)),
+            (1, 1, 2)
+        );
     }
 }

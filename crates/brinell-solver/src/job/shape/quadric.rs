@@ -1,4 +1,5 @@
-//! Surfaces of half-spaces: the ball, the surface with two curvatures and the plane. Only in three dimensions.
+//! Surfaces of half-spaces: the ball, the surface with two curvatures and the plane. Only in three
+//! dimensions.
 //!
 //! x and y are those of the contact plane, the same for both bodies.
 
@@ -24,15 +25,16 @@ record! {
 }
 
 record! {
-    /// A half-space whose surface has a curvature along its x and one along its y: roller, raceway, crowned part; only in
-    /// three dimensions.
+    /// A half-space whose surface has a curvature along its x and one along its y: roller,
+    /// raceway, crowned part; only in three dimensions.
     #[derive(Copy)]
     pub struct Curved("curved", "Curved surface") where rules {
         /// Radius of curvature along its x; negative is concave, left out is straight.
         pub radius_x: Option<f64> = Field::quantity(Quantity::Position).label("Radius along x", "R_x").example(10.0),
         /// Radius of curvature along its y; negative is concave, left out is straight.
         pub radius_y: Option<f64> = Field::quantity(Quantity::Position).label("Radius along y", "R_y").example(50.0),
-        /// Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out.
+        /// Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left
+        /// out.
         pub rotation: Option<f64> = ROTATION,
     }
 }
@@ -48,17 +50,19 @@ record! {
 
 /// A radius is not zero.
 fn rules(known: &Known) -> Vec<FieldError> {
-    let detail = "must be at least 1e-6 mm in size, negative if the surface is concave; leave it out where the surface is straight";
+    let detail = "must be at least 1e-6 mm in size, negative if the surface is concave; leave it \
+                  out where the surface is straight";
     let is_round = |key: &str| known.figure(key).is_none_or(|radius| radius.abs() >= MIN_RADIUS);
     let of = |key: &str| unless(is_round(key), &format!("/{key}"), detail);
     [of("radius_x"), of("radius_y")].into_iter().flatten().collect()
 }
 
 impl Curved {
-    /// Curvatures `[k_xx, k_yy, k_xy]` of the surface in the contact plane, positive where it is convex \[1/mm\]: its height is
-    /// `-(k_xx x² + k_yy y² + 2 k_xy x y)/2`.
+    /// Curvatures `[k_xx, k_yy, k_xy]` of the surface in the contact plane, positive where it is
+    /// convex \[1/mm\]: its height is `-(k_xx x² + k_yy y² + 2 k_xy x y)/2`.
     pub fn curvatures(&self) -> [f64; 3] {
-        let [along, across] = [self.radius_x, self.radius_y].map(|radius| radius.map_or(0.0, f64::recip));
+        let [along, across] =
+            [self.radius_x, self.radius_y].map(|radius| radius.map_or(0.0, f64::recip));
         turned([along, across], self.rotation)
     }
 }

@@ -4,33 +4,39 @@ use crate::job::fields::{Field, Figure, Known, record, unless};
 use crate::job::{FieldError, Named, PositiveF64, Quantity};
 
 record! {
-    /// A cylinder of finite length, whose axis is its y: a roller, a rib; only in three dimensions.
+    /// A cylinder of finite length, whose axis is its y: a roller, a rib; only in three
+    /// dimensions.
     pub struct Roller("roller", "Roller") where rules {
         /// Radius.
         pub radius: PositiveF64 = Field::quantity(Quantity::Length).label("Radius", "R").example(5.0),
         /// Length that can touch, without the rounded ends.
         pub length: PositiveF64 = Field::quantity(Quantity::Length).label("Length", "L").example(10.0),
-        /// How the surface falls towards the ends: `crowned` in an arc of `crown_radius`, `logarithmic` by Lundberg for
-        /// `design_force`, `iso_16281` with the factor of that standard, `points` as given. If it is left out, the roller is straight.
+        /// How the surface falls towards the ends: `crowned` in an arc of `crown_radius`,
+        /// `logarithmic` by Lundberg for `design_force`, `iso_16281` with the factor of that
+        /// standard, `points` as given. If it is left out, the roller is straight.
         pub profile: Option<RollerProfile> = Field::choice::<RollerProfile>("RollerProfile").label("Profile", ""),
         /// Radius of the arc along the axis, for `crowned`.
         pub crown_radius: Option<f64> = Field::quantity(Quantity::Length).label("Crown radius", "R_c"),
         /// Force under which a `logarithmic` profile makes the pressure along the roller even.
         pub design_force: Option<f64> = Field::quantity(Quantity::Force).label("Design force", "Q"),
-        /// Points `[y, height]` for `points`, y rising and passing 0, straight between them. Points that start or end at y = 0 are
-        /// completed by their mirror image. Beyond the outermost ones the height stays.
+        /// Points `[y, height]` for `points`, y rising and passing 0, straight between them.
+        /// Points that start or end at y = 0 are completed by their mirror image. Beyond the
+        /// outermost ones the height stays.
         pub points: Option<Vec<[f64; 2]>> = Field::points(
             [
                 ("y, along the axis from the middle.", Figure::Quantity(Quantity::Position)),
-                ("Height over the cylinder, negative where the surface falls.", Figure::Quantity(Quantity::Position)),
+                ("Height over the cylinder, negative where the surface \
+                  falls.", Figure::Quantity(Quantity::Position)),
             ],
             2..=Roller::MAX_POINTS,
         )
         .label("Points", "y, height"),
-        /// Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out.
+        /// Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left
+        /// out.
         pub rotation: Option<f64> = Field::pure(-360.0..=360.0).label("Rotation", "φ"),
-        /// Misalignment in the plane of axis and normal, in mrad: positive brings the end at positive y closer to the other body; 0 if it
-        /// is left out. The approach is that of the middle.
+        /// Misalignment in the plane of axis and normal, in mrad: positive brings the end at
+        /// positive y closer to the other body; 0 if it is left out. The approach is that of the
+        /// middle.
         pub tilt: Option<f64> = Field::pure(-50.0..=50.0).label("Tilt", "ϑ"),
     }
 }
@@ -86,18 +92,23 @@ impl Roller {
 
 /// A profile has the figure that gives its size and no other; points are an outline.
 fn rules(known: &Known) -> Vec<FieldError> {
-    let profile =
-        known.word("profile").and_then(|word| RollerProfile::ALL.iter().find(|one| one.name() == word));
+    let profile = known
+        .word("profile")
+        .and_then(|word| RollerProfile::ALL.iter().find(|one| one.name() == word));
     let wanted = profile.and_then(|profile| profile.measure());
     let mut faults = Vec::new();
     for key in ["crown_radius", "design_force", "points"] {
         let pointer = format!("/{key}");
         if wanted == Some(key) {
-            let detail = format!("is needed for the profile `{}`", known.word("profile").unwrap_or_default());
+            let detail = format!(
+                "is needed for the profile `{}`",
+                known.word("profile").unwrap_or_default()
+            );
             faults.extend(unless(known.has(key), &pointer, &detail));
         } else {
             let owner = RollerProfile::ALL.iter().find(|one| one.measure() == Some(key));
-            let detail = format!("belongs to the profile `{}`", owner.map_or("", |one| one.name()));
+            let detail =
+                format!("belongs to the profile `{}`", owner.map_or("", |one| one.name()));
             faults.extend(unless(!known.has(key), &pointer, &detail));
         }
     }
@@ -110,12 +121,20 @@ fn rules(known: &Known) -> Vec<FieldError> {
 fn outline_faults(points: &[[f64; 2]]) -> Vec<FieldError> {
     let falls = |(index, pair): (usize, &[[f64; 2]])| {
         let holds = pair[1][0] > pair[0][0];
-        unless(holds, &format!("/points/{}/0", index + 1), "must be greater than the y of the point before")
+        unless(
+            holds,
+            &format!("/points/{}/0", index + 1),
+            "must be greater than the y of the point before",
+        )
     };
     let mut faults: Vec<_> = points.windows(2).enumerate().filter_map(falls).collect();
-    let passes =
-        points.first().is_some_and(|[y, _]| *y <= 0.0) && points.last().is_some_and(|[y, _]| *y >= 0.0);
-    faults.extend(unless(passes, "/points", "must reach from y <= 0 to y >= 0, the middle of the roller"));
+    let passes = points.first().is_some_and(|[y, _]| *y <= 0.0)
+        && points.last().is_some_and(|[y, _]| *y >= 0.0);
+    faults.extend(unless(
+        passes,
+        "/points",
+        "must reach from y <= 0 to y >= 0, the middle of the roller",
+    ));
     faults
 }
 

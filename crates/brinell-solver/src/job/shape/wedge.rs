@@ -44,17 +44,22 @@ fn rules(known: &Known) -> Vec<FieldError> {
     let (half, angle) = (0.5 * width, angle.to_radians());
     let rounded = known.figure("tip_radius").is_none_or(|radius| radius * angle.sin() < half);
     let above = known.figure("depth").is_none_or(|depth| half * angle.tan() < depth);
-    let on_flanks =
-        unless(rounded, "/tip_radius", "must end on the flanks, `tip_radius` sin(`angle`) < `width`/2");
-    let thick = unless(above, "/depth", "must exceed the height of the flanks, `width`/2 tan(`angle`)");
+    let on_flanks = unless(
+        rounded,
+        "/tip_radius",
+        "must end on the flanks, `tip_radius` sin(`angle`) < `width`/2",
+    );
+    let thick =
+        unless(above, "/depth", "must exceed the height of the flanks, `width`/2 tan(`angle`)");
     on_flanks.into_iter().chain(thick).collect()
 }
 
 macro_rules! flanks {
     ($name:ident) => {
         impl $name {
-            /// Takes the angle between flanks and tangential plane \[degrees\], the radius of the tip or none for a sharp
-            /// one, the full width, and the depth from the tip to the base \[mm\].
+            /// Takes the angle between flanks and tangential plane \[degrees\], the radius of the
+            /// tip or none for a sharp one, the full width, and the depth from the tip to the base
+            /// \[mm\].
             ///
             /// # Errors
             /// Every fault, with a pointer relative to the shape.
@@ -104,8 +109,10 @@ mod tests {
         let mm = |value: f64| PositiveF64::new(value).unwrap();
         let faults = |angle: f64, radius: Option<f64>, width: f64, depth: f64| {
             let built = Wedge::new(mm(angle), radius.map(mm), mm(width), mm(depth));
-            built
-                .map_or_else(|faults| faults.into_iter().map(|fault| fault.pointer).collect(), |_| Vec::new())
+            built.map_or_else(
+                |faults| faults.into_iter().map(|fault| fault.pointer).collect(),
+                |_| Vec::new(),
+            )
         };
         assert!(faults(5.0, None, 20.0, 10.0).is_empty());
         assert!(faults(5.0, Some(3.0), 20.0, 10.0).is_empty());

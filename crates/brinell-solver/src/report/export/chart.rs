@@ -76,12 +76,16 @@ impl Chart {
             .draw()?;
         if let Some(((from, to), name)) = &self.band {
             let corners = [(*from, self.y_range.0), (*to, self.y_range.1)];
-            chart.draw_series([Rectangle::new(corners, RGBColor(230, 159, 0).mix(0.12).filled())])?;
+            chart.draw_series([Rectangle::new(
+                corners,
+                RGBColor(230, 159, 0).mix(0.12).filled(),
+            )])?;
             let style = (FONT, 13)
                 .into_font()
                 .color(&RGBColor(150, 100, 0))
                 .pos(Pos::new(HPos::Center, VPos::Bottom));
-            let place = (0.5 * (from + to), self.y_range.0 + 0.02 * (self.y_range.1 - self.y_range.0));
+            let place =
+                (0.5 * (from + to), self.y_range.0 + 0.02 * (self.y_range.1 - self.y_range.0));
             chart.draw_series([Text::new(name.clone(), place, style)])?;
         }
         for curve in &self.curves {

@@ -12,8 +12,8 @@ pub struct Table {
     form: Export,
     units: Units,
     force: Quantity,
-    /// Names of the stresses along the surface, along the normal and across the section; the first is that of places along the
-    /// surface too.
+    /// Names of the stresses along the surface, along the normal and across the section; the first
+    /// is that of places along the surface too.
     directions: [&'static str; 3],
     /// Whether there are columns of flow theory, of strength over depth, and of initial stress.
     has_flow: bool,
@@ -22,13 +22,16 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table of this form, with the columns of the first step: what that one does not have, no later one has.
+    /// The table of this form, with the columns of the first step: what that one does not have, no
+    /// later one has.
     ///
     /// # Errors
     /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`] where the first step has no rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
-            Export::SubsurfaceCsv if first.subsurface.is_none() => return Err(ExportError::NoSubsurface),
+            Export::SubsurfaceCsv if first.subsurface.is_none() => {
+                return Err(ExportError::NoSubsurface);
+            }
             Export::IncrementsCsv | Export::SurfaceCsv if first.flow.is_none() => {
                 return Err(ExportError::NoFlow);
             }
@@ -69,11 +72,14 @@ impl Table {
             Export::SubsurfaceCsv => {
                 let strength = format!(",yield_stress [{stress}],utilization");
                 let of = |prefix: &str| {
-                    self.directions.map(|direction| format!(",{prefix}sigma_{direction} [{stress}]")).concat()
+                    self.directions
+                        .map(|direction| format!(",{prefix}sigma_{direction} [{stress}]"))
+                        .concat()
                 };
                 let initial = of("initial_");
-                let across =
-                    format!(",y [{length}],sigma_xy [{stress}],sigma_xz [{stress}],sigma_yz [{stress}]");
+                let across = format!(
+                    ",y [{length}],sigma_xy [{stress}],sigma_xz [{stress}],sigma_yz [{stress}]"
+                );
                 format!(
                     "step,body,depth [{length}]{},tau_max [{stress}],von_mises [{stress}],\
                      equivalent_plastic_strain{}{},{} [{length}]{}\n",
@@ -91,16 +97,18 @@ impl Table {
             Export::SurfaceCsv => format!("step,body,x [{length}],height [{length}]\n"),
             _ => {
                 let ellipse = format!(
-                    ",semi_axis_b [{length}],area [{length}2],orientation [degree],plastic_volume [{length}3]"
+                    ",semi_axis_b [{length}],area [{length}2],orientation [degree],plastic_volume \
+                     [{length}3]"
                 );
                 let flow = format!(
-                    ",unloading_stiffness [{force}/{length}],upper_dent [{length}],upper_pile_up [{length}],\
-                     lower_dent [{length}],lower_pile_up [{length}],work [{force} {length}],\
-                     dissipated [{force} {length}],increments"
+                    ",unloading_stiffness [{force}/{length}],upper_dent [{length}],upper_pile_up \
+                     [{length}],lower_dent [{length}],lower_pile_up [{length}],work [{force} \
+                     {length}],dissipated [{force} {length}],increments"
                 );
                 format!(
                     "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],\
-                     mean_pressure [{stress}],half_width [{length}],contact_stiffness [{force}/{length}],\
+                     mean_pressure [{stress}],half_width [{length}],contact_stiffness \
+                     [{force}/{length}],\
                      max_equivalent_plastic_strain{}{}\n",
                     if self.has_flow { flow.as_str() } else { "" },
                     if self.is_three_dimensional() { ellipse.as_str() } else { "" },
@@ -125,10 +133,12 @@ impl Table {
         text
     }
 
-    /// One row of figures, as a spreadsheet wants them; of a history by flow theory with its dents and energies.
+    /// One row of figures, as a spreadsheet wants them; of a history by flow theory with its dents
+    /// and energies.
     fn summary(&self, text: &mut String, number: usize, step: &StepReport) {
         let status = Named::name(step.status);
-        let strain = step.max_plastic_strain().map_or_else(String::new, |strain| strain.to_string());
+        let strain =
+            step.max_plastic_strain().map_or_else(String::new, |strain| strain.to_string());
         let contact = &step.contact;
         let _ = write!(
             text,
@@ -151,8 +161,8 @@ impl Table {
         text.push('\n');
     }
 
-    /// Stresses and plastic strain along the normals below the middle of the contact and below the peak pressure, and at the end
-    /// where they are.
+    /// Stresses and plastic strain along the normals below the middle of the contact and below the
+    /// peak pressure, and at the end where they are.
     fn subsurface(&self, text: &mut String, number: usize, step: &StepReport) {
         for (name, body) in step.profiles() {
             write_profile(
@@ -182,7 +192,8 @@ fn pressure(text: &mut String, number: usize, step: &StepReport) {
     }
 }
 
-/// `step, x, y, pressure, gap` of cells: of all of them where a job asks for fields, else of the sections y = 0 and x = 0.
+/// `step, x, y, pressure, gap` of cells: of all of them where a job asks for fields, else of the
+/// sections y = 0 and x = 0.
 fn cells(text: &mut String, number: usize, step: &StepReport, whole: &ThreeDimensionalReport) {
     let mut row = |x: f64, y: f64, pressure: f64, gap: f64| {
         let _ = writeln!(text, "{number},{x},{y},{pressure},{gap}");
@@ -209,15 +220,21 @@ fn increments(text: &mut String, number: usize, step: &StepReport) {
     let columns = ends.force.iter().zip(&ends.approach).zip(&ends.peak_pressure);
     let columns = columns.zip(&ends.half_width).zip(&ends.iterations);
     for (n, ((((force, approach), peak), half_width), iterations)) in columns.enumerate() {
-        let _ = writeln!(text, "{number},{},{force},{approach},{peak},{half_width},{iterations}", n + 1);
+        let _ = writeln!(
+            text,
+            "{number},{},{force},{approach},{peak},{half_width},{iterations}",
+            n + 1
+        );
     }
 }
 
-/// `step, body, x, height` of the surfaces, outward from the undeformed one: without force the dent and its pile-up.
+/// `step, body, x, height` of the surfaces, outward from the undeformed one: without force the
+/// dent and its pile-up.
 fn surfaces(text: &mut String, number: usize, step: &StepReport) {
     let Some(flow) = &step.flow else { return };
     for (name, surface) in [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)] {
-        for (x, height) in surface.iter().flat_map(|surface| surface.x.iter().zip(&surface.height)) {
+        for (x, height) in surface.iter().flat_map(|surface| surface.x.iter().zip(&surface.height))
+        {
             let _ = writeln!(text, "{number},{name},{x},{height}");
         }
     }
@@ -242,7 +259,8 @@ fn write_flow(text: &mut String, flow: Option<&FlowReport>) {
     let _ = write!(text, ",{},{},{}", energy.work, energy.dissipated, flow.increments.force.len());
 }
 
-/// A body whose strength does not vary, or without initial stress, leaves the columns of those that have them empty.
+/// A body whose strength does not vary, or without initial stress, leaves the columns of those
+/// that have them empty.
 fn write_profile(
     text: &mut String,
     (step, name, place): (usize, &str, f64),

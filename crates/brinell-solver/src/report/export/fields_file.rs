@@ -1,4 +1,5 @@
-//! Files of fields that are written piece by piece: nobody has to hold all of one, nor all of the fields.
+//! Files of fields that are written piece by piece: nobody has to hold all of one, nor all of the
+//! fields.
 
 use std::ops::Range;
 

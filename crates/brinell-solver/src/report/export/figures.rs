@@ -24,7 +24,8 @@ const SAMPLES: u32 = 400;
 /// [`ExportError`].
 pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
     let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
-    let (length, stress) = (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
+    let (length, stress) =
+        (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
     let nodes = &step.contact.nodes;
     let mut curves = vec![Curve {
         name: "this contact".to_owned(),
@@ -33,13 +34,16 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
         stroke: Stroke::Solid,
     }];
     curves.extend(step.hertz.as_ref().map(|hertz| hertz_curve(job, hertz)));
-    curves.extend(step.three_dimensional.iter().flat_map(|whole| sections_along_y(job, step, whole)));
+    curves.extend(
+        step.three_dimensional.iter().flat_map(|whole| sections_along_y(job, step, whole)),
+    );
     if step.three_dimensional.is_some() {
         "this contact, over x at y = 0".clone_into(&mut curves[0].name);
     }
     let highest = curves.iter().flat_map(|curve| &curve.points).map(|p| p.1).fold(0.0, f64::max);
     let places = || curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
-    let ends = (places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max));
+    let ends =
+        (places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max));
     let (left, right) = if ends.0 < ends.1 { ends } else { (-1.0, 1.0) };
     let chart = Chart {
         title: "Contact pressure".to_owned(),
@@ -74,7 +78,9 @@ fn sections_along_y(job: &Job, step: &StepReport, whole: &ThreeDimensionalReport
         stroke: Stroke::Solid,
     }];
     // Along a roller the pressure of Hertz's line contact is the same everywhere.
-    if let Some((ellipse, hertz)) = whole.hertz.zip(step.hertz.as_ref()).filter(|_| whole.roller.is_none()) {
+    if let Some((ellipse, hertz)) =
+        whole.hertz.zip(step.hertz.as_ref()).filter(|_| whole.roller.is_none())
+    {
         let longer = HertzReport { half_width: ellipse.b, ..hertz.clone() };
         curves.push(Curve { name: String::new(), ..hertz_curve(job, &longer) });
     }
@@ -96,8 +102,9 @@ fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
     }
 }
 
-/// Stresses over depth below the middle of the contact, in the lower body if it deforms, with McEwen's elastic ones beside
-/// them for line contacts; the plastic zone is shaded. Steps are counted from 0.
+/// Stresses over depth below the middle of the contact, in the lower body if it deforms, with
+/// McEwen's elastic ones beside them for line contacts; the plastic zone is shaded. Steps are
+/// counted from 0.
 ///
 /// # Errors
 /// [`ExportError`].
@@ -115,7 +122,8 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
         Analysis::ThreeDimensional => ("x", ["σ_xx", "σ_zz", "σ_yy"]),
         Analysis::PlaneStrain | Analysis::PlaneStress => ("x", ["σ_x", "σ_y", "σ_z"]),
     };
-    let stresses = [(&profile.sigma_x, BLUE), (&profile.sigma_y, VERMILION), (&profile.sigma_z, GREEN)];
+    let stresses =
+        [(&profile.sigma_x, BLUE), (&profile.sigma_y, VERMILION), (&profile.sigma_z, GREEN)];
     for (name, (values, colour)) in names.into_iter().zip(stresses) {
         let points = profile.depth.iter().copied().zip(values.iter().copied());
         curves.push(Curve {
@@ -142,11 +150,19 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     let values = || curves.iter().flat_map(|curve| &curve.points).map(|p| p.1);
     let (lowest, highest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     let margin = 0.06 * (highest - lowest).max(f64::MIN_POSITIVE);
-    let (length, stress) = (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
+    let (length, stress) =
+        (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
     Chart {
-        title: if step.contact.force > 0.0 { "Stresses below the contact" } else { "Residual stresses" }
-            .to_owned(),
-        x_label: format!("depth [{length}] below {abscissa} = {} {length}", short(step.place_of(profile))),
+        title: if step.contact.force > 0.0 {
+            "Stresses below the contact"
+        } else {
+            "Residual stresses"
+        }
+        .to_owned(),
+        x_label: format!(
+            "depth [{length}] below {abscissa} = {} {length}",
+            short(step.place_of(profile))
+        ),
         y_label: format!("stress, tension positive [{stress}]"),
         x_range: (0.0, reach),
         y_range: (lowest - margin, highest + margin),
@@ -162,7 +178,8 @@ fn short(value: f64) -> f64 {
     format!("{value:.3e}").parse().map_or(value, |short: f64| short + 0.0)
 }
 
-/// Four half-widths or, where nothing touches, half as deep again as the plastic zone; at most what there is.
+/// Four half-widths or, where nothing touches, half as deep again as the plastic zone; at most
+/// what there is.
 fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
     let deepest = profile.depth.last().copied().unwrap_or(1.0);
     let half_width = step.contact.half_width;
@@ -174,17 +191,21 @@ fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
     wanted.filter(|wanted| *wanted > 0.0).map_or(deepest, |wanted| deepest.min(wanted))
 }
 
-/// Part of the range of forces from which on nothing is solved between two points of a loop that is worth the name.
+/// Part of the range of forces from which on nothing is solved between two points of a loop that
+/// is worth the name.
 const FAR: f64 = 0.25;
 
-/// Force over approach of all increments or loads in their order: a loop where the load comes back.
+/// Force over approach of all increments or loads in their order: a loop where the load comes
+/// back.
 ///
 /// # Errors
 /// [`ExportError::NoCurve`] of fewer than two converged loads.
 pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportError> {
     let curve = report.load_approach.as_ref().ok_or(ExportError::NoCurve)?;
-    let points: Vec<(f64, f64)> = curve.approach.iter().copied().zip(curve.force.iter().copied()).collect();
-    let (x_range, y_range) = (range(points.iter().map(|p| p.0)), range(points.iter().map(|p| p.1)));
+    let points: Vec<(f64, f64)> =
+        curve.approach.iter().copied().zip(curve.force.iter().copied()).collect();
+    let (x_range, y_range) =
+        (range(points.iter().map(|p| p.0)), range(points.iter().map(|p| p.1)));
     let force = job.analysis.force().symbol(job.units);
     Chart {
         title: "Force over approach".to_owned(),
@@ -199,8 +220,8 @@ pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportErr
     .svg()
 }
 
-/// A curve and, where it turns back, its long pieces by themselves, dashed: unloading is often one increment, and the straight line
-/// between its ends is no answer.
+/// A curve and, where it turns back, its long pieces by themselves, dashed: unloading is often one
+/// increment, and the straight line between its ends is no answer.
 fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
     let forces = || points.iter().map(|point| point.1);
     let span = forces().fold(0.0, f64::max) - forces().fold(f64::INFINITY, f64::min);
@@ -233,8 +254,8 @@ fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
     curves
 }
 
-/// The surface of each body over x, outward from the undeformed one; steps are counted from 0. Without force it is the dent
-/// and the pile-up beside it.
+/// The surface of each body over x, outward from the undeformed one; steps are counted from 0.
+/// Without force it is the dent and the pile-up beside it.
 ///
 /// # Errors
 /// [`ExportError::NoStep`]; [`ExportError::NoFlow`] of deformation theory.
@@ -246,7 +267,8 @@ pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, Ex
             .into_iter()
             .filter_map(|(name, surface, colour)| {
                 let surface = surface.as_ref()?;
-                let points = surface.x.iter().copied().zip(surface.height.iter().copied()).collect();
+                let points =
+                    surface.x.iter().copied().zip(surface.height.iter().copied()).collect();
                 // Equal bodies have equal surfaces: the second is drawn over the first.
                 let stroke = if name == "lower body" { Stroke::Dashed } else { Stroke::Solid };
                 Some(Curve { name: name.to_owned(), points, colour, stroke })
@@ -271,7 +293,8 @@ pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, Ex
 
 /// From the least to the largest of values and zero, with a margin.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let (low, high) = values.fold((0.0, 0.0), |(low, high), v| (f64::min(low, v), f64::max(high, v)));
+    let (low, high) =
+        values.fold((0.0, 0.0), |(low, high), v| (f64::min(low, v), f64::max(high, v)));
     let margin = 0.06 * (high - low);
     if margin > 0.0 { (low - margin, high + margin) } else { (-1.0, 1.0) }
 }
@@ -281,7 +304,9 @@ fn plastic_band(profile: &SubsurfaceReport) -> Option<(f64, f64)> {
     let most = profile.equivalent_plastic_strain.iter().copied().fold(0.0, f64::max);
     let plastic = || {
         let pairs = profile.depth.iter().zip(&profile.equivalent_plastic_strain);
-        pairs.filter(move |(_, strain)| **strain > 1e-3 * most && **strain > 0.0).map(|(depth, _)| *depth)
+        pairs
+            .filter(move |(_, strain)| **strain > 1e-3 * most && **strain > 0.0)
+            .map(|(depth, _)| *depth)
     };
     Some((plastic().next()?, plastic().next_back()?))
 }
@@ -296,15 +321,21 @@ fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<
         Analysis::Axisymmetric | Analysis::ThreeDimensional => return Vec::new(),
     };
     // The contact with this half-width and peak pressure: a = 2 R p0 / E* with R = a, E* = 2 p0.
-    let field =
-        HertzLine::from_peak_pressure(hertz.peak_pressure, hertz.half_width, 2.0 * hertz.peak_pressure);
+    let field = HertzLine::from_peak_pressure(
+        hertz.peak_pressure,
+        hertz.half_width,
+        2.0 * hertz.peak_pressure,
+    );
     let sample = |k: u32| {
         let depth = reach * f64::from(k) / f64::from(SAMPLES);
         (depth, field.stress_on_axis(depth, poisson))
     };
     let curve = |colour, name: &str, component: fn(&crate::analytical::Stress) -> f64| Curve {
         name: name.to_owned(),
-        points: (0..=SAMPLES).map(sample).map(|(depth, stress)| (depth, component(&stress))).collect(),
+        points: (0..=SAMPLES)
+            .map(sample)
+            .map(|(depth, stress)| (depth, component(&stress)))
+            .collect(),
         colour,
         stroke: Stroke::Dashed,
     };
@@ -323,7 +354,8 @@ mod tests {
 
     #[test]
     fn figures_show_both_curves_with_their_units() {
-        let job = Job::from_json(include_bytes!("../../../../../api/examples/two_cylinders.json")).unwrap();
+        let job = Job::from_json(include_bytes!("../../../../../api/examples/two_cylinders.json"))
+            .unwrap();
         let report = report::run(&job, &mut Unobserved).unwrap();
         let pressure = pressure_svg(&job, &report, 0).unwrap();
         for text in ["<svg", "pressure [MPa]", "x [mm]", "Hertz, elastic", "this contact"] {

@@ -15,23 +15,31 @@ pub enum ExportError {
     #[error("there is no step {}", .0 + 1)]
     NoStep(usize),
     /// Stresses over depth were not asked for, or both bodies are rigid.
-    #[error("the result has no stresses over depth; solve the job with \"output\": {{\"subsurface\": true}}")]
+    #[error(
+        "the result has no stresses over depth; solve the job with \"output\": {{\"subsurface\": \
+         true}}"
+    )]
     NoSubsurface,
     /// Fields were not asked for.
     #[error("the result has no mesh fields; solve the job with \"output\": {{\"fields\": true}}")]
     NoFields,
     /// Layers were not asked for, or the bodies are no half-spaces in three dimensions.
     #[error(
-        "the result has no layers; solve a job in three dimensions with \"output\": {{\"fields\": true}}"
+        "the result has no layers; solve a job in three dimensions with \"output\": {{\"fields\": \
+         true}}"
     )]
     NoLayers,
     /// Deformation theory has no increments and follows no surface.
     #[error(
-        "the result has no increments and no surfaces; solve the job with \"solver\": {{\"theory\": \"flow\"}}"
+        "the result has no increments and no surfaces; solve the job with \"solver\": \
+         {{\"theory\": \"flow\"}}"
     )]
     NoFlow,
     /// One converged load makes no curve.
-    #[error("the result has no curve of force over approach; it takes two different loads that converge")]
+    #[error(
+        "the result has no curve of force over approach; it takes two different loads that \
+         converge"
+    )]
     NoCurve,
     /// The fields are not what they have to be.
     #[error("the fields cannot be written: {0}")]
@@ -110,7 +118,9 @@ impl Export {
             | Self::IncrementsCsv
             | Self::SurfaceCsv => "text/csv; charset=utf-8; header=present",
             Self::FieldVtu | Self::FieldVtr => "application/xml",
-            Self::PressureSvg | Self::DepthSvg | Self::LoadApproachSvg | Self::SurfaceSvg => "image/svg+xml",
+            Self::PressureSvg | Self::DepthSvg | Self::LoadApproachSvg | Self::SurfaceSvg => {
+                "image/svg+xml"
+            }
         }
     }
 
@@ -130,7 +140,11 @@ impl Export {
     pub const fn shows_one_step(self) -> bool {
         matches!(
             self,
-            Self::FieldVtu | Self::FieldVtr | Self::PressureSvg | Self::DepthSvg | Self::SurfaceSvg
+            Self::FieldVtu
+                | Self::FieldVtr
+                | Self::PressureSvg
+                | Self::DepthSvg
+                | Self::SurfaceSvg
         )
     }
 
@@ -154,7 +168,12 @@ impl Export {
     ///
     /// # Errors
     /// [`ExportError`].
-    pub fn write(self, job: &Job, report: &Report, step: Option<usize>) -> Result<String, ExportError> {
+    pub fn write(
+        self,
+        job: &Job,
+        report: &Report,
+        step: Option<usize>,
+    ) -> Result<String, ExportError> {
         let step = step.unwrap_or(report.steps.len().saturating_sub(1));
         match self {
             Self::SummaryCsv

@@ -1,4 +1,5 @@
-//! The layers of half-spaces as a VTK file of a rectilinear grid, for ParaView and the like, written piece by piece.
+//! The layers of half-spaces as a VTK file of a rectilinear grid, for ParaView and the like,
+//! written piece by piece.
 //!
 //! ```text
 //! z from the surface into the lower body; upper body: z → -z, σ_xz → -σ_xz, σ_yz → -σ_yz
@@ -48,11 +49,13 @@ const CELL_ARRAYS: [CellArray; 4] = [
 
 const END: &str = "</Coordinates>\n</Piece>\n</RectilinearGrid>\n</VTKFile>\n";
 
-/// `stress` (XX, YY, ZZ, XY, YZ, XZ), `von_mises`, `plastic_strain`, `equivalent_plastic_strain` and `body` (0 lower, 1 upper)
-/// in the cells of both bodies, in the units of the job. Steps are counted from 0.
+/// `stress` (XX, YY, ZZ, XY, YZ, XZ), `von_mises`, `plastic_strain`, `equivalent_plastic_strain`
+/// and `body` (0 lower, 1 upper) in the cells of both bodies, in the units of the job. Steps are
+/// counted from 0.
 ///
 /// # Errors
-/// [`ExportError::NoStep`]; [`ExportError::NoLayers`] where the job did not ask for them, or is not in three dimensions.
+/// [`ExportError::NoStep`]; [`ExportError::NoLayers`] where the job did not ask for them, or is
+/// not in three dimensions.
 pub(super) fn layers_vtr(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     let layers = shown.layers.as_ref().ok_or(ExportError::NoLayers)?;
@@ -141,12 +144,15 @@ impl VtrFile {
         [step, steps]: [usize; 2],
         layout: &FieldLayout,
     ) -> Result<Self, ExportError> {
-        let sides = [FieldSide::Upper, FieldSide::Lower].into_iter().filter(|side| layout.has(*side));
+        let sides =
+            [FieldSide::Upper, FieldSide::Lower].into_iter().filter(|side| layout.has(*side));
         let sides: Vec<FieldSide> = sides.collect();
-        let first = *sides.first().filter(|_| layout.member() == "layers").ok_or(ExportError::NoLayers)?;
+        let first =
+            *sides.first().filter(|_| layout.member() == "layers").ok_or(ExportError::NoLayers)?;
         let find = |name: &str| layout.find(first, name).map_err(unusable);
         let count = |name: &str| find(name).map(|range| range.len() / BYTES);
-        let bodies = sides.iter().map(|side| Body::new(*side, layout)).collect::<Result<_, _>>()?;
+        let bodies =
+            sides.iter().map(|side| Body::new(*side, layout)).collect::<Result<_, _>>()?;
         let title = format!(
             "brinell {}, {}, units {}, step {} of {steps}",
             report.version,
@@ -183,7 +189,11 @@ impl VtrFile {
             })
         };
         let begin = text(What::Begin(["Float64", name, attributes], bytes));
-        [begin].into_iter().chain(self.bodies.iter().flat_map(of_body)).chain([text(What::End)]).collect()
+        [begin]
+            .into_iter()
+            .chain(self.bodies.iter().flat_map(of_body))
+            .chain([text(What::End)])
+            .collect()
     }
 
     fn head(&self, text: &mut String) {
@@ -193,7 +203,8 @@ impl VtrFile {
             text,
             "<?xml version=\"1.0\"?>\n\
              <!-- {} -->\n\
-             <VTKFile type=\"RectilinearGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
+             <VTKFile type=\"RectilinearGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+             header_type=\"UInt64\">\n\
              <RectilinearGrid WholeExtent=\"{extent}\">\n<Piece Extent=\"{extent}\">\n\
              <CellData Scalars=\"von_mises\" Tensors=\"stress\">\n",
             self.title,
@@ -237,7 +248,8 @@ impl FieldsFile for VtrFile {
         pieces.extend([text(What::End), text(What::BetweenCellsAndCoordinates)]);
         let has = |is_upper: bool| self.bodies.iter().any(|body| body.is_upper == is_upper);
         let of_layers = What::LayerFaces([has(true), has(false)]);
-        let along = [("x", What::Faces, nx), ("y", What::Faces, ny), ("z", of_layers, self.layers())];
+        let along =
+            [("x", What::Faces, nx), ("y", What::Faces, ny), ("z", of_layers, self.layers())];
         for ((name, what, cells), source) in along.into_iter().zip(&self.coordinates) {
             pieces.push(text(What::Begin(["Float64", name, ""], BYTES * (cells + 1))));
             pieces.push(VtrPiece { what, sources: vec![source.clone()] });
@@ -253,7 +265,8 @@ impl FieldsFile for VtrFile {
 
     fn write<B: AsRef<[u8]>>(&mut self, piece: &VtrPiece, sources: &[B]) -> String {
         let mut text = String::new();
-        let coordinates = || sources.first().map_or_else(Vec::new, |source| numbers(source.as_ref()));
+        let coordinates =
+            || sources.first().map_or_else(Vec::new, |source| numbers(source.as_ref()));
         match piece.what {
             What::Head => self.head(&mut text),
             What::Begin([kind, name, attributes], bytes) => {
@@ -268,7 +281,9 @@ impl FieldsFile for VtrFile {
                 let n_cells = self.cells[0] * self.cells[1];
                 self.pending.resize(self.pending.len() + n_cells, number);
             }
-            What::Faces => self.pending.extend(faces(&coordinates()).into_iter().flat_map(f64::to_le_bytes)),
+            What::Faces => {
+                self.pending.extend(faces(&coordinates()).into_iter().flat_map(f64::to_le_bytes))
+            }
             What::LayerFaces([above, below]) => {
                 let depths = coordinates();
                 let above = depths.iter().skip(1).rev().filter(|_| above).map(|depth| -depth);

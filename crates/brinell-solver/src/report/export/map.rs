@@ -10,9 +10,15 @@ use crate::report::MapsReport;
 const SIZE: (u32, u32) = (1180, 460);
 const MAP: i32 = 480;
 
-/// Colours from no pressure to the largest one: five of viridis, which are told apart with every kind of colour vision.
-const COLOURS: [[f64; 3]; 5] =
-    [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
+/// Colours from no pressure to the largest one: five of viridis, which are told apart with every
+/// kind of colour vision.
+const COLOURS: [[f64; 3]; 5] = [
+    [68.0, 1.0, 84.0],
+    [59.0, 82.0, 139.0],
+    [33.0, 145.0, 140.0],
+    [94.0, 201.0, 98.0],
+    [253.0, 231.0, 37.0],
+];
 
 /// Draws a map of cells, which has its peak in the caption, and the chart of the sections.
 pub(super) fn svg(
@@ -43,7 +49,8 @@ fn fill(
 ) -> Result<(), DrawingAreaErrorKind<std::io::Error>> {
     let [half_x, half_y] = [&maps.x, &maps.y].map(|middles| 0.5 * width(middles));
     let range = |middles: &[f64], half: f64| {
-        let [first, last] = [middles.first(), middles.last()].map(|end| end.copied().unwrap_or(0.0));
+        let [first, last] =
+            [middles.first(), middles.last()].map(|end| end.copied().unwrap_or(0.0));
         first - half..last + half
     };
     let mut chart = ChartBuilder::on(area)
@@ -85,10 +92,15 @@ fn colour(part: f64) -> RGBColor {
     let place = part.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
     let before = (0..COLOURS.len() - 1).rev().find(|k| *k as f64 <= place).unwrap_or(0);
     let weight = place - before as f64;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and 255"
+    )]
     let channel = |k: usize| {
-        ((1.0 - weight) * COLOURS[before][k] + weight * COLOURS[before + 1][k]).round().clamp(0.0, 255.0)
-            as u8
+        ((1.0 - weight) * COLOURS[before][k] + weight * COLOURS[before + 1][k])
+            .round()
+            .clamp(0.0, 255.0) as u8
     };
     RGBColor(channel(0), channel(1), channel(2))
 }

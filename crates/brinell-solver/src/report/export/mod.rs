@@ -1,4 +1,5 @@
-//! A report in forms that other programs and people read. Nothing here writes to a disk: exporters return text.
+//! A report in forms that other programs and people read. Nothing here writes to a disk: exporters
+//! return text.
 
 mod chart;
 mod csv;

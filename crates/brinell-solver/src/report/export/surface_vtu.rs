@@ -21,7 +21,9 @@ const ARRAYS: [Array; 6] = [
     (["", "Float64", "pressure", "1"], |surface, column| {
         spaced(&surface.maps.pressure[surface.cells(column)])
     }),
-    (["", "Float64", "gap", "1"], |surface, column| spaced(&surface.maps.gap[surface.cells(column)])),
+    (["", "Float64", "gap", "1"], |surface, column| {
+        spaced(&surface.maps.gap[surface.cells(column)])
+    }),
     (["</CellData>\n<Points>\n", "Float64", "Points", "3"], Surface::points),
     (["</Points>\n<Cells>\n", "Int64", "connectivity", "1"], Surface::corners),
     (["", "Int64", "offsets", "1"], |surface, column| {
@@ -42,7 +44,8 @@ pub fn surface_vtu(
     let head = format!(
         "<?xml version=\"1.0\"?>\n<!-- brinell {}, {}, units {}, step {} of {steps} -->\n\
          <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
-         <UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData Scalars=\"pressure\">\n",
+         <UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData \
+         Scalars=\"pressure\">\n",
         report.version,
         report.analysis,
         report.units,
@@ -50,11 +53,13 @@ pub fn surface_vtu(
         surface.along_x.len() * surface.along_y.len(),
         columns * surface.maps.y.len(),
     );
-    let pieces = ARRAYS.into_iter().flat_map(move |array| (0..columns).map(move |column| (array, column)));
+    let pieces =
+        ARRAYS.into_iter().flat_map(move |array| (0..columns).map(move |column| (array, column)));
     let pieces = pieces.map(move |(([before, kind, name, components], values), column)| {
         let values = values(&surface, column);
         let begin = format!(
-            "{before}<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">"
+            "{before}<DataArray type=\"{kind}\" Name=\"{name}\" \
+             NumberOfComponents=\"{components}\" format=\"ascii\">"
         );
         let begin = if column == 0 { &begin } else { "" };
         let end = if column + 1 == columns { "</DataArray>\n" } else { "" };
@@ -86,7 +91,11 @@ impl Surface {
     fn corners(&self, column: usize) -> String {
         let point = |i: usize, j: usize| i * self.along_y.len() + j;
         let (i, rows) = (column, self.maps.y.len());
-        spaced((0..rows).flat_map(|j| [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)]))
+        spaced(
+            (0..rows).flat_map(|j| {
+                [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)]
+            }),
+        )
     }
 }
 

@@ -1,13 +1,14 @@
-//! The fields of both bodies as a VTK file of unstructured cells, for ParaView and the like, written piece by piece: nobody has to
-//! hold all of it.
+//! The fields of both bodies as a VTK file of unstructured cells, for ParaView and the like,
+//! written piece by piece: nobody has to hold all of it.
 //!
 //! ```text
 //! image of a half model:  x → -x,  u_x → -u_x,  τ_xy → -τ_xy,  corners in reverse order (still counter-clockwise)
 //! upper body:             u_y → u_y - α, so that the support of the lower body is at rest
 //! ```
 //!
-//! Nodes on the axis are shared by both halves. Of a body of revolution, x is the radius, and there is no image. Arrays are
-//! inline: base64 of a 64-bit count of bytes and the little-endian values behind it.
+//! Nodes on the axis are shared by both halves. Of a body of revolution, x is the radius, and
+//! there is no image. Arrays are inline: base64 of a 64-bit count of bytes and the little-endian
+//! values behind it.
 //!
 //! # Reference
 //! *VTK XML file formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
@@ -28,11 +29,12 @@ const QUAD: u8 = 9;
 /// Nodes or elements in one piece.
 const CHUNK: usize = 4096;
 
-/// The mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ, XZ), `von_mises` and
-/// `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in its cells, in the units of the job.
+/// The mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ, XZ),
+/// `von_mises` and `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in its
+/// cells, in the units of the job.
 ///
-/// Displacements are those relative to the support of the lower body: the upper one comes down by the approach, so that the
-/// bodies touch once displaced. Steps are counted from 0.
+/// Displacements are those relative to the support of the lower body: the upper one comes down by
+/// the approach, so that the bodies touch once displaced. Steps are counted from 0.
 ///
 /// # Errors
 /// [`ExportError::NoStep`]; [`ExportError::NoFields`] where the job did not ask for them.
@@ -42,7 +44,8 @@ pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
         let maps = whole.maps.as_ref().ok_or(ExportError::NoFields)?;
         return Ok(surface_vtu(report, [step, report.steps.len()], maps.clone()).collect());
     }
-    let bytes = encode_fields(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
+    let bytes =
+        encode_fields(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
     Ok(VtuFile::new(report, [step, report.steps.len()], shown.approach, &layout)?.whole(&bytes))
 }
@@ -119,8 +122,10 @@ const ARRAYS: [(&str, Array); 9] = [
 
 const END: &str = "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
-const STRESS_COMPONENTS: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" ComponentName1=\"YY\" \
-     ComponentName2=\"ZZ\" ComponentName3=\"XY\" ComponentName4=\"YZ\" ComponentName5=\"XZ\"";
+const STRESS_COMPONENTS: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" \
+                                 ComponentName1=\"YY\" ComponentName2=\"ZZ\" \
+                                 ComponentName3=\"XY\" ComponentName4=\"YZ\" \
+                                 ComponentName5=\"XZ\"";
 
 /// A piece of the file, to be written in order.
 #[derive(Debug, Clone)]
@@ -235,7 +240,8 @@ impl Body {
 }
 
 impl VtuFile {
-    /// The file of a step, its number from 0 on and that of all given, with its approach and its fields.
+    /// The file of a step, its number from 0 on and that of all given, with its approach and its
+    /// fields.
     ///
     /// # Errors
     /// [`ExportError::Fields`].
@@ -246,8 +252,8 @@ impl VtuFile {
         layout: &FieldLayout,
     ) -> Result<Self, ExportError> {
         let is_half = report.mesh.symmetric && report.analysis != Analysis::Axisymmetric.name();
-        let bodies =
-            [(0, 0.0), (1, approach)].map(|(name, descent)| Body::new(name, layout, is_half, descent));
+        let bodies = [(0, 0.0), (1, approach)]
+            .map(|(name, descent)| Body::new(name, layout, is_half, descent));
         let bodies: Result<Vec<_>, _> = bodies.into_iter().filter_map(Result::transpose).collect();
         let title = format!(
             "brinell {}, {}, units {}, step {} of {steps}",
@@ -265,7 +271,8 @@ impl VtuFile {
             text,
             "<?xml version=\"1.0\"?>\n\
              <!-- {} -->\n\
-             <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
+             <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+             header_type=\"UInt64\">\n\
              <UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
             self.title, nodes, elements,
         );
@@ -284,20 +291,32 @@ impl VtuFile {
         let pending = &mut self.pending;
         match array {
             Array::Displacement => {
-                floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1) - body.descent, 0.0]));
+                floats(
+                    pending,
+                    nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1) - body.descent, 0.0]),
+                );
             }
-            Array::Points => floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1), 0.0])),
+            Array::Points => {
+                floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1), 0.0]))
+            }
             Array::Stress => {
-                floats(pending, nodes.map(|k| [at(0, k), at(1, k), at(2, k), sign * at(3, k), 0.0, 0.0]));
+                floats(
+                    pending,
+                    nodes.map(|k| [at(0, k), at(1, k), at(2, k), sign * at(3, k), 0.0, 0.0]),
+                );
             }
             Array::VonMises | Array::Strain => floats(pending, nodes.map(|k| [at(0, k)])),
             Array::Body => pending.extend(range.clone().map(|_| body.name)),
             Array::Types => pending.extend(range.clone().map(|_| QUAD)),
-            Array::Offsets => integers(pending, range.clone().map(|k| 4 * (first_element + k + 1))),
+            Array::Offsets => {
+                integers(pending, range.clone().map(|k| 4 * (first_element + k + 1)))
+            }
             Array::Connectivity => {
-                let corners = sources.first().map_or(&[][..], |bytes| bytes.as_ref().as_chunks::<16>().0);
+                let corners =
+                    sources.first().map_or(&[][..], |bytes| bytes.as_ref().as_chunks::<16>().0);
                 let corners = corners.iter().map(|corners| corners.as_chunks::<4>().0);
-                let index = |corner: &[u8; 4]| body.index(u32::from_le_bytes(*corner) as usize, is_image);
+                let index =
+                    |corner: &[u8; 4]| body.index(u32::from_le_bytes(*corner) as usize, is_image);
                 let nodes = |corners: &[[u8; 4]]| corners.iter().map(index).collect::<Vec<_>>();
                 let turned = corners.map(nodes).flat_map(|mut nodes| {
                     if is_image {
@@ -313,7 +332,8 @@ impl VtuFile {
     /// Nodes and elements of the bodies before one, their images included.
     fn before(&self, body: usize) -> [usize; 2] {
         let bodies = self.bodies.iter().take(body);
-        let count = |body: &Body| [body.all_nodes(), body.elements * (1 + usize::from(body.is_half))];
+        let count =
+            |body: &Body| [body.all_nodes(), body.elements * (1 + usize::from(body.is_half))];
         bodies.map(count).fold([0; 2], |[n, e], [nodes, elements]| [n + nodes, e + elements])
     }
 }
@@ -336,11 +356,13 @@ impl FieldsFile for VtuFile {
             for (k, body) in self.bodies.iter().enumerate() {
                 let count = if array.is_of_elements() { body.elements } else { body.nodes };
                 let halves = [false, true].into_iter().take(1 + usize::from(body.is_half));
-                pieces.extend(halves.flat_map(|is_image| items(k, is_image, count)).map(|items| {
-                    let of = |source: &usize| body.source(*source, &items.range);
-                    let sources = array.sources().iter().map(of).collect();
-                    VtuPiece { what: What::Values(array, items), sources }
-                }));
+                pieces.extend(halves.flat_map(|is_image| items(k, is_image, count)).map(
+                    |items| {
+                        let of = |source: &usize| body.source(*source, &items.range);
+                        let sources = array.sources().iter().map(of).collect();
+                        VtuPiece { what: What::Values(array, items), sources }
+                    },
+                ));
             }
             pieces.push(text(What::End));
         }
@@ -356,8 +378,11 @@ impl FieldsFile for VtuFile {
         let mut text = String::new();
         match &piece.what {
             What::Axis(items) => {
-                let on_axis =
-                    items.range.clone().enumerate().filter(|(k, _)| float(sources, 0, 2 * k) == 0.0);
+                let on_axis = items
+                    .range
+                    .clone()
+                    .enumerate()
+                    .filter(|(k, _)| float(sources, 0, 2 * k) == 0.0);
                 let on_axis = on_axis.map(|(_, node)| node).collect::<Vec<_>>();
                 self.bodies[items.body].axis.extend(on_axis);
             }
@@ -366,7 +391,8 @@ impl FieldsFile for VtuFile {
                 let [kind, name, attributes] = array.declaration();
                 let _ = write!(
                     text,
-                    "{before}<DataArray type=\"{kind}\" Name=\"{name}\" {attributes} format=\"binary\">"
+                    "{before}<DataArray type=\"{kind}\" Name=\"{name}\" {attributes} \
+                     format=\"binary\">"
                 );
                 let count = self.before(self.bodies.len())[usize::from(array.is_of_elements())];
                 self.pending.extend(((array.bytes() * count) as u64).to_le_bytes());
@@ -403,7 +429,8 @@ fn integers(bytes: &mut Vec<u8>, values: impl Iterator<Item = usize>) {
 
 /// A number of a source.
 fn float<B: AsRef<[u8]>>(sources: &[B], source: usize, at: usize) -> f64 {
-    let numbers = sources.get(source).map(|bytes| bytes.as_ref().as_chunks::<8>().0).unwrap_or_default();
+    let numbers =
+        sources.get(source).map(|bytes| bytes.as_ref().as_chunks::<8>().0).unwrap_or_default();
     numbers.get(at).map_or(0.0, |bytes| f64::from_le_bytes(*bytes))
 }
 
@@ -425,11 +452,14 @@ mod tests {
             von_mises: vec![5.0; 4],
             equivalent_plastic_strain: vec![6.0; 4],
         };
-        let bytes = encode_fields(&PerBody { upper: Some(square.clone()), lower: Some(square) }).unwrap();
+        let bytes =
+            encode_fields(&PerBody { upper: Some(square.clone()), lower: Some(square) }).unwrap();
         let layout = FieldLayout::read(&bytes).unwrap();
-        let mut bodies = [0, 1].map(|name| Body::new(name, &layout, name == 0, 0.25).unwrap().unwrap());
+        let mut bodies =
+            [0, 1].map(|name| Body::new(name, &layout, name == 0, 0.25).unwrap().unwrap());
         bodies[0].axis = vec![0, 3];
-        let mut file = VtuFile { title: String::new(), bodies: bodies.into(), pending: Vec::new() };
+        let mut file =
+            VtuFile { title: String::new(), bodies: bodies.into(), pending: Vec::new() };
         assert_eq!(file.before(2), [6 + 4, 3]);
         let mut written = |array: Array, body: usize, is_image, range| {
             let items = Items { body, is_image, range };

@@ -4,8 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::report::{BodyErrors, PerBody};
 
-/// What only a contact in three dimensions has. x lies along the shorter semi-axis of the contact, y along the longer one, z into
-/// the body; every place, map and stress of this step is in these axes.
+/// What only a contact in three dimensions has. x lies along the shorter semi-axis of the contact,
+/// y along the longer one, z into the body; every place, map and stress of this step is in these
+/// axes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = ThreeDimensional))]
 pub struct ThreeDimensionalReport {
@@ -17,8 +18,9 @@ pub struct ThreeDimensionalReport {
     pub b: f64,
     /// Area of the ellipse of these semi-axes \[area >= 0\].
     pub area: f64,
-    /// Largest pressure of one cell. `contact.peak_pressure` is a mean over neighbours, weights 1-2-1 each way, where bodies yield,
-    /// because the pressure of single cells is jagged near the edge \[stress >= 0\].
+    /// Largest pressure of one cell. `contact.peak_pressure` is a mean over neighbours, weights
+    /// 1-2-1 each way, where bodies yield, because the pressure of single cells is jagged near the
+    /// edge \[stress >= 0\].
     pub largest_cell_pressure: f64,
     /// y of the largest pressure; its x is `contact.peak_position` \[length\].
     pub peak_position_y: f64,
@@ -53,8 +55,8 @@ pub struct EllipticHertzReport {
     pub approach: f64,
 }
 
-/// The contact of surfaces with heights on top of their shapes. `area` is that of the cells in contact, a and b are half of what lies between the
-/// outermost of them.
+/// The contact of surfaces with heights on top of their shapes. `area` is that of the cells in
+/// contact, a and b are half of what lies between the outermost of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = RoughContact))]
 pub struct RoughContactReport {
@@ -64,14 +66,16 @@ pub struct RoughContactReport {
     pub nominal_pressure: f64,
     /// Parts of the area in contact \[1 >= 0\].
     pub parts: Vec<f64>,
-    /// Pressure below which these parts of the area in contact are; empty where nothing touches \[stress >= 0\].
+    /// Pressure below which these parts of the area in contact are; empty where nothing touches
+    /// \[stress >= 0\].
     pub pressure_quantiles: Vec<f64>,
-    /// Part of the area in contact below which a body has yielded at some depth; `null` where none has a hardening curve
-    /// \[1 >= 0\].
+    /// Part of the area in contact below which a body has yielded at some depth; `null` where none
+    /// has a hardening curve \[1 >= 0\].
     pub plastic_part: Option<f64>,
 }
 
-/// The contact along a roller, in rows of cells across it. y is that of the fields, 0 in the middle of the roller.
+/// The contact along a roller, in rows of cells across it. y is that of the fields, 0 in the
+/// middle of the roller.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = RollerContact))]
 pub struct RollerReport {
@@ -85,11 +89,12 @@ pub struct RollerReport {
     pub pressure: Vec<f64>,
     /// Largest pressure of a cell in the rows beside the middle of the roller \[stress >= 0\].
     pub middle_pressure: f64,
-    /// Largest pressure of a cell in the outermost rows, at negative and at positive y; 0 where the contact ends before. Where the roller
-    /// has sharp ends it grows without bound with finer cells \[stress >= 0\].
+    /// Largest pressure of a cell in the outermost rows, at negative and at positive y; 0 where
+    /// the contact ends before. Where the roller has sharp ends it grows without bound with finer
+    /// cells \[stress >= 0\].
     pub end_pressure: [f64; 2],
-    /// Moment of the pressure about the x axis through the middle, the sum of force times y: positive where the half at positive y
-    /// bears more \[energy\].
+    /// Moment of the pressure about the x axis through the middle, the sum of force times y:
+    /// positive where the half at positive y bears more \[energy\].
     pub moment: f64,
 }
 
@@ -105,7 +110,8 @@ pub struct SectionReport {
     pub gap: Vec<f64>,
 }
 
-/// Cells of the surface. The cell at `x[i]`, `y[j]` stands at the place `i * y.length + j` of a map, counted from 0.
+/// Cells of the surface. The cell at `x[i]`, `y[j]` stands at the place `i * y.length + j` of a
+/// map, counted from 0.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = ContactMaps))]
 pub struct MapsReport {

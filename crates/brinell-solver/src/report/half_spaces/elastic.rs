@@ -8,7 +8,8 @@ use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
 use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
 use crate::solver::half_spaces::{HalfSpaceProblem, HeightMap, Relief, RollerGap};
 
-/// Logarithmic profiles of ISO 16281 over the diameter: of rollers up to 2.5 diameters long, and of longer ones.
+/// Logarithmic profiles of ISO 16281 over the diameter: of rollers up to 2.5 diameters long, and
+/// of longer ones.
 const ISO_FACTOR: f64 = 0.00035;
 const ISO_FACTOR_LONG: f64 = 0.0005;
 const LONG_ROLLER: f64 = 2.5;
@@ -45,7 +46,8 @@ pub(super) fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
 
 /// Heights of both bodies together.
 fn heights(job: &Job) -> Option<HeightMap> {
-    let mut surfaces = [&job.upper, &job.lower].into_iter().filter_map(|body| body.surface.as_ref());
+    let mut surfaces =
+        [&job.upper, &job.lower].into_iter().filter_map(|body| body.surface.as_ref());
     let first = surfaces.next()?;
     let mut heights = first.levelled();
     for surface in surfaces {
@@ -77,11 +79,13 @@ fn rollers(job: &Job) -> Vec<RollerGap> {
     bodies.iter().filter_map(roller).collect()
 }
 
-/// Of a roller against whatever makes E* `modulus`. Lundberg's profile is that by which the surfaces of half-spaces sink less off the
-/// middle of an even line load `w = Q/L`, `w/(πE*) ln(1/(1 - (2y/L)²))`.
+/// Of a roller against whatever makes E* `modulus`. Lundberg's profile is that by which the
+/// surfaces of half-spaces sink less off the middle of an even line load `w = Q/L`, `w/(πE*)
+/// ln(1/(1 - (2y/L)²))`.
 ///
 /// # Reference
-/// G. Lundberg, *Elastische Berührung zweier Halbräume*, Forsch. Ing.-Wes. 10 (1939) 201–211; ISO/TS 16281:2008, roller profiles.
+/// G. Lundberg, *Elastische Berührung zweier Halbräume*, Forsch. Ing.-Wes. 10 (1939) 201–211;
+/// ISO/TS 16281:2008, roller profiles.
 fn relief(roller: &Roller, modulus: f64) -> Relief {
     let (diameter, length) = (2.0 * roller.radius.get(), roller.length.get());
     match roller.profile {
@@ -91,10 +95,13 @@ fn relief(roller: &Roller, modulus: f64) -> Relief {
             Relief::Logarithmic(line_load / (PI * modulus))
         }
         Some(RollerProfile::Iso16281) => {
-            let factor = if length <= LONG_ROLLER * diameter { ISO_FACTOR } else { ISO_FACTOR_LONG };
+            let factor =
+                if length <= LONG_ROLLER * diameter { ISO_FACTOR } else { ISO_FACTOR_LONG };
             Relief::Logarithmic(factor * diameter)
         }
-        Some(RollerProfile::Points) => Relief::Points(whole(roller.points.clone().unwrap_or_default())),
+        Some(RollerProfile::Points) => {
+            Relief::Points(whole(roller.points.clone().unwrap_or_default()))
+        }
     }
 }
 
@@ -130,7 +137,8 @@ impl EllipticReference {
         };
         let (onset, rolling) = (least(onset), least(rolling));
         // The closed forms know of no stress before the load.
-        let is_stressed = problem.materials.iter().flatten().any(|body| !body.initial_stress().is_empty());
+        let is_stressed =
+            problem.materials.iter().flatten().any(|body| !body.initial_stress().is_empty());
         // Nor of a contact that has come to the ends of a roller before it yields.
         let is_alike = |limit: &DepthLimit| {
             let force = problem.force_where(|hertz| hertz.peak_pressure, limit.peak_pressure, 3.0);
@@ -150,8 +158,8 @@ impl EllipticReference {
         self.problem.gap(grid)
     }
 
-    /// Force under which a body begins to yield \[N\]; `None` where none has a yield stress, one has a stress before the load, or
-    /// a roller has a profile or a tilt, which Hertz leaves out.
+    /// Force under which a body begins to yield \[N\]; `None` where none has a yield stress, one
+    /// has a stress before the load, or a roller has a profile or a tilt, which Hertz leaves out.
     pub fn onset_force(&self) -> Option<f64> {
         let force = |peak| self.problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
         let is_plain = self.problem.rollers.iter().all(RollerGap::is_plain);
@@ -163,8 +171,8 @@ impl EllipticReference {
         self.onset.map(|limit| limit.depth)
     }
 
-    /// The most that a contact bears which rolls along its shorter semi-axis without yielding in every passage; `None` where no
-    /// body has a yield stress.
+    /// The most that a contact bears which rolls along its shorter semi-axis without yielding in
+    /// every passage; `None` where no body has a yield stress.
     pub const fn rolling(&self) -> Option<DepthLimit> {
         self.rolling
     }
@@ -174,10 +182,11 @@ impl EllipticReference {
         2.0 / self.problem.principal_curvatures().iter().sum::<f64>()
     }
 
-    /// dP/dα of elastic bodies that touch within an ellipse of a longer semi-axis `b` and an axis ratio `a/b` \[N/mm\]:
-    /// `π E* b/K(√(1 - (a/b)²))`, the stiffness of a flat punch of this outline. Along a roller of length 2b it is
-    /// `π E* b/ln(4b/a)`, the slope of the closed form of [`HalfSpaceProblem::hertz`]; 0, unknown, where it is tilted or has a profile
-    /// beside an arc.
+    /// dP/dα of elastic bodies that touch within an ellipse of a longer semi-axis `b` and an axis
+    /// ratio `a/b` \[N/mm\]: `π E* b/K(√(1 - (a/b)²))`, the stiffness of a flat punch of this
+    /// outline. Along a roller of length 2b it is `π E* b/ln(4b/a)`, the slope of the closed form
+    /// of [`HalfSpaceProblem::hertz`]; 0, unknown, where it is tilted or has a profile beside an
+    /// arc.
     ///
     /// # Reference
     /// K. L. Johnson, *Contact Mechanics* (1985), section 3.5.
@@ -190,7 +199,11 @@ impl EllipticReference {
             return 0.0;
         }
         let modulus = self.problem.effective_modulus();
-        if self.problem.half_length().is_some_and(|half_length| b > LINE_PART * half_length && b > a) {
+        if self
+            .problem
+            .half_length()
+            .is_some_and(|half_length| b > LINE_PART * half_length && b > a)
+        {
             return PI * modulus * b / (4.0 * b / a).ln();
         }
         let (mut mean, mut root) = (1.0_f64, short / long);
@@ -207,28 +220,42 @@ fn yield_stress(material: &Deformable) -> Option<f64> {
     material.hardening_law().map(|law| law.yield_stress()).filter(|stress| *stress > 0.0)
 }
 
-/// Where a body yields in every passage; `half_width` is the shorter semi-axis of a unit peak pressure. Without an ellipse it is a line
-/// contact.
-fn rolling(material: &Deformable, ellipse: Option<HertzEllipse>, half_width: f64) -> Option<DepthLimit> {
+/// Where a body yields in every passage; `half_width` is the shorter semi-axis of a unit peak
+/// pressure. Without an ellipse it is a line contact.
+fn rolling(
+    material: &Deformable,
+    ellipse: Option<HertzEllipse>,
+    half_width: f64,
+) -> Option<DepthLimit> {
     let yield_stress = yield_stress(material)?;
     let strength = material.strength();
-    let over_depth = |depth: f64| yield_stress * strength.as_ref().map_or(1.0, |s| s.factor(depth));
+    let over_depth =
+        |depth: f64| yield_stress * strength.as_ref().map_or(1.0, |s| s.factor(depth));
     Some(match (ellipse, strength.is_some()) {
         (Some(ellipse), true) => DepthLimit::ellipse_rolling(ellipse, half_width, over_depth),
-        (Some(ellipse), false) => DepthLimit::uniform_ellipse_rolling(ellipse, half_width, yield_stress),
+        (Some(ellipse), false) => {
+            DepthLimit::uniform_ellipse_rolling(ellipse, half_width, yield_stress)
+        }
         (None, true) => DepthLimit::rolling(half_width, over_depth),
         (None, false) => DepthLimit::uniform_rolling(half_width, yield_stress),
     })
 }
 
-/// Where a body first yields; `half_width` is the shorter semi-axis of a unit peak pressure. Without an ellipse it is a line contact.
-fn onset(material: &Deformable, ellipse: Option<HertzEllipse>, half_width: f64) -> Option<DepthLimit> {
+/// Where a body first yields; `half_width` is the shorter semi-axis of a unit peak pressure.
+/// Without an ellipse it is a line contact.
+fn onset(
+    material: &Deformable,
+    ellipse: Option<HertzEllipse>,
+    half_width: f64,
+) -> Option<DepthLimit> {
     let yield_stress = yield_stress(material)?;
     let poisson_ratio = material.elastic().poisson_ratio.get();
     if let Some(strength) = material.strength() {
         let over_depth = |depth: f64| yield_stress * strength.factor(depth);
         return Some(match ellipse {
-            Some(ellipse) => DepthLimit::ellipse_onset(ellipse, poisson_ratio, half_width, over_depth),
+            Some(ellipse) => {
+                DepthLimit::ellipse_onset(ellipse, poisson_ratio, half_width, over_depth)
+            }
             None => DepthLimit::line_onset(poisson_ratio, half_width, over_depth),
         });
     }
@@ -260,6 +287,8 @@ mod tests {
         // The tangent of Hertz's curve.
         let [before, here, after] = [99.0, 100.0, 101.0].map(|force| reference.under(force));
         let slope = 2.0 / (after.approach - before.approach);
-        assert!((reference.stiffness([here.semi_axis_x, here.semi_axis_y]) / slope - 1.0).abs() < 1e-4);
+        assert!(
+            (reference.stiffness([here.semi_axis_x, here.semi_axis_y]) / slope - 1.0).abs() < 1e-4
+        );
     }
 }

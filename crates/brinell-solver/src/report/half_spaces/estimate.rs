@@ -8,10 +8,11 @@ use crate::solver::half_spaces::{self, HalfSpaceProblem};
 
 /// Bytes that solving takes whatever the job.
 const SOLVER_BYTES: u64 = 56 << 20;
-/// Bytes of the report of a step: of each cell of the surface where maps are asked for, of each row and layer, of each row along a roller, and
-/// of the rest.
+/// Bytes of the report of a step: of each cell of the surface where maps are asked for, of each
+/// row and layer, of each row along a roller, and of the rest.
 const MAP_BYTES: u64 = 24;
-/// Bytes of the layers of a body, of each cell: 14 numbers. Copies of them while a step is written, encoded and stored.
+/// Bytes of the layers of a body, of each cell: 14 numbers. Copies of them while a step is
+/// written, encoded and stored.
 const LAYER_BYTES: u64 = 8 * 14;
 const LAYER_COPIES: u64 = 4;
 const ROW_BYTES: u64 = 220;
@@ -43,8 +44,11 @@ pub(super) fn estimate(job: &Job, problem: &HalfSpaceProblem) -> Result<JobEstim
     } as u64;
     let solves = if matches!(job.load, Load::Onset | Load::Target(_)) { SEARCH_SOLVES } else { 1 };
     let bodies = problem.materials.iter().flatten().count() as u64;
-    let (maps, fields) =
-        if job.output.fields { (MAP_BYTES * surface, LAYER_BYTES * volume * bodies) } else { (0, 0) };
+    let (maps, fields) = if job.output.fields {
+        (MAP_BYTES * surface, LAYER_BYTES * volume * bodies)
+    } else {
+        (0, 0)
+    };
     let along = if problem.rollers.is_empty() { 0 } else { ROLLER_ROW_BYTES * rows };
     let step = STEP_BYTES + along + ROW_BYTES * (columns + rows + layers) + maps;
     let work = (volume / WORK_UNIT).max(1);

@@ -50,7 +50,9 @@ impl FlowState {
                 PerBody { upper: None, lower: None }
             } else {
                 let deflection = elastic_deflection(reference, step);
-                of_bodies(step, |body, side| self.surface(job, step, (body, side), &deflection, write))
+                of_bodies(step, |body, side| {
+                    self.surface(job, step, (body, side), &deflection, write)
+                })
             },
         })
     }
@@ -71,7 +73,8 @@ impl FlowState {
             .collect();
         let map = &step.surface;
         let extreme = |sign: f64| heights.iter().map(|height| sign * height).fold(0.0, f64::max);
-        let highest = (0..heights.len()).max_by(|a, b| heights[*a].total_cmp(&heights[*b])).unwrap_or(0);
+        let highest =
+            (0..heights.len()).max_by(|a, b| heights[*a].total_cmp(&heights[*b])).unwrap_or(0);
         let (x, y) = (map.grid.x(highest / map.grid.ny()), map.grid.y(highest % map.grid.ny()));
         let before = self.before_unloading.as_ref().and_then(|bodies| bodies[side].as_deref());
         let gains = before.map_or_else(Vec::new, |before| gains(before, body));
@@ -79,7 +82,10 @@ impl FlowState {
         let has_reversed = most > NOTICEABLE;
         SurfaceReport {
             x: (0..map.grid.nx()).map(|i| write.length(map.grid.x(i))).collect(),
-            height: section_along_x(map, &heights).iter().map(|height| write.length(*height)).collect(),
+            height: section_along_x(map, &heights)
+                .iter()
+                .map(|height| write.length(*height))
+                .collect(),
             depth: write.length(extreme(-1.0)),
             pile_up: write.length(extreme(1.0)),
             pile_up_position: if extreme(1.0) > 0.0 { write.length(x.hypot(y)) } else { 0.0 },
@@ -90,7 +96,8 @@ impl FlowState {
     }
 }
 
-/// Elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`; none where nothing touches.
+/// Elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`; none where
+/// nothing touches.
 fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Vec<f64> {
     let map = &step.surface;
     if step.figures.force <= 0.0 {
@@ -98,7 +105,8 @@ fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Ve
     }
     let gap = reference.initial_gap(&map.grid);
     let at = |cell: usize| {
-        let plastic: f64 = step.bodies.iter().flatten().map(|body| body.plastic_displacement[cell]).sum();
+        let plastic: f64 =
+            step.bodies.iter().flatten().map(|body| body.plastic_displacement[cell]).sum();
         map.gap[cell] - gap[cell] - plastic + step.figures.approach
     };
     (0..map.gap.len()).map(at).collect()
@@ -126,7 +134,9 @@ fn reverse_area(body: &HalfSpaceBody, gains: &[f64]) -> f64 {
     let (ny, n_cells) = (body.grid.ny(), body.grid.n_cells());
     let is_in_section = |cell: usize| cell % n_cells % ny == (ny - 1) / 2;
     let area = |cell: usize| body.grid.hx() * body.layers.thickness(cell / n_cells);
-    let reversed =
-        gains.iter().enumerate().filter(|(cell, gain)| **gain > NOTICEABLE && is_in_section(*cell));
+    let reversed = gains
+        .iter()
+        .enumerate()
+        .filter(|(cell, gain)| **gain > NOTICEABLE && is_in_section(*cell));
     reversed.map(|(cell, _)| area(cell)).sum()
 }

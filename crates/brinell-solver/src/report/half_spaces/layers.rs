@@ -20,7 +20,10 @@ pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport
     let cells = || (0..n_layers).flat_map(|layer| (0..n_cells).map(move |cell| (layer, cell)));
     let stress = |k: usize| {
         let of_layer = |layer: usize| body.stress.component(layer, k).iter();
-        (0..n_layers).flat_map(of_layer).map(|stress| write.figure(Quantity::Stress, *stress)).collect()
+        (0..n_layers)
+            .flat_map(of_layer)
+            .map(|stress| write.figure(Quantity::Stress, *stress))
+            .collect()
     };
     let plastic = |rows: &[usize], sign: f64| -> Vec<f64> {
         let Some(strain) = &body.plastic_strain else { return vec![0.0; n_layers * n_cells] };
@@ -41,7 +44,9 @@ pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport
         sigma_xy: stress(3),
         sigma_xz: stress(4),
         sigma_yz: stress(5),
-        von_mises: cells().map(|(layer, cell)| write.stress(body.von_mises(layer, cell))).collect(),
+        von_mises: cells()
+            .map(|(layer, cell)| write.stress(body.von_mises(layer, cell)))
+            .collect(),
         equivalent_plastic_strain: if equivalent.is_empty() {
             vec![0.0; n_layers * n_cells]
         } else {

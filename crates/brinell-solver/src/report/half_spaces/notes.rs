@@ -1,4 +1,5 @@
-//! Remarks on the validity of an answer in three dimensions. What is said of plane contacts too is said in the same words.
+//! Remarks on the validity of an answer in three dimensions. What is said of plane contacts too is
+//! said in the same words.
 
 use super::step::largest_strain;
 use crate::job::{Body, Deformable, Job, Material, Theory};
@@ -7,17 +8,21 @@ use crate::report::plastic_strain::{UNBOUNDED, bilinear_curve};
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness};
 use crate::report::units::{UnitConverter, rounded};
 use crate::report::validity::{
-    AT_EDGE, SUSPICIOUS_UNITS, Unfinished, history_remark, looks_like_millimetres, not_converged, stopped,
-    strain_remark,
+    AT_EDGE, SUSPICIOUS_UNITS, Unfinished, history_remark, looks_like_millimetres, not_converged,
+    stopped, strain_remark,
 };
 use crate::solver::SolveStatus;
-use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap};
+use crate::solver::half_spaces::{
+    HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap,
+};
 
-/// Semi-axis over a radius along it beyond which the surfaces are no longer close to their tangent.
+/// Semi-axis over a radius along it beyond which the surfaces are no longer close to their
+/// tangent.
 const WIDE_CONTACT: f64 = 0.1;
 /// Cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
-/// Semi-axes from each other from which on the bodies near the contact are no half-spaces: depth over which its stress dies away.
+/// Semi-axes from each other from which on the bodies near the contact are no half-spaces: depth
+/// over which its stress dies away.
 const REACH: f64 = 3.0;
 /// Depths within a layer at which strengths are compared.
 const SAMPLES: u32 = 16;
@@ -32,7 +37,8 @@ pub(super) fn notes(
     write: UnitConverter,
 ) -> Vec<ValidityNote> {
     let mut notes = Vec::new();
-    let mut note = |code: &str, message: String| notes.push(ValidityNote { code: code.to_owned(), message });
+    let mut note =
+        |code: &str, message: String| notes.push(ValidityNote { code: code.to_owned(), message });
     if let Some((code, message)) = status_remark(job, step) {
         note(code, message);
     }
@@ -41,8 +47,8 @@ pub(super) fn notes(
         note(
             "wide_contact",
             format!(
-                "The contact reaches {} of a radius of curvature ({}): half-spaces take surfaces for parabolas and bodies for large \
-                 beside the contact.",
+                "The contact reaches {} of a radius of curvature ({}): half-spaces take surfaces \
+                 for parabolas and bodies for large beside the contact.",
                 rounded(size / radius),
                 write.length_text(radius)
             ),
@@ -52,11 +58,13 @@ pub(super) fn notes(
         note("contact_at_edge", AT_EDGE.to_owned());
     }
     let has_heights = problem.heights.is_some();
-    if a > 0.0 && a < COARSE_GRID * step.surface.grid.hx() && !step.is_preliminary && !has_heights {
+    if a > 0.0 && a < COARSE_GRID * step.surface.grid.hx() && !step.is_preliminary && !has_heights
+    {
         note(
             "coarse_mesh",
             format!(
-                "The shorter semi-axis has only {:.1} cells; ask for at least 8 (`mesh.elements_per_half_width`).",
+                "The shorter semi-axis has only {:.1} cells; ask for at least 8 \
+                 (`mesh.elements_per_half_width`).",
                 a / step.surface.grid.hx()
             ),
         );
@@ -70,24 +78,33 @@ pub(super) fn notes(
     if strain > 0.0 && !is_history {
         note(
             "deformation_theory",
-            "Deformation theory takes each point for loaded in proportion. Under a growing contact it gives peaks that are some per \
-             cent to a tenth too high; the theory `flow` does not."
+            "Deformation theory takes each point for loaded in proportion. Under a growing \
+             contact it gives peaks that are some per cent to a tenth too high; the theory `flow` \
+             does not."
                 .to_owned(),
         );
     }
     if let Some((code, message)) = history_remark(job, step.load, step.figures.force > 0.0) {
         note(code, message.to_owned());
     }
-    let is_unbounded = |(side, body): (usize, &HalfSpaceBody)| largest_strain(job, body, side).is_none();
-    let bodies = || step.bodies.iter().enumerate().filter_map(|(side, body)| Some((side, body.as_deref()?)));
+    let is_unbounded =
+        |(side, body): (usize, &HalfSpaceBody)| largest_strain(job, body, side).is_none();
+    let bodies = || {
+        step.bodies.iter().enumerate().filter_map(|(side, body)| Some((side, body.as_deref()?)))
+    };
     if bodies().any(is_unbounded) {
         note("unbounded_strain", UNBOUNDED.to_owned());
     }
-    let materials =
-        || bodies().filter_map(|(side, body)| Some((deformable([&job.upper, &job.lower][side])?, body)));
+    let materials = || {
+        bodies()
+            .filter_map(|(side, body)| Some((deformable([&job.upper, &job.lower][side])?, body)))
+    };
     let coarsest = materials().filter_map(|(material, body)| coarsest(material, body));
-    let coarsest = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)).map(|found| coarse_case(job, found, write));
-    for (code, message) in [bilinear_curve(job, strain), by_hardness(job), coarsest].into_iter().flatten() {
+    let coarsest =
+        coarsest.max_by(|a, b| a.0.total_cmp(&b.0)).map(|found| coarse_case(job, found, write));
+    for (code, message) in
+        [bilinear_curve(job, strain), by_hardness(job), coarsest].into_iter().flatten()
+    {
         note(code, message);
     }
     let radius = problem.principal_curvatures()[0].recip();
@@ -97,8 +114,9 @@ pub(super) fn notes(
     if has_heights && reaches_rim(&step.surface) {
         note(
             "surface_end",
-            "The contact comes to the end of the heights, beyond which nothing touches: at the rim the pressure is too high and the \
-             surface too soft, as if the patch were a block that stands out of the body."
+            "The contact comes to the end of the heights, beyond which nothing touches: at the \
+             rim the pressure is too high and the surface too soft, as if the patch were a block \
+             that stands out of the body."
                 .to_owned(),
         );
     }
@@ -108,8 +126,9 @@ pub(super) fn notes(
     if has_kinks(problem) {
         note(
             "sharp_corner",
-            "The profile of a roller is given by points: elastic pressure has no bound at its kinks, and grows there with finer cells. The \
-             peak pressure is that of the cells, without a bar."
+            "The profile of a roller is given by points: elastic pressure has no bound at its \
+             kinks, and grows there with finer cells. The peak pressure is that of the cells, \
+             without a bar."
                 .to_owned(),
         );
     }
@@ -117,7 +136,8 @@ pub(super) fn notes(
         note(
             "half_spaces",
             format!(
-                "The bodies are half-spaces. They stand for bodies that reach at least {} beyond the contact {}and in depth.",
+                "The bodies are half-spaces. They stand for bodies that reach at least {} beyond \
+                 the contact {}and in depth.",
                 write.length_text(digits(REACH * b)),
                 if problem.rollers.is_empty() { "to all sides " } else { "across the roller " },
             ),
@@ -141,9 +161,15 @@ fn status_remark(job: &Job, step: &HalfSpaceStep) -> Option<(&'static str, Strin
     };
     match step.status {
         SolveStatus::Converged => None,
-        SolveStatus::NotConverged => Some(("not_converged", not_converged(&unfinished, job.solver))),
-        SolveStatus::Cancelled => Some(("cancelled", stopped("Stopped on request", step.is_preliminary))),
-        SolveStatus::TimedOut => Some(("timed_out", stopped("The deadline passed", step.is_preliminary))),
+        SolveStatus::NotConverged => {
+            Some(("not_converged", not_converged(&unfinished, job.solver)))
+        }
+        SolveStatus::Cancelled => {
+            Some(("cancelled", stopped("Stopped on request", step.is_preliminary)))
+        }
+        SolveStatus::TimedOut => {
+            Some(("timed_out", stopped("The deadline passed", step.is_preliminary)))
+        }
     }
 }
 
@@ -154,11 +180,12 @@ const fn deformable(body: &Body) -> Option<&Deformable> {
     }
 }
 
-/// A semi-axis and the radius of a body along it, where their ratio is largest, if it is beyond what parabolas stand for. x of the
-/// contact is turned by an angle from the x of the job.
+/// A semi-axis and the radius of a body along it, where their ratio is largest, if it is beyond
+/// what parabolas stand for. x of the contact is turned by an angle from the x of the job.
 fn widest(job: &Job, angle: f64, semi_axes: [f64; 2]) -> Option<(f64, f64)> {
     let (sine, cosine) = angle.sin_cos();
-    let curvatures = [&job.upper, &job.lower].into_iter().filter_map(|body| body.shape.curvatures());
+    let curvatures =
+        [&job.upper, &job.lower].into_iter().filter_map(|body| body.shape.curvatures());
     let ratios = curvatures.flat_map(|[xx, yy, xy]| {
         let along_x = cosine * cosine * xx + sine * sine * yy + 2.0 * sine * cosine * xy;
         [(semi_axes[0], along_x), (semi_axes[1], xx + yy - along_x)]
@@ -170,7 +197,8 @@ fn widest(job: &Job, angle: f64, semi_axes: [f64; 2]) -> Option<(f64, f64)> {
 
 /// The largest ratio of strengths within a layer that is stressed, and the depth of its middle.
 fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
-    let (strength, limit) = (material.strength()?, material.hardening_law()?.nominal_yield_stress());
+    let (strength, limit) =
+        (material.strength()?, material.hardening_law()?.nominal_yield_stress());
     let n_cells = body.grid.n_cells();
     let of_layer = |layer: usize| {
         let (top, thickness) = (body.layers.faces()[layer], body.layers.thickness(layer));
@@ -178,8 +206,10 @@ fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
         let points = points.filter(|depth| *depth > top && *depth < top + thickness);
         let samples = (0..=SAMPLES).map(|k| top + thickness * f64::from(k) / f64::from(SAMPLES));
         let factors = points.chain(samples).map(|depth| strength.factor(depth));
-        let (least, greatest) = factors.fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s), b.max(s)));
-        let is_stressed = || (0..n_cells).any(|cell| body.von_mises(layer, cell) > IDLE * limit * least);
+        let (least, greatest) =
+            factors.fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s), b.max(s)));
+        let is_stressed =
+            || (0..n_cells).any(|cell| body.von_mises(layer, cell) > IDLE * limit * least);
         (greatest > COARSE_RATIO * least && is_stressed())
             .then(|| (greatest / least, body.layers.middle(layer)))
     };
@@ -187,12 +217,17 @@ fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
 }
 
 /// What is said of strength that changes by this ratio within a layer at a depth \[mm\].
-fn coarse_case(job: &Job, (ratio, depth): (f64, f64), write: UnitConverter) -> (&'static str, String) {
+fn coarse_case(
+    job: &Job,
+    (ratio, depth): (f64, f64),
+    write: UnitConverter,
+) -> (&'static str, String) {
     let cells = f64::from(job.mesh.elements_per_half_width);
     let wanted = (cells * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_CELLS);
     let message = format!(
-        "The strength changes by {:.0} % within one layer of cells at a depth of {}, where the stress is more than half of it: a layer has \
-         the strength of its middle, and what is thinner is left out. About {wanted:.0} cells over a semi-axis \
+        "The strength changes by {:.0} % within one layer of cells at a depth of {}, where the \
+         stress is more than half of it: a layer has the strength of its middle, and what is \
+         thinner is left out. About {wanted:.0} cells over a semi-axis \
          (`mesh.elements_per_half_width`) would do.",
         100.0 * (ratio - 1.0),
         write.length_text(digits(depth)),
@@ -210,7 +245,8 @@ fn reaches_rim(map: &SurfaceMap) -> bool {
     map.pressure.iter().enumerate().any(|(cell, pressure)| *pressure > 0.0 && is_rim(cell))
 }
 
-/// Whether the peak is that of the cells: at the end of a roller, or at the kinks of a profile by points.
+/// Whether the peak is that of the cells: at the end of a roller, or at the kinks of a profile by
+/// points.
 pub(super) fn is_peak_unknown(
     problem: &HalfSpaceProblem,
     step: &HalfSpaceStep,
@@ -224,23 +260,30 @@ fn has_kinks(problem: &HalfSpaceProblem) -> bool {
 }
 
 /// What is said of a contact that reaches an end of a roller.
-fn roller_end(problem: &HalfSpaceProblem, step: &HalfSpaceStep, write: UnitConverter) -> Option<String> {
+fn roller_end(
+    problem: &HalfSpaceProblem,
+    step: &HalfSpaceStep,
+    write: UnitConverter,
+) -> Option<String> {
     let (half_length, map) = (problem.half_length()?, &step.surface);
     let (ny, hy) = (map.grid.ny(), map.grid.hy());
     let is_at_end = |cell: usize| half_length - map.grid.y(cell % ny).abs() < hy;
-    let most = (0..map.pressure.len()).filter(|cell| is_at_end(*cell)).map(|cell| map.pressure[cell]);
+    let most =
+        (0..map.pressure.len()).filter(|cell| is_at_end(*cell)).map(|cell| map.pressure[cell]);
     let most = most.fold(0.0, f64::max);
     let is_sharp = problem.rollers.iter().any(|roller| roller.relief == Relief::Straight);
     let cells = if is_sharp {
-        " It grows without bound with finer cells, because the roller is straight up to its ends: a profile tells what it is."
+        " It grows without bound with finer cells, because the roller is straight up to its ends: \
+         a profile tells what it is."
     } else {
         ""
     };
     (most > 0.0).then(|| {
         format!(
-            "The contact runs to an end of the roller, with a pressure of {} in the outermost cells.{cells} A half-space goes on beyond \
-             the end and bears a part of the load there; a roller ends, gives way more and is pressed less at the end than is said here. \
-             Guilbault's factor (2011) would correct for it.",
+            "The contact runs to an end of the roller, with a pressure of {} in the outermost \
+             cells.{cells} A half-space goes on beyond the end and bears a part of the load \
+             there; a roller ends, gives way more and is pressed less at the end than is said \
+             here. Guilbault's factor (2011) would correct for it.",
             write.stress_text(most),
         )
     })

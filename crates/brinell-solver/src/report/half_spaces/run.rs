@@ -46,8 +46,8 @@ pub fn run_each(
     let differences = LoadDifferences::new(job, options);
     let seen = Seen::default();
     let mut steps = Steps { writer, on_step, number: 0, seen, differences, time: Duration::ZERO };
-    let done =
-        half_spaces::run_each(&problem, observer, &mut steps).map_err(|error| RunError::of(job, &error))?;
+    let done = half_spaces::run_each(&problem, observer, &mut steps)
+        .map_err(|error| RunError::of(job, &error))?;
     let Steps { seen, time, .. } = steps;
     let interrupted = done.interrupted.map(SolveStatus::from);
     let status = interrupted.map_or(seen.status, |interrupted| worse(seen.status, interrupted));
@@ -118,8 +118,12 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         seen.status = worse(seen.status, step.status);
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
         let flow = seen.flow.report(job, &step, reference, write);
-        let report =
-            self.writer.report(&step, stiffness, flow, notes(job, self.writer.problem, &step, write));
+        let report = self.writer.report(
+            &step,
+            stiffness,
+            flow,
+            notes(job, self.writer.problem, &step, write),
+        );
         if let Load::Target(target) = &job.load {
             let reached = step.target_figure(target.figure);
             seen.target.take(step.figures.force, reached, target_error(&step, target.figure));
@@ -153,7 +157,9 @@ fn target_error(step: &HalfSpaceStep, figure: TargetFigure) -> Option<f64> {
         // Its area is what is uncertain of a mean pressure.
         TargetFigure::MeanPressure => [errors.area, figures.area],
         TargetFigure::HalfWidth => [errors.semi_axes[0], figures.semi_axes[0]],
-        TargetFigure::MaxPlasticStrain => [most(errors.max_plastic_strain), most(figures.max_plastic_strain)],
+        TargetFigure::MaxPlasticStrain => {
+            [most(errors.max_plastic_strain), most(figures.max_plastic_strain)]
+        }
     };
     Some((error / value.abs().max(f64::MIN_POSITIVE)).abs())
 }
@@ -168,7 +174,8 @@ fn mesh_report(step: &HalfSpaceStep, write: UnitConverter, enlargements: usize) 
         contact_pairs: cells,
         nodes: cells,
         elements: of_bodies,
-        equations: cells + bodies().map(|body| 5 * body.equivalent_plastic_strain.len()).sum::<usize>(),
+        equations: cells
+            + bodies().map(|body| 5 * body.equivalent_plastic_strain.len()).sum::<usize>(),
         enlargements: enlargements + step.enlargements,
         max_aspect_ratio: (grid.hy() / grid.hx()).max(grid.hx() / grid.hy()),
         ..MeshReport::NONE
@@ -182,7 +189,8 @@ mod tests {
     use crate::solver::Unobserved;
     use serde_json::{Value, json};
 
-    /// A rigid ball of radius 10 mm on steel that yields at 500 MPa, of few cells; members of `changes` take the place of its own.
+    /// A rigid ball of radius 10 mm on steel that yields at 500 MPa, of few cells; members of
+    /// `changes` take the place of its own.
     fn ball(plasticity: &Value, changes: &Value) -> Report {
         let mut job = json!({
             "analysis": "three_dimensional",
@@ -213,8 +221,10 @@ mod tests {
 
     #[test]
     fn the_onset_of_yield_is_reported_beside_that_of_the_closed_form() {
-        let report =
-            ball(&perfect(), &json!({"load": {"onset": true}, "mesh": {"elements_per_half_width": 10}}));
+        let report = ball(
+            &perfect(),
+            &json!({"load": {"onset": true}, "mesh": {"elements_per_half_width": 10}}),
+        );
         let step = &report.steps[0];
         let (found, closed) = (step.yield_onset.as_ref().unwrap(), step.hertz.as_ref().unwrap());
         let off = (found.force / closed.yield_onset_force.unwrap() - 1.0).abs();
@@ -227,8 +237,7 @@ mod tests {
 
     #[test]
     fn a_force_is_reported_by_the_dent_that_it_leaves() {
-        let changes =
-            json!({"load": {"target": {"dent_depth": 3e-4}}, "solver": {"theory": "flow", "increments": 3}});
+        let changes = json!({"load": {"target": {"dent_depth": 3e-4}}, "solver": {"theory": "flow", "increments": 3}});
         let report = ball(&hardening(), &changes);
         let target = report.target.as_ref().unwrap();
         assert_eq!((report.steps.len(), target.figure.as_str()), (2, "dent_depth"));
@@ -245,8 +254,12 @@ mod tests {
         assert_eq!(step.plasticity.lower.as_ref().unwrap().max_equivalent_plastic_strain, None);
         assert!(message(step, "unbounded_strain").is_some());
         let step = &ball(&hardening(), &json!({})).steps[0];
-        assert!(step.plasticity.lower.as_ref().unwrap().max_equivalent_plastic_strain.unwrap() > 1e-3);
-        assert!(message(step, "unbounded_strain").is_none() && message(step, "no_contact").is_none());
+        assert!(
+            step.plasticity.lower.as_ref().unwrap().max_equivalent_plastic_strain.unwrap() > 1e-3
+        );
+        assert!(
+            message(step, "unbounded_strain").is_none() && message(step, "no_contact").is_none()
+        );
     }
 
     #[test]
@@ -283,18 +296,23 @@ mod tests {
         assert!(message(step, "suspicious_units").is_some());
     }
 
-    /// The gap hardly opens along the raceway's groove, in which the contact reaches far along a radius of 10 mm.
+    /// The gap hardly opens along the raceway's groove, in which the contact reaches far along a
+    /// radius of 10 mm.
     #[test]
     fn a_ball_that_fills_its_raceway_is_wide() {
         let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
         for (radius, is_wide) in [(-10.2, true), (-100.0, false)] {
             for rotation in [0, 60] {
-                let raceway =
-                    json!({"type": "curved", "radius_x": 40, "radius_y": radius, "rotation": rotation});
+                let raceway = json!({"type": "curved", "radius_x": 40, "radius_y": radius, "rotation": rotation});
                 let changes = json!({"lower": {"shape": raceway, "material": steel}, "load": {"force": 500}});
                 let step = &ball(&hardening(), &changes).steps[0];
                 let said = message(step, "wide_contact");
-                assert_eq!(said.is_some(), is_wide, "{radius} {rotation} {:?}", step.three_dimensional);
+                assert_eq!(
+                    said.is_some(),
+                    is_wide,
+                    "{radius} {rotation} {:?}",
+                    step.three_dimensional
+                );
                 assert!(said.is_none_or(|said| said.contains("(10 mm)")), "{said:?}");
             }
         }

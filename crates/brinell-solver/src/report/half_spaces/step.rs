@@ -1,8 +1,8 @@
 //! The report of one load.
 
 use super::document::{
-    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport, SectionReport,
-    ThreeDimensionalReport,
+    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
+    SectionReport, ThreeDimensionalReport,
 };
 use super::elastic::EllipticReference;
 use super::layers::layers;
@@ -14,8 +14,9 @@ use crate::report::contact_stiffness;
 use crate::report::plastic_strain::bounded;
 use crate::report::units::UnitConverter;
 use crate::report::{
-    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport, Patch,
-    PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote, YieldOnsetReport,
+    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport,
+    Patch, PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote,
+    YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
     ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
@@ -55,7 +56,9 @@ impl StepWriter<'_> {
             approach: write.length(step.figures.approach),
             approach_datum: HALF_SPACE_DATUM.to_owned(),
             contact: self.contact(step),
-            contact_stiffness: contact_stiffness.filter(|_| !is_stopped).map(|slope| write.stiffness(slope)),
+            contact_stiffness: contact_stiffness
+                .filter(|_| !is_stopped)
+                .map(|slope| write.stiffness(slope)),
             flow,
             subsurface,
             subsurface_below_peak: below_peak,
@@ -69,7 +72,10 @@ impl StepWriter<'_> {
                 peak_pressure: write.stress(hertz.peak_pressure),
                 yield_onset_force: self.reference.onset_force().map(|force| write.force(force)),
                 yield_onset_depth: self.reference.onset_depth().map(|depth| write.length(depth)),
-                shakedown_pressure: self.reference.rolling().map(|limit| write.stress(limit.peak_pressure)),
+                shakedown_pressure: self
+                    .reference
+                    .rolling()
+                    .map(|limit| write.stress(limit.peak_pressure)),
                 shakedown_depth: self.reference.rolling().map(|limit| write.length(limit.depth)),
             }),
             yield_onset: self.yield_onset(step),
@@ -113,7 +119,8 @@ impl StepWriter<'_> {
     /// The onset of yield that the job asked for.
     fn yield_onset(&self, step: &HalfSpaceStep) -> Option<YieldOnsetReport> {
         let write = self.write;
-        let first = self.problem.highest_utilization(step).filter(|_| self.job.load == Load::Onset)?;
+        let first =
+            self.problem.highest_utilization(step).filter(|_| self.job.load == Load::Onset)?;
         Some(YieldOnsetReport {
             force: write.force(step.figures.force),
             approach: write.length(step.figures.approach),
@@ -124,8 +131,8 @@ impl StepWriter<'_> {
         })
     }
 
-    /// dP/dα of bodies that have not yielded or that a history has pressed together farther: the slope of Hertz's curve of the same
-    /// contact \[N/mm\].
+    /// dP/dα of bodies that have not yielded or that a history has pressed together farther: the
+    /// slope of Hertz's curve of the same contact \[N/mm\].
     pub fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
         let yields = step.bodies.iter().flatten().any(|body| body.largest_strain.is_some());
         let grows = step.figures.approach >= step.largest_approach;
@@ -135,8 +142,10 @@ impl StepWriter<'_> {
 
     fn three_dimensional(&self, step: &HalfSpaceStep) -> ThreeDimensionalReport {
         let (write, figures, map) = (self.write, &step.figures, &step.surface);
-        let lengths = |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
-        let stresses = |values: &[f64]| -> Vec<f64> { values.iter().map(|p| write.stress(*p)).collect() };
+        let lengths =
+            |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
+        let stresses =
+            |values: &[f64]| -> Vec<f64> { values.iter().map(|p| write.stress(*p)).collect() };
         let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
         ThreeDimensionalReport {
             orientation: self.orientation.to_degrees(),
@@ -174,7 +183,11 @@ impl StepWriter<'_> {
         let all = map.grid.cell_area() * map.grid.n_cells() as f64;
         let mut pressures: Vec<f64> = map.pressure.iter().copied().filter(|p| *p > 0.0).collect();
         pressures.sort_by(f64::total_cmp);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a length")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a part of a length"
+        )]
         let at = |part: f64| pressures.get((part * pressures.len() as f64) as usize).copied();
         let quantiles = QUANTILES.iter().filter_map(|part| at(*part));
         Some(RoughContactReport {
@@ -190,16 +203,22 @@ impl StepWriter<'_> {
     fn roller(&self, map: &SurfaceMap) -> Option<RollerReport> {
         let (half_length, write) = (self.problem.half_length()?, self.write);
         let rows = Row::all(&map.grid, &map.pressure).into_iter().enumerate();
-        let rows = rows.map(|(j, row)| (map.grid.y(j), row)).filter(|(y, _)| y.abs() < half_length);
+        let rows =
+            rows.map(|(j, row)| (map.grid.y(j), row)).filter(|(y, _)| y.abs() < half_length);
         let (y, rows): (Vec<f64>, Vec<Row>) = rows.unzip();
-        let pressure: Vec<f64> = rows.iter().map(|row| write.stress(row.largest_pressure)).collect();
+        let pressure: Vec<f64> =
+            rows.iter().map(|row| write.stress(row.largest_pressure)).collect();
         let [low, high] = middle(rows.len());
         let reaches_ends = half_length - y.last()? < map.grid.hy();
-        let moment = y.iter().zip(&rows).map(|(y, row)| y * row.line_load * map.grid.hy()).sum::<f64>();
+        let moment =
+            y.iter().zip(&rows).map(|(y, row)| y * row.line_load * map.grid.hy()).sum::<f64>();
         let at_end = |end: Option<&f64>| end.copied().filter(|_| reaches_ends).unwrap_or_default();
         Some(RollerReport {
             y: y.iter().map(|y| write.length(*y)).collect(),
-            line_load: rows.iter().map(|row| write.figure(Quantity::LineForce, row.line_load)).collect(),
+            line_load: rows
+                .iter()
+                .map(|row| write.figure(Quantity::LineForce, row.line_load))
+                .collect(),
             half_width: rows.iter().map(|row| write.length(row.half_width)).collect(),
             moment: write.length(write.force(moment)),
             middle_pressure: pressure[low].max(pressure[high]),
@@ -225,7 +244,11 @@ impl StepWriter<'_> {
         PlasticityReport {
             yielded: most.is_some(),
             max_equivalent_plastic_strain: largest_strain(self.job, body, side),
-            mean_equivalent_plastic_strain: if yielded_area > 0.0 { weighted / yielded_area } else { 0.0 },
+            mean_equivalent_plastic_strain: if yielded_area > 0.0 {
+                weighted / yielded_area
+            } else {
+                0.0
+            },
             position: write.length(x),
             depth: write.length(depth),
             area: write.area(yielded_area),
@@ -241,8 +264,10 @@ impl StepWriter<'_> {
         if !self.job.output.subsurface || step.status.is_stopped() {
             return [None, None];
         }
-        let below = |place: [f64; 2]| of_bodies(step, |body, side| self.profile(body, side, place));
-        let is_beside = step.peak_position.iter().zip([step.surface.grid.hx(), step.surface.grid.hy()]);
+        let below =
+            |place: [f64; 2]| of_bodies(step, |body, side| self.profile(body, side, place));
+        let is_beside =
+            step.peak_position.iter().zip([step.surface.grid.hx(), step.surface.grid.hy()]);
         let is_beside = is_beside.into_iter().any(|(x, side)| x.abs() > side);
         [Some(below([0.0; 2])), is_beside.then(|| below(step.peak_position))]
     }
@@ -277,11 +302,19 @@ impl StepWriter<'_> {
             sigma_yz: Some(component(5)),
             tau_max: column(&|point| largest_shear(point.stress)),
             von_mises: column(&|point| von_mises(point.stress)),
-            equivalent_plastic_strain: points.iter().map(|point| point.equivalent_plastic_strain).collect(),
+            equivalent_plastic_strain: points
+                .iter()
+                .map(|point| point.equivalent_plastic_strain)
+                .collect(),
             utilization: limits.as_ref().map(|limits| {
-                points.iter().zip(limits).map(|(point, limit)| von_mises(point.stress) / limit).collect()
+                points
+                    .iter()
+                    .zip(limits)
+                    .map(|(point, limit)| von_mises(point.stress) / limit)
+                    .collect()
             }),
-            yield_stress: limits.map(|limits| limits.iter().map(|limit| write.stress(*limit)).collect()),
+            yield_stress: limits
+                .map(|limits| limits.iter().map(|limit| write.stress(*limit)).collect()),
             initial_sigma_x: of_initial(0),
             initial_sigma_y: of_initial(1),
             initial_sigma_z: of_initial(2),
@@ -296,11 +329,16 @@ impl StepWriter<'_> {
             let [x, y] = profile.at(depth);
             [cosine * cosine * x + sine * sine * y, 0.0, sine * sine * x + cosine * cosine * y]
         };
-        let column = |k: usize| points.iter().map(|point| self.write.stress(at(point.depth)[k])).collect();
+        let column =
+            |k: usize| points.iter().map(|point| self.write.stress(at(point.depth)[k])).collect();
         std::array::from_fn(column)
     }
 
-    fn estimated_error(&self, step: &HalfSpaceStep, stiffness: Option<f64>) -> Option<ErrorEstimate> {
+    fn estimated_error(
+        &self,
+        step: &HalfSpaceStep,
+        stiffness: Option<f64>,
+    ) -> Option<ErrorEstimate> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies goes with the size of the contact.
@@ -309,7 +347,8 @@ impl StepWriter<'_> {
             (None, None) => None,
         };
         let is_peak_known = !is_peak_unknown(self.problem, step, self.write);
-        let peak = Some(relative(errors.peak_pressure, figures.peak_pressure)).filter(|_| is_peak_known);
+        let peak =
+            Some(relative(errors.peak_pressure, figures.peak_pressure)).filter(|_| is_peak_known);
         Some(ErrorEstimate {
             peak_pressure: peak,
             half_width: Some(relative(errors.semi_axes[0], figures.semi_axes[0])),
@@ -329,9 +368,11 @@ impl StepWriter<'_> {
 /// Part of the cells in contact below which a body has yielded; `None` where none can.
 fn plastic_part(step: &HalfSpaceStep) -> Option<f64> {
     let n_cells = step.surface.pressure.len();
-    let touched: Vec<usize> = (0..n_cells).filter(|cell| step.surface.pressure[*cell] > 0.0).collect();
+    let touched: Vec<usize> =
+        (0..n_cells).filter(|cell| step.surface.pressure[*cell] > 0.0).collect();
     let strains = || step.bodies.iter().flatten().map(|body| &body.equivalent_plastic_strain);
-    let below = |cell: usize| strains().flat_map(move |strain| strain.iter().skip(cell).step_by(n_cells));
+    let below =
+        |cell: usize| strains().flat_map(move |strain| strain.iter().skip(cell).step_by(n_cells));
     let plastic = touched.iter().filter(|cell| below(**cell).any(|strain| *strain > 0.0)).count();
     let part = if plastic > 0 { plastic as f64 / touched.len() as f64 } else { 0.0 };
     strains().any(|strain| !strain.is_empty()).then_some(part)
@@ -346,7 +387,8 @@ pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Op
     bounded(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
 }
 
-/// The shorter one first. A stress along one axis may make a contact longer across the axis along which its gap is.
+/// The shorter one first. A stress along one axis may make a contact longer across the axis along
+/// which its gap is.
 fn ordered([x, y]: [f64; 2]) -> [f64; 2] {
     [x.min(y), x.max(y)]
 }
@@ -359,7 +401,8 @@ pub(super) fn of_bodies<T: Clone>(
     let [upper, lower] = &step.bodies;
     let is_shared = matches!((upper, lower), (Some(a), Some(b)) if std::sync::Arc::ptr_eq(a, b));
     let of_upper = upper.as_ref().map(|body| say(body, 0));
-    let of_lower = if is_shared { of_upper.clone() } else { lower.as_ref().map(|body| say(body, 1)) };
+    let of_lower =
+        if is_shared { of_upper.clone() } else { lower.as_ref().map(|body| say(body, 1)) };
     PerBody { upper: of_upper, lower: of_lower }
 }
 
@@ -370,15 +413,18 @@ fn relative(error: f64, figure: f64) -> f64 {
 fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
     let (figures, errors) = (&step.figures, step.errors.as_ref()?);
     let of = |side: usize| {
-        let part =
-            |of: fn(&HalfSpaceFigures) -> [f64; 2]| Some(relative(of(errors)[side], of(figures)[side]));
+        let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| {
+            Some(relative(of(errors)[side], of(figures)[side]))
+        };
         step.bodies[side].as_ref().map(|_| BodyErrors {
             max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain),
             mean_equivalent_plastic_strain: None,
             area: None,
             depth: part(|figures| figures.dent),
             pile_up: part(|figures| figures.pile_up),
-            least_stress: (figures.force <= 0.0).then(|| part(|figures| figures.least_stress)).flatten(),
+            least_stress: (figures.force <= 0.0)
+                .then(|| part(|figures| figures.least_stress))
+                .flatten(),
             utilization: None,
         })
     };
@@ -412,13 +458,16 @@ fn section_of_layer(body: &HalfSpaceBody, layer: usize) -> Vec<f64> {
     let (nx, ny) = (body.grid.nx(), body.grid.ny());
     let first = layer * body.grid.n_cells();
     let [row, _] = middle(ny);
-    let at = |i: usize| body.equivalent_plastic_strain.get(first + i * ny + row).copied().unwrap_or(0.0);
+    let at = |i: usize| {
+        body.equivalent_plastic_strain.get(first + i * ny + row).copied().unwrap_or(0.0)
+    };
     (0..nx).map(at).collect()
 }
 
 /// Yield stresses at the depths of points where strength varies with depth.
 fn strengths(material: &Deformable, points: &[ColumnPoint]) -> Option<Vec<f64>> {
-    let (strength, nominal) = (material.strength()?, material.hardening_law()?.nominal_yield_stress());
+    let (strength, nominal) =
+        (material.strength()?, material.hardening_law()?.nominal_yield_stress());
     Some(points.iter().map(|point| nominal * strength.factor(point.depth)).collect())
 }
 

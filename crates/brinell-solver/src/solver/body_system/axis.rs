@@ -1,9 +1,9 @@
 //! Contact pressure next to the axis of a body of revolution.
 //!
-//! The innermost nodes of an axisymmetric mesh stand for very small areas, and a 4-node element whose side is the
-//! axis represents them poorly: their pressures are low by about 1.2, 0.4 and 0.2 %, whatever the element size.
-//! Pressure is smooth and even in the radius there, so that `p = c_0 + c_2 r² + c_4 r⁴`, fitted to the nodes around,
-//! says what it is.
+//! The innermost nodes of an axisymmetric mesh stand for very small areas, and a 4-node element
+//! whose side is the axis represents them poorly: their pressures are low by about 1.2, 0.4 and
+//! 0.2 %, whatever the element size. Pressure is smooth and even in the radius there, so that `p =
+//! c_0 + c_2 r² + c_4 r⁴`, fitted to the nodes around, says what it is.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -11,11 +11,12 @@ use nalgebra::{Matrix3, Vector3};
 const REPLACED: usize = 3;
 /// Nodes that the polynomial is fitted to, counted from the axis.
 const FITTED: std::ops::Range<usize> = REPLACED..11;
-/// Loaded nodes without a gap that are needed for it: the fit must stay away from the edge of the contact.
+/// Loaded nodes without a gap that are needed for it: the fit must stay away from the edge of the
+/// contact.
 const NEEDED: usize = 16;
 
-/// Replaces the pressures at the innermost nodes, in order of the radius and evenly spaced, if the contact is wide
-/// enough.
+/// Replaces the pressures at the innermost nodes, in order of the radius and evenly spaced, if the
+/// contact is wide enough.
 pub(crate) fn recover(pressures: &mut [f64]) {
     if pressures.len() < NEEDED || pressures[..NEEDED].iter().any(|p| *p <= 0.0) {
         return;
@@ -53,7 +54,8 @@ mod tests {
 
     #[test]
     fn a_narrow_or_annular_contact_is_left_alone() {
-        let narrow: Vec<f64> = (0..30).map(|k| if k < 10 { 1.0 + f64::from(k) } else { 0.0 }).collect();
+        let narrow: Vec<f64> =
+            (0..30).map(|k| if k < 10 { 1.0 + f64::from(k) } else { 0.0 }).collect();
         let mut pressures = narrow.clone();
         recover(&mut pressures);
         assert_eq!(pressures, narrow);

@@ -1,10 +1,11 @@
-//! A deformable body: factorized, condensed to its contact, and searched for plastic flow where it may yield.
+//! A deformable body: factorized, condensed to its contact, and searched for plastic flow where it
+//! may yield.
 
 use std::sync::Arc;
 
 use crate::fem::assembly::{
-    MaterialModel, PlasticPoints, PointStresses, StressField, Unloaded, given_stress, initial_force,
-    relaxed_stress,
+    MaterialModel, PlasticPoints, PointStresses, StressField, Unloaded, given_stress,
+    initial_force, relaxed_stress,
 };
 use crate::fem::mesh::Mesh;
 use crate::material::{ElasticModuli, ReferenceModuli};
@@ -24,9 +25,11 @@ pub(crate) struct BodyModel {
     pub elastic: Arc<ElasticBody>,
     pub model: Arc<dyn MaterialModel>,
     pub plastic_region: PlasticRegion,
-    /// Factor of the present stiffness: elastic, or with the tangent moduli that [`PlasticRegion::points`] refers to.
+    /// Factor of the present stiffness: elastic, or with the tangent moduli that
+    /// [`PlasticRegion::points`] refers to.
     pub factor: PooledFactor,
-    /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
+    /// Inward normal displacement of the contact nodes under unit forces that press on them
+    /// \[mm/N\].
     pub flexibility: SymmetricMatrix,
     /// Whether that stiffness is softer than the elastic one.
     is_softened: bool,
@@ -39,7 +42,8 @@ pub(crate) struct BodyModel {
 pub(crate) struct InitialState {
     /// At the points of each element \[MPa\].
     pub stress: Arc<PointStresses>,
-    /// `∫ Bᵀ σ dV` by equation: not zero where the mesh does not integrate a stress exactly that is in equilibrium.
+    /// `∫ Bᵀ σ dV` by equation: not zero where the mesh does not integrate a stress exactly that
+    /// is in equilibrium.
     force: Vec<f64>,
 }
 
@@ -54,7 +58,8 @@ pub(crate) struct BodyMaterial<'a> {
 pub(crate) struct PlasticRegion {
     /// Whether each element belongs to it.
     elements: Vec<bool>,
-    /// Whether an iteration loads or reads each node: those of these elements and the contact nodes.
+    /// Whether an iteration loads or reads each node: those of these elements and the contact
+    /// nodes.
     nodes: Vec<bool>,
     /// The equations of these nodes.
     pub active_equations: Vec<u32>,
@@ -65,8 +70,9 @@ pub(crate) struct PlasticRegion {
 }
 
 impl BodyModel {
-    /// Factorizes, in place of what the factor was of, the elastic stiffness or, given a previous field, the one with the
-    /// tangent moduli there; also returns the previous displacements, transferred to the active equations.
+    /// Factorizes, in place of what the factor was of, the elastic stiffness or, given a previous
+    /// field, the one with the tangent moduli there; also returns the previous displacements,
+    /// transferred to the active equations.
     pub fn new(
         elastic: Arc<ElasticBody>,
         mut factor: PooledFactor,
@@ -94,18 +100,32 @@ impl BodyModel {
         let is_softened = plastic_region.is_softened();
         let model = Arc::clone(model);
         Ok((
-            Self { elastic, model, plastic_region, factor, flexibility, is_softened, initial_stress },
+            Self {
+                elastic,
+                model,
+                plastic_region,
+                factor,
+                flexibility,
+                is_softened,
+                initial_stress,
+            },
             transferred,
         ))
     }
 
-    /// Chooses another plastic region. The stiffness becomes elastic again at the next linearization.
+    /// Chooses another plastic region. The stiffness becomes elastic again at the next
+    /// linearization.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
-        self.plastic_region =
-            PlasticRegion::new(&self.elastic, &self.model, self.initial_stress.as_deref(), search_region);
+        self.plastic_region = PlasticRegion::new(
+            &self.elastic,
+            &self.model,
+            self.initial_stress.as_deref(),
+            search_region,
+        );
     }
 
-    /// Factorizes anew, with moduli of plastic flow at displacements or, without any, the elastic ones.
+    /// Factorizes anew, with moduli of plastic flow at displacements or, without any, the elastic
+    /// ones.
     pub fn linearize(
         &mut self,
         at: Option<(&[f64], ReferenceModuli)>,
@@ -123,21 +143,22 @@ impl BodyModel {
         self.factorize(run)
     }
 
-    /// Factorizes anew, with the tangent moduli of an answer on another mesh; returns its displacements, transferred to the
-    /// active equations.
+    /// Factorizes anew, with the tangent moduli of an answer on another mesh; returns its
+    /// displacements, transferred to the active equations.
     pub fn linearize_by(
         &mut self,
         previous: NodalField<'_>,
         run: &mut Run<'_>,
     ) -> Result<Vec<f64>, method::Error> {
         let Self { elastic, plastic_region, .. } = self;
-        let transferred = run.time(Phase::Plasticity, || plastic_region.linearize_by(previous, elastic));
+        let transferred =
+            run.time(Phase::Plasticity, || plastic_region.linearize_by(previous, elastic));
         self.factorize(run)?;
         Ok(transferred)
     }
 
-    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on another mesh; returns the
-    /// displacements after it.
+    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on
+    /// another mesh; returns the displacements after it.
     pub fn linearize_after(
         &mut self,
         from: &[f64],
@@ -145,7 +166,8 @@ impl BodyModel {
         run: &mut Run<'_>,
     ) -> Result<Vec<f64>, method::Error> {
         let Self { elastic, plastic_region, .. } = self;
-        let after = run.time(Phase::Plasticity, || plastic_region.linearize_after(from, change, elastic));
+        let after =
+            run.time(Phase::Plasticity, || plastic_region.linearize_after(from, change, elastic));
         self.factorize(run)?;
         Ok(after)
     }
@@ -153,7 +175,13 @@ impl BodyModel {
     /// Takes more elements into the plastic region.
     pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion, accepted: &[f64]) {
         let Self { elastic, model, plastic_region, initial_stress, .. } = self;
-        plastic_region.extend(elastic, &**model, initial_stress.as_deref(), search_region, accepted);
+        plastic_region.extend(
+            elastic,
+            &**model,
+            initial_stress.as_deref(),
+            search_region,
+            accepted,
+        );
     }
 
     fn factorize(&mut self, run: &mut Run<'_>) -> Result<(), method::Error> {
@@ -196,13 +224,15 @@ impl BodyModel {
         rest[..equations.len()].iter().map(|r| r * r).sum::<f64>().sqrt()
     }
 
-    /// `∫ σ_r : ε dV`, what the stress before the load does on displacements of all nodes \[N mm\] or \[N\]: nothing where it is in
-    /// equilibrium by itself, and under a plane the work of what holds the cut-out part at its side walls.
+    /// `∫ σ_r : ε dV`, what the stress before the load does on displacements of all nodes \[N mm\]
+    /// or \[N\]: nothing where it is in equilibrium by itself, and under a plane the work of what
+    /// holds the cut-out part at its side walls.
     pub fn work_of_initial_stress(&self, nodal: &[[f64; 2]]) -> f64 {
         let Some(initial) = &self.initial_stress else { return 0.0 };
         let free = self.elastic.equations.len();
         let of_node = |(node, u): (u32, &[f64; 2])| -> f64 {
-            let equations = self.elastic.equations.of_node(node).into_iter().map(|k| k as usize).zip(u);
+            let equations =
+                self.elastic.equations.of_node(node).into_iter().map(|k| k as usize).zip(u);
             equations.filter(|(k, _)| *k < free).map(|(k, u)| initial.force[k] * u).sum()
         };
         (0u32..).zip(nodal).map(of_node).sum()
@@ -237,12 +267,13 @@ impl PlasticRegion {
         Self { elements, nodes, active_equations, reach, points }
     }
 
-    /// Takes the tangent moduli of an answer on another mesh; returns its displacements on the active equations, zero where
-    /// nothing yields.
+    /// Takes the tangent moduli of an answer on another mesh; returns its displacements on the
+    /// active equations, zero where nothing yields.
     fn linearize_by(&mut self, previous: NodalField<'_>, elastic: &ElasticBody) -> Vec<f64> {
         let ElasticBody { mesh, equations, .. } = elastic;
         let Some(points) = &mut self.points else { return elastic.zeros() };
-        let transferred = TransferredField::new(previous, elastic.stress_state(), mesh, &self.nodes);
+        let transferred =
+            TransferredField::new(previous, elastic.stress_state(), mesh, &self.nodes);
         points.linearize(ReferenceModuli::Tangent, &mut |element, _| {
             transferred.strain(&mesh.elements[element])
         });
@@ -251,7 +282,12 @@ impl PlasticRegion {
     }
 
     /// Takes the tangent moduli after a change of displacement that is known on another mesh.
-    fn linearize_after(&mut self, from: &[f64], change: NodalField<'_>, elastic: &ElasticBody) -> Vec<f64> {
+    fn linearize_after(
+        &mut self,
+        from: &[f64],
+        change: NodalField<'_>,
+        elastic: &ElasticBody,
+    ) -> Vec<f64> {
         let ElasticBody { mesh, equations, .. } = elastic;
         let Some(points) = &mut self.points else { return from.to_vec() };
         let transferred = TransferredField::new(change, elastic.stress_state(), mesh, &self.nodes);
@@ -284,7 +320,9 @@ impl PlasticRegion {
     ) {
         let ElasticBody { mesh, equations, symbolic, .. } = elastic;
         let Some(points) = &mut self.points else { return };
-        for (inside, more) in self.elements.iter_mut().zip(searched_elements(mesh, model, search_region)) {
+        for (inside, more) in
+            self.elements.iter_mut().zip(searched_elements(mesh, model, search_region))
+        {
             *inside |= more;
         }
         points.extend(&unloaded(elastic, initial), equations, &self.elements, accepted);
@@ -300,14 +338,21 @@ impl PlasticRegion {
 
 impl InitialState {
     /// Relaxes a stress that is given, with the elastic factor of the body.
-    fn relaxed(elastic: &ElasticBody, factor: &Cholesky, moduli: ElasticModuli, given: &GivenStress) -> Self {
-        let (mesh, equations, stress_state) = (&elastic.mesh, &elastic.equations, elastic.stress_state());
+    fn relaxed(
+        elastic: &ElasticBody,
+        factor: &Cholesky,
+        moduli: ElasticModuli,
+        given: &GivenStress,
+    ) -> Self {
+        let (mesh, equations, stress_state) =
+            (&elastic.mesh, &elastic.equations, elastic.stress_state());
         let mut stress = given_stress(mesh, stress_state, |position| given.at(position));
         let mut force = initial_force(mesh, stress_state, equations, &stress);
         if !given.is_in_equilibrium() {
             let mut displacement: Vec<f64> = force.iter().map(|f| -f).collect();
             factor.solve(&mut displacement);
-            stress = relaxed_stress(mesh, stress_state, moduli, &stress, &elastic.nodal(&displacement));
+            stress =
+                relaxed_stress(mesh, stress_state, moduli, &stress, &elastic.nodal(&displacement));
             force = initial_force(mesh, stress_state, equations, &stress);
         }
         Self { stress: Arc::new(stress), force }
@@ -324,7 +369,8 @@ fn unloaded<'a>(elastic: &'a ElasticBody, initial: Option<&'a InitialState>) -> 
     }
 }
 
-/// The elements of a search region; all of them where some plastic strain is everywhere, none where there is none.
+/// The elements of a search region; all of them where some plastic strain is everywhere, none
+/// where there is none.
 fn searched_elements(
     mesh: &Mesh,
     model: &dyn MaterialModel,

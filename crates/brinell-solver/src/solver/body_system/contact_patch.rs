@@ -10,12 +10,13 @@ pub struct ContactPatch {
 }
 
 impl ContactPatch {
-    /// Finds the ends of the pressure over ascending abscissae; `None` where nothing touches. On a half model,
-    /// whose first abscissa is the axis, the left end mirrors the right one.
+    /// Finds the ends of the pressure over ascending abscissae; `None` where nothing touches. On a
+    /// half model, whose first abscissa is the axis, the left end mirrors the right one.
     ///
-    /// From the last node that is loaded over its whole length, the pressure is taken to fall like the square root
-    /// of the distance to the end; the end is where it has to be for the outermost node to receive its force. Where that
-    /// node stands for an edge of a surface, the contact ends at the edge.
+    /// From the last node that is loaded over its whole length, the pressure is taken to fall like
+    /// the square root of the distance to the end; the end is where it has to be for the outermost
+    /// node to receive its force. Where that node stands for an edge of a surface, the contact
+    /// ends at the edge.
     pub fn find(
         x: &[f64],
         pressure: &[f64],
@@ -24,7 +25,8 @@ impl ContactPatch {
     ) -> Option<Self> {
         let first = pressure.iter().position(|&p| p > 0.0)?;
         let last = pressure.iter().rposition(|&p| p > 0.0)?;
-        let right = edge(last).unwrap_or_else(|| end_beyond(x, pressure, last, |k| k.checked_add(1)));
+        let right =
+            edge(last).unwrap_or_else(|| end_beyond(x, pressure, last, |k| k.checked_add(1)));
         let left = if symmetric {
             -right
         } else {
@@ -33,8 +35,8 @@ impl ContactPatch {
         Some(Self { left, right })
     }
 
-    /// Ends of each connected part of the contact, left to right, at the outermost loaded nodes \[mm\]; on a half
-    /// model those of the half.
+    /// Ends of each connected part of the contact, left to right, at the outermost loaded nodes
+    /// \[mm\]; on a half model those of the half.
     pub fn parts(x: &[f64], pressure: &[f64]) -> Vec<Self> {
         let mut parts: Vec<Self> = Vec::new();
         let mut open = false;
@@ -71,7 +73,9 @@ fn end_beyond(
     let beyond = outward(outermost).filter(|&k| k < x.len());
     let Some(beyond) = beyond else { return x[outermost] };
     let inner = if beyond > outermost { outermost.checked_sub(1) } else { Some(outermost + 1) };
-    let Some(inner) = inner.filter(|&k| k < x.len() && pressure[k] > 0.0) else { return x[outermost] };
+    let Some(inner) = inner.filter(|&k| k < x.len() && pressure[k] > 0.0) else {
+        return x[outermost];
+    };
     // In elements, counted outward from the inner node.
     let share = pressure[outermost] / pressure[inner];
     let (mut low, mut high) = (0.0, 2.0);
@@ -82,8 +86,9 @@ fn end_beyond(
     x[inner] + 0.5 * (low + high) * (x[outermost] - x[inner])
 }
 
-/// Pressure of the outermost node over that of the one before, `∫ N √(1 - t/e) dt` with the hat function N at 1,
-/// for a pressure that ends at the distance `e <= 2` elements from the inner node.
+/// Pressure of the outermost node over that of the one before, `∫ N √(1 - t/e) dt` with the hat
+/// function N at 1, for a pressure that ends at the distance `e <= 2` elements from the inner
+/// node.
 pub(crate) fn outermost_share(end: f64) -> f64 {
     const STEPS: u32 = 200;
     let step = end / f64::from(STEPS);
@@ -129,7 +134,10 @@ mod tests {
             x.iter().rev().map(|v| 2.0 - v).chain(x[1..].iter().map(|v| 2.0 + v)).collect();
         let p_full: Vec<f64> = p.iter().rev().copied().chain(p[1..].iter().copied()).collect();
         let patch = ContactPatch::find(&x_full, &p_full, false, |_| None).unwrap();
-        assert!((patch.left - 0.97).abs() < 0.02 && (patch.right - 3.03).abs() < 0.02, "{patch:?}");
+        assert!(
+            (patch.left - 0.97).abs() < 0.02 && (patch.right - 3.03).abs() < 0.02,
+            "{patch:?}"
+        );
     }
 
     #[test]

@@ -1,11 +1,14 @@
-//! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not change.
+//! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not
+//! change.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::fem::assembly::Support;
 use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler};
-use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness};
+use crate::fem::element::{
+    QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness,
+};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::Elastic;
 use crate::solver::method::phases::Phase;
@@ -35,8 +38,9 @@ pub(crate) struct ElasticBody {
     /// Supernodes of the equations that contact forces act on.
     pub contact_reach: Reach,
     restraint: Restraint,
-    /// How a pin is held: by equation, forces along the outward direction of the approach that are spread evenly over its
-    /// section, of resultant 1. None of a body that is held at its boundary.
+    /// How a pin is held: by equation, forces along the outward direction of the approach that are
+    /// spread evenly over its section, of resultant 1. None of a body that is held at its
+    /// boundary.
     spread_support: Option<Vec<f64>>,
     bulk_modulus: f64,
     /// The elastic stiffness, entry by entry of its pattern.
@@ -45,8 +49,8 @@ pub(crate) struct ElasticBody {
 }
 
 impl ElasticBody {
-    /// Meshes a body; orders and analyses its equations, unless there is another that has the same; assembles its
-    /// stiffness.
+    /// Meshes a body; orders and analyses its equations, unless there is another that has the
+    /// same; assembles its stiffness.
     pub fn new(
         key: BodyKey,
         like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
@@ -87,7 +91,8 @@ impl ElasticBody {
             key,
         };
         run.checkpoint()?;
-        body.stiffness = run.time(Phase::Assembly, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
+        body.stiffness =
+            run.time(Phase::Assembly, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
         run.checkpoint()?;
         Ok(body)
     }
@@ -121,8 +126,8 @@ impl ElasticBody {
         self.assembler().assemble(|element, quad| element_stiffness(quad, bulk, &shear(element)))
     }
 
-    /// Factorizes the elastic stiffness, softened where plastic points say so, in place of what the factor was of. Returns the
-    /// contact flexibility that belongs to it.
+    /// Factorizes the elastic stiffness, softened where plastic points say so, in place of what
+    /// the factor was of. Returns the contact flexibility that belongs to it.
     pub fn factorize(
         &self,
         factor: &mut Cholesky,
@@ -136,8 +141,8 @@ impl ElasticBody {
         Ok(run.time(Phase::Flexibility, || self.flexibility(factor)))
     }
 
-    /// Inward normal displacements of the contact nodes under unit forces that press on them, with a factor of this body
-    /// \[mm/N\].
+    /// Inward normal displacements of the contact nodes under unit forces that press on them, with
+    /// a factor of this body \[mm/N\].
     pub fn flexibility(&self, factor: &Cholesky) -> SymmetricMatrix {
         let Self { mesh, equations, .. } = self;
         let count = contact_equations(mesh, equations);
@@ -166,16 +171,20 @@ impl ElasticBody {
         let own = dot(spread, &held);
         let closing = |k: usize| mesh.contact_normals[k][1];
         let outward: Vec<f64> = (0..entries.len())
-            .map(|k| self.normal_components(k).map(|(equation, n)| n * held[equation]).iter().sum())
+            .map(|k| {
+                self.normal_components(k).map(|(equation, n)| n * held[equation]).iter().sum()
+            })
             .collect();
         SymmetricMatrix::from_fn(entries.len(), |i, j| {
-            fixed[(i, j)] - closing(i) * outward[j] - closing(j) * outward[i] + closing(i) * closing(j) * own
+            fixed[(i, j)] - closing(i) * outward[j] - closing(j) * outward[i]
+                + closing(i) * closing(j) * own
         })
     }
 
     /// The equations of contact node `k` and the components of its normal; 0 for one that is held.
     fn normal_components(&self, k: usize) -> [(usize, f64); 2] {
-        let [x, y] = self.equations.of_node(self.mesh.contact_nodes[k]).map(|equation| equation as usize);
+        let [x, y] =
+            self.equations.of_node(self.mesh.contact_nodes[k]).map(|equation| equation as usize);
         let [n_x, n_y] = self.mesh.contact_normals.get(k).copied().unwrap_or([0.0, 1.0]);
         [(x, if x < self.equations.len() { n_x } else { 0.0 }), (y, n_y)]
     }
@@ -184,7 +193,9 @@ impl ElasticBody {
         let mut values = self.stiffness.clone();
         if let Some(points) = points {
             let assembler = self.assembler();
-            points.reduced_elements(&mut |element, addition| assembler.add(&mut values, element, addition));
+            points.reduced_elements(&mut |element, addition| {
+                assembler.add(&mut values, element, addition)
+            });
         }
         values
     }
@@ -221,10 +232,12 @@ impl ElasticBody {
         self.spread_support.is_some()
     }
 
-    /// Adds contact forces that press on the body to a load vector, and what holds a pin against them.
+    /// Adds contact forces that press on the body to a load vector, and what holds a pin against
+    /// them.
     pub fn add_contact_forces(&self, force: &[f64], load: &mut [f64]) {
         if let Some(spread) = &self.spread_support {
-            let total: f64 = force.iter().zip(&self.mesh.contact_normals).map(|(r, [_, e])| r * e).sum();
+            let total: f64 =
+                force.iter().zip(&self.mesh.contact_normals).map(|(r, [_, e])| r * e).sum();
             for (entry, share) in load.iter_mut().zip(spread) {
                 *entry += share * total;
             }
@@ -236,8 +249,8 @@ impl ElasticBody {
         }
     }
 
-    /// Inward normal displacements of the contact nodes \[mm\]; of a pin relative to the mean displacement of its section
-    /// along the approach.
+    /// Inward normal displacements of the contact nodes \[mm\]; of a pin relative to the mean
+    /// displacement of its section along the approach.
     pub fn contact_displacement(&self, x: &[f64]) -> impl Iterator<Item = f64> {
         let mean = self.spread_support.as_ref().map_or(0.0, |spread| dot(spread, x));
         (0..self.mesh.contact_nodes.len()).map(move |k| {
@@ -247,7 +260,8 @@ impl ElasticBody {
         })
     }
 
-    /// `[x, inward normal displacement]` of the nodes on the whole free surface, in order of x \[mm\].
+    /// `[x, inward normal displacement]` of the nodes on the whole free surface, in order of x
+    /// \[mm\].
     pub fn free_surface(&self, x: &[f64]) -> Vec<[f64; 2]> {
         let mut surface: Vec<[f64; 2]> = self
             .mesh
@@ -285,8 +299,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Number of equations at the end that contact forces act on: the normal components of the contact nodes, and before these
-/// the tangential ones where normals are inclined.
+/// Number of equations at the end that contact forces act on: the normal components of the contact
+/// nodes, and before these the tangential ones where normals are inclined.
 fn contact_equations(mesh: &Mesh, equations: &Equations) -> usize {
     let nodes = mesh.contact_nodes.len();
     if mesh.contact_normals.is_empty() {

@@ -9,11 +9,12 @@ use sparse_cholesky::Cholesky;
 
 /// Elastic bodies by their key, each with the factors that earlier jobs returned.
 ///
-/// A job whose bodies are here already is neither meshed nor ordered nor analysed again, and of its stiffness only what
-/// differs from the one that the factor is of is factorized. No answer depends on what is kept: it is bit for bit the
-/// one of a job alone.
+/// A job whose bodies are here already is neither meshed nor ordered nor analysed again, and of
+/// its stiffness only what differs from the one that the factor is of is factorized. No answer
+/// depends on what is kept: it is bit for bit the one of a job alone.
 ///
-/// Holds at most so many bytes; the least recently used entry is evicted first. Factors that jobs are using do not count.
+/// Holds at most so many bytes; the least recently used entry is evicted first. Factors that jobs
+/// are using do not count.
 #[derive(Debug)]
 pub struct FactorCache {
     limit: usize,
@@ -75,8 +76,12 @@ impl FactorCache {
     }
 
     /// The body used last of those that serve.
-    pub(crate) fn find_like(&self, serves: impl Fn(&ElasticBody) -> bool) -> Option<Arc<ElasticBody>> {
-        let bodies: Vec<_> = self.state().entries.iter().map(|entry| Arc::clone(&entry.body)).collect();
+    pub(crate) fn find_like(
+        &self,
+        serves: impl Fn(&ElasticBody) -> bool,
+    ) -> Option<Arc<ElasticBody>> {
+        let bodies: Vec<_> =
+            self.state().entries.iter().map(|entry| Arc::clone(&entry.body)).collect();
         bodies.into_iter().rfind(|body| serves(body))
     }
 
@@ -207,7 +212,10 @@ mod tests {
         prepare(11.0, Some(&cache));
         assert!(Arc::ptr_eq(&prepare(10.0, Some(&cache)), &first));
         let third = prepare(12.0, Some(&cache));
-        assert!(Arc::ptr_eq(&third.symbolic, &first.symbolic), "radii do not change the structure");
+        assert!(
+            Arc::ptr_eq(&third.symbolic, &first.symbolic),
+            "radii do not change the structure"
+        );
         assert!(cache.find(&key(10.0)).is_some() && cache.find(&key(12.0)).is_some());
         assert!(cache.find(&key(11.0)).is_none());
         assert_eq!(cache.stats(), FactorCacheStats { hits: 3, misses: 4, bytes: 2 * one });
@@ -242,7 +250,9 @@ mod tests {
         let body = prepare(10.0, Some(&cache));
         assert_eq!(cache.stats().bytes, one);
         let mut factor = cache.acquire(&body);
-        factor.refactor(body.stiffness_with(|_| [8e4; 4]), &mut || ControlFlow::Continue(())).unwrap();
+        factor
+            .refactor(body.stiffness_with(|_| [8e4; 4]), &mut || ControlFlow::Continue(()))
+            .unwrap();
         drop(factor);
         assert_eq!(cache.stats().bytes, one);
         assert!(cache.find(&key(10.0)).is_some());

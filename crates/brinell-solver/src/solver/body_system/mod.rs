@@ -1,4 +1,5 @@
-//! The discretized pair of bodies: meshes, factors, the part that may yield, the contact between them.
+//! The discretized pair of bodies: meshes, factors, the part that may yield, the contact between
+//! them.
 
 pub(crate) mod axis;
 pub(crate) mod body;

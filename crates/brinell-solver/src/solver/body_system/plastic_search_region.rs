@@ -7,8 +7,8 @@ use crate::fem::mesh::Mesh;
 /// Directions in which distances are known, from +x down and round to -x.
 const DIRECTIONS: usize = 25;
 
-/// The outline of a plastic zone: how far it reaches from the middle of the contact \[mm\], linear in the angle between
-/// two directions.
+/// The outline of a plastic zone: how far it reaches from the middle of the contact \[mm\], linear
+/// in the angle between two directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RadialEnvelope {
     radius: [f64; DIRECTIONS],
@@ -47,7 +47,8 @@ impl RadialEnvelope {
     }
 }
 
-/// Index of the sampled direction at or before that of a point, and the fraction of the step to the next one.
+/// Index of the sampled direction at or before that of a point, and the fraction of the step to
+/// the next one.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -76,7 +77,8 @@ impl PlasticSearchRegion {
     pub fn elements(&self, mesh: &Mesh) -> Vec<bool> {
         let Self::Within(outline) = self else { return vec![true; mesh.elements.len()] };
         let centre = mesh.zone.centre();
-        let mut nodes: Vec<bool> = mesh.nodes.iter().map(|[x, y]| outline.contains(x - centre, *y)).collect();
+        let mut nodes: Vec<bool> =
+            mesh.nodes.iter().map(|[x, y]| outline.contains(x - centre, *y)).collect();
         let mut inside = touched(mesh, &nodes);
         for _ in 0..SPARE_LAYERS {
             nodes = nodes_of(mesh, &inside);

@@ -1,4 +1,5 @@
-//! Where the elastic bodies of a job come from: the other body of the job, the cache, or a new mesh.
+//! Where the elastic bodies of a job come from: the other body of the job, the cache, or a new
+//! mesh.
 
 use std::sync::Arc;
 
@@ -8,8 +9,8 @@ use crate::solver::SolveError;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 
-/// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other body of the job or
-/// the cache has it already.
+/// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other
+/// body of the job or the cache has it already.
 pub(crate) fn prepare(
     key: BodyKey,
     other: Option<&Arc<ElasticBody>>,
@@ -49,8 +50,13 @@ mod tests {
     ) -> Arc<ElasticBody> {
         let (solution, observer) = (&mut Solution::default(), &mut Unobserved);
         let key = key(radius, young, support);
-        prepare(key, other, None, &mut Run::new(&mut solution.phases, &mut solution.passes, observer))
-            .unwrap()
+        prepare(
+            key,
+            other,
+            None,
+            &mut Run::new(&mut solution.phases, &mut solution.passes, observer),
+        )
+        .unwrap()
     }
 
     #[test]
@@ -65,7 +71,8 @@ mod tests {
         let body = cylinder(20.0, 210e3, Support::Clamped, None);
         let shares = |radius: f64, young: f64, support: Support| {
             let other = cylinder(radius, young, support, Some(&body));
-            Arc::ptr_eq(&other.symbolic, &body.symbolic) && Arc::ptr_eq(&other.equations, &body.equations)
+            Arc::ptr_eq(&other.symbolic, &body.symbolic)
+                && Arc::ptr_eq(&other.equations, &body.equations)
         };
         assert!(shares(20.0, 70e3, Support::Clamped) && shares(40.0, 210e3, Support::Clamped));
         assert!(!shares(20.0, 210e3, Support::Roller));

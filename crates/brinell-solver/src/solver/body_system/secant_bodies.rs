@@ -5,7 +5,9 @@ use crate::fem::assembly::StressField;
 use crate::solver::body_system::elastic_body::refactor;
 use crate::solver::body_system::system::{System, total_flexibility};
 use crate::solver::method;
-use crate::solver::method::contact_system::{ContactSystem as _, PlasticAnswer, Response, SecantStiffness};
+use crate::solver::method::contact_system::{
+    ContactSystem as _, PlasticAnswer, Response, SecantStiffness,
+};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use dense_cholesky::SymmetricMatrix;
@@ -48,8 +50,10 @@ impl SecantStiffness for SecantBodies<'_> {
             let parts: Vec<_> = parts.iter().collect();
             total_flexibility(system.initial_gap.len(), &parts, &system.bodies_represented)
         });
-        let problem =
-            ContactProblem { flexibility: &flexibility, ..system.contact_problem(&system.initial_gap, load) };
+        let problem = ContactProblem {
+            flexibility: &flexibility,
+            ..system.contact_problem(&system.initial_gap, load)
+        };
         let contact = run.solve_contact(solver, &problem, start)?;
         let mut displacement = Vec::with_capacity(system.bodies.len());
         for (k, body) in system.bodies.iter().enumerate() {
@@ -64,7 +68,11 @@ impl SecantStiffness for SecantBodies<'_> {
         Ok(Response { displacement, contact })
     }
 
-    fn evaluate(&mut self, response: &Response, run: &mut Run<'_>) -> Result<PlasticAnswer, method::Error> {
+    fn evaluate(
+        &mut self,
+        response: &Response,
+        run: &mut Run<'_>,
+    ) -> Result<PlasticAnswer, method::Error> {
         let system = self.system;
         let (mut plastic_points, mut squares) = (0, 0.0);
         self.fields.clear();
@@ -82,11 +90,13 @@ impl SecantStiffness for SecantBodies<'_> {
     fn renew(&mut self, run: &mut Run<'_>) -> Result<usize, method::Error> {
         let bodies = &self.system.bodies;
         if self.factors.is_empty() {
-            self.factors = bodies.iter().map(|body| Cholesky::empty(body.factor.symbolic())).collect();
+            self.factors =
+                bodies.iter().map(|body| Cholesky::empty(body.factor.symbolic())).collect();
         }
         for ((body, field), factor) in bodies.iter().zip(&self.fields).zip(&mut self.factors) {
-            let values = run
-                .time(Phase::Assembly, || body.elastic.stiffness_with(|element| field.secant_shear(element)));
+            let values = run.time(Phase::Assembly, || {
+                body.elastic.stiffness_with(|element| field.secant_shear(element))
+            });
             factor.invalidate();
             run.time_observed(Phase::Numeric, |observer| refactor(factor, values, observer))?;
         }

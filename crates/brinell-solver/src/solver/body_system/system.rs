@@ -27,8 +27,8 @@ use crate::solver::{SolveError, method};
 use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::Cholesky;
 
-/// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
-/// contact forces they are mirror images of each other in every iteration.
+/// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the
+/// same contact forces they are mirror images of each other in every iteration.
 pub(crate) struct System {
     pub bodies: Vec<BodyModel>,
     /// How many of the two bodies each model stands for.
@@ -76,8 +76,9 @@ pub(crate) struct Design<'a> {
 }
 
 impl System {
-    /// Meshes and factorizes: with elastic moduli or, given a previous field for each model, with the tangent moduli
-    /// there. Also returns the previous displacements, transferred to the active equations of the new meshes.
+    /// Meshes and factorizes: with elastic moduli or, given a previous field for each model, with
+    /// the tangent moduli there. Also returns the previous displacements, transferred to the
+    /// active equations of the new meshes.
     pub fn build(
         problem: &Problem,
         design: Design<'_>,
@@ -104,7 +105,10 @@ impl System {
                 support: body.support,
             };
             model_of[side] = Some(models.len());
-            models.push((key, BodyMaterial { model, initial_stress: body.initial_stress.as_deref() }));
+            models.push((
+                key,
+                BodyMaterial { model, initial_stress: body.initial_stress.as_deref() },
+            ));
             bodies_represented.push(1);
         }
         let mut bodies: Vec<BodyModel> = Vec::with_capacity(models.len());
@@ -117,7 +121,8 @@ impl System {
             held += elastic.bytes() + size_of::<f64>() * elastic.symbolic.factor_entries();
             run.hold(Held::Bodies, held)?;
             let own = || PooledFactor::own(Cholesky::empty(&elastic.symbolic));
-            let factor = run.time(Phase::Numeric, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
+            let factor = run
+                .time(Phase::Numeric, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
             let previous = previous.and_then(|fields| fields.get(k).copied());
             let (body, displacement) =
                 BodyModel::new(elastic, factor, material, search_region, previous, run)?;
@@ -141,15 +146,19 @@ impl System {
             initial_gap,
             flexibility: SymmetricMatrix::from_fn(0, |_, _| 0.0),
             search_region,
-            accepted: Accepted { displacement: zeros, whole: Vec::new(), plastic: RadialEnvelope::NONE },
+            accepted: Accepted {
+                displacement: zeros,
+                whole: Vec::new(),
+                plastic: RadialEnvelope::NONE,
+            },
             states: Vec::new(),
         };
         system.sum_flexibility();
         Ok((system, transferred.into_iter().collect()))
     }
 
-    /// Factorizes anew, with the tangent moduli of an answer on another mesh, one field for each model. Returns that
-    /// answer's displacements, transferred to the active equations.
+    /// Factorizes anew, with the tangent moduli of an answer on another mesh, one field for each
+    /// model. Returns that answer's displacements, transferred to the active equations.
     pub fn linearize_by(
         &mut self,
         previous: &[NodalField<'_>],
@@ -165,8 +174,9 @@ impl System {
         Ok(transferred)
     }
 
-    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on another mesh, one field for
-    /// each model, from displacements on this one. Returns the displacements after that change.
+    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on
+    /// another mesh, one field for each model, from displacements on this one. Returns the
+    /// displacements after that change.
     pub fn linearize_after(
         &mut self,
         from: &BlockVector,
@@ -193,7 +203,8 @@ impl System {
         self.states.last().map(|(_, displacement)| displacement)
     }
 
-    /// Displacements to start a load from: on the straight line through the last two states, or the last one.
+    /// Displacements to start a load from: on the straight line through the last two states, or
+    /// the last one.
     pub fn extrapolated(&self, load: f64) -> Option<BlockVector> {
         match self.states.as_slice() {
             [.., (before, u), (last, v)] if (last - before).abs() > f64::EPSILON * last.abs() => {
@@ -207,21 +218,27 @@ impl System {
         }
     }
 
-    /// Takes more elements into the plastic region of each body, whose states are kept: they have been elastic up to the last
-    /// accepted increment.
+    /// Takes more elements into the plastic region of each body, whose states are kept: they have
+    /// been elastic up to the last accepted increment.
     pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion) {
         let Self { bodies, accepted, .. } = self;
         for (k, body) in bodies.iter_mut().enumerate() {
-            body.extend_plastic_region(search_region, accepted.whole.get(k).map_or(&[], Vec::as_slice));
+            body.extend_plastic_region(
+                search_region,
+                accepted.whole.get(k).map_or(&[], Vec::as_slice),
+            );
         }
         self.search_region = search_region;
         // On the active equations, which are more now.
-        self.accepted.displacement =
-            if self.accepted.whole.is_empty() { self.zeros() } else { self.accepted.whole.clone() };
+        self.accepted.displacement = if self.accepted.whole.is_empty() {
+            self.zeros()
+        } else {
+            self.accepted.whole.clone()
+        };
     }
 
-    /// Looks for plastic flow in another part of each body. The factors have to be made anew before the next iteration with
-    /// tangent moduli.
+    /// Looks for plastic flow in another part of each body. The factors have to be made anew
+    /// before the next iteration with tangent moduli.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
         for body in &mut self.bodies {
             body.set_plastic_region(search_region);
@@ -230,12 +247,15 @@ impl System {
     }
 
     fn sum_flexibility(&mut self) {
-        let parts: Vec<&SymmetricMatrix> = self.bodies.iter().map(|body| &body.flexibility).collect();
-        self.flexibility = total_flexibility(self.zone.columns() + 1, &parts, &self.bodies_represented);
+        let parts: Vec<&SymmetricMatrix> =
+            self.bodies.iter().map(|body| &body.flexibility).collect();
+        self.flexibility =
+            total_flexibility(self.zone.columns() + 1, &parts, &self.bodies_represented);
     }
 
-    /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in axisymmetry, with
-    /// the shape function `N_k` of the surface. So a uniform pressure is found exactly.
+    /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in
+    /// axisymmetry, with the shape function `N_k` of the surface. So a uniform pressure is found
+    /// exactly.
     pub fn tributary(&self, k: usize) -> f64 {
         self.tributary_within(k, self.zone.abscissae())
     }
@@ -246,7 +266,8 @@ impl System {
         loaded.map(|k| self.zone.edge(k).unwrap_or_else(|| self.zone.abscissa(k))).collect()
     }
 
-    /// [`Self::tributary`], but of an edge at which the contact ends only what lies inside of the edge.
+    /// [`Self::tributary`], but of an edge at which the contact ends only what lies inside of the
+    /// edge.
     fn loaded_width(&self, k: usize, force: &[f64]) -> f64 {
         let Some(edge) = self.zone.edge(k) else { return self.tributary(k) };
         let x = self.zone.abscissae();
@@ -266,7 +287,8 @@ impl System {
     /// [`Self::tributary`] on the columns between these abscissae, `x[k]` being that of the pair.
     fn tributary_within(&self, k: usize, x: &[f64]) -> f64 {
         let here = x[k];
-        let (inner, outer) = (k.checked_sub(1).map(|j| here - x[j]), x.get(k + 1).map(|x| x - here));
+        let (inner, outer) =
+            (k.checked_sub(1).map(|j| here - x[j]), x.get(k + 1).map(|x| x - here));
         let (inner, outer) = (inner.unwrap_or(0.0), outer.unwrap_or(0.0));
         match self.stress_state {
             StressState::PlaneStrain | StressState::PlaneStress => 0.5 * (inner + outer),
@@ -274,21 +296,25 @@ impl System {
                 let Some(pair) = &self.conforming else {
                     return PI * (inner * (here - inner / 3.0) + outer * (here + outer / 3.0));
                 };
-                // Simpson's rule with the distance from the axis at the node and half an element beside it.
-                let side =
-                    |width: f64, middle: f64| width * (2.0 * pair.half_chord(middle) + pair.half_chord(here));
+                // Simpson's rule with the distance from the axis at the node and half an element
+                // beside it.
+                let side = |width: f64, middle: f64| {
+                    width * (2.0 * pair.half_chord(middle) + pair.half_chord(here))
+                };
                 PI / 3.0 * (side(inner, here - 0.5 * inner) + side(outer, here + 0.5 * outer))
             }
         }
     }
 
-    /// The first half of a solve: `L⁻¹ P_e` on the active equations, and by how much these loads widen the gap at each pair,
-    /// `u_p`. Of `K⁻¹ P_e` only the contact entries are needed before R is known, and R enters at the end of the
-    /// elimination, so that nothing is done twice.
+    /// The first half of a solve: `L⁻¹ P_e` on the active equations, and by how much these loads
+    /// widen the gap at each pair, `u_p`. Of `K⁻¹ P_e` only the contact entries are needed before
+    /// R is known, and R enters at the end of the elimination, so that nothing is done twice.
     pub fn eliminate(&self, loads: &BlockVector) -> (BlockVector, Vec<f64>) {
         let mut forward = loads.clone();
         let mut gap_opening = vec![0.0; self.initial_gap.len()];
-        for ((body, x), count) in self.bodies.iter().zip(&mut forward).zip(&self.bodies_represented) {
+        for ((body, x), count) in
+            self.bodies.iter().zip(&mut forward).zip(&self.bodies_represented)
+        {
             body.factor.forward(&body.plastic_region.reach, x);
             let mut plastic = x.clone();
             body.factor.backward(&body.elastic.contact_reach, &mut plastic);
@@ -329,13 +355,14 @@ impl System {
         self.sides() as f64 * force.iter().zip(&self.closing).map(|(r, e)| r * e).sum::<f64>()
     }
 
-    /// The force of a pair, by that of its meshed part: of a pair on the axis half of it is meshed.
+    /// The force of a pair, by that of its meshed part: of a pair on the axis half of it is
+    /// meshed.
     pub fn pair_force(&self, pair: usize, force: f64) -> f64 {
         if pair == 0 && self.sides() == 2 { 2.0 * force } else { force }
     }
 
-    /// Contact pressure of each pair \[MPa\]: its force over the length or area it stands for; next to the axis of
-    /// a body of revolution, the smooth continuation of what lies around it.
+    /// Contact pressure of each pair \[MPa\]: its force over the length or area it stands for;
+    /// next to the axis of a body of revolution, the smooth continuation of what lies around it.
     pub fn pressures(&self, force: &[f64]) -> Vec<f64> {
         let mut pressures: Vec<f64> =
             (0..force.len()).map(|k| force[k] / self.loaded_width(k, force)).collect();
@@ -377,12 +404,21 @@ impl ContactSystem for System {
     }
 
     /// Of the meshed pairs.
-    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+    fn contact_problem<'a>(
+        &'a self,
+        initial_gap: &'a [f64],
+        load: ContactLoad,
+    ) -> ContactProblem<'a> {
         let load = match load {
             ContactLoad::Force(force) => ContactLoad::Force(force / self.sides() as f64),
             approach @ ContactLoad::Approach(_) => approach,
         };
-        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
+        ContactProblem {
+            flexibility: &self.flexibility,
+            initial_gap,
+            closing: &self.closing,
+            load,
+        }
     }
 
     fn gap_opening(&self, loads: &BlockVector) -> Vec<f64> {
@@ -448,7 +484,9 @@ impl ContactSystem for System {
     fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
         let parts = self.bodies.iter().zip(vectors);
         parts
-            .flat_map(|(body, v)| body.plastic_region.active_equations.iter().map(|&e| v[e as usize]))
+            .flat_map(|(body, v)| {
+                body.plastic_region.active_equations.iter().map(|&e| v[e as usize])
+            })
             .collect()
     }
 
@@ -533,7 +571,11 @@ impl Linearize for System {
 }
 
 /// `Σ count · F`.
-pub(crate) fn total_flexibility(n: usize, parts: &[&SymmetricMatrix], counts: &[usize]) -> SymmetricMatrix {
+pub(crate) fn total_flexibility(
+    n: usize,
+    parts: &[&SymmetricMatrix],
+    counts: &[usize],
+) -> SymmetricMatrix {
     SymmetricMatrix::from_fn(n, |i, j| {
         parts.iter().zip(counts).map(|(part, count)| *count as f64 * part[(i, j)]).sum()
     })

@@ -22,11 +22,18 @@ pub(crate) struct TransferredField {
 
 impl TransferredField {
     /// Carries a field to the nodes of a mesh that are wanted; zero at the others.
-    pub fn new(field: NodalField<'_>, stress_state: StressState, mesh: &Mesh, wanted: &[bool]) -> Self {
+    pub fn new(
+        field: NodalField<'_>,
+        stress_state: StressState,
+        mesh: &Mesh,
+        wanted: &[bool],
+    ) -> Self {
         let known = nodal_strain(field, stress_state);
         let mut locator = Locator::new(field.mesh);
-        let mut transferred =
-            Self { displacement: vec![[0.0; 2]; mesh.nodes.len()], strain: vec![[0.0; 4]; mesh.nodes.len()] };
+        let mut transferred = Self {
+            displacement: vec![[0.0; 2]; mesh.nodes.len()],
+            strain: vec![[0.0; 4]; mesh.nodes.len()],
+        };
         for node in (0..mesh.nodes.len()).filter(|&node| wanted[node]) {
             let place = locator.locate(mesh.nodes[node]);
             transferred.displacement[node] = place.interpolate(field.displacement);
@@ -37,8 +44,9 @@ impl TransferredField {
 
     /// Strains at the Gauss points of an element with these nodes, by its shape functions.
     ///
-    /// They belong to a continuous field. The strains of the transferred displacements themselves jump at every edge of the
-    /// previous mesh, and moduli taken from them cost twice as many iterations.
+    /// They belong to a continuous field. The strains of the transferred displacements themselves
+    /// jump at every edge of the previous mesh, and moduli taken from them cost twice as many
+    /// iterations.
     pub fn strain(&self, nodes: &[u32; 4]) -> [[f64; QUADRATURE_POINTS]; 4] {
         let mut strain = [[0.0; QUADRATURE_POINTS]; 4];
         for (&node, shape) in nodes.iter().zip(SHAPE_AT_POINTS.iter()) {
@@ -57,7 +65,8 @@ impl TransferredField {
         let mut displacement = vec![0.0; equations.len() + 1];
         for &equation in active_equations {
             let (node, component) = equations.origin(equation);
-            displacement[equation as usize] = self.displacement[node as usize][usize::from(component)];
+            displacement[equation as usize] =
+                self.displacement[node as usize][usize::from(component)];
         }
         displacement
     }
@@ -70,7 +79,8 @@ fn nodal_strain(field: NodalField<'_>, stress_state: StressState) -> Vec<[f64; 4
     for (element, nodes) in mesh.elements.iter().enumerate() {
         let quad = Quad::new(&mesh.corners(element), stress_state);
         let strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
-        let middle = strain.map(|component| component.iter().sum::<f64>() / QUADRATURE_POINTS as f64);
+        let middle =
+            strain.map(|component| component.iter().sum::<f64>() / QUADRATURE_POINTS as f64);
         for &node in nodes {
             let (sum, count) = &mut sums[node as usize];
             *count += 1;

@@ -1,4 +1,5 @@
-//! The slope dP/dα of the load-approach curve of elastic bodies at an answer, be they elastic by nature or because the load falls.
+//! The slope dP/dα of the load-approach curve of elastic bodies at an answer, be they elastic by
+//! nature or because the load falls.
 //!
 //! ```text
 //! dP/dα = eᵀ F⁻¹ e      over the pairs in contact: F their flexibility, e their cosines to the approach
@@ -9,12 +10,17 @@ use crate::solver::body_system::system::System;
 use crate::solver::method::couplings::iteration::State;
 use dense_cholesky::DenseCholesky;
 
-/// dP/dα of a system whose factors are elastic, of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches.
-/// A contact that ends somewhere between two nodes has a `patch`; one that is held by an edge has none.
+/// dP/dα of a system whose factors are elastic, of both sides of the axis together \[N/mm per mm,
+/// or N per mm\]; 0 where nothing touches. A contact that ends somewhere between two nodes has a
+/// `patch`; one that is held by an edge has none.
 ///
-/// The stiffness grows in steps as pair after pair comes into contact. Between two steps it is interpolated, by how it would change with
-/// one pair more or less.
-pub(super) fn elastic_stiffness(system: &System, state: &State, patch: Option<ContactPatch>) -> f64 {
+/// The stiffness grows in steps as pair after pair comes into contact. Between two steps it is
+/// interpolated, by how it would change with one pair more or less.
+pub(super) fn elastic_stiffness(
+    system: &System,
+    state: &State,
+    patch: Option<ContactPatch>,
+) -> f64 {
     let active: Vec<usize> = state.response.contact.active_set.iter().collect();
     let whole = stiffness(system, &active);
     patch.map_or(whole, |patch| whole + at_the_ends(system, &active, patch, whole))
@@ -22,7 +28,9 @@ pub(super) fn elastic_stiffness(system: &System, state: &State, patch: Option<Co
 
 /// That of these pairs.
 fn stiffness(system: &System, pairs: &[usize]) -> f64 {
-    let Ok(factor) = DenseCholesky::factor(system.flexibility.principal_block(pairs)) else { return 0.0 };
+    let Ok(factor) = DenseCholesky::factor(system.flexibility.principal_block(pairs)) else {
+        return 0.0;
+    };
     let mut tied: Vec<f64> = pairs.iter().map(|&k| system.closing[k]).collect();
     factor.solve_in_place(&mut tied);
     let mut force = vec![0.0; system.initial_gap.len()];
@@ -32,8 +40,9 @@ fn stiffness(system: &System, pairs: &[usize]) -> f64 {
     system.whole_load(&force)
 }
 
-/// Part of an element by which active pairs reach beyond the outermost of them. With it the stiffness of elastic
-/// cylinders agrees with the slope of their load-approach curve to 0.1 % at 10 to 40 elements over the half-width.
+/// Part of an element by which active pairs reach beyond the outermost of them. With it the
+/// stiffness of elastic cylinders agrees with the slope of their load-approach curve to 0.1 % at
+/// 10 to 40 elements over the half-width.
 const OVERHANG: f64 = 0.25;
 
 /// What the parts of elements between the outermost active pairs and the ends of the contact add.

@@ -1,4 +1,5 @@
-//! The final state, checked afresh by the full displacement fields and the material law everywhere.
+//! The final state, checked afresh by the full displacement fields and the material law
+//! everywhere.
 
 mod contact_stiffness;
 mod edge_contact;
@@ -36,8 +37,8 @@ use crate::solver::solution::{
 /// Elements over half of the arc of a tip with which the pressure on it is known to two per cent.
 pub(crate) const TIP_ELEMENTS: f64 = 4.0;
 
-/// Area of the section that strains so much, over the square of the half-width: beside a sharp edge strains grow without bound
-/// under any load.
+/// Area of the section that strains so much, over the square of the half-width: beside a sharp
+/// edge strains grow without bound under any load.
 const COLLAPSE_AREA: f64 = 1.0 / 400.0;
 
 /// Whether strains have outgrown the theory of small strains.
@@ -54,8 +55,8 @@ pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
     })
 }
 
-/// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
-/// computed is reused. Takes stresses and nodal displacements out of the pass.
+/// Judges the final state by the full displacement fields and the material law everywhere: nothing
+/// that the iteration computed is reused. Takes stresses and nodal displacements out of the pass.
 pub(crate) fn finish(
     problem: &Problem,
     pass: &mut MeshSolve,
@@ -64,16 +65,18 @@ pub(crate) fn finish(
     least: LeastScales,
     run: &mut Run<'_>,
 ) -> StepSolution {
-    let contact_stiffness = if pass.yields() { Ok(None) } else { unyielding_stiffness(problem, pass, run) };
+    let contact_stiffness =
+        if pass.yields() { Ok(None) } else { unyielding_stiffness(problem, pass, run) };
     let contact_stiffness = contact_stiffness.unwrap_or_else(|interrupt| {
         pass.outcome.status = interrupt.into();
         None
     });
     run.time_observed(Phase::Output, |observer| {
-        let (evidence, bodies) = from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
-            pass.outcome.status = interrupt.into();
-            from_iteration(pass)
-        });
+        let (evidence, bodies) =
+            from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
+                pass.outcome.status = interrupt.into();
+                from_iteration(pass)
+            });
         let contact_stiffness = contact_stiffness.filter(|_| !pass.outcome.status.is_stopped());
         let judged = judge(&pass.system, &pass.outcome, &evidence, load, tolerance, least.contact);
         let mut step = step(pass, evidence, &bodies, judged, contact_stiffness, load);
@@ -87,7 +90,8 @@ pub(crate) fn finish(
 fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<NarrowEdge> {
     let edge = EdgeContact::of(problem, step.patch?, step.spacing, step.force())?;
     let EdgeContact { elastic, flat } = edge;
-    edge.is_narrow(step.spacing).then(|| NarrowEdge { elastic, half_width: flat + elastic.width() })
+    edge.is_narrow(step.spacing)
+        .then(|| NarrowEdge { elastic, half_width: flat + elastic.width() })
 }
 
 /// The tip in the middle of the contact that is too narrow for the elements.
@@ -104,39 +108,46 @@ fn unresolved_tip(problem: &Problem, step: &StepSolution) -> Option<RoundedTip> 
     Some(RoundedTip { arc: Some(arc), elastic_pressure })
 }
 
-/// Pressure in the middle under a power on an elastic half-space, as a sum of flat punches whose forces grow with the half-width s as
-/// `sⁿ` (plane) and `sⁿ⁺¹` (axisymmetric) \[MPa\].
+/// Pressure in the middle under a power on an elastic half-space, as a sum of flat punches whose
+/// forces grow with the half-width s as `sⁿ` (plane) and `sⁿ⁺¹` (axisymmetric) \[MPa\].
 fn pointed_pressure(step: &StepSolution, exponent: f64) -> f64 {
     let (force, half_width) = (step.force(), step.half_width());
     let rest = exponent - 1.0;
     match step.stress_state {
-        StressState::Axisymmetric => 0.5 * (exponent + 1.0) / rest * force / (PI * half_width * half_width),
-        StressState::PlaneStrain | StressState::PlaneStress => exponent / rest * force / (PI * half_width),
+        StressState::Axisymmetric => {
+            0.5 * (exponent + 1.0) / rest * force / (PI * half_width * half_width)
+        }
+        StressState::PlaneStrain | StressState::PlaneStress => {
+            exponent / rest * force / (PI * half_width)
+        }
     }
 }
 
 /// The last iteration as it is, without stresses and stiffness.
 pub(crate) fn as_iterated(pass: &MeshSolve, load: ContactLoad, tolerance: f64) -> StepSolution {
     let (evidence, bodies) = from_iteration(pass);
-    let judged = judge(&pass.system, &pass.outcome, &evidence, load, tolerance, ContactScales::default());
+    let judged =
+        judge(&pass.system, &pass.outcome, &evidence, load, tolerance, ContactScales::default());
     step(pass, evidence, &bodies, judged, None, load)
 }
 
-/// Slope of the load-approach curve of bodies that have not yielded, which no narrow edge of a punch holds \[N/mm per mm\].
+/// Slope of the load-approach curve of bodies that have not yielded, which no narrow edge of a
+/// punch holds \[N/mm per mm\].
 fn unyielding_stiffness(
     problem: &Problem,
     pass: &mut MeshSolve,
     run: &mut Run<'_>,
 ) -> Result<Option<f64>, Interrupt> {
     let (spacing, force) = (pass.system.zone.spacing(), pass.figures().force);
-    let is_held =
-        |patch| EdgeContact::of(problem, patch, spacing, force).is_some_and(|edge| edge.is_narrow(spacing));
+    let is_held = |patch| {
+        EdgeContact::of(problem, patch, spacing, force).is_some_and(|edge| edge.is_narrow(spacing))
+    };
     let patch = pass.patch.filter(|patch| !is_held(*patch));
     stiffness_of_elastic_bodies(pass, patch, run)
 }
 
-/// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
-/// elastic bodies with these pairs in contact \[N/mm per mm\].
+/// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is,
+/// so that it is that of the elastic bodies with these pairs in contact \[N/mm per mm\].
 pub(crate) fn unloading_stiffness(pass: &mut MeshSolve, run: &mut Run<'_>) -> Option<f64> {
     // Whoever stops a job here has its last increment all the same.
     stiffness_of_elastic_bodies(pass, pass.patch, run).unwrap_or(None)
@@ -171,7 +182,9 @@ fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> O
         };
         // What was stored before the load is no work of it.
         if let Some(initial) = &body.initial_stress {
-            for (point, stress) in body.stress.points.iter().flatten().zip(initial.iter().flatten()) {
+            for (point, stress) in
+                body.stress.points.iter().flatten().zip(initial.iter().flatten())
+            {
                 energy.elastic -= copies * point.weight * density(*stress);
             }
             energy.elastic -= copies * model.work_of_initial_stress(&body.displacement);
@@ -189,7 +202,8 @@ fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> O
 /// The fields of each model.
 type Bodies = Vec<Arc<BodySolution>>;
 
-/// By the fields, unless the iteration was stopped and has none. The observer can stop it here as well.
+/// By the fields, unless the iteration was stopped and has none. The observer can stop it here as
+/// well.
 fn from_fields(
     pass: &mut MeshSolve,
     force_scale: f64,
@@ -205,13 +219,17 @@ fn from_fields(
     let mut squares = 0.0;
     let mut unloaded_gap = system.initial_gap.clone();
     let mut bodies = Vec::with_capacity(system.bodies.len());
-    for ((body, field), &copies) in system.bodies.iter().zip(&mut pass.fields).zip(&system.bodies_represented)
+    for ((body, field), &copies) in
+        system.bodies.iter().zip(&mut pass.fields).zip(&system.bodies_represented)
     {
         ask(observer)?;
-        let (nodal, stress) = (std::mem::take(&mut field.nodal), std::mem::take(&mut field.stress));
+        let (nodal, stress) =
+            (std::mem::take(&mut field.nodal), std::mem::take(&mut field.stress));
         let copies = copies as f64;
         squares += copies * body.residual_norm(&stress, &contact.force).powi(2);
-        for (g, w) in unloaded_gap.iter_mut().zip(body.elastic.contact_displacement(&field.displacement)) {
+        for (g, w) in
+            unloaded_gap.iter_mut().zip(body.elastic.contact_displacement(&field.displacement))
+        {
             *g += copies * w;
         }
         bodies.push(Arc::new(BodySolution::of(body, nodal, stress)));
@@ -293,8 +311,9 @@ fn peak_position(pairs: &[PairState]) -> f64 {
     highest.map_or(0.0, |pair| pair.x)
 }
 
-/// Largest pressure that bodies bear which yield in plane stress \[MPa\]: `σ_n² - σ_n σ_t + σ_t² = q²` has no `σ_n` beyond `2 q/√3`. Where
-/// a plateau ends between two pairs, the last one of it has the force of a part of the next, and more pressure than that.
+/// Largest pressure that bodies bear which yield in plane stress \[MPa\]: `σ_n² - σ_n σ_t + σ_t² =
+/// q²` has no `σ_n` beyond `2 q/√3`. Where a plateau ends between two pairs, the last one of it
+/// has the force of a part of the next, and more pressure than that.
 fn bearable_pressure(state: StressState, bodies: &[Arc<BodySolution>]) -> f64 {
     let of = |body: &Arc<BodySolution>| {
         let stresses = body.stress.points.iter().flatten().map(|point| von_mises(point.stress));
@@ -318,7 +337,8 @@ fn pair_states(
             pressure: pressures[k].min(limit),
             force: system.pair_force(k, force[k]),
             closing: system.closing[k],
-            // In contact the gap is zero by definition; the rounding error there is checked, not reported.
+            // In contact the gap is zero by definition; the rounding error there is checked, not
+            // reported.
             gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach * system.closing[k] },
         })
         .collect()

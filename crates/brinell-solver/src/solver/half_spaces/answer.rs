@@ -1,7 +1,8 @@
 //! An outcome as a step: checked afresh, measured.
 //!
-//! The contact conditions are checked by [`judge`] with the gap that the plastic strain leaves. The plastic law is asked about the
-//! deviators of whole stress tensors, not about those that the iteration went by.
+//! The contact conditions are checked by [`judge`] with the gap that the plastic strain leaves.
+//! The plastic law is asked about the deviators of whole stress tensors, not about those that the
+//! iteration went by.
 
 use std::sync::Arc;
 
@@ -36,7 +37,8 @@ impl Answer {
         if self.outcome.status.is_stopped() {
             return self.step_as_iterated(engine, load, last_peak);
         }
-        let stresses = watched(run, Phase::Output, |stop| stresses(&self.system, &self.outcome, stop));
+        let stresses =
+            watched(run, Phase::Output, |stop| stresses(&self.system, &self.outcome, stop));
         let stresses = match stresses {
             Ok(stresses) => stresses,
             Err(error) => {
@@ -49,7 +51,8 @@ impl Answer {
         };
         let measured = measure(&self.system, &self.outcome, last_peak, Some(stresses));
         let evidence = self.evidence(&measured.bodies, least.residual);
-        let judged = judge(&self.system, &self.outcome, &evidence, load, engine.tolerance, least.contact);
+        let judged =
+            judge(&self.system, &self.outcome, &evidence, load, engine.tolerance, least.contact);
         self.reported(engine, load, measured, &evidence, judged)
     }
 
@@ -102,7 +105,8 @@ impl Answer {
         evidence: &Evidence,
         (status, contact_check): (SolveStatus, KktReport),
     ) -> HalfSpaceStep {
-        let Measured { figures, peak_position, largest_cell_pressure, surface, energy, bodies } = measured;
+        let Measured { figures, peak_position, largest_cell_pressure, surface, energy, bodies } =
+            measured;
         HalfSpaceStep {
             status,
             load,

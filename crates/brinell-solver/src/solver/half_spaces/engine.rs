@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use brinell_halfspace::{
-    DEVIATOR_COMPONENTS, Elasticity, HalfSpace, Layers, SurfaceFlexibility, SurfaceGrid, YieldingBody,
+    DEVIATOR_COMPONENTS, Elasticity, HalfSpace, Layers, SurfaceFlexibility, SurfaceGrid,
+    YieldingBody,
 };
 
 use super::estimate::bytes;
@@ -27,32 +28,35 @@ use crate::solver::{SolveError, strategy};
 
 /// Half a side of the grid over the semi-axis. From the prototype in Python.
 const REACH: f64 = 1.6;
-/// Thickness of the first layer over the shorter side of a cell, and growth of the layers times cells along a side. From the
-/// prototype in Python.
+/// Thickness of the first layer over the shorter side of a cell, and growth of the layers times
+/// cells along a side. From the prototype in Python.
 const FIRST_LAYER: f64 = 0.75;
 const GROWTH: f64 = 1.92;
 /// Depth of the layers over the shorter semi-axis. From the prototype in Python.
 const DEPTH: f64 = 2.6;
-/// Overload of a ball, and what is left of it for a line, beyond which plastic zones are wider and deeper than that; they grow with its
-/// square root. Perfectly plastic balls and ellipsoids of radii 10 and 100 mm, overloads 3 to 30, reach within 0.9 of these grids.
+/// Overload of a ball, and what is left of it for a line, beyond which plastic zones are wider and
+/// deeper than that; they grow with its square root. Perfectly plastic balls and ellipsoids of
+/// radii 10 and 100 mm, overloads 3 to 30, reach within 0.9 of these grids.
 const WIDE_ZONE: f64 = 8.0;
 const WIDE_ZONE_OF_LINES: f64 = 4.0;
 /// How far a grid reaches beyond the ends of a roller, over the half-width of the contact.
 const BEYOND_ENDS: f64 = 1.0;
-/// Sides of cells along a roller over those across it, as long as they are not more than so many times as many.
+/// Sides of cells along a roller over those across it, as long as they are not more than so many
+/// times as many.
 const ROLLER_ASPECT: f64 = 4.0;
 const MOST_CELLS_ALONG: f64 = 8.0;
 /// Depth of the layers below heights over half the shorter side, and their growth.
 const PATCH_DEPTH: f64 = 0.5;
 const PATCH_GROWTH: f64 = 1.2;
-/// Factor by which cells grow at least where contact or plastic strain has reached the end of a grid, and how often they do.
+/// Factor by which cells grow at least where contact or plastic strain has reached the end of a
+/// grid, and how often they do.
 const ENLARGEMENT: f64 = 1.3;
 const MAX_ENLARGEMENTS: usize = 8;
 /// Half a side and depth of a grid over what yields on it.
 const MARGIN: f64 = 1.1;
 
-/// How a grid is laid out. Its cells are as many as its extent asks for: where contact or plastic strain reaches further than that, the
-/// cells grow and not their number, which bounds the memory.
+/// How a grid is laid out. Its cells are as many as its extent asks for: where contact or plastic
+/// strain reaches further than that, the cells grow and not their number, which bounds the memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GridDesign {
     /// Semi-axes along x and y, or more where plastic strain reaches far beyond them \[mm\].
@@ -65,7 +69,8 @@ pub(super) struct GridDesign {
     depth: f64,
     /// Factor on all depths.
     stretch: f64,
-    /// Half the length of a roller along y, which cells do not go across \[mm\], and whether it touches from end to end.
+    /// Half the length of a roller along y, which cells do not go across \[mm\], and whether it
+    /// touches from end to end.
     pub half_length: Option<f64>,
     is_line: bool,
     /// Cells along y over those along x.
@@ -83,14 +88,30 @@ impl GridDesign {
         let beyond = (overload / wide).sqrt().max(1.0) - 1.0;
         // Beyond the ends of a long contact plastic strain reaches as far as beside it.
         let reach = [1.0 + beyond, 1.0 + beyond * a / b].map(|factor| REACH * factor);
-        let reach = [reach[0], if is_line { 1.0 + BEYOND_ENDS * (1.0 + beyond) * a / b } else { reach[1] }];
-        let finer = if is_line { (b / (ROLLER_ASPECT * a)).clamp(1.0, MOST_CELLS_ALONG) } else { 1.0 };
+        let reach = [
+            reach[0],
+            if is_line { 1.0 + BEYOND_ENDS * (1.0 + beyond) * a / b } else { reach[1] },
+        ];
+        let finer =
+            if is_line { (b / (ROLLER_ASPECT * a)).clamp(1.0, MOST_CELLS_ALONG) } else { 1.0 };
         let depth = DEPTH * (1.0 + beyond);
         let semi_axes = [a, b];
         let (stretch, enlargements) = (1.0, 0);
         let patch = patch.map(|patch| (patch, asked));
-        let (reach, depth) = if patch.is_some() { ([1.0; 2], PATCH_DEPTH) } else { (reach, depth) };
-        Self { semi_axes, cells, reach, depth, stretch, half_length, is_line, finer, patch, enlargements }
+        let (reach, depth) =
+            if patch.is_some() { ([1.0; 2], PATCH_DEPTH) } else { (reach, depth) };
+        Self {
+            semi_axes,
+            cells,
+            reach,
+            depth,
+            stretch,
+            half_length,
+            is_line,
+            finer,
+            patch,
+            enlargements,
+        }
     }
 
     /// Whether the grid is that of heights.
@@ -117,7 +138,8 @@ impl GridDesign {
         }
     }
 
-    /// The same number of cells around this contact and what yields below it; this design where nothing touches.
+    /// The same number of cells around this contact and what yields below it; this design where
+    /// nothing touches.
     pub fn fitted(self, system: &HalfSpaces, force: &[f64]) -> Self {
         let mut axes = reach(system, force);
         if self.patch.is_some() || axes[0].min(axes[1]) <= 0.0 {
@@ -136,8 +158,11 @@ impl GridDesign {
     fn enlarged(self, system: &HalfSpaces, force: &[f64], reached: [bool; 3]) -> Self {
         let factor = reached.map(|reached| if reached { ENLARGEMENT } else { 1.0 });
         let [x, y] = self.semi_axes;
-        let least =
-            Self { semi_axes: [factor[0] * x, factor[1] * y], enlargements: self.enlargements + 1, ..self };
+        let least = Self {
+            semi_axes: [factor[0] * x, factor[1] * y],
+            enlargements: self.enlargements + 1,
+            ..self
+        };
         let next = least.union(self.fitted(system, force));
         let stretch = factor[2] * self.stretch * self.shorter() / next.shorter();
         Self { stretch: stretch.max(1.0), ..next }
@@ -170,16 +195,23 @@ impl GridDesign {
         let grid = SurfaceGrid::new(counts[0], counts[1], sides[0], sides[1])?;
         let growth = 1.0 + GROWTH / (2.0 * REACH * self.cells);
         let first = FIRST_LAYER * sides[0].min(sides[1]);
-        let layers =
-            Layers::graded(self.stretch * first, growth, self.stretch * self.depth * self.shorter())?;
+        let layers = Layers::graded(
+            self.stretch * first,
+            growth,
+            self.stretch * self.depth * self.shorter(),
+        )?;
         Ok((grid, layers))
     }
 }
 
 impl GridDesign {
-    /// The grid of heights, with this part of its cells along each side. Layers grow faster than elsewhere, because there are many cells to a
-    /// side.
-    fn grid_of_patch(&self, cells: [usize; 2], part: f64) -> Result<(SurfaceGrid, Layers), SolveError> {
+    /// The grid of heights, with this part of its cells along each side. Layers grow faster than
+    /// elsewhere, because there are many cells to a side.
+    fn grid_of_patch(
+        &self,
+        cells: [usize; 2],
+        part: f64,
+    ) -> Result<(SurfaceGrid, Layers), SolveError> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 512")]
         let counts = cells.map(|count| ((count as f64 * part).round() as usize).clamp(2, count));
         let sides = [0, 1].map(|k| 2.0 * self.semi_axes[k] / counts[k] as f64);
@@ -201,7 +233,8 @@ pub(super) struct HalfSpaceEngine<'a> {
     pub coarse: Vec<HalfSpaceFigures>,
 }
 
-/// Largest violation of a contact condition that the contact solver leaves: half of what the check lets pass.
+/// Largest violation of a contact condition that the contact solver leaves: half of what the check
+/// lets pass.
 const CONTACT_TOLERANCE: f64 = 5e-9;
 
 impl<'a> HalfSpaceEngine<'a> {
@@ -262,7 +295,13 @@ impl solve::Answer for Answer {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
         let [x, y] = semi_axes(&self.system, &contact.force);
-        CoarseFigures { peak_pressure, half_width: x.min(y), approach, force, ..CoarseFigures::default() }
+        CoarseFigures {
+            peak_pressure,
+            half_width: x.min(y),
+            approach,
+            force,
+            ..CoarseFigures::default()
+        }
     }
 
     fn has_collapsed(&self) -> bool {
@@ -280,13 +319,14 @@ impl HalfSpaceEngine<'_> {
         run.hold(Held::Bodies, bytes(problem, &grid, &layers))?;
         let initial_gap = problem.gap(&grid);
         let is_symmetric = is_symmetric(problem, &grid, &layers, &initial_gap);
-        let are_equal = problem.materials[0].is_some() && problem.materials[0] == problem.materials[1];
+        let are_equal =
+            problem.materials[0].is_some() && problem.materials[0] == problem.materials[1];
         let mut bodies = Vec::new();
         let mut body = |material: &Option<Deformable>, count: u8| {
             let material = material.as_ref();
             let count = (count, is_symmetric);
-            let built =
-                material.map(|material| self.body(material, &grid, &layers, (count, run), &mut bodies));
+            let built = material
+                .map(|material| self.body(material, &grid, &layers, (count, run), &mut bodies));
             built.transpose()
         };
         let [upper, lower] = &problem.materials;
@@ -298,7 +338,8 @@ impl HalfSpaceEngine<'_> {
         };
         let of_body = |body: &YieldingBody| {
             let weight = |layer: usize| {
-                grid.cell_area() * (body.space().layers().thickness(layer) / design.shorter()).sqrt()
+                grid.cell_area()
+                    * (body.space().layers().thickness(layer) / design.shorter()).sqrt()
             };
             (0..layers.len()).map(weight).collect()
         };
@@ -325,7 +366,8 @@ impl HalfSpaceEngine<'_> {
         bodies: &mut Vec<YieldingBody>,
     ) -> Result<ElasticBody, SolveError> {
         let constants = material.elastic();
-        let constants = Elasticity::new(constants.young_modulus.get(), constants.poisson_ratio.get())?;
+        let constants =
+            Elasticity::new(constants.young_modulus.get(), constants.poisson_ratio.get())?;
         let initial = initial_stress(material, self.problem.orientation(), layers);
         let law = law_of_cells(material, self.theory, layers, grid.n_cells());
         let build = if law.is_some() { HalfSpace::new } else { HalfSpace::periodic };
@@ -356,7 +398,9 @@ pub(super) fn is_symmetric(
         && rows.all(|row| row.iter().eq(row.iter().rev()));
     is_even
         && problem.materials.iter().flatten().all(|material| {
-            initial_stress(material, problem.orientation(), layers).iter().all(|[_, _, xy]| xy.abs() <= 0.0)
+            initial_stress(material, problem.orientation(), layers)
+                .iter()
+                .all(|[_, _, xy]| xy.abs() <= 0.0)
         })
 }
 
@@ -387,7 +431,11 @@ fn plastic_zone(system: &HalfSpaces) -> [f64; 3] {
             let (layer, of_layer) = (cell / grid.n_cells(), cell % grid.n_cells());
             if body.law().has_yielded(layer, cell) {
                 let [x, y] = place(grid, of_layer);
-                let reach = [x.abs() + 0.5 * grid.hx(), y.abs() + 0.5 * grid.hy(), layers.faces()[layer + 1]];
+                let reach = [
+                    x.abs() + 0.5 * grid.hx(),
+                    y.abs() + 0.5 * grid.hy(),
+                    layers.faces()[layer + 1],
+                ];
                 zone = std::array::from_fn(|k| zone[k].max(reach[k]));
             }
         }

@@ -3,9 +3,10 @@
 //! ```text
 //! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor      n cells, N increments, the latter on the coarse grid
 //! ```
-//! Floors are for what scatters with the cells at the edge of the contact: approach and semi-axes, and all other figures of
-//! contacts that yield. Factors and floors are those by which the prototype's figures on 16 to 64 cells a side are covered, but for
-//! semi-axes and plastic strain, whose floors cover random contacts on 4 to 10 cells over a semi-axis.
+//! Floors are for what scatters with the cells at the edge of the contact: approach and semi-axes,
+//! and all other figures of contacts that yield. Factors and floors are those by which the
+//! prototype's figures on 16 to 64 cells a side are covered, but for semi-axes and plastic strain,
+//! whose floors cover random contacts on 4 to 10 cells over a semi-axis.
 
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
@@ -14,13 +15,15 @@ use crate::solver::method::steps::CoarseFigures;
 
 const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
-/// Floors over the figure: pressure, dent and stress; approach. Semi-axes and plastic strain: over cell and semi-axis.
+/// Floors over the figure: pressure, dent and stress; approach. Semi-axes and plastic strain: over
+/// cell and semi-axis.
 const SCATTER: f64 = 1e-2;
 const SCATTER_OF_APPROACH: f64 = 1.5e-3;
 const SCATTER_OF_AXES: f64 = 0.2;
 const SCATTER_OF_STRAIN: f64 = 0.3;
-/// More of the pressure, times the distance of its peak from the middle over the semi-axis: single cells are jagged near the edge. Of a
-/// perfectly plastic ball at six yield stresses 10 and 15 cells find 4.6 and 3 % too much.
+/// More of the pressure, times the distance of its peak from the middle over the semi-axis: single
+/// cells are jagged near the edge. Of a perfectly plastic ball at six yield stresses 10 and 15
+/// cells find 4.6 and 3 % too much.
 const SCATTER_OF_RING: f64 = 2e-2;
 /// By how much the force changes with the approach, of both logarithms.
 const FORCE_OVER_APPROACH: f64 = 1.5;
@@ -81,8 +84,8 @@ fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
 }
 
 impl HalfSpaceFigures {
-    /// Adds what half as many increments change, relative to figures: of approach, force and widths their own, of all others that of the
-    /// pressure, which changes most.
+    /// Adds what half as many increments change, relative to figures: of approach, force and
+    /// widths their own, of all others that of the pressure, which changes most.
     pub(super) fn add_increments(&mut self, figures: &Self, changes: CoarseFigures) {
         let CoarseFigures { peak_pressure, half_width, approach, force, .. } = changes;
         let relative = Self {
@@ -97,7 +100,9 @@ impl HalfSpaceFigures {
             least_stress: [peak_pressure; 2],
         };
         let (errors, figures, relative) = (self.values(), figures.values(), relative.values());
-        *self = Self::of(std::array::from_fn(|k| errors[k] + OF_INCREMENTS * relative[k] * figures[k].abs()));
+        *self = Self::of(std::array::from_fn(|k| {
+            errors[k] + OF_INCREMENTS * relative[k] * figures[k].abs()
+        }));
     }
 
     fn values(&self) -> [f64; 14] {
@@ -107,7 +112,9 @@ impl HalfSpaceFigures {
         [force, approach, peak_pressure, a, b, area, e0, e1, d0, d1, p0, p1, s0, s1]
     }
 
-    fn of([force, approach, peak_pressure, a, b, area, e0, e1, d0, d1, p0, p1, s0, s1]: [f64; 14]) -> Self {
+    fn of(
+        [force, approach, peak_pressure, a, b, area, e0, e1, d0, d1, p0, p1, s0, s1]: [f64; 14],
+    ) -> Self {
         Self {
             force,
             approach,

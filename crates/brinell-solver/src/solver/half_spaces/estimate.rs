@@ -11,7 +11,8 @@ use crate::solver::method::couplings::anderson::DEPTH;
 
 /// Part of the cells that flows.
 const FLOWING: f64 = 0.25;
-/// Vectors of all cells that a solve holds beside those of a body: initial stress, its image, trials, accepted state.
+/// Vectors of all cells that a solve holds beside those of a body: initial stress, its image,
+/// trials, accepted state.
 const VECTORS: usize = 6;
 
 /// The grid of a problem, as long as contact and plastic strain stay on it.
@@ -65,10 +66,18 @@ pub(super) fn bytes(problem: &HalfSpaceProblem, grid: &SurfaceGrid, layers: &Lay
     let operators = HalfSpace::bytes(grid, layers.len(), is_symmetric);
     let are_equal = problem.materials[0] == problem.materials[1];
     let bodies = if are_equal { 1 } else { problem.materials.iter().flatten().count() };
-    let yielding =
-        problem.materials.iter().flatten().filter(|material| material.plasticity().is_some()).count();
+    let yielding = problem
+        .materials
+        .iter()
+        .flatten()
+        .filter(|material| material.plasticity().is_some())
+        .count();
     let yielding = if are_equal { yielding.min(1) } else { yielding };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bytes of a field")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "bytes of a field"
+    )]
     let anderson = (2.0 * (DEPTH + 2) as f64 * FLOWING * field as f64) as usize;
     // Strain, stress before, total and stress of the body, and fields of the answer.
     let of_yielding = (VECTORS + 4) * field + anderson;

@@ -1,4 +1,5 @@
-//! The gap between two half-spaces before they touch, and what a roller has of it beside its curvature.
+//! The gap between two half-spaces before they touch, and what a roller has of it beside its
+//! curvature.
 
 use brinell_halfspace::SurfaceGrid;
 
@@ -26,7 +27,8 @@ pub enum Relief {
     Straight,
     /// By `c ln(1/(1 - (2y/L)²))` with this c.
     Logarithmic(f64),
-    /// By the heights of points `[y, height]`, straight between them and level beyond them; y rises.
+    /// By the heights of points `[y, height]`, straight between them and level beyond them; y
+    /// rises.
     Points(Vec<[f64; 2]>),
 }
 
@@ -69,7 +71,8 @@ impl RollerGap {
     }
 }
 
-/// Heights of both surfaces together at the middles of equal cells around the origin. Lengths in mm.
+/// Heights of both surfaces together at the middles of equal cells around the origin. Lengths in
+/// mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightMap {
     /// `[i * cells[1] + j]`.
@@ -140,7 +143,8 @@ impl HalfSpaceProblem {
         self.heights.is_none() && self.rollers.iter().all(RollerGap::is_even)
     }
 
-    /// Half the length along y of the fields that rollers leave the contact \[mm\]; `None` without a roller.
+    /// Half the length along y of the fields that rollers leave the contact \[mm\]; `None` without
+    /// a roller.
     pub fn half_length(&self) -> Option<f64> {
         self.rollers.iter().map(|roller| 0.5 * roller.length).reduce(f64::min)
     }
@@ -176,7 +180,8 @@ mod tests {
         assert_eq!(roller(Relief::Straight).fall([1.0, -4.1]).to_bits(), 5.0f64.to_bits());
         let logarithmic = roller(Relief::Logarithmic(1e-3));
         assert!((logarithmic.fall([0.0, 2.0]) - 1e-3 * (4.0f64 / 3.0).ln()).abs() < 1e-15);
-        let points = roller(Relief::Points(vec![[-3.0, -0.01], [0.0, 0.0], [2.0, 0.0], [3.0, -0.02]]));
+        let points =
+            roller(Relief::Points(vec![[-3.0, -0.01], [0.0, 0.0], [2.0, 0.0], [3.0, -0.02]]));
         for (y, fall) in [(-3.5, 0.01), (-1.5, 0.005), (1.0, 0.0), (2.5, 0.01), (3.5, 0.02)] {
             assert!((points.fall([0.0, y]) - fall).abs() < 1e-15, "{y}");
         }
@@ -184,6 +189,10 @@ mod tests {
         let turned = RollerGap { rotation: std::f64::consts::FRAC_PI_2, ..points };
         assert!((turned.fall([1.5, 0.0]) - 0.005).abs() < 1e-15, "its y is the job's -x");
         let tilted = RollerGap { tilt: 1e-3, ..roller(Relief::Straight) };
-        assert!((tilted.fall([0.0, 3.0]) + 3e-3).abs() < 1e-15 && !tilted.is_even() && !tilted.is_plain());
+        assert!(
+            (tilted.fall([0.0, 3.0]) + 3e-3).abs() < 1e-15
+                && !tilted.is_even()
+                && !tilted.is_plain()
+        );
     }
 }

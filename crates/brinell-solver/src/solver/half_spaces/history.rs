@@ -1,5 +1,5 @@
-//! Half-spaces that go on from accepted states: histories of the method, on a grid of half the cells and on the one that was
-//! asked for.
+//! Half-spaces that go on from accepted states: histories of the method, on a grid of half the
+//! cells and on the one that was asked for.
 
 use super::engine::{Answer, GridDesign, HalfSpaceEngine};
 use super::measure::{measure, place, stresses};
@@ -15,14 +15,18 @@ use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::Controls;
 use crate::solver::method::final_check::LeastScales;
-use crate::solver::method::history::{EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities};
+use crate::solver::method::history::{
+    EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities,
+};
 use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
 
-/// Largest pressure over the yield stress at which a ball begins to yield (Poisson's ratio 0.3); others begin later.
+/// Largest pressure over the yield stress at which a ball begins to yield (Poisson's ratio 0.3);
+/// others begin later.
 const ONSET: f64 = 1.6;
-/// Powers of the semi-axes with which force and approach grow, between the elastic and the fully plastic contact of a ball.
+/// Powers of the semi-axes with which force and approach grow, between the elastic and the fully
+/// plastic contact of a ball.
 const FORCE_EXPONENT: f64 = 2.4;
 const APPROACH_EXPONENT: f64 = 2.0;
 
@@ -106,7 +110,8 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
         progress: &Progress,
         run: &mut Run<'_>,
     ) -> HalfSpaceStep {
-        let least = LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
+        let least =
+            LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         let mut step = answer.step(self, load, memory.peak, least, run);
         let coarse = progress.number.load.checked_sub(1).and_then(|load| self.coarse.get(load));
         step.errors = coarse.and_then(|coarse| step.errors_beside(coarse));
@@ -141,7 +146,8 @@ impl<'a> TwoDensities for OnTwoGrids<'a> {
             design = Some(design.map_or(next, |design| design.union(next)));
         }
         let design = design.ok_or(SolveError::NoLoad)?;
-        let engine = HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance.get());
+        let engine =
+            HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance.get());
         Ok((engine, design.with_cells(0.5 * problem.cells())))
     }
 

@@ -6,10 +6,12 @@ use brinell_halfspace::{Layers, PlasticLaw};
 
 use crate::job::{Deformable, Theory};
 use crate::material::{
-    BackstressTerm, ElasticModuli, FlowPlasticity, Flowing, HardeningLaw, OutOfPlane, ReturnMapping, scaled,
+    BackstressTerm, ElasticModuli, FlowPlasticity, Flowing, HardeningLaw, OutOfPlane,
+    ReturnMapping, scaled,
 };
 
-/// The law of a material in cells, if it can yield. Its strength is that of the middle of each layer.
+/// The law of a material in cells, if it can yield. Its strength is that of the middle of each
+/// layer.
 ///
 /// Deformation theory is one path from the stress-free state in one part, without backstress.
 pub(super) fn law_of_cells(
@@ -89,7 +91,13 @@ impl<const N: usize> PlasticLaw for Cells<N> {
         if N == 0 { self.models[layer].mapping().yield_stress() } else { 0.0 }
     }
 
-    fn flow(&mut self, layer: usize, cell: usize, old: &[f64; 6], trial: &[f64; 6]) -> Option<[f64; 6]> {
+    fn flow(
+        &mut self,
+        layer: usize,
+        cell: usize,
+        old: &[f64; 6],
+        trial: &[f64; 6],
+    ) -> Option<[f64; 6]> {
         let CellState { accumulated, backstress, plastic_work } = self.accepted[cell];
         let from = Flowing { stress: *old, accumulated, backstress, plastic_work };
         let step = std::array::from_fn(|k| trial[k] - old[k]);

@@ -21,8 +21,8 @@ pub(super) struct Measured {
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
 }
 
-/// Stresses of the upper and lower body \[MPa\], without those before the load; `None` of a rigid one and of an upper one that is
-/// like the lower one.
+/// Stresses of the upper and lower body \[MPa\], without those before the load; `None` of a rigid
+/// one and of an upper one that is like the lower one.
 pub(super) type Stresses = [Option<TensorField>; 2];
 
 /// Evaluates the stresses of an answer.
@@ -46,8 +46,8 @@ pub(super) fn stresses(
     Ok([upper.map(&mut of).transpose()?, lower.as_ref().map(of).transpose()?])
 }
 
-/// Reads off an answer. Without stresses none are reported, nor what follows from them; `last_peak` is where the pressure was largest
-/// before, for bodies that do not touch.
+/// Reads off an answer. Without stresses none are reported, nor what follows from them;
+/// `last_peak` is where the pressure was largest before, for bodies that do not touch.
 pub(super) fn measure(
     system: &HalfSpaces,
     outcome: &Outcome,
@@ -70,12 +70,22 @@ pub(super) fn measure(
         peak_pressure,
         semi_axes: axes,
         area: area(system, &pressure, axes),
-        max_plastic_strain: of_bodies(&bodies, |body| body.largest_strain.map_or(0.0, |most| most.value)),
-        dent: of_bodies(&bodies, |body| body.plastic_displacement.iter().copied().fold(0.0, f64::max)),
-        pile_up: of_bodies(&bodies, |body| -body.plastic_displacement.iter().copied().fold(0.0, f64::min)),
+        max_plastic_strain: of_bodies(&bodies, |body| {
+            body.largest_strain.map_or(0.0, |most| most.value)
+        }),
+        dent: of_bodies(&bodies, |body| {
+            body.plastic_displacement.iter().copied().fold(0.0, f64::max)
+        }),
+        pile_up: of_bodies(&bodies, |body| {
+            -body.plastic_displacement.iter().copied().fold(0.0, f64::min)
+        }),
         least_stress: of_bodies(&bodies, |body| {
             let column = body.column(peak_position);
-            column.iter().skip(1).map(|point| point.stress[0].min(point.stress[1])).fold(0.0, f64::min)
+            column
+                .iter()
+                .skip(1)
+                .map(|point| point.stress[0].min(point.stress[1]))
+                .fold(0.0, f64::min)
         }),
     };
     Measured {
@@ -88,7 +98,8 @@ pub(super) fn measure(
     }
 }
 
-/// Elastic energy of the pressure, `½ RᵀF R`, and of plastic strain, whose cross terms cancel; and the work of plastic flow.
+/// Elastic energy of the pressure, `½ RᵀF R`, and of plastic strain, whose cross terms cancel; and
+/// the work of plastic flow.
 fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
     let (state, force) = (&outcome.state, &outcome.state.response.contact.force);
     let mut displacement = vec![0.0; force.len()];
@@ -104,7 +115,8 @@ fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
         for cell in 0..layers.len() * n_cells {
             let layer = cell / n_cells;
             let volume = body.count() * layers.thickness(layer) * system.grid().cell_area();
-            let [work, stored] = body.law().plastic_work(layer, cell).map(|density| volume * density);
+            let [work, stored] =
+                body.law().plastic_work(layer, cell).map(|density| volume * density);
             energy.plastic_work += work;
             energy.backstress += stored;
         }
@@ -112,7 +124,10 @@ fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
     energy
 }
 
-fn of_bodies(bodies: &[Option<Arc<HalfSpaceBody>>; 2], figure: impl Fn(&HalfSpaceBody) -> f64) -> [f64; 2] {
+fn of_bodies(
+    bodies: &[Option<Arc<HalfSpaceBody>>; 2],
+    figure: impl Fn(&HalfSpaceBody) -> f64,
+) -> [f64; 2] {
     bodies.each_ref().map(|body| body.as_deref().map_or(0.0, &figure))
 }
 
@@ -161,11 +176,20 @@ fn field(system: &HalfSpaces, body: &ElasticBody, stress: Option<TensorField>) -
     result
 }
 
-fn elastic_stress(body: &ElasticBody, pressure: &[f64], stop: &mut Stop<'_>) -> Result<TensorField, Stopped> {
+fn elastic_stress(
+    body: &ElasticBody,
+    pressure: &[f64],
+    stop: &mut Stop<'_>,
+) -> Result<TensorField, Stopped> {
     let (n_layers, n_cells) = (body.space.layers().len(), body.space.grid().n_cells());
     let mut work = body.space.work();
     let mut opening = vec![0.0; n_cells];
-    body.space.opening(&TensorField::deviators(n_layers, n_cells), &mut work, &mut opening, stop)?;
+    body.space.opening(
+        &TensorField::deviators(n_layers, n_cells),
+        &mut work,
+        &mut opening,
+        stop,
+    )?;
     let mut stress = TensorField::tensors(n_layers, n_cells);
     body.space.stress(pressure, &mut work, &mut stress, stop)?;
     Ok(stress)
@@ -219,7 +243,8 @@ pub(super) fn reach(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
         return axes;
     }
     let touched = (0..pressure.len()).filter(|cell| pressure[*cell] > 0.0);
-    let farthest = touched.map(|cell| place(grid, cell)[1].abs() + 0.5 * grid.hy()).fold(0.0, f64::max);
+    let farthest =
+        touched.map(|cell| place(grid, cell)[1].abs() + 0.5 * grid.hy()).fold(0.0, f64::max);
     [axes[0], farthest]
 }
 
@@ -233,7 +258,8 @@ fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     [half(&|cell| cell / grid.ny(), grid.hx()), half(&|cell| cell % grid.ny(), grid.hy())]
 }
 
-/// Area of the ellipse of these semi-axes, of a roller that of its rows, of heights that of the cells in contact.
+/// Area of the ellipse of these semi-axes, of a roller that of its rows, of heights that of the
+/// cells in contact.
 fn area(system: &HalfSpaces, pressure: &[f64], axes: [f64; 2]) -> f64 {
     if system.design.is_patch() {
         return pressure.iter().filter(|p| **p > 0.0).count() as f64 * system.grid().cell_area();
@@ -271,8 +297,8 @@ impl Row {
     }
 }
 
-/// Where the square of the pressure, on the straight line through the outermost two cells of the rows in the middle, comes
-/// to zero.
+/// Where the square of the pressure, on the straight line through the outermost two cells of the
+/// rows in the middle, comes to zero.
 fn ellipse(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     let (nx, ny) = (grid.nx(), grid.ny());
     let middle = |n: usize| [(n - 1) / 2, n / 2];
@@ -286,16 +312,19 @@ fn ellipse(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
 
 fn half_width(row: &[f64], side: f64) -> f64 {
     let in_contact = |k: &usize| row[*k] > 0.0;
-    let (Some(first), Some(last)) = ((0..row.len()).find(in_contact), (0..row.len()).rev().find(in_contact))
+    let (Some(first), Some(last)) =
+        ((0..row.len()).find(in_contact), (0..row.len()).rev().find(in_contact))
     else {
         return 0.0;
     };
     // Beyond the middle of the outermost cell, half a cell where the line does not fall.
     let beyond = |inner: Option<&f64>, outer: f64| match inner {
-        Some(inner) if *inner > outer => (outer * outer / (inner * inner - outer * outer)).min(1.0),
+        Some(inner) if *inner > outer => {
+            (outer * outer / (inner * inner - outer * outer)).min(1.0)
+        }
         _ => 0.5,
     };
-    let ends =
-        beyond(row.get(first + 1), row[first]) + beyond(last.checked_sub(1).map(|k| &row[k]), row[last]);
+    let ends = beyond(row.get(first + 1), row[first])
+        + beyond(last.checked_sub(1).map(|k| &row[k]), row[last]);
     0.5 * side * ((last - first) as f64 + ends)
 }

@@ -1,9 +1,11 @@
 //! Contact in three dimensions: two half-spaces as an engine of the method.
 //!
-//! A [`HalfSpaceProblem`] is what a job says. [`run_each`] hands over one [`HalfSpaceStep`] for each load.
+//! A [`HalfSpaceProblem`] is what a job says. [`run_each`] hands over one [`HalfSpaceStep`] for
+//! each load.
 //!
-//! Frame of all maps and fields: x along the shorter semi-axis of the contact, y along the longer one, z into the
-//! body. [`HalfSpaceProblem::orientation`] is the angle from the job's x to this x, towards the job's y.
+//! Frame of all maps and fields: x along the shorter semi-axis of the contact, y along the longer
+//! one, z into the body. [`HalfSpaceProblem::orientation`] is the angle from the job's x to this
+//! x, towards the job's y.
 
 mod answer;
 mod engine;
@@ -25,4 +27,6 @@ pub use measure::Row;
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};
 pub use search::HighestUtilization;
-pub use step::{ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceStep, LargestStrain, SurfaceMap};
+pub use step::{
+    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceStep, LargestStrain, SurfaceMap,
+};

@@ -10,21 +10,23 @@ use crate::job::{Deformable, Load, SolverSettings};
 use crate::material::HardeningLaw;
 use crate::solver::SolveError;
 
-/// Curvatures closer than this part of their sum are those of a circle, whose axes have no direction.
+/// Curvatures closer than this part of their sum are those of a circle, whose axes have no
+/// direction.
 const CIRCLE: f64 = 1e-12;
 /// Curvature along a roller over that across it below which the roller is straight.
 const LINE: f64 = 1e-9;
 /// Forces between which one is sought \[N\], and how often their range is halved.
 const FORCES: [f64; 2] = [1e-12, 1e12];
 const BISECTIONS: u32 = 60;
-/// Mean pressure of a fully plastic contact over the flow stress, and the strain at which that is taken over half-width times
-/// curvature.
+/// Mean pressure of a fully plastic contact over the flow stress, and the strain at which that is
+/// taken over half-width times curvature.
 ///
 /// # Reference
 /// D. Tabor, *The Hardness of Metals* (1951).
 const CONSTRAINT: f64 = 3.0;
 const INDENTATION_STRAIN: f64 = 0.2;
-/// Overload beyond which nothing is solved. A perfectly plastic ball of steel has strains of 13 % at 30.
+/// Overload beyond which nothing is solved. A perfectly plastic ball of steel has strains of 13 %
+/// at 30.
 const MOST_OVERLOAD: f64 = 40.0;
 
 /// Two bodies, the curvature of the gap between them, and what presses them together.
@@ -34,12 +36,13 @@ pub struct HalfSpaceProblem {
     ///
     /// A `sigma_x` of an initial stress acts along the job's x, a `sigma_z` along its y.
     pub materials: [Option<Deformable>; 2],
-    /// `[k_xx, k_yy, k_xy]` of the gap `(k_xx x² + k_yy y²)/2 + k_xy x y`, the sum over both surfaces \[1/mm\]; positive
-    /// definite, or of a cylinder along a roller.
+    /// `[k_xx, k_yy, k_xy]` of the gap `(k_xx x² + k_yy y²)/2 + k_xy x y`, the sum over both
+    /// surfaces \[1/mm\]; positive definite, or of a cylinder along a roller.
     pub curvature: [f64; 3],
     /// Bodies that are rollers: what the gap has of them beside their curvature.
     pub rollers: Vec<RollerGap>,
-    /// Heights on top of the shapes; the contact is solved on their grid then, in the axes of the job.
+    /// Heights on top of the shapes; the contact is solved on their grid then, in the axes of the
+    /// job.
     pub heights: Option<HeightMap>,
     /// Loads \[N, mm\].
     pub load: Load,
@@ -58,7 +61,8 @@ impl HalfSpaceProblem {
         [mean + radius, (xx * yy - xy * xy) / (mean + radius)]
     }
 
-    /// Angle from the job's x to the x of the fields, towards the job's y \[rad\], in `(-π/2, π/2]`; 0 of a circle.
+    /// Angle from the job's x to the x of the fields, towards the job's y \[rad\], in `(-π/2,
+    /// π/2]`; 0 of a circle.
     pub fn orientation(&self) -> f64 {
         let [xx, yy, xy] = self.curvature;
         if self.heights.is_some() || f64::hypot(0.5 * (xx - yy), xy) <= CIRCLE * (xx + yy) {
@@ -91,10 +95,12 @@ impl HalfSpaceProblem {
         self.materials.iter().flatten().filter_map(least).reduce(f64::min)
     }
 
-    /// Semi-axes that are expected of a contact, and its overload; `None` where the bodies do not touch.
+    /// Semi-axes that are expected of a contact, and its overload; `None` where the bodies do not
+    /// touch.
     ///
-    /// They are those of elastic bodies, or `√(P/3πσ)` where that is more: a fully plastic contact has a mean pressure of 3σ. At a
-    /// given approach the surface of such a contact neither sinks nor rises, and its area is twice that of elastic bodies.
+    /// They are those of elastic bodies, or `√(P/3πσ)` where that is more: a fully plastic contact
+    /// has a mean pressure of 3σ. At a given approach the surface of such a contact neither sinks
+    /// nor rises, and its area is twice that of elastic bodies.
     pub(super) fn expected(&self, load: ContactLoad) -> Option<Expected> {
         if let Some(map) = &self.heights {
             return Some(Expected::of_heights(map));
@@ -110,14 +116,17 @@ impl HalfSpaceProblem {
         let mean = if is_line { 0.25 * PI } else { 2.0 / 3.0 };
         let area_ratio = |stress: f64| mean * peak / (CONSTRAINT * stress);
         let growth = |area: f64| if is_line { area } else { area.sqrt() };
-        let strain = |area: f64| INDENTATION_STRAIN * a * growth(area) * self.principal_curvatures()[0];
+        let strain =
+            |area: f64| INDENTATION_STRAIN * a * growth(area) * self.principal_curvatures()[0];
         let mut area: f64 = 1.0;
         for _ in 0..2 {
-            let flow = self.least_stress(|law| law.stress(strain(area)).max(law.nominal_yield_stress()));
+            let flow =
+                self.least_stress(|law| law.stress(strain(area)).max(law.nominal_yield_stress()));
             area = flow.map_or(1.0, area_ratio).clamp(1.0, most);
         }
         let of_yield = self.weakest().map_or(0.0, |weakest| peak / weakest);
-        let flow = self.least_stress(|law| law.stress(strain(area)).max(law.nominal_yield_stress()));
+        let flow =
+            self.least_stress(|law| law.stress(strain(area)).max(law.nominal_yield_stress()));
         let share = self.weakest().map_or(1.0, |weakest| (most / area_ratio(weakest)).min(1.0));
         Some(Expected {
             semi_axes: [growth(area) * a, if is_line { b } else { growth(area) * b }],
@@ -134,16 +143,18 @@ impl HalfSpaceProblem {
         f64::from(self.cells_per_semi_axis)
     }
 
-    /// The contact of elastic bodies under a force above zero \[N\]: Hertz's ellipse, or where that is longer than a roller the line
-    /// contact of its length under an even line load. Profiles beside arcs are left out.
+    /// The contact of elastic bodies under a force above zero \[N\]: Hertz's ellipse, or where
+    /// that is longer than a roller the line contact of its length under an even line load.
+    /// Profiles beside arcs are left out.
     pub fn hertz(&self, force: f64) -> EllipticContact {
         let [kx, ky] = self.principal_curvatures();
-        let ellipse = || EllipticContact::new(kx.recip(), ky.recip(), self.effective_modulus(), force);
+        let ellipse =
+            || EllipticContact::new(kx.recip(), ky.recip(), self.effective_modulus(), force);
         let Some(half_length) = self.half_length() else { return ellipse() };
         let ellipse = (ky > LINE * kx).then(ellipse);
-        ellipse
-            .filter(|found| found.semi_axis_y < half_length)
-            .unwrap_or_else(|| line_contact(kx.recip(), 2.0 * half_length, self.effective_modulus(), force))
+        ellipse.filter(|found| found.semi_axis_y < half_length).unwrap_or_else(|| {
+            line_contact(kx.recip(), 2.0 * half_length, self.effective_modulus(), force)
+        })
     }
 
     /// Whether shapes alone have a contact of Hertz, with heights on top or not.
@@ -157,15 +168,20 @@ impl HalfSpaceProblem {
         self.half_length().is_some_and(|half_length| contact.semi_axis_y >= half_length)
     }
 
-    /// Semi-axes along x and y and largest pressure of a contact with the tilt of its rollers. Each length of a roller is taken for a spring,
-    /// so that the line load is linear along it and largest at an end; the ellipse of an arc moves along it.
+    /// Semi-axes along x and y and largest pressure of a contact with the tilt of its rollers.
+    /// Each length of a roller is taken for a spring, so that the line load is linear along it and
+    /// largest at an end; the ellipse of an arc moves along it.
     fn tilted(&self, even: &EllipticContact) -> (f64, f64, f64) {
         let EllipticContact { semi_axis_x: a, semi_axis_y: b, peak_pressure, approach } = *even;
         let (tilt, Some(half_length)) = (self.tilt().abs(), self.half_length()) else {
             return (a, b, peak_pressure);
         };
         if !self.is_line(even) {
-            return (a, (b + tilt / self.principal_curvatures()[1]).min(half_length), peak_pressure);
+            return (
+                a,
+                (b + tilt / self.principal_curvatures()[1]).min(half_length),
+                peak_pressure,
+            );
         }
         // What tilt adds at the end, over the mean.
         let uneven = tilt * half_length / approach;
@@ -173,9 +189,14 @@ impl HalfSpaceProblem {
         (most.sqrt() * a, b, most.sqrt() * peak_pressure)
     }
 
-    /// The force under which a figure of [`Self::hertz`] has a value; without rollers the figure goes with the force to the power
-    /// of 1/`exponent`.
-    pub fn force_where(&self, figure: impl Fn(&EllipticContact) -> f64, value: f64, exponent: f64) -> f64 {
+    /// The force under which a figure of [`Self::hertz`] has a value; without rollers the figure
+    /// goes with the force to the power of 1/`exponent`.
+    pub fn force_where(
+        &self,
+        figure: impl Fn(&EllipticContact) -> f64,
+        value: f64,
+        exponent: f64,
+    ) -> f64 {
         let by_ellipse = (value / figure(&self.hertz(1.0))).max(0.0).powf(exponent);
         if self.half_length().is_none() || value <= 0.0 {
             return by_ellipse;
@@ -192,20 +213,25 @@ impl HalfSpaceProblem {
     pub fn elastic_contact(&self, load: ContactLoad) -> Option<EllipticContact> {
         let force = match load {
             ContactLoad::Force(force) => force,
-            ContactLoad::Approach(approach) => self.force_where(|hertz| hertz.approach, approach, 1.5),
+            ContactLoad::Approach(approach) => {
+                self.force_where(|hertz| hertz.approach, approach, 1.5)
+            }
         };
         (force > 0.0).then(|| self.hertz(force))
     }
 }
 
-/// The contact of a cylinder of radius `radius` \[mm\] along `length` under an even line load w = P/L, on two half-spaces:
+/// The contact of a cylinder of radius `radius` \[mm\] along `length` under an even line load w =
+/// P/L, on two half-spaces:
 /// ```text
 /// a² = 4wR/(πE*),   p0 = 2w/(πa),   α = 2w/(πE*) (ln(2L/a) + 1/2)
 /// ```
-/// α is the displacement in the middle under the pressure of Hertz's line contact that ends with the length, to order a²/L².
+/// α is the displacement in the middle under the pressure of Hertz's line contact that ends with
+/// the length, to order a²/L².
 ///
 /// # Reference
-/// K. L. Johnson, *Contact Mechanics* (1985), section 4.2(c); α by integration of Boussinesq's displacement.
+/// K. L. Johnson, *Contact Mechanics* (1985), section 4.2(c); α by integration of Boussinesq's
+/// displacement.
 fn line_contact(radius: f64, length: f64, modulus: f64, force: f64) -> EllipticContact {
     let line_load = force / length;
     let half_width = (4.0 * line_load * radius / (PI * modulus)).sqrt();
@@ -213,7 +239,8 @@ fn line_contact(radius: f64, length: f64, modulus: f64, force: f64) -> EllipticC
         peak_pressure: 2.0 * line_load / (PI * half_width),
         semi_axis_x: half_width,
         semi_axis_y: 0.5 * length,
-        approach: 2.0 * line_load / (PI * modulus) * ((2.0 * length / half_width).ln().max(0.0) + 0.5),
+        approach: 2.0 * line_load / (PI * modulus)
+            * ((2.0 * length / half_width).ln().max(0.0) + 0.5),
     }
 }
 
@@ -222,12 +249,14 @@ fn line_contact(radius: f64, length: f64, modulus: f64, force: f64) -> EllipticC
 pub(super) struct Expected {
     /// Along x and y \[mm\].
     pub semi_axes: [f64; 2],
-    /// Half the length of a roller along y \[mm\], and whether it is expected to touch from end to end.
+    /// Half the length of a roller along y \[mm\], and whether it is expected to touch from end to
+    /// end.
     pub half_length: Option<f64>,
     pub is_line: bool,
     /// Cells of heights on top of the shapes.
     pub patch: Option<[usize; 2]>,
-    /// Largest pressure of elastic bodies under the same force over the lowest yield stress; 0 of elastic bodies.
+    /// Largest pressure of elastic bodies under the same force over the lowest yield stress; 0 of
+    /// elastic bodies.
     pub overload: f64,
     /// The same over the stress at which the material flows.
     pub over_flow: f64,
@@ -252,6 +281,7 @@ impl Expected {
 
 /// `(1 - ν²)/E` \[1/MPa\].
 pub(super) fn plane_compliance(material: &Deformable) -> f64 {
-    let (young, poisson) = (material.elastic().young_modulus.get(), material.elastic().poisson_ratio.get());
+    let (young, poisson) =
+        (material.elastic().young_modulus.get(), material.elastic().poisson_ratio.get());
     (1.0 - poisson * poisson) / young
 }

@@ -1,4 +1,5 @@
-//! From a problem to its steps: each load on a grid of half the cells and on the one that was asked for.
+//! From a problem to its steps: each load on a grid of half the cells and on the one that was
+//! asked for.
 
 use super::engine::{Answer, GridDesign, HalfSpaceEngine};
 use super::history::OnTwoGrids;
@@ -31,11 +32,13 @@ pub struct HalfSpaceRun {
     pub grids: usize,
     /// Why loads at the end are missing.
     pub interrupted: Option<Interrupt>,
-    /// Of a force that was sought: relative change of the figure by which it was, over that of the force.
+    /// Of a force that was sought: relative change of the figure by which it was, over that of the
+    /// force.
     pub sensitivity: Option<f64>,
 }
 
-/// Solves the loads of a problem, each on what the one before has left under flow theory; or the force that is sought.
+/// Solves the loads of a problem, each on what the one before has left under flow theory; or the
+/// force that is sought.
 ///
 /// # Errors
 /// [`SolveError`]. An iteration that does not converge is no error: see [`SolveStatus`].
@@ -79,7 +82,8 @@ fn step(
     load: ContactLoad,
     run: &mut Run<'_>,
 ) -> Result<HalfSpaceStep, SolveError> {
-    let engine = HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance.get());
+    let engine =
+        HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance.get());
     let design = size(problem, load, run)?;
     let (coarse, design) =
         run.silently(|run| under(&engine, load, design.with_cells(0.5 * problem.cells()), run))?;
@@ -122,7 +126,8 @@ fn under(
     let answer: Answer = solve(engine, design, None, run, |grid, system, start, run| {
         grid.solve(system, start, engine.coupling, Controls { load, ..engine.controls() }, run)
     })?;
-    let fitted = answer.system.design.fitted(&answer.system, &answer.outcome.state.response.contact.force);
+    let fitted =
+        answer.system.design.fitted(&answer.system, &answer.outcome.state.response.contact.force);
     Ok((answer.step(engine, load, [0.0; 2], LeastScales::default(), run), fitted))
 }
 

@@ -1,4 +1,5 @@
-//! The force under which a figure of a contact in three dimensions has a value: the onset of yield, or a target.
+//! The force under which a figure of a contact in three dimensions has a value: the onset of
+//! yield, or a target.
 
 use brinell_halfspace::EllipticContact;
 
@@ -13,19 +14,21 @@ use crate::solver::loads::Sought;
 use crate::solver::method::force_search::{self, Density, Terms, Trial, Tried, find};
 use crate::solver::method::run::Run;
 
-/// How much coarser than asked the grids are on which the force is looked for, and the fewest cells over a semi-axis.
+/// How much coarser than asked the grids are on which the force is looked for, and the fewest
+/// cells over a semi-axis.
 const COARSER: u32 = 2;
 const FEWEST_CELLS: u32 = 4;
-/// Deviation that ends the search, the most fine solves, and the deviation from which on the value counts as missed: of a target
-/// and of the onset of yield.
+/// Deviation that ends the search, the most fine solves, and the deviation from which on the value
+/// counts as missed: of a target and of the onset of yield.
 const TARGET: (f64, usize, f64) = (1e-3, 4, 1e-2);
 const ONSET: (f64, usize, f64) = (2e-4, 8, 3e-3);
-/// Largest elastic pressure over the yield stress under which plastic strain is first looked for, and that a first trial does
-/// not exceed.
+/// Largest elastic pressure over the yield stress under which plastic strain is first looked for,
+/// and that a first trial does not exceed.
 const PLASTIC_START: f64 = 2.5;
 const HIGHEST_START: f64 = 4.0;
 
-/// Steps of the force that was found, and of the loads that follow it; relative change of the figure over that of the force.
+/// Steps of the force that was found, and of the loads that follow it; relative change of the
+/// figure over that of the force.
 ///
 /// # Errors
 /// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
@@ -37,7 +40,8 @@ pub(super) fn run(
     let mut solved = problem.clone();
     if sought == Sought::Onset {
         let without = |material: &Deformable| material.without_plasticity();
-        solved.materials = problem.materials.each_ref().map(|material| material.as_ref().map(without));
+        solved.materials =
+            problem.materials.each_ref().map(|material| material.as_ref().map(without));
     }
     let search = ForceSearch { problem, solved, sought };
     let found = find(&search, search.terms()?, run)?;
@@ -54,29 +58,40 @@ struct ForceSearch<'a> {
 
 impl ForceSearch<'_> {
     fn terms(&self) -> Result<Terms, SolveError> {
-        let (tolerance, most_fine, missed) = if self.sought == Sought::Onset { ONSET } else { TARGET };
+        let (tolerance, most_fine, missed) =
+            if self.sought == Sought::Onset { ONSET } else { TARGET };
         let first_force = self.first_force()?;
-        Ok(Terms { first_force, expected_slope: self.expected_slope(), tolerance, most_fine, missed })
+        Ok(Terms {
+            first_force,
+            expected_slope: self.expected_slope(),
+            tolerance,
+            most_fine,
+            missed,
+        })
     }
 
     fn first_force(&self) -> Result<f64, SolveError> {
         let weakest = self.problem.weakest();
-        let under_peak = |peak: f64| self.problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
+        let under_peak =
+            |peak: f64| self.problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
         let highest = weakest.map_or(f64::INFINITY, |weakest| HIGHEST_START * weakest);
         match self.sought {
             Sought::Onset => onset_force(self.problem).ok_or(SolveError::NoYieldPoint),
             Sought::Target(target) => match target.figure {
                 TargetFigure::HalfWidth => {
-                    let shorter = |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);
+                    let shorter =
+                        |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);
                     Ok(self.problem.force_where(shorter, target.value.get(), 3.0))
                 }
                 TargetFigure::PeakPressure => Ok(under_peak(target.value.get().min(highest))),
-                TargetFigure::MeanPressure => Ok(under_peak((1.5 * target.value.get()).min(highest))),
+                TargetFigure::MeanPressure => {
+                    Ok(under_peak((1.5 * target.value.get()).min(highest)))
+                }
                 TargetFigure::PermanentApproach
                 | TargetFigure::DentDepth
-                | TargetFigure::MaxPlasticStrain => {
-                    weakest.map(|weakest| under_peak(PLASTIC_START * weakest)).ok_or(SolveError::NoYieldPoint)
-                }
+                | TargetFigure::MaxPlasticStrain => weakest
+                    .map(|weakest| under_peak(PLASTIC_START * weakest))
+                    .ok_or(SolveError::NoYieldPoint),
             },
         }
     }
@@ -98,7 +113,9 @@ impl ForceSearch<'_> {
     /// The figure over its wanted value.
     fn ratio(&self, step: &HalfSpaceStep) -> f64 {
         match self.sought {
-            Sought::Onset => self.problem.highest_utilization(step).map_or(0.0, |highest| highest.ratio),
+            Sought::Onset => {
+                self.problem.highest_utilization(step).map_or(0.0, |highest| highest.ratio)
+            }
             Sought::Target(target) => step.target_figure(target.figure) / target.value.get(),
         }
     }
@@ -128,7 +145,9 @@ impl force_search::Sought for ForceSearch<'_> {
             Err(error @ SolveError::Overloaded { .. }) => return Ok(Err(error.to_string())),
             ended => ended?,
         };
-        if let Some(interrupt) = interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt())) {
+        if let Some(interrupt) =
+            interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt()))
+        {
             return Err(SolveError::Interrupted(interrupt));
         }
         if steps.iter().any(|step| step.has_collapsed) {
@@ -154,19 +173,24 @@ impl HalfSpaceProblem {
     /// The highest utilization of bodies that have a hardening curve; `None` where none has.
     pub fn highest_utilization(&self, step: &HalfSpaceStep) -> Option<HighestUtilization> {
         let sides = self.materials.iter().zip(&step.bodies).enumerate();
-        let of_sides = sides
-            .filter_map(|(side, (material, body))| highest_in(side, material.as_ref()?, body.as_deref()?));
+        let of_sides = sides.filter_map(|(side, (material, body))| {
+            highest_in(side, material.as_ref()?, body.as_deref()?)
+        });
         of_sides.max_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 }
 
-fn highest_in(side: usize, material: &Deformable, body: &HalfSpaceBody) -> Option<HighestUtilization> {
+fn highest_in(
+    side: usize,
+    material: &Deformable,
+    body: &HalfSpaceBody,
+) -> Option<HighestUtilization> {
     let (law, strength) = (material.hardening_law()?, material.strength());
     let (n_cells, ny) = (body.grid.n_cells(), body.grid.ny());
     let of_layer = |layer: usize| {
         let depth = body.layers.middle(layer);
-        let limit =
-            law.nominal_yield_stress() * strength.as_ref().map_or(1.0, |strength| strength.factor(depth));
+        let limit = law.nominal_yield_stress()
+            * strength.as_ref().map_or(1.0, |strength| strength.factor(depth));
         (0..n_cells).map(move |cell| HighestUtilization {
             ratio: body.von_mises(layer, cell) / limit,
             side,

@@ -11,7 +11,8 @@ use crate::solver::method::observer::{IterationRecord, SolveStatus};
 use crate::solver::method::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step};
 use crate::solver::solution::Energy;
 
-/// The answer to one load of a contact in three dimensions. Lengths in mm, forces in N, stresses in MPa.
+/// The answer to one load of a contact in three dimensions. Lengths in mm, forces in N, stresses
+/// in MPa.
 #[derive(Debug, Clone)]
 pub struct HalfSpaceStep {
     /// How the iteration ended, the final check included.
@@ -30,7 +31,8 @@ pub struct HalfSpaceStep {
     pub hertz: Option<EllipticContact>,
     /// Pressures and gaps.
     pub surface: Arc<SurfaceMap>,
-    /// Where the work of the force has gone, by flow theory. Stress before any load is left out of the elastic part.
+    /// Where the work of the force has gone, by flow theory. Stress before any load is left out of
+    /// the elastic part.
     pub energy: Energy,
     /// Upper and lower body; `None` for a rigid one. Two equal bodies share one.
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
@@ -38,7 +40,8 @@ pub struct HalfSpaceStep {
     pub history: Vec<IterationRecord>,
     /// The contact conditions, checked on the answer.
     pub contact_check: KktReport,
-    /// What the plastic law leaves of the plastic strains, `‖2μ(Δε(σ) - Δε)‖` over the contact force, evaluated anew.
+    /// What the plastic law leaves of the plastic strains, `‖2μ(Δε(σ) - Δε)‖` over the contact
+    /// force, evaluated anew.
     pub plastic_residual: f64,
     /// The increments of this load, under flow theory.
     pub increments: Vec<IncrementRecord>,
@@ -65,21 +68,23 @@ pub struct HalfSpaceFigures {
     pub force: f64,
     /// Approach α of distant points \[mm\].
     pub approach: f64,
-    /// Largest pressure after a 3 × 3 binomial mean, without which it is jagged near the edge of a contact that
-    /// yields \[MPa\].
+    /// Largest pressure after a 3 × 3 binomial mean, without which it is jagged near the edge of a
+    /// contact that yields \[MPa\].
     pub peak_pressure: f64,
-    /// Semi-axes along x and y, from the square of the pressure of the outermost cells on the axes \[mm\].
+    /// Semi-axes along x and y, from the square of the pressure of the outermost cells on the axes
+    /// \[mm\].
     pub semi_axes: [f64; 2],
     /// Area of the ellipse of these semi-axes \[mm²\].
     pub area: f64,
     /// Largest equivalent plastic strain of the upper and lower body.
     pub max_plastic_strain: [f64; 2],
-    /// Largest sinking of the surface by plastic strain \[mm\]; without load the depth of the dent.
+    /// Largest sinking of the surface by plastic strain \[mm\]; without load the depth of the
+    /// dent.
     pub dent: [f64; 2],
     /// Largest rise of the surface by plastic strain \[mm\].
     pub pile_up: [f64; 2],
-    /// Least of the stresses σxx and σyy in the column of the peak pressure, from below the surface layer on \[MPa\]; without
-    /// load the residual stress.
+    /// Least of the stresses σxx and σyy in the column of the peak pressure, from below the
+    /// surface layer on \[MPa\]; without load the residual stress.
     pub least_stress: [f64; 2],
 }
 
@@ -101,13 +106,16 @@ pub struct HalfSpaceBody {
     pub grid: SurfaceGrid,
     /// Layers from the surface down.
     pub layers: Layers,
-    /// `xx yy zz xy xz yz` \[MPa\], tension positive, initial stress included; zero where a solve was stopped, or is preliminary.
+    /// `xx yy zz xy xz yz` \[MPa\], tension positive, initial stress included; zero where a solve
+    /// was stopped, or is preliminary.
     pub stress: TensorField,
-    /// Plastic strain `xx yy xy xz yz`, tensor shear; `zz = -xx - yy`. `None` in a body without a hardening curve.
+    /// Plastic strain `xx yy xy xz yz`, tensor shear; `zz = -xx - yy`. `None` in a body without a
+    /// hardening curve.
     pub plastic_strain: Option<TensorField>,
     /// Equivalent plastic strain, `[layer * n_cells + cell]`; empty where no cell can yield.
     pub equivalent_plastic_strain: Vec<f64>,
-    /// Yield stress at the equivalent plastic strain of each cell \[MPa\], like it; nominal for a curve without a yield point.
+    /// Yield stress at the equivalent plastic strain of each cell \[MPa\], like it; nominal for a
+    /// curve without a yield point.
     pub yield_stress: Vec<f64>,
     /// Displacement of the surface by plastic strain, positive into the body \[mm\].
     pub plastic_displacement: Vec<f64>,
@@ -148,13 +156,17 @@ impl HalfSpaceBody {
         (0.5 * normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
     }
 
-    /// The body below a place `[x, y]` of its grid, layer by layer, linear between the middles of cells.
+    /// The body below a place `[x, y]` of its grid, layer by layer, linear between the middles of
+    /// cells.
     pub fn column(&self, position: [f64; 2]) -> Vec<ColumnPoint> {
         let corners = corners(&self.grid, position);
         let n_cells = self.grid.n_cells();
-        let at = |field: &[f64]| corners.iter().map(|(cell, weight)| weight * field[*cell]).sum::<f64>();
-        let of_layer =
-            |field: &[f64], layer: usize| field.get(layer * n_cells..(layer + 1) * n_cells).map_or(0.0, at);
+        let at = |field: &[f64]| {
+            corners.iter().map(|(cell, weight)| weight * field[*cell]).sum::<f64>()
+        };
+        let of_layer = |field: &[f64], layer: usize| {
+            field.get(layer * n_cells..(layer + 1) * n_cells).map_or(0.0, at)
+        };
         let point = |layer: usize| ColumnPoint {
             depth: self.layers.middle(layer),
             stress: std::array::from_fn(|k| at(self.stress.component(layer, k))),
@@ -167,11 +179,12 @@ impl HalfSpaceBody {
 
 /// The four cells around a place, with their weights.
 fn corners(grid: &SurfaceGrid, [x, y]: [f64; 2]) -> [(usize, f64); 4] {
-    let [(i, u), (j, v)] = [(x / grid.hx(), grid.nx()), (y / grid.hy(), grid.ny())].map(|(x, n)| {
-        let place = (x + 0.5 * (n - 1) as f64).clamp(0.0, (n - 1) as f64);
-        let lower = (0..n - 1).rev().find(|cell| *cell as f64 <= place).unwrap_or(0);
-        (lower, place - lower as f64)
-    });
+    let [(i, u), (j, v)] =
+        [(x / grid.hx(), grid.nx()), (y / grid.hy(), grid.ny())].map(|(x, n)| {
+            let place = (x + 0.5 * (n - 1) as f64).clamp(0.0, (n - 1) as f64);
+            let lower = (0..n - 1).rev().find(|cell| *cell as f64 <= place).unwrap_or(0);
+            (lower, place - lower as f64)
+        });
     let cell = |i: usize, j: usize| i * grid.ny() + j;
     [
         (cell(i, j), (1.0 - u) * (1.0 - v)),

@@ -1,7 +1,8 @@
 //! Two half-spaces as the method sees them.
 //!
-//! An initial stress is `2μ Δε` of the cells that can yield \[MPa\], and "displacements" are the trial deviators that the plastic
-//! law is asked about, `dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε` \[MPa\]. Their norm is
+//! An initial stress is `2μ Δε` of the cells that can yield \[MPa\], and "displacements" are the
+//! trial deviators that the plastic law is asked about, `dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε`
+//! \[MPa\]. Their norm is
 //! ```text
 //! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis, sum over the cells that have flowed in this increment
 //! ```
@@ -18,12 +19,15 @@ use brinell_halfspace::{
 use super::engine::GridDesign;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::method;
-use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem, Response};
+use crate::solver::method::contact_system::{
+    BlockVector, ContactFigures, ContactSystem, Response,
+};
 use crate::solver::method::observer::Interrupt;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 
-/// A body that deforms: its operators, its stress before any load, and its place among the bodies that yield.
+/// A body that deforms: its operators, its stress before any load, and its place among the bodies
+/// that yield.
 #[derive(Clone)]
 pub(super) struct ElasticBody {
     pub space: Arc<HalfSpace>,
@@ -62,7 +66,8 @@ pub(super) struct Yielding {
 
 impl Yielding {
     pub fn new(bodies: Vec<YieldingBody>) -> Self {
-        let has_flowed = bodies.iter().map(|body| vec![false; body.len() / DEVIATOR_COMPONENTS]).collect();
+        let has_flowed =
+            bodies.iter().map(|body| vec![false; body.len() / DEVIATOR_COMPONENTS]).collect();
         Self { bodies, flowed: Vec::new(), has_flowed, pressure: Vec::new() }
     }
 
@@ -73,7 +78,10 @@ impl Yielding {
         opening: &mut [f64],
         stop: &mut Stop<'_>,
     ) -> Result<(), Stopped> {
-        self.bodies.iter_mut().zip(increment).try_for_each(|(body, part)| body.open(part, opening, stop))
+        self.bodies
+            .iter_mut()
+            .zip(increment)
+            .try_for_each(|(body, part)| body.open(part, opening, stop))
     }
 
     /// Trial deviators of all bodies with the increment that they were opened with.
@@ -111,11 +119,12 @@ impl HalfSpaces {
         force.iter().map(move |force| force / area)
     }
 
-    /// Approach α \[mm\], 0 where undeformed surfaces begin to touch. No cell has their tips in its middle, so that in cells they do
-    /// at the least gap.
+    /// Approach α \[mm\], 0 where undeformed surfaces begin to touch. No cell has their tips in
+    /// its middle, so that in cells they do at the least gap.
     pub fn approach(&self, contact: &ContactSolution) -> f64 {
         let least = self.initial_gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let begins = contact.total_force <= 0.0 && (contact.approach - least).abs() <= f64::EPSILON * least;
+        let begins =
+            contact.total_force <= 0.0 && (contact.approach - least).abs() <= f64::EPSILON * least;
         if begins { 0.0 } else { contact.approach }
     }
 
@@ -130,7 +139,8 @@ impl HalfSpaces {
             .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most })
     }
 
-    /// `Σ (hx hy)² h_l/ℓ a:a` over the cells that have flowed; elsewhere an initial stress is zero, and trials do not matter.
+    /// `Σ (hx hy)² h_l/ℓ a:a` over the cells that have flowed; elsewhere an initial stress is
+    /// zero, and trials do not matter.
     fn sum_of_squares(&self, value: impl Fn(usize, usize) -> f64) -> f64 {
         let n_cells = self.grid().n_cells();
         let of_cell = |(body, cell): &(usize, usize)| {
@@ -149,8 +159,9 @@ pub(super) fn smoothed(grid: &SurfaceGrid, field: &[f64], cell: usize) -> f64 {
     if i == 0 || j == 0 || i + 1 == grid.nx() || j + 1 == grid.ny() {
         return field[cell];
     }
-    let part =
-        |n: usize| WEIGHTS[n / 3] * WEIGHTS[n % 3] * field[(i + n / 3 - 1) * grid.ny() + j + n % 3 - 1];
+    let part = |n: usize| {
+        WEIGHTS[n / 3] * WEIGHTS[n % 3] * field[(i + n / 3 - 1) * grid.ny() + j + n % 3 - 1]
+    };
     (0..9).map(part).sum()
 }
 
@@ -163,7 +174,11 @@ impl ContactSystem for HalfSpaces {
         &self.initial_gap
     }
 
-    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+    fn contact_problem<'a>(
+        &'a self,
+        initial_gap: &'a [f64],
+        load: ContactLoad,
+    ) -> ContactProblem<'a> {
         ContactProblem { flexibility: &self.surface, initial_gap, closing: &self.closing, load }
     }
 
@@ -176,7 +191,8 @@ impl ContactSystem for HalfSpaces {
 
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
         self.gap_opening(initial_stress);
-        let trial = self.yielding.borrow_mut().trial(initial_stress, self.pressure(force), &mut never);
+        let trial =
+            self.yielding.borrow_mut().trial(initial_stress, self.pressure(force), &mut never);
         trial.unwrap_or_else(|Stopped| self.zeros())
     }
 
@@ -203,7 +219,9 @@ impl ContactSystem for HalfSpaces {
     fn initial_stress(&self, displacement: &BlockVector, into: &mut BlockVector) -> usize {
         let mut yielding = self.yielding.borrow_mut();
         let Yielding { bodies, flowed, has_flowed, .. } = &mut *yielding;
-        for (n, (body, (trial, into))) in bodies.iter_mut().zip(displacement.iter().zip(into)).enumerate() {
+        for (n, (body, (trial, into))) in
+            bodies.iter_mut().zip(displacement.iter().zip(into)).enumerate()
+        {
             body.flow(trial, into, |cell| {
                 if !std::mem::replace(&mut has_flowed[n][cell], true) {
                     flowed.push((n, cell));
@@ -221,8 +239,8 @@ impl ContactSystem for HalfSpaces {
         self.sum_of_squares(|body, k| v[body][k] - w[body][k]).sqrt()
     }
 
-    /// Weighted numbers of the cells that have flowed, in the order in which they began to: what is packed earlier is the
-    /// beginning of what is packed later.
+    /// Weighted numbers of the cells that have flowed, in the order in which they began to: what
+    /// is packed earlier is the beginning of what is packed later.
     fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
         let (yielding, n_cells) = (self.yielding.borrow(), self.grid().n_cells());
         let mut packed = Vec::with_capacity(DEVIATOR_COMPONENTS * yielding.flowed.len());
@@ -236,7 +254,9 @@ impl ContactSystem for HalfSpaces {
 
     fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
         let (yielding, n_cells) = (self.yielding.borrow(), self.grid().n_cells());
-        for ((body, cell), scaled) in yielding.flowed.iter().zip(packed.chunks_exact(DEVIATOR_COMPONENTS)) {
+        for ((body, cell), scaled) in
+            yielding.flowed.iter().zip(packed.chunks_exact(DEVIATOR_COMPONENTS))
+        {
             let (layer, start) = place(*cell, n_cells);
             let weight = self.weights[*body][layer].recip();
             let values = from_isometric(std::array::from_fn(|k| weight * scaled[k]));
@@ -250,13 +270,16 @@ impl ContactSystem for HalfSpaces {
         &self.accepted
     }
 
-    /// Accepts the state with these trials: where the law ends from them the next increment begins.
+    /// Accepts the state with these trials: where the law ends from them the next increment
+    /// begins.
     fn commit(&mut self, displacement: BlockVector) {
         let mut increment = self.zeros();
         self.initial_stress(&displacement, &mut increment);
         let yielding = self.yielding.get_mut();
         self.accepted = displacement;
-        for ((body, increment), trial) in yielding.bodies.iter_mut().zip(&increment).zip(&mut self.accepted) {
+        for ((body, increment), trial) in
+            yielding.bodies.iter_mut().zip(&increment).zip(&mut self.accepted)
+        {
             body.accept(increment, trial);
             for (stress, flowed) in trial.iter_mut().zip(increment) {
                 *stress -= flowed;
@@ -280,7 +303,9 @@ impl ContactSystem for HalfSpaces {
 /// Cells that count as yielded after the last paths.
 fn yielded_cells(body: &YieldingBody) -> usize {
     let n_cells = body.space().grid().n_cells();
-    (0..body.len() / DEVIATOR_COMPONENTS).filter(|cell| body.law().has_yielded(cell / n_cells, *cell)).count()
+    (0..body.len() / DEVIATOR_COMPONENTS)
+        .filter(|cell| body.law().has_yielded(cell / n_cells, *cell))
+        .count()
 }
 
 /// Stops nothing.

@@ -1,9 +1,12 @@
-//! The force under which a figure of a meshed contact has a value: the onset of yield, or a target. The first guess is the force
-//! whose mean pressure is about what the figure suggests; meshes on which the force is looked for have a third of the density.
+//! The force under which a figure of a meshed contact has a value: the onset of yield, or a
+//! target. The first guess is the force whose mean pressure is about what the figure suggests;
+//! meshes on which the force is looked for have a third of the density.
 
 use super::load_sequence::LoadSequence;
 use super::load_stepper::auxiliary;
-use super::utilization::{at_narrow_edge, error_at_narrow_edge, highest_at_ends, highest_utilization};
+use super::utilization::{
+    at_narrow_edge, error_at_narrow_edge, highest_at_ends, highest_utilization,
+};
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
 use crate::solver::loads::Sought;
@@ -15,29 +18,32 @@ use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{BodySolution, StepSolution};
 use crate::solver::{SolveError, SolveStatus};
 
-/// Error at least of the force under which yield begins, over h/a; where it begins at an end of the contact, 0.51 on 10 elements and 0.4
-/// on 20 and 40.
+/// Error at least of the force under which yield begins, over h/a; where it begins at an end of
+/// the contact, 0.51 on 10 elements and 0.4 on 20 and 40.
 const ONSET_FLOOR: f64 = 0.2;
 const ONSET_FLOOR_AT_ENDS: f64 = 0.6;
 /// Error of the utilization at the ends of the contact over its change to half the density.
 const ENDS_MARGIN: f64 = 1.5;
 const MOST_HIDDEN: f64 = 0.15;
-/// How much coarser than asked the meshes are on which the force is looked for, the same where the figure follows the width of
-/// the contact, which a mesh knows to half an element, and the fewest elements.
+/// How much coarser than asked the meshes are on which the force is looked for, the same where the
+/// figure follows the width of the contact, which a mesh knows to half an element, and the fewest
+/// elements.
 const COARSER: u32 = 3;
 const COARSER_FOR_WIDTH: u32 = 2;
 const FEWEST_ELEMENTS: u32 = 6;
 /// Most fine solves.
 const MAX_FINE: usize = 4;
 const MAX_FINE_OF_ONSET: usize = 8;
-/// Deviation that ends the search. At 20 elements figures scatter by 0.02 % (peak pressure) to 0.4 %
-/// (half-width) with the mesh.
+/// Deviation that ends the search. At 20 elements figures scatter by 0.02 % (peak pressure) to 0.4
+/// % (half-width) with the mesh.
 const TOLERANCE: f64 = 1e-3;
 /// The same for the onset of yield, which scatters less.
 const ONSET_TOLERANCE: f64 = 2e-4;
-/// Deviation of the utilization from which on an onset counts as missed: at the edge of a contact circle it scatters with the radius.
+/// Deviation of the utilization from which on an onset counts as missed: at the edge of a contact
+/// circle it scatters with the radius.
 const ONSET_MISSED: f64 = 3e-3;
-/// Deviation from which on the value counts as missed, and the same in elements where it follows the width of the contact.
+/// Deviation from which on the value counts as missed, and the same in elements where it follows
+/// the width of the contact.
 const MISSED: f64 = 0.01;
 const MISSED_ELEMENTS: f64 = 0.5;
 /// Mean pressure over the yield stress under which plastic strain is first looked for.
@@ -47,8 +53,9 @@ const HIGHEST_START: f64 = 2.5;
 /// Mean over peak pressure of a first trial.
 const MEAN_OF_PEAK: f64 = 0.75;
 
-/// Solves for the force. Returns the steps of the last solve, of the force itself and, for a figure that is permanent, of the contact
-/// after it is taken away; and the relative change of the figure over that of the force.
+/// Solves for the force. Returns the steps of the last solve, of the force itself and, for a
+/// figure that is permanent, of the contact after it is taken away; and the relative change of the
+/// figure over that of the force.
 ///
 /// # Errors
 /// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
@@ -75,9 +82,11 @@ fn weakest(problem: &Problem) -> Option<f64> {
     problem.bodies.iter().filter_map(strength).reduce(f64::min)
 }
 
-/// Whether the force to start from is that of a mean pressure; if not, it is that of a width or of nothing at all.
+/// Whether the force to start from is that of a mean pressure; if not, it is that of a width or of
+/// nothing at all.
 pub(crate) fn starts_from_pressure(sought: Sought, problem: &Problem) -> bool {
-    let is_pressure = |figure| matches!(figure, TargetFigure::PeakPressure | TargetFigure::MeanPressure);
+    let is_pressure =
+        |figure| matches!(figure, TargetFigure::PeakPressure | TargetFigure::MeanPressure);
     let is_width = |figure| figure == TargetFigure::HalfWidth;
     match sought {
         Sought::Target(target) if is_width(target.figure) => false,
@@ -117,7 +126,10 @@ impl ForceSearch<'_> {
         let before = *run.passes;
         let ForceFound { mut trial, sensitivity, slope } = find(self, self.terms()?, run)?;
         if self.sought == Sought::Onset
-            && trial.steps.iter().all(|step| step.status == SolveStatus::Converged || step.missed.is_some())
+            && trial
+                .steps
+                .iter()
+                .all(|step| step.status == SolveStatus::Converged || step.missed.is_some())
         {
             let error = self.force_error(&trial, slope, run)?;
             if let Some(step) = trial.steps.last_mut() {
@@ -143,8 +155,9 @@ impl ForceSearch<'_> {
         Ok(Terms { first_force, expected_slope, tolerance, most_fine, missed })
     }
 
-    /// Relative error of the force under which yield begins, by how much half the density changes utilization under it: where it
-    /// is highest, and at the ends of the contact, where more may be hidden from the mesh.
+    /// Relative error of the force under which yield begins, by how much half the density changes
+    /// utilization under it: where it is highest, and at the ends of the contact, where more may
+    /// be hidden from the mesh.
     fn force_error(
         &self,
         found: &Trial<StepSolution>,
@@ -166,11 +179,14 @@ impl ForceSearch<'_> {
         let change = match trial {
             Ok(trial) if trial.is_converged() => {
                 let at_ends = |trial: &Trial<StepSolution>| {
-                    let highest = trial.steps.last().and_then(|step| highest_at_ends(step, self.problem));
+                    let highest =
+                        trial.steps.last().and_then(|step| highest_at_ends(step, self.problem));
                     highest.map_or(f64::MIN_POSITIVE, |highest| highest.ratio).ln()
                 };
                 let (ends, highest) = (at_ends(found), found.ratio.ln());
-                let hidden = (ENDS_MARGIN * (ends - at_ends(&trial)).abs()).min(MOST_HIDDEN) + ends - highest;
+                let hidden = (ENDS_MARGIN * (ends - at_ends(&trial)).abs()).min(MOST_HIDDEN)
+                    + ends
+                    - highest;
                 let floor = if ends < highest { ONSET_FLOOR } else { ONSET_FLOOR_AT_ENDS };
                 let floor = floor / f64::from(elements);
                 ((trial.ratio.ln() - highest).abs().max(hidden) / slope).max(floor)
@@ -181,14 +197,16 @@ impl ForceSearch<'_> {
         Ok(found.ratio.ln().abs() / slope + change)
     }
 
-    /// By how much a force is larger than the one under which yield begins below the middle in closed form, in bodies whose strength
-    /// varies over the depth: in a layer thinner than an element.
+    /// By how much a force is larger than the one under which yield begins below the middle in
+    /// closed form, in bodies whose strength varies over the depth: in a layer thinner than an
+    /// element.
     fn beyond_closed_form(&self, force: f64) -> f64 {
         let is_graded = self.problem.bodies.iter().any(|body| {
             let (least, greatest) = body.strength_range();
             least < greatest
         });
-        let reference = is_graded.then(|| ElasticReference::of(self.sequence.job, force)).flatten();
+        let reference =
+            is_graded.then(|| ElasticReference::of(self.sequence.job, force)).flatten();
         let onset = reference.and_then(|reference| reference.yield_onset_force);
         onset.map_or(0.0, |onset| force / onset - 1.0)
     }
@@ -209,13 +227,15 @@ impl ForceSearch<'_> {
             Ok(interrupt) => interrupt,
             Err(SolveError::TooWide { .. } | SolveError::TooFarRound { .. }) => {
                 return Ok(Err(
-                    "the contact would spread over more of the surfaces than is solved".to_owned()
+                    "the contact would spread over more of the surfaces than is solved".to_owned(),
                 ));
             }
             Err(SolveError::Mesh(error)) => return Ok(Err(error.to_string())),
             Err(error) => return Err(error),
         };
-        if let Some(interrupt) = interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt())) {
+        if let Some(interrupt) =
+            interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt()))
+        {
             return Err(SolveError::Interrupted(interrupt));
         }
         if steps.iter().any(|step| step.has_collapsed) {
@@ -228,7 +248,9 @@ impl ForceSearch<'_> {
     /// The figure over its wanted value.
     fn ratio(&self, step: &StepSolution) -> f64 {
         match self.sought {
-            Sought::Onset => highest_utilization(step, self.problem).map_or(0.0, |highest| highest.ratio),
+            Sought::Onset => {
+                highest_utilization(step, self.problem).map_or(0.0, |highest| highest.ratio)
+            }
             Sought::Target(target) => target_figure(step, target.figure) / target.value.get(),
         }
     }
@@ -244,7 +266,9 @@ impl ForceSearch<'_> {
         let elements = f64::from(self.sequence.job.mesh.elements_per_half_width);
         match self.sought {
             Sought::Onset => ONSET_MISSED,
-            Sought::Target(_) if self.is_of_width() => MISSED.max(2.0 * MISSED_ELEMENTS / elements),
+            Sought::Target(_) if self.is_of_width() => {
+                MISSED.max(2.0 * MISSED_ELEMENTS / elements)
+            }
             Sought::Target(_) => MISSED,
         }
     }
@@ -296,14 +320,19 @@ impl force_search::Sought for ForceSearch<'_> {
             return self.trial_by(&self.sequence, force, run);
         }
         let job = self.coarse_job();
-        self.trial_by(&LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence }, force, run)
+        self.trial_by(
+            &LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence },
+            force,
+            run,
+        )
     }
 }
 
 /// A figure of the contact at the end of the loads by which it is found \[mm, MPa or 1\].
 pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
-    let largest =
-        |of: fn(&BodySolution) -> f64| step.bodies.iter().flatten().map(|body| of(body)).fold(0.0, f64::max);
+    let largest = |of: fn(&BodySolution) -> f64| {
+        step.bodies.iter().flatten().map(|body| of(body)).fold(0.0, f64::max)
+    };
     match figure {
         TargetFigure::PermanentApproach => step.approach,
         TargetFigure::DentDepth => largest(BodySolution::dent_depth),
@@ -314,12 +343,14 @@ pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
     }
 }
 
-/// The largest force of which something is expected to hold that holds for small ones; `holds` takes the force and the
-/// half-width that is expected under it.
+/// The largest force of which something is expected to hold that holds for small ones; `holds`
+/// takes the force and the half-width that is expected under it.
 fn force_below(problem: &Problem, holds: impl Fn(f64, f64) -> bool) -> Result<f64, SolveError> {
     let (mut low, mut high) = (1e-9, 1e9);
     let expected = |force: f64| ContactSizeEstimate::expected(problem, ContactLoad::Force(force));
-    if let Err(error @ (SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. })) = expected(low) {
+    if let Err(error @ (SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. })) =
+        expected(low)
+    {
         return Err(error);
     }
     for _ in 0..80 {

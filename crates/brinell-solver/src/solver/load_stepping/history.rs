@@ -1,7 +1,8 @@
 //! Histories of loads on finite elements.
 //!
-//! The mesh is sized by deformation theory under the largest load. Moduli are those after the change that the coarse history has found;
-//! plastic flow is looked for outside of the plastic region as for any other load.
+//! The mesh is sized by deformation theory under the largest load. Moduli are those after the
+//! change that the coarse history has found; plastic flow is looked for outside of the plastic
+//! region as for any other load.
 
 use std::sync::Arc;
 
@@ -23,7 +24,9 @@ use crate::solver::method::contact_system::{BlockVector, ContactSystem as _, Lin
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome};
 use crate::solver::method::final_check::LeastScales;
-use crate::solver::method::history::{EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities};
+use crate::solver::method::history::{
+    EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities,
+};
 use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
@@ -54,7 +57,8 @@ impl<'a> MeshedHistory<'a> {
         size: ContactSizeEstimate,
         keeps_path: bool,
     ) -> (HistoryOnMesh<'a>, MeshDesign) {
-        let engine = HistoryOnMesh { problem: self.problem, job: self.job, mesh, size, keeps_path };
+        let engine =
+            HistoryOnMesh { problem: self.problem, job: self.job, mesh, size, keeps_path };
         let design = engine.design(engine.mesh.zone.clone());
         (engine, design)
     }
@@ -202,9 +206,13 @@ impl HistoryEngine for HistoryOnMesh<'_> {
     fn growth(&self, load: ContactLoad) -> Growth {
         let problem = self.problem;
         let onset = match load {
-            _ if problem.bodies.iter().all(|body| body.hardening().is_none()) => Some(f64::INFINITY),
-            ContactLoad::Force(force) => ElasticReference::of(self.job, force.max(f64::MIN_POSITIVE))
-                .and_then(|reference| reference.yield_onset_force),
+            _ if problem.bodies.iter().all(|body| body.hardening().is_none()) => {
+                Some(f64::INFINITY)
+            }
+            ContactLoad::Force(force) => {
+                ElasticReference::of(self.job, force.max(f64::MIN_POSITIVE))
+                    .and_then(|reference| reference.yield_onset_force)
+            }
             ContactLoad::Approach(_) => None,
         };
         // Between the elastic and the fully plastic contact.
@@ -264,7 +272,10 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         }
         memory.size.plastic = plastic;
         if self.keeps_path {
-            memory.path.points.push((time, solve.fields.iter().map(|field| field.nodal.clone()).collect()));
+            memory
+                .path
+                .points
+                .push((time, solve.fields.iter().map(|field| field.nodal.clone()).collect()));
         }
     }
 
@@ -277,7 +288,8 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         run: &mut Run<'_>,
     ) -> StepSolution {
         let tolerance = self.mesh.solver.tolerance.get();
-        let least = LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
+        let least =
+            LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         let mut step = final_check::finish(self.problem, solve, load, tolerance, least, run);
         if step.patch.is_some() {
             if step.peak_pressure > memory.peak[0] {
@@ -288,7 +300,8 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         }
         let unloading = final_check::unloading_stiffness(solve, run);
         step.unloading_stiffness = unloading.unwrap_or(0.0);
-        // Ends that go back, or forth again over what has yielded, leave it as elastic as the rest.
+        // Ends that go back, or forth again over what has yielded, leave it as elastic as the
+        // rest.
         if progress.is_below_largest_load() {
             step.contact_stiffness = step.contact_stiffness.or(unloading);
         }

@@ -29,8 +29,8 @@ pub(super) struct LoadSequence<'a> {
 impl LoadSequence<'_> {
     /// Solves loads in order and hands over each step as soon as it is finished.
     ///
-    /// Where the observer stops it, the steps that are done are kept, and the interrupt says why the others are missing; before
-    /// the first of them is done it is an error.
+    /// Where the observer stops it, the steps that are done are kept, and the interrupt says why
+    /// the others are missing; before the first of them is done it is an error.
     pub fn solve(
         &self,
         loads: &[ContactLoad],

@@ -26,7 +26,8 @@ use crate::solver::{Interrupt, SolveError, SolveStatus, final_check};
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
-/// Tolerance of the auxiliary passes. It leaves their figures wrong by a few hundredths of the mesh's own error.
+/// Tolerance of the auxiliary passes. It leaves their figures wrong by a few hundredths of the
+/// mesh's own error.
 const AUXILIARY_TOLERANCE: f64 = 1e-4;
 /// Sizing passes at most; each is made on the answer of the one before.
 const SIZING_PASSES: usize = 5;
@@ -38,8 +39,9 @@ const SIZING_TRUST: f64 = 0.4;
 const PLASTIC_MARGIN: f64 = 1.15;
 /// Least width of the zone over that of the contact for which a mesh is used again.
 const ZONE_MARGIN: f64 = 1.12;
-/// Elements that a mesh used again may be short of those asked for, and how much smaller or larger a contact is expected to be than
-/// the one for which its mesh was made, to be left on it whatever was found of its extent.
+/// Elements that a mesh used again may be short of those asked for, and how much smaller or larger
+/// a contact is expected to be than the one for which its mesh was made, to be left on it whatever
+/// was found of its extent.
 const RESOLUTION_SLACK: f64 = 1.05;
 
 /// By how much a zone that does not fit on the surfaces is narrowed, again and again.
@@ -85,10 +87,10 @@ impl<'a> LoadStepper<'a> {
         let reserve = resolution_reserve(load, next);
         let last = self.last.take();
         let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
-        let serves =
-            matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, load, extent));
+        let serves = matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, load, extent));
         let made_for = last.as_ref().filter(|_| serves).map_or(load, |last| last.made_for);
-        // A smaller contact lies within what is known already; a larger one is looked for as that of a job of its own is.
+        // A smaller contact lies within what is known already; a larger one is looked for as that
+        // of a job of its own is.
         let falls = last.as_ref().is_some_and(|last| load.magnitude() < last.load.magnitude());
         let (extent, sizing) = match predicted.filter(|_| serves || falls) {
             Some(extent) => (extent, None),
@@ -107,25 +109,41 @@ impl<'a> LoadStepper<'a> {
         let previous = coarse.nodal_fields();
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
         request.contact = self.contact;
-        request.previous = coupling(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
+        request.previous =
+            coupling(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
         let mut pass = mesh_solve::run(self.problem, &request, fine, run)?;
         // Before the stresses are handed over.
         let found = run.time(Phase::Output, || extent.found_by(&pass));
         let (tolerance, yields) = (request.solver.tolerance.get(), pass.yields());
-        let mut step =
-            final_check::finish(self.problem, &mut pass, load, tolerance, LeastScales::default(), run);
+        let mut step = final_check::finish(
+            self.problem,
+            &mut pass,
+            load,
+            tolerance,
+            LeastScales::default(),
+            run,
+        );
         step.coarse = figures;
         let elastic_force = (!yields).then(|| step.force());
         // One step of the search for it needs no remark.
-        step.unresolved =
-            found.unresolved(self.problem, trace::STEP * pass.system.zone.spacing(), elastic_force);
+        step.unresolved = found.unresolved(
+            self.problem,
+            trace::STEP * pass.system.zone.spacing(),
+            elastic_force,
+        );
         let is_converged = step.status == SolveStatus::Converged;
         // Memory is freed here, where the time it takes is measured.
         self.last = run.time(Phase::Output, move || {
             drop(sizing);
             let (extent, coarse, fine) = (found, coarse.into_system(load), pass.into_system(load));
             // Only converged solutions seed the next load.
-            next.filter(|_| is_converged).map(|_| LastStep { load, made_for, extent, coarse, fine })
+            next.filter(|_| is_converged).map(|_| LastStep {
+                load,
+                made_for,
+                extent,
+                coarse,
+                fine,
+            })
         });
         Ok(step)
     }
@@ -140,25 +158,33 @@ impl<'a> LoadStepper<'a> {
         (to.magnitude() / from.magnitude()).powf(exponent)
     }
 
-    /// Whether the meshes of the last load serve for a load whose contact is expected to have this extent.
+    /// Whether the meshes of the last load serve for a load whose contact is expected to have this
+    /// extent.
     fn serves(&self, last: &LastStep, load: ContactLoad, extent: ContactSizeEstimate) -> bool {
         let elements = self.job.mesh.elements_per_half_width as usize;
         let zone = &last.fine.zone;
-        // What is found of an extent jumps by an element: a search would go from mesh to mesh and never settle.
+        // What is found of an extent jumps by an element: a search would go from mesh to mesh and
+        // never settle.
         let is_near = || self.growth(last.made_for, load).ln().abs() <= RESOLUTION_SLACK.ln();
         zone.half_width() >= ZONE_MARGIN * extent.half_width
             && (zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements) || is_near())
     }
 
-    /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own size confirmed.
+    /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own
+    /// size confirmed.
     pub(super) fn size(
         &self,
         load: ContactLoad,
         run: &mut Run<'_>,
     ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
         let elements = self.job.mesh.elements_per_half_width as usize;
-        let expect =
-            || ContactSizeEstimate::expected(self.problem, load)?.resolved(self.problem, load, elements);
+        let expect = || {
+            ContactSizeEstimate::expected(self.problem, load)?.resolved(
+                self.problem,
+                load,
+                elements,
+            )
+        };
         let mut extent = run.time(Phase::Mesh, expect)?;
         let (mut found, mut pass) = self.small_mesh(load, extent, None, run)?;
         for _ in 1..SIZING_PASSES {
@@ -187,7 +213,8 @@ impl<'a> LoadStepper<'a> {
         self.settle(load, found, pass, run)
     }
 
-    /// Small meshes until the contact of bodies that yield ends between two nodes as it does at any other load.
+    /// Small meshes until the contact of bodies that yield ends between two nodes as it does at
+    /// any other load.
     fn settle(
         &self,
         load: ContactLoad,
@@ -211,7 +238,8 @@ impl<'a> LoadStepper<'a> {
         Ok((found, pass))
     }
 
-    /// A small mesh for a contact of this extent, from an answer on another one, and what it finds of the contact.
+    /// A small mesh for a contact of this extent, from an answer on another one, and what it finds
+    /// of the contact.
     fn small_mesh(
         &self,
         load: ContactLoad,
@@ -228,8 +256,9 @@ impl<'a> LoadStepper<'a> {
         Ok((found, pass))
     }
 
-    /// What a mesh has found of a contact, with elements as small as the surfaces need them; where a body has collapsed these
-    /// are in contact wherever they happen to be, and no finer mesh helps.
+    /// What a mesh has found of a contact, with elements as small as the surfaces need them; where
+    /// a body has collapsed these are in contact wherever they happen to be, and no finer mesh
+    /// helps.
     fn found(&self, extent: ContactSizeEstimate, pass: &MeshSolve) -> ContactSizeEstimate {
         let found = extent.found_by(pass);
         if final_check::has_collapsed(pass) {
@@ -276,8 +305,10 @@ impl<'a> LoadStepper<'a> {
         solver: SolverSettings,
     ) -> MeshSolveRequest<'a> {
         let spacing = extent.spacing(elements) / reserve;
-        // An envelope of distances from the middle of the contact does not follow a surface that bends round.
-        let is_whole = coupling(solver.coupling).needs_whole_body() || self.problem.conforming.is_some();
+        // An envelope of distances from the middle of the contact does not follow a surface that
+        // bends round.
+        let is_whole =
+            coupling(solver.coupling).needs_whole_body() || self.problem.conforming.is_some();
         let search_region = if is_whole {
             PlasticSearchRegion::WholeBody
         } else {

@@ -8,7 +8,8 @@ use crate::fem::mesh::Mesh;
 #[derive(Default)]
 pub(super) struct Path {
     pub meshes: Vec<Arc<Mesh>>,
-    /// Number of the load plus the part of it that is done, and the displacements of all nodes of each model.
+    /// Number of the load plus the part of it that is done, and the displacements of all nodes of
+    /// each model.
     pub points: Vec<(f64, Vec<Vec<[f64; 2]>>)>,
 }
 
@@ -42,7 +43,8 @@ impl Path {
         for (k, nodes) in now.iter_mut().enumerate() {
             for (n, value) in nodes.iter_mut().enumerate() {
                 let from = start.map_or([0.0; 2], |start| start[k][n]);
-                *value = [from[0] + part * (value[0] - from[0]), from[1] + part * (value[1] - from[1])];
+                *value =
+                    [from[0] + part * (value[0] - from[0]), from[1] + part * (value[1] - from[1])];
             }
         }
         now

@@ -15,7 +15,8 @@ use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
 use crate::solver::solution::{Solution, StepSolution};
 
-/// What the wire format does not offer: for the service, for verification, and for trying out methods.
+/// What the wire format does not offer: for the service, for verification, and for trying out
+/// methods.
 #[derive(Clone, Copy)]
 pub struct Options<'a> {
     /// Whether a symmetric problem is solved on one half. Default true.
@@ -24,7 +25,8 @@ pub struct Options<'a> {
     pub contact_solver: Option<&'a dyn ContactSolver>,
     /// Bodies and factors that other jobs have left and this one leaves. Default none.
     pub cache: Option<&'a Arc<FactorCache>>,
-    /// Makes the constitutive model of a material in place of the theory that the job names. Default none.
+    /// Makes the constitutive model of a material in place of the theory that the job names.
+    /// Default none.
     pub model: Option<ModelOf>,
 }
 
@@ -36,13 +38,14 @@ impl Default for Options<'_> {
 
 /// Solves a job.
 ///
-/// Three meshes: a small one that finds out how wide the contact is, one of half the requested density for error
-/// estimates, and the one that was asked for. Only the last is shown to the observer iteration by iteration; the
-/// others can be stopped. The loads of a sweep share meshes and factors while the contact fits on them, and each
-/// starts from the state of the one before.
+/// Three meshes: a small one that finds out how wide the contact is, one of half the requested
+/// density for error estimates, and the one that was asked for. Only the last is shown to the
+/// observer iteration by iteration; the others can be stopped. The loads of a sweep share meshes
+/// and factors while the contact fits on them, and each starts from the state of the one before.
 ///
 /// # Errors
-/// [`SolveError`]. An iteration that does not converge is no error: see [`crate::solver::SolveStatus`].
+/// [`SolveError`]. An iteration that does not converge is no error: see
+/// [`crate::solver::SolveStatus`].
 pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     run_with(job, Options::default(), observer)
 }
@@ -61,8 +64,8 @@ pub fn run_with(
     Ok(Solution { steps, ..solution })
 }
 
-/// [`run_with`] that hands over each step as soon as it is finished, so that a long sweep need not be kept in memory. The
-/// solution that is returned has none.
+/// [`run_with`] that hands over each step as soon as it is finished, so that a long sweep need not
+/// be kept in memory. The solution that is returned has none.
 ///
 /// # Errors
 /// As [`run`].
@@ -89,7 +92,9 @@ pub fn run_each(
     let mut solution = Solution::default();
     let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
     match loads(&job.load) {
-        Loads::Given(loads) => solution.interrupted = sequence.solve(&loads, &mut run, receiver)?,
+        Loads::Given(loads) => {
+            solution.interrupted = sequence.solve(&loads, &mut run, receiver)?
+        }
         Loads::Sought(sought) => {
             let (steps, sensitivity) = force_search::run(sought, &sequence, &mut run)?;
             for step in steps {

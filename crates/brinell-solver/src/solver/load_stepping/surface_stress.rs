@@ -1,14 +1,16 @@
 //! Stresses at the surface of a contact.
 //!
-//! Elements know stresses at their middles, half an element below. At the surface itself more is known:
+//! Elements know stresses at their middles, half an element below. At the surface itself more is
+//! known:
 //! ```text
 //! σ_n = -p                 contact pressure, 0 beside the contact
 //! ε_t = Δu·t / Δs          strain along the surface, exact to second order half-way between two nodes
 //! ε_θ = u_r / r            of a body of revolution; 0 in plane strain
 //! ```
-//! Hooke's law gives the other components of elastic bodies; `surface_recovery` has those of bodies that yield. There is no friction and
-//! no shear stress. Stress that a body has before the load is added as it is given, and what the body did to it where it relaxed as
-//! recovered at the nodes.
+//! Hooke's law gives the other components of elastic bodies; `surface_recovery` has those of
+//! bodies that yield. There is no friction and no shear stress. Stress that a body has before the
+//! load is added as it is given, and what the body did to it where it relaxed as recovered at the
+//! nodes.
 
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
@@ -50,10 +52,16 @@ pub(super) fn surface_points(
 }
 
 /// What the stress before the load is beyond the given one, at the nodes of the surface \[MPa\].
-fn relaxed_beyond_given(step: &StepSolution, body: &BodySolution, limits: &ProblemBody) -> Vec<[f64; 4]> {
+fn relaxed_beyond_given(
+    step: &StepSolution,
+    body: &BodySolution,
+    limits: &ProblemBody,
+) -> Vec<[f64; 4]> {
     let nodes = &body.mesh.contact_nodes;
     let given = limits.initial_stress.as_deref().filter(|given| !given.is_in_equilibrium());
-    let (Some(given), Some(at_rest)) = (given, body.at_rest()) else { return vec![[0.0; 4]; nodes.len()] };
+    let (Some(given), Some(at_rest)) = (given, body.at_rest()) else {
+        return vec![[0.0; 4]; nodes.len()];
+    };
     let beyond = beyond_given(at_rest, given);
     let mut recovery = Recovery::new(&beyond, step.symmetric);
     nodes
@@ -65,7 +73,8 @@ fn relaxed_beyond_given(step: &StepSolution, body: &BodySolution, limits: &Probl
         .collect()
 }
 
-/// A body without the stress that is given before the load, which may vary faster than elements tell.
+/// A body without the stress that is given before the load, which may vary faster than elements
+/// tell.
 pub(super) fn beyond_given(mut body: BodySolution, given: &GivenStress) -> BodySolution {
     for point in body.stress.points.iter_mut().flatten() {
         let given = given.at(point.position);
@@ -87,7 +96,8 @@ fn point(
     pairs: &[PairState],
 ) -> Option<SurfacePoint> {
     let ([left, right], [a, b]) = (nodes, pairs) else { return None };
-    let Segment { position, tangent, along, around, .. } = Segment::of(state, body, [*left, *right]);
+    let Segment { position, tangent, along, around, .. } =
+        Segment::of(state, body, [*left, *right]);
     let pressure = 0.5 * (a.pressure + b.pressure);
     let stress = principal(state, body.model.elastic(), [along, around], -pressure);
     Some(SurfacePoint {
@@ -134,7 +144,8 @@ impl Segment {
     }
 }
 
-/// `[σ_t, σ_n, σ_z]` for strains along the surface and out of the plane and a normal stress \[MPa\].
+/// `[σ_t, σ_n, σ_z]` for strains along the surface and out of the plane and a normal stress
+/// \[MPa\].
 pub(in crate::solver) fn principal(
     state: StressState,
     moduli: ElasticModuli,
@@ -153,8 +164,9 @@ pub(in crate::solver) fn principal(
     [twice_shear * along + volumetric, normal, twice_shear * across + volumetric]
 }
 
-/// Highest von Mises stress at the edge of the contact circle of a body of revolution and its place \[MPa, mm\]. Stress along the
-/// surface has a peak there that elements do not resolve: beside the contact it falls as 1/r², as that of a force on a point does.
+/// Highest von Mises stress at the edge of the contact circle of a body of revolution and its
+/// place \[MPa, mm\]. Stress along the surface has a peak there that elements do not resolve:
+/// beside the contact it falls as 1/r², as that of a force on a point does.
 pub(super) fn at_contact_circle(
     step: &StepSolution,
     limits: &ProblemBody,
@@ -162,12 +174,17 @@ pub(super) fn at_contact_circle(
 ) -> Option<(f64, [f64; 2])> {
     let is_disc = step.stress_state == StressState::Axisymmetric && step.parts.len() == 1;
     let radius = step.patch.filter(|patch| is_disc && patch.left <= 0.0)?.right;
-    // The outermost, because the others come into contact one after the other while a force is sought.
+    // The outermost, because the others come into contact one after the other while a force is
+    // sought.
     let outside = points.last().filter(|point| point.is_free)?;
     let factor = (outside.position[0] / radius).powi(2);
     let position = [radius, limits.outline.height(radius)];
     Some((
-        von_mises(with_given(outside.beyond_given.map(|stress| factor * stress), limits, position)),
+        von_mises(with_given(
+            outside.beyond_given.map(|stress| factor * stress),
+            limits,
+            position,
+        )),
         position,
     ))
 }

@@ -17,29 +17,35 @@ use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::problem::Problem;
 
-/// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.
+/// Largest half-width of a contact as a part of the surface beside its middle that is solved at
+/// all.
 pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
 /// Half-width of the candidate zone over that of the contact.
 pub(super) const ZONE: f64 = 1.6;
 /// Elements over the half-width of the zone at least.
 const LEAST_COLUMNS: f64 = 4.0;
-/// Step in elements from one size to the next, as it moves the end of the contact, and between places
-/// of an off-centre zone.
+/// Step in elements from one size to the next, as it moves the end of the contact, and between
+/// places of an off-centre zone.
 const STEP: f64 = 0.002;
-/// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
+/// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03
+/// %.
 const RING_GROWTH: f64 = 0.065;
-/// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
-/// between two nodes if half-widths found on a coarser mesh were not a little low.
+/// Part of an element by which a contact is wider than whole elements. Half an element would put
+/// its end in the middle between two nodes if half-widths found on a coarser mesh were not a
+/// little low.
 pub(super) const BEYOND_LAST: f64 = 0.4;
 /// How much finer a mesh may become than what was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
 const MAX_ELEMENTS: f64 = 350.0;
-/// How much wider than by closed forms a contact of rough surfaces is to be sized by what half-spaces say.
+/// How much wider than by closed forms a contact of rough surfaces is to be sized by what
+/// half-spaces say.
 const WIDER_THAN_CLOSED_FORM: f64 = 1.25;
-/// Part of an approach by which a summit is pushed into the other body as it is before it counts as in contact: away from where they touch bodies hardly give way.
+/// Part of an approach by which a summit is pushed into the other body as it is before it counts
+/// as in contact: away from where they touch bodies hardly give way.
 const OVERLAP: f64 = 0.8;
-/// Points within a contact from which on its surfaces may touch in parts; an edge, a tip and an arc have fewer.
+/// Points within a contact from which on its surfaces may touch in parts; an edge, a tip and an
+/// arc have fewer.
 const TRACE_POINTS: usize = 5;
 /// Pairs over a half-width with which parts are looked for.
 const PAIRS_OF_PARTS: f64 = 90.0;
@@ -59,30 +65,36 @@ pub(crate) struct ContactSizeEstimate {
     pub smallest_part: f64,
     /// Where material yields.
     pub plastic: RadialEnvelope,
-    /// Half-width of the elastic contact in closed form, which element sizes are rounded to steps from \[mm\].
+    /// Half-width of the elastic contact in closed form, which element sizes are rounded to steps
+    /// from \[mm\].
     pub hertz_half_width: f64,
-    /// How much smaller elements have to be for the nodes to see surfaces that are given by points as they are, at least 1.
+    /// How much smaller elements have to be for the nodes to see surfaces that are given by points
+    /// as they are, at least 1.
     pub refinement: f64,
 }
 
 impl ContactSizeEstimate {
     /// The extent that closed forms suggest for a load.
     ///
-    /// The gap at ±a stands for a parabola of the same opening, of which Hertz's theory knows the force; a fully
-    /// plastic contact needs at least the width that bears the force at the material's hardness. For a prescribed
-    /// approach the width is where the undeformed surfaces would overlap, which is too much.
+    /// The gap at ±a stands for a parabola of the same opening, of which Hertz's theory knows the
+    /// force; a fully plastic contact needs at least the width that bears the force at the
+    /// material's hardness. For a prescribed approach the width is where the undeformed surfaces
+    /// would overlap, which is too much.
     ///
     /// # Errors
-    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TouchesAtEnd`] where they end, [`SolveError::TooWide`] or [`SolveError::TooFarRound`] where
-    /// the contact would take up more of the surfaces than is solved.
+    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TouchesAtEnd`]
+    /// where they end, [`SolveError::TooWide`] or [`SolveError::TooFarRound`] where the contact
+    /// would take up more of the surfaces than is solved.
     pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, SolveError> {
         if let Some(pair) = &problem.conforming {
             return Self::round(problem, pair, load);
         }
         let (left, right) = problem.span();
-        // A full model of a symmetric problem is sized as its half would be, so that both have the same mesh.
+        // A full model of a symmetric problem is sized as its half would be, so that both have the
+        // same mesh.
         let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
-        let touch = if symmetric { problem.first_contact_x.abs() } else { problem.first_contact_x };
+        let touch =
+            if symmetric { problem.first_contact_x.abs() } else { problem.first_contact_x };
         let beside = right - touch;
         let available = if symmetric { beside } else { beside.min(touch - left) };
         let limit = MAX_HALF_WIDTH * available;
@@ -99,7 +111,8 @@ impl ContactSizeEstimate {
             return Self::at(problem, load, touch, limit)?
                 .map_err(|half_width| SolveError::TooWide { half_width, available });
         }
-        // Two places that are mirror images of each other, or a ring, until the contact has closed between them.
+        // Two places that are mirror images of each other, or a ring, until the contact has closed
+        // between them.
         let share = match (load, problem.stress_state) {
             (ContactLoad::Force(force), StressState::Axisymmetric) => {
                 ContactLoad::Force(force / (2.0 * PI * touch))
@@ -121,7 +134,8 @@ impl ContactSizeEstimate {
         Ok(Self { half_width, smallest_part: half_width, ..closed })
     }
 
-    /// The extent around one place; the inner error is the half-width that would be needed, above the limit.
+    /// The extent around one place; the inner error is the half-width that would be needed, above
+    /// the limit.
     fn at(
         problem: &Problem,
         load: ContactLoad,
@@ -143,13 +157,18 @@ impl ContactSizeEstimate {
             Some(elastic) if elastic.max(plastic) <= limit => {
                 let a = elastic.max(plastic);
                 if let Some((side, corner)) = problem.ambiguous_corner(touch, a) {
-                    return Err(SolveError::AmbiguousCorner { side, x: corner.x, opening: corner.opening() });
+                    return Err(SolveError::AmbiguousCorner {
+                        side,
+                        x: corner.x,
+                        opening: corner.opening(),
+                    });
                 }
                 let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
                 Ok(Ok(Self::around(touch, a, elastic, symmetric)))
             }
             elastic => {
-                // On the power of the half-width that the load follows there: 2 of a cylinder, 3 of a ball under a force.
+                // On the power of the half-width that the load follows there: 2 of a cylinder, 3
+                // of a ball under a force.
                 let borne = |a: f64| match load {
                     ContactLoad::Force(_) => problem.elastic_force(touch, a),
                     ContactLoad::Approach(_) => 0.5 * problem.opening(touch, a),
@@ -157,15 +176,20 @@ impl ContactSizeEstimate {
                 let exponent = (borne(limit) / borne(0.5 * limit)).log2();
                 let ratio = load.magnitude() / borne(limit);
                 // Where the surfaces close again, no ratio tells.
-                let beyond = if ratio > 1.0 && exponent > 0.0 { ratio.powf(exponent.recip()) } else { 1.0 };
+                let beyond =
+                    if ratio > 1.0 && exponent > 0.0 { ratio.powf(exponent.recip()) } else { 1.0 };
                 Ok(Err(elastic.unwrap_or(beyond * limit).max(plastic)))
             }
         }
     }
 
-    /// The same of a pin in a hole, by arc lengths. How far it goes round under a prescribed approach is not known before a
-    /// mesh has found it.
-    fn round(problem: &Problem, pair: &ConformingPair, load: ContactLoad) -> Result<Self, SolveError> {
+    /// The same of a pin in a hole, by arc lengths. How far it goes round under a prescribed
+    /// approach is not known before a mesh has found it.
+    fn round(
+        problem: &Problem,
+        pair: &ConformingPair,
+        load: ContactLoad,
+    ) -> Result<Self, SolveError> {
         let limit = pair.largest_arc();
         let bears = |a: f64| match load {
             ContactLoad::Force(force) => problem.elastic_force(0.0, a) >= force,
@@ -176,7 +200,8 @@ impl ContactSizeEstimate {
             ContactLoad::Force(force) => {
                 let Some(elastic) = elastic else {
                     let ratio = 2.0 * problem.effective_modulus() * pair.clearance / force;
-                    let half_angle = PinInHole::of_clearance_ratio(ratio).half_angle().to_degrees();
+                    let half_angle =
+                        PinInHole::of_clearance_ratio(ratio).half_angle().to_degrees();
                     return Err(SolveError::TooFarRound { half_angle });
                 };
                 (elastic, pair.arc_of_chord(plastic_half_width(problem, force, 0.0)))
@@ -201,12 +226,18 @@ impl ContactSizeEstimate {
         }
     }
 
-    /// This extent, with elements as small as the surfaces need them; `elements` are asked for over a half-width.
+    /// This extent, with elements as small as the surfaces need them; `elements` are asked for
+    /// over a half-width.
     ///
     /// # Errors
-    /// [`SolveError::TraceTooFine`] where that is smaller than what is solved, [`MeshError::TooSteep`] where a face that deforms is too
-    /// steep within the contact.
-    pub fn resolved(self, problem: &Problem, load: ContactLoad, elements: usize) -> Result<Self, SolveError> {
+    /// [`SolveError::TraceTooFine`] where that is smaller than what is solved,
+    /// [`MeshError::TooSteep`] where a face that deforms is too steep within the contact.
+    pub fn resolved(
+        self,
+        problem: &Problem,
+        load: ContactLoad,
+        elements: usize,
+    ) -> Result<Self, SolveError> {
         let (left, right) = (self.centre - self.half_width, self.centre + self.half_width);
         for outline in problem.deformable_outlines() {
             outline.require_contact_slope(left, right)?;
@@ -215,17 +246,25 @@ impl ContactSizeEstimate {
         let (wanted, spacing) = extent.spacings(problem, elements);
         let finest = extent.half_width / MAX_ELEMENTS;
         if spacing < wanted && spacing < finest {
-            return Err(SolveError::TraceTooFine { half_width: extent.half_width, spacing, finest });
+            return Err(SolveError::TraceTooFine {
+                half_width: extent.half_width,
+                spacing,
+                finest,
+            });
         }
         let radius = problem.edge_radius();
         if radius < finest && extent.half_width >= problem.walls()[1] - radius {
-            return Err(SolveError::TraceTooFine { half_width: extent.half_width, spacing: radius, finest });
+            return Err(SolveError::TraceTooFine {
+                half_width: extent.half_width,
+                spacing: radius,
+                finest,
+            });
         }
         Ok(Self { refinement: wanted / spacing, ..extent })
     }
 
-    /// The extent of a contact that closed forms of contacts in one part do not see: of a surface whose highest summits lie so
-    /// far above the others that they seem to bear the force alone.
+    /// The extent of a contact that closed forms of contacts in one part do not see: of a surface
+    /// whose highest summits lie so far above the others that they seem to bear the force alone.
     fn of_several_parts(self, problem: &Problem, load: ContactLoad) -> Self {
         let ContactLoad::Force(force) = load else { return self };
         if problem.has_arcs() {
@@ -254,8 +293,8 @@ impl ContactSizeEstimate {
         Self { centre, half_width, smallest_part, hertz_half_width: half_width, ..self }
     }
 
-    /// The extent that a mesh is expected to find of surfaces given by points: a trace touches beyond where its mean surface
-    /// would, and in parts that meshes resolve.
+    /// The extent that a mesh is expected to find of surfaces given by points: a trace touches
+    /// beyond where its mean surface would, and in parts that meshes resolve.
     pub fn of_trace(self, problem: &Problem, load: ContactLoad, elements: usize) -> Self {
         let force = match load {
             ContactLoad::Force(force) => force,
@@ -266,11 +305,18 @@ impl ContactSizeEstimate {
             let found = rough::contact(problem, force, self.centre, self.half_width, spacing);
             let Some(found) = found else { return self };
             let half_width = found.half_width();
-            return Self { half_width, smallest_part: half_width, ..self }.refined(problem, elements);
+            return Self { half_width, smallest_part: half_width, ..self }
+                .refined(problem, elements);
         }
         // Two places that are expected to touch, or all between them.
         let found = if self.smallest_part < 0.5 * self.half_width {
-            rough::contact(problem, force, self.centre, self.half_width, self.half_width / PAIRS_OF_PARTS)
+            rough::contact(
+                problem,
+                force,
+                self.centre,
+                self.half_width,
+                self.half_width / PAIRS_OF_PARTS,
+            )
         } else {
             self.half_planes(problem, force)
         };
@@ -289,26 +335,26 @@ impl ContactSizeEstimate {
         }
         let (left, right) = problem.room();
         let is_inside = |x: &&f64| problem.initial_gap(**x) < OVERLAP * approach;
-        let (from, to) = problem
-            .knots_within(left, right)
-            .iter()
-            .filter(is_inside)
-            .fold((self.centre - self.half_width, self.centre + self.half_width), |(from, to), &x| {
-                (from.min(x), to.max(x))
-            });
-        let half_width = if problem.has_symmetric_outlines() { to.max(-from) } else { 0.5 * (to - from) };
+        let (from, to) = problem.knots_within(left, right).iter().filter(is_inside).fold(
+            (self.centre - self.half_width, self.centre + self.half_width),
+            |(from, to), &x| (from.min(x), to.max(x)),
+        );
+        let half_width =
+            if problem.has_symmetric_outlines() { to.max(-from) } else { 0.5 * (to - from) };
         if half_width < WIDER_THAN_CLOSED_FORM * self.half_width {
             return self;
         }
         Self { centre: 0.5 * (from + to), half_width, hertz_half_width: half_width, ..self }
     }
 
-    /// The extent of a contact that a mesh has found under a force, with parts that it may have been too coarse to tell apart.
+    /// The extent of a contact that a mesh has found under a force, with parts that it may have
+    /// been too coarse to tell apart.
     pub fn with_parts(self, problem: &Problem, force: f64) -> Self {
         if self.refinement > 1.0 {
             return self;
         }
-        let parts = self.half_planes(problem, force).map_or(f64::INFINITY, |found| found.smallest_part);
+        let parts =
+            self.half_planes(problem, force).map_or(f64::INFINITY, |found| found.smallest_part);
         Self { smallest_part: self.smallest_part.min(parts), ..self }
     }
 
@@ -323,7 +369,8 @@ impl ContactSizeEstimate {
             .filter(|found| found.smallest_part < 0.5 * found.half_width())
     }
 
-    /// The same for a contact that a mesh has found, without becoming much finer than was expected and estimated.
+    /// The same for a contact that a mesh has found, without becoming much finer than was expected
+    /// and estimated.
     pub fn refined(self, problem: &Problem, elements: usize) -> Self {
         let (wanted, spacing) = self.spacings(problem, elements);
         let finest = (self.half_width / MAX_ELEMENTS).min(wanted);
@@ -331,12 +378,13 @@ impl ContactSizeEstimate {
         Self { refinement: refinement.min(MORE_THAN_EXPECTED * self.refinement), ..self }
     }
 
-    /// Element size that the surfaces within the contact need, where it is smaller than a given one \[mm\]; `force` is that of an
-    /// elastic contact, whose parts have a size.
+    /// Element size that the surfaces within the contact need, where it is smaller than a given
+    /// one \[mm\]; `force` is that of an elastic contact, whose parts have a size.
     pub fn unresolved(&self, problem: &Problem, spacing: f64, force: Option<f64>) -> Option<f64> {
         let details = resolving_spacing(problem, self.centre, self.half_width, spacing);
         let parts = force.and_then(|force| self.half_planes(problem, force));
-        let needed = parts.map_or(details, |parts| details.min(parts.smallest_part / LEAST_ELEMENTS_OF_PART));
+        let needed = parts
+            .map_or(details, |parts| details.min(parts.smallest_part / LEAST_ELEMENTS_OF_PART));
         (!problem.has_arcs() && needed < spacing).then_some(needed)
     }
 
@@ -356,9 +404,11 @@ impl ContactSizeEstimate {
         let own_width = |left: f64, right: f64| {
             if zone.is_symmetric() && left == 0.0 { right } else { 0.5 * (right - left) }
         };
-        let (x, pressures) = pass.system.pressure_over_x(&pass.outcome.state.response.contact.force);
+        let (x, pressures) =
+            pass.system.pressure_over_x(&pass.outcome.state.response.contact.force);
         let carried = |part: &ContactPatch| -> f64 {
-            let inside = x.iter().zip(&pressures).filter(|(x, _)| (part.left..=part.right).contains(*x));
+            let inside =
+                x.iter().zip(&pressures).filter(|(x, _)| (part.left..=part.right).contains(*x));
             inside.map(|(_, p)| p).sum()
         };
         let mut parts = pass.parts();
@@ -368,9 +418,10 @@ impl ContactSizeEstimate {
         }
         let smallest = match parts.as_slice() {
             [only] if !zone.is_symmetric() || only.left == 0.0 => patch.half_width(),
-            many => {
-                many.iter().map(|part| own_width(part.left, part.right)).fold(patch.half_width(), f64::min)
-            }
+            many => many
+                .iter()
+                .map(|part| own_width(part.left, part.right))
+                .fold(patch.half_width(), f64::min),
         };
         Self {
             centre: 0.5 * (patch.left + patch.right),
@@ -401,24 +452,28 @@ impl ContactSizeEstimate {
         }
     }
 
-    /// Element size for so many elements over a half-width \[mm\], and a part of one more, so that the end of the
-    /// contact falls between two nodes.
+    /// Element size for so many elements over a half-width \[mm\], and a part of one more, so that
+    /// the end of the contact falls between two nodes.
     ///
-    /// It is a member of a geometric series about the elastic contact, so that jobs whose contacts differ by rounding alone get the same
-    /// mesh, and with it all that is known of it ([`crate::solver::FactorCache`]).
+    /// It is a member of a geometric series about the elastic contact, so that jobs whose contacts
+    /// differ by rounding alone get the same mesh, and with it all that is known of it
+    /// ([`crate::solver::FactorCache`]).
     pub fn spacing(&self, elements: usize) -> f64 {
         let elements = elements as f64 + BEYOND_LAST;
         if self.refinement > 1.0 {
-            // Fine enough for the points of a trace, between which nothing is known: parts that it has are no reason more.
+            // Fine enough for the points of a trace, between which nothing is known: parts that it
+            // has are no reason more.
             return self.half_width / elements / self.refinement;
         }
-        let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
+        let resolved =
+            self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
         let step = (STEP / elements).ln_1p();
         let steps = (resolved / self.hertz_half_width).ln() / step;
         self.hertz_half_width / elements * (step * steps.round()).exp()
     }
 
-    /// A zone that covers the contact and more, with elements of a given size or, where these would be too few, smaller ones.
+    /// A zone that covers the contact and more, with elements of a given size or, where these
+    /// would be too few, smaller ones.
     pub fn zone(&self, problem: &Problem, spacing: f64) -> ContactZone {
         let symmetric = problem.is_symmetric();
         let spacing = spacing.min(ZONE * self.half_width / LEAST_COLUMNS);
@@ -429,7 +484,11 @@ impl ContactSizeEstimate {
         }
         let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "small and positive"
+        )]
         let columns = columns as usize;
         if symmetric {
             problem.zone(0.0, half, columns, symmetric)
@@ -446,15 +505,16 @@ fn nearest(number: f64) -> f64 {
     (number * (1.0 + ROUNDING)).round()
 }
 
-/// Rings become thinner together with the block's elements, so that both errors fall at the same rate.
+/// Rings become thinner together with the block's elements, so that both errors fall at the same
+/// rate.
 pub(crate) fn refinement(zone: &ContactZone) -> Refinement {
     // Not of the graded columns: they leave the rest as it is.
     let columns = zone.half_width() / zone.spacing();
     Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns }
 }
 
-/// The smallest half-width that bears a load, by steps of a ratio down from the largest to a millionth
-/// of it; by as many again where the last still bears it.
+/// The smallest half-width that bears a load, by steps of a ratio down from the largest to a
+/// millionth of it; by as many again where the last still bears it.
 fn smallest(largest: f64, ratio: f64, bears: impl Fn(f64) -> bool) -> Option<f64> {
     let at = |k: i32| largest * ratio.powi(-k);
     #[expect(clippy::cast_possible_truncation, reason = "some hundred")]
@@ -477,7 +537,8 @@ fn bisect(mut low: f64, mut high: f64, bears: impl Fn(f64) -> bool) -> f64 {
     high
 }
 
-/// Half-width that bears a force where all of the contact is plastic; of a ring, the force on a length of it.
+/// Half-width that bears a force where all of the contact is plastic; of a ring, the force on a
+/// length of it.
 fn plastic_half_width(problem: &Problem, force: f64, touch: f64) -> f64 {
     if problem.stress_state == StressState::Axisymmetric && touch == 0.0 {
         (force / (PI * problem.hardness())).sqrt()

@@ -29,8 +29,8 @@ pub struct Estimate {
 /// Estimates the cost of a job without meshing it, but for steep faces.
 ///
 /// # Errors
-/// [`SolveError`] for contacts that are not solved: too wide, conforming, of traces too fine or faces too steep, with a corner
-/// that may be none.
+/// [`SolveError`] for contacts that are not solved: too wide, conforming, of traces too fine or
+/// faces too steep, with a corner that may be none.
 pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     let problem = Problem::of(job);
     let elements = job.mesh.elements_per_half_width as usize;
@@ -56,7 +56,8 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
         let zone = extent.zone(&problem, spacing);
         for outline in problem.deformable_outlines().filter(|outline| outline.is_steep()) {
             // Where there is no mesh for another reason, a narrower zone is tried.
-            if let Err(error @ MeshError::TooSteep { .. }) = Mesh::generate(outline, &zone, refinement(&zone))
+            if let Err(error @ MeshError::TooSteep { .. }) =
+                Mesh::generate(outline, &zone, refinement(&zone))
             {
                 return Err(error.into());
             }
@@ -69,8 +70,8 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     Ok(worst)
 }
 
-/// Where the load is yet to be found: the contact under the force from which the search begins; of bodies of which no closed form tells
-/// one, a contact of a hundredth of the surface.
+/// Where the load is yet to be found: the contact under the force from which the search begins; of
+/// bodies of which no closed form tells one, a contact of a hundredth of the surface.
 fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimate, SolveError> {
     if sought == Sought::Onset && problem.bodies.iter().all(|body| body.yield_stress().is_none()) {
         return Err(SolveError::NoYieldPoint);
@@ -88,7 +89,9 @@ fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimat
     let limit = problem.conforming.map_or(MAX_HALF_WIDTH * available, |pair| pair.largest_arc());
     if half_width > limit {
         return Err(match &problem.conforming {
-            Some(pair) => SolveError::TooFarRound { half_angle: pair.angle(half_width).to_degrees() },
+            Some(pair) => {
+                SolveError::TooFarRound { half_angle: pair.angle(half_width).to_degrees() }
+            }
             None => SolveError::TooWide { half_width, available },
         });
     }
@@ -108,18 +111,28 @@ fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimat
     Ok(cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>()))
 }
 
-/// The contact under the force from which a search begins; `None` where a width is sought, or closed forms tell no force.
-fn starting_extent(problem: &Problem, sought: Sought, elements: usize) -> Option<ContactSizeEstimate> {
+/// The contact under the force from which a search begins; `None` where a width is sought, or
+/// closed forms tell no force.
+fn starting_extent(
+    problem: &Problem,
+    sought: Sought,
+    elements: usize,
+) -> Option<ContactSizeEstimate> {
     if !starts_from_pressure(sought, problem) {
         return None;
     }
     let load = ContactLoad::Force(first_force(sought, problem).ok()?);
     let extent = ContactSizeEstimate::expected(problem, load).ok()?;
-    Some(extent.resolved(problem, load, elements).unwrap_or(extent).of_trace(problem, load, elements))
+    Some(
+        extent
+            .resolved(problem, load, elements)
+            .unwrap_or(extent)
+            .of_trace(problem, load, elements),
+    )
 }
 
-/// The factor of nested dissection grows as `n log₂ n`, everything else as n; the constants were measured and
-/// doubled. Equal bodies are solved once.
+/// The factor of nested dissection grows as `n log₂ n`, everything else as n; the constants were
+/// measured and doubled. Equal bodies are solved once.
 fn cost(problem: &Problem, nodes: &[usize]) -> Estimate {
     let equations: usize = nodes.iter().map(|n| 2 * n).sum();
     let solved = if problem.bodies_are_equal() { 1 } else { nodes.len() };

@@ -7,12 +7,18 @@ const REFINEMENTS: u32 = 80;
 /// Gaps that differ by less, relative to the span, are equal.
 const EQUAL: f64 = 1e-12;
 
-/// The place and the size of the smallest gap over `[left, right]` \[mm\]; where it is reached again and again, the place
-/// nearest to the origin.
+/// The place and the size of the smallest gap over `[left, right]` \[mm\]; where it is reached
+/// again and again, the place nearest to the origin.
 ///
-/// The gap is evaluated at every knot and at even samples. Where it might become smaller between two of these, a golden
-/// section finds the minimum, so that the answer does not depend on where samples fall. `knots` are ascending.
-pub(crate) fn smallest_gap(gap: impl Fn(f64) -> f64, left: f64, right: f64, knots: &[f64]) -> (f64, f64) {
+/// The gap is evaluated at every knot and at even samples. Where it might become smaller between
+/// two of these, a golden section finds the minimum, so that the answer does not depend on where
+/// samples fall. `knots` are ascending.
+pub(crate) fn smallest_gap(
+    gap: impl Fn(f64) -> f64,
+    left: f64,
+    right: f64,
+    knots: &[f64],
+) -> (f64, f64) {
     let even = (0..=SAMPLES).map(|k| left + (right - left) * f64::from(k) / f64::from(SAMPLES));
     let inside = knots.iter().copied().chain([0.0]).filter(|x| (left..=right).contains(x));
     let mut places: Vec<f64> = even.chain(inside).collect();
@@ -39,7 +45,8 @@ pub(crate) fn smallest_gap(gap: impl Fn(f64) -> f64, left: f64, right: f64, knot
     })
 }
 
-/// The smallest value between `left` and `right`, by golden section, or the one that is `known` in between.
+/// The smallest value between `left` and `right`, by golden section, or the one that is `known` in
+/// between.
 fn refine(gap: impl Fn(f64) -> f64, left: f64, known: (f64, f64), right: f64) -> (f64, f64) {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = (left, right);

@@ -1,5 +1,5 @@
-//! How far an elastic contact of rough surfaces reaches: half-spaces instead of bodies, pairs as close as the elements of the
-//! mesh. A trace touches beyond where its mean surface would.
+//! How far an elastic contact of rough surfaces reaches: half-spaces instead of bodies, pairs as
+//! close as the elements of the mesh. A trace touches beyond where its mean surface would.
 
 use std::f64::consts::PI;
 
@@ -29,7 +29,8 @@ pub(crate) struct Touching {
     /// Ends, half of the spacing beyond the outermost pairs \[mm\].
     pub left: f64,
     pub right: f64,
-    /// Half-width of the smallest connected part that carries more than a small share of the force \[mm\].
+    /// Half-width of the smallest connected part that carries more than a small share of the force
+    /// \[mm\].
     pub smallest_part: f64,
 }
 
@@ -44,8 +45,8 @@ impl Touching {
     }
 }
 
-/// The contact under a force around a middle, on pairs of this spacing; `None` where that takes too many pairs, or in
-/// axisymmetry.
+/// The contact under a force around a middle, on pairs of this spacing; `None` where that takes
+/// too many pairs, or in axisymmetry.
 pub(crate) fn contact(
     problem: &Problem,
     force: f64,
@@ -67,9 +68,15 @@ pub(crate) fn contact(
     }
 }
 
-/// That contact on a number of pairs that does not depend on it: first as far as the surfaces are `available`, then closer and
-/// closer to what touches, and then with what is beside it, because a summit gives way more than the element that stood for it.
-pub(crate) fn extent(problem: &Problem, force: f64, centre: f64, available: f64) -> Option<Touching> {
+/// That contact on a number of pairs that does not depend on it: first as far as the surfaces are
+/// `available`, then closer and closer to what touches, and then with what is beside it, because a
+/// summit gives way more than the element that stood for it.
+pub(crate) fn extent(
+    problem: &Problem,
+    force: f64,
+    centre: f64,
+    available: f64,
+) -> Option<Touching> {
     let look = |reach: f64, to_each_side: f64| {
         let pairs = Pairs { centre, spacing: reach / to_each_side, to_each_side };
         match pairs.press(problem, force)? {
@@ -122,7 +129,11 @@ impl Pairs {
         if problem.stress_state == StressState::Axisymmetric {
             return None;
         }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "small and positive"
+        )]
         let count = 2 * self.to_each_side as usize + 1;
         let x = |k: usize| self.centre + (k as f64 - self.to_each_side) * self.spacing;
         let initial_gap: Vec<f64> = (0..count).map(|k| self.gap(problem, x(k))).collect();
@@ -144,12 +155,16 @@ impl Pairs {
         let smallest = carrying.map(<[f64]>::len).min().unwrap_or(last + 1 - first);
         let half = 0.5 * self.spacing;
         let smallest_part = half * smallest as f64;
-        Some(Pressed::Within(Touching { left: x(first) - half, right: x(last) + half, smallest_part }))
+        Some(Pressed::Within(Touching {
+            left: x(first) - half,
+            right: x(last) + half,
+            smallest_part,
+        }))
     }
 }
 
-/// Normal displacements of a half-plane under unit forces, each spread evenly over an element, relative to a point far away:
-/// `-2/(π E*) ∫ ln|x - s| ds/h`.
+/// Normal displacements of a half-plane under unit forces, each spread evenly over an element,
+/// relative to a point far away: `-2/(π E*) ∫ ln|x - s| ds/h`.
 fn half_plane(count: usize, modulus: f64) -> SymmetricMatrix {
     // In elements; beyond all of them, so that every entry is positive.
     let datum = (10.0 * count as f64).ln();

@@ -1,12 +1,15 @@
-//! Traces finer than the mesh: how small elements have to be for a surface that is given by points.
+//! Traces finer than the mesh: how small elements have to be for a surface that is given by
+//! points.
 //!
-//! Pressure follows the slope of the gap. What the straight lines between the nodes leave out of a surface deviates from
-//! them by d within an element of size h, a slope of up to 4 d/h; it is taken to matter where that is a noticeable part of
-//! the slope 2 δ/a with which the gap opens over the half-width a, δ being the gap at its ends. The deviation `h² δ/4 a²` of
-//! a smooth surface of that opening is what any mesh leaves out, and does not count.
+//! Pressure follows the slope of the gap. What the straight lines between the nodes leave out of a
+//! surface deviates from them by d within an element of size h, a slope of up to 4 d/h; it is
+//! taken to matter where that is a noticeable part of the slope 2 δ/a with which the gap opens
+//! over the half-width a, δ being the gap at its ends. The deviation `h² δ/4 a²` of a smooth
+//! surface of that opening is what any mesh leaves out, and does not count.
 //!
-//! The rounded edges of a punch are no such details: the contact ends there, and columns are graded towards them. Nor is a tip that
-//! is rounded off: but for the pressure on it, of which there is a closed form, a contact does not depend on its radius.
+//! The rounded edges of a punch are no such details: the contact ends there, and columns are
+//! graded towards them. Nor is a tip that is rounded off: but for the pressure on it, of which
+//! there is a closed form, a contact does not depend on its radius.
 
 use crate::solver::problem::Problem;
 
@@ -15,8 +18,8 @@ const SLOPE_SHARE: f64 = 0.1;
 /// How much smaller elements become from one trial to the next.
 pub(crate) const STEP: f64 = 0.8;
 
-/// The largest spacing \[mm\] up to `wanted` with which the nodes of a mesh see the gap over `[centre - a, centre + a]` as it
-/// is.
+/// The largest spacing \[mm\] up to `wanted` with which the nodes of a mesh see the gap over
+/// `[centre - a, centre + a]` as it is.
 pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: f64) -> f64 {
     let edges = problem.edges_around(centre);
     let (left, right) = ((centre - a).max(edges[0]), (centre + a).min(edges[1]));
@@ -39,11 +42,19 @@ pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: 
     spacing
 }
 
-/// Largest distance of the gap at knots from straight lines between nodes of this spacing, edges being nodes as well \[mm\].
-fn largest_deviation(problem: &Problem, knots: &[f64], centre: f64, edges: [f64; 2], spacing: f64) -> f64 {
+/// Largest distance of the gap at knots from straight lines between nodes of this spacing, edges
+/// being nodes as well \[mm\].
+fn largest_deviation(
+    problem: &Problem,
+    knots: &[f64],
+    centre: f64,
+    edges: [f64; 2],
+    spacing: f64,
+) -> f64 {
     let deviation = |(k, &x): (usize, &f64)| {
         let is_apart = |other: Option<&f64>| other.is_none_or(|other| (other - x).abs() > spacing);
-        let is_node = is_apart(k.checked_sub(1).and_then(|j| knots.get(j))) && is_apart(knots.get(k + 1));
+        let is_node =
+            is_apart(k.checked_sub(1).and_then(|j| knots.get(j))) && is_apart(knots.get(k + 1));
         if (is_node && problem.is_corner(x)) || edges.contains(&x) {
             return 0.0;
         }
