@@ -45,7 +45,7 @@ fn jobs_and_requests_are_measured() {
     let text = String::from_utf8(answer.body).unwrap();
     let value = |name: &str| sample(&text, name).unwrap_or_else(|| panic!("no {name} in\n{text}"));
     let is = |name: &str, expected: f64| {
-        assert!((value(name) - expected).abs() < 1e-9, "{name} {}", value(name))
+        assert!((value(name) - expected).abs() < 1e-9, "{name} {}", value(name));
     };
     is("brinell_queue_depth", 0.0);
     is("brinell_jobs_running", 0.0);

@@ -87,7 +87,7 @@ fn links_are_below_the_path_that_a_proxy_names() {
 fn pages_of_a_named_origin_may_ask() {
     let origin = "Origin: https://design.example";
     let service = InProcess::start(|config| {
-        config.cors_origin = vec!["https://design.example".parse().unwrap()]
+        config.cors_origin = vec!["https://design.example".parse().unwrap()];
     });
     let url = format!("{}/v1/capacity", service.target.url);
     let allowed = curl(&["-H", origin, &url]);

@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 
 const HEAD: &str = "\
 /**
- * The fields of every shape and hardening law, as the service reads them. Generated from the tables of the solver:
- * `BRINELL_WRITE=1 cargo test --test openapi`.
+ * The fields of every shape and hardening law, as the service reads them. Generated from the
+ * tables of the solver: `BRINELL_WRITE=1 cargo test --test openapi`.
  */
 
 /* prettier-ignore */

@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 const HEAD: &str = "\
 /**
- * What goes over the wire: the schemas of the OpenAPI document that the page names, and those that they refer to. Generated from it:
- * `BRINELL_WRITE=1 cargo test --test openapi`.
+ * What goes over the wire: the schemas of the OpenAPI document that the page names, and those that
+ * they refer to. Generated from it: `BRINELL_WRITE=1 cargo test --test openapi`.
  *
 ";
 

@@ -64,7 +64,7 @@ fn begin(problem: &ContactProblem<'_>, known: Option<&ContactSolution>) -> Conta
     let mut solution = ContactSolution::default();
     match known.filter(|known| known.force.len() == problem.n_pairs()) {
         Some(known) if known.force.iter().any(|r| *r > 0.0) => {
-            solution.force.clone_from(&known.force)
+            solution.force.clone_from(&known.force);
         }
         _ => {
             let mut column = vec![0.0; problem.n_pairs()];

@@ -113,7 +113,7 @@ fn evaluation(criterion: &mut Criterion) {
         let mut transforms = Transforms::new(n, 5 * layers);
         let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         group.bench_function("transforms", |bencher| {
-            bencher.iter(|| transforms.run(&mut real, &mut complex))
+            bencher.iter(|| transforms.run(&mut real, &mut complex));
         });
         group.bench_function("build", |bencher| bencher.iter(|| space(n, false).layers().len()));
         group.finish();

@@ -24,7 +24,7 @@ const HEADER: usize = 16;
 /// Boundary of the header's end and of every array \[bytes\].
 const ALIGNMENT: usize = 8;
 /// Numbers in one piece of another form.
-const CHUNK: usize = 4096;
+pub(super) const CHUNK: usize = 4096;
 
 /// Why fields are not written or read.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]

@@ -104,7 +104,7 @@ pub struct SurfaceReport {
 }
 
 /// Equivalent plastic strain that the tolerance of an iteration may leave where nothing yields.
-const NOTICEABLE: f64 = 1e-6;
+pub(super) const NOTICEABLE: f64 = 1e-6;
 
 pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowReport> {
     let energy = step.energy?;

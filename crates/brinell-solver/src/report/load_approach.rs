@@ -5,9 +5,6 @@ use serde::{Deserialize, Serialize};
 use super::units::UnitConverter;
 use crate::solver::IncrementRecord;
 
-/// Approaches closer together than this part of the larger one count as one point of the curve.
-const SAME: f64 = 1e-9;
-
 /// Elements by which the contact grows between loads whose difference says how steep the curve is:
 /// while it grows by one element, the approach on a mesh deviates to one side and then to the
 /// other.
@@ -49,8 +46,9 @@ pub(super) struct CurvePoint {
 }
 
 impl CurvePoint {
+    /// Whether two points differ by rounding only.
     fn is_at(&self, other: &Self) -> bool {
-        (self.approach - other.approach).abs() <= SAME * self.approach.abs()
+        (self.approach - other.approach).abs() <= f64::EPSILON.sqrt() * self.approach.abs()
     }
 }
 

@@ -93,7 +93,9 @@ impl RunError {
                 | ContactError::NoEnergy { .. }
                 | ContactError::Ray { .. }
                 | ContactError::IllConditioned { .. },
-            ) => ROUNDING.to_owned(),
+            ) => "rounding leaves the contact without an answer: lengths, stiffness and load of the \
+                  job differ by too many orders of magnitude for numbers of double precision"
+                .to_owned(),
             error => error.to_string(),
         };
         if pointers.is_empty() {
@@ -107,11 +109,6 @@ impl RunError {
         )
     }
 }
-
-/// What is said of a contact whose answer is lost in rounding.
-const ROUNDING: &str = "rounding leaves the contact without an answer: lengths, stiffness and \
-                        load of the job differ by too many orders of magnitude for numbers of \
-                        double precision";
 
 /// What to do about a round body that fills its groove.
 pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is \
@@ -158,13 +155,13 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
 
 /// Bytes that solving takes whatever the job: the heap of a thread, in pages of 2 MiB, and steps
 /// on their way into a result.
-const SOLVER_BYTES: u64 = 56 << 20;
+pub(super) const SOLVER_BYTES: u64 = 56 << 20;
 /// Bytes of the fields of a step for each node: ten numbers and the corners of an element.
 const FIELD_BYTES: u64 = 96;
 /// Copies of them while a step is written, encoded and stored.
-const FIELD_COPIES: u64 = 6;
+pub(super) const FIELD_COPIES: u64 = 6;
 /// Bytes of the rest of a step's report, compressed; it grows with the number of contact nodes.
-const STEP_BYTES: u64 = 8 << 10;
+pub(super) const STEP_BYTES: u64 = 8 << 10;
 /// And for each element over the half-width.
 const STEP_BYTES_PER_ELEMENT: u64 = 832;
 
@@ -180,25 +177,26 @@ const CHOSEN_INCREMENTS: [u64; 2] = [32, 2];
 const WORK_UNIT: u64 = 1 << 16;
 
 /// Solves of a load that is sought, those on coarser meshes by what they take.
-const SEARCH_SOLVES: usize = 4;
+const SEARCH_SOLVES: u64 = 4;
+
+/// Steps of a job, and solves that they take.
+pub(super) fn steps_and_solves(job: &Job) -> [u64; 2] {
+    match &job.load {
+        Load::Forces(sweep) | Load::Approaches(sweep) => [sweep.iter().count() as u64; 2],
+        Load::History(history) => [history.iter().count() as u64; 2],
+        // With force and without it.
+        Load::Target(target) if target.figure.is_permanent() => [2, 2 * SEARCH_SOLVES],
+        Load::Onset | Load::Target(_) => [1, SEARCH_SOLVES],
+    }
+}
 
 /// Adds what the result takes to what the solve takes.
 fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
-    let steps = match &job.load {
-        Load::Forces(sweep) | Load::Approaches(sweep) => sweep.iter().count(),
-        Load::History(history) => history.iter().count(),
-        Load::Onset => 1,
-        // With force and without it.
-        Load::Target(target) => 1 + usize::from(target.figure.is_permanent()),
-    };
-    let solves = match &job.load {
-        Load::Onset | Load::Target(_) => steps * SEARCH_SOLVES,
-        _ => steps,
-    };
+    let [steps, solves] = steps_and_solves(job);
     let [to_largest, of_load] =
         job.solver.increments.map_or(CHOSEN_INCREMENTS, |of_load| [0, of_load.into()]);
     let is_history = job.solver.theory == Theory::Flow;
-    let increments = if is_history { to_largest + of_load * steps as u64 } else { 0 };
+    let increments = if is_history { to_largest + of_load * steps } else { 0 };
     let nodes = estimate.equations as u64 / 2;
     let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
     let step =
@@ -211,8 +209,8 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
             + of_small_mesh(job, estimate.bytes)
             + FIELD_COPIES * fields
             + increments * (nodes * INCREMENT_BYTES + REPORTED_INCREMENT_BYTES),
-        result_bytes: step * steps as u64 + increments * REPORTED_INCREMENT_BYTES,
-        work: work * solves as u64 + of_small_mesh(job, work) * small_solves(job, steps as u64),
+        result_bytes: step * steps + increments * REPORTED_INCREMENT_BYTES,
+        work: work * solves + of_small_mesh(job, work) * small_solves(job, steps),
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::units::rounded;
 use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
-use crate::job::{Job, Material, OverDepth};
+use crate::job::{Job, Material, MeshSettings, OverDepth};
 use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution};
 
@@ -13,8 +13,6 @@ use crate::solver::{BodySolution, StepSolution};
 pub(super) const COARSE_RATIO: f64 = 1.1;
 /// Stress over strength below which it does not matter.
 pub(super) const IDLE: f64 = 0.5;
-/// Most elements over a half-width that a job can ask for.
-const MAX_ELEMENTS: f64 = 320.0;
 
 /// Codes and messages.
 pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
@@ -25,7 +23,9 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
     let coarsest = step.bodies.iter().flatten().filter_map(|body| coarsest(body));
     if let Some((ratio, [x, y])) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let elements = f64::from(job.mesh.elements_per_half_width);
-        let wanted = (elements * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_ELEMENTS);
+        let wanted = (elements * ratio.ln() / COARSE_RATIO.ln())
+            .ceil()
+            .min(f64::from(MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH));
         let message = format!(
             "The strength changes by {:.0} % within one element at x = {}, y = {} mm, where the \
              stress is more than half of it: what yields there is known to its place within that \

@@ -9,12 +9,9 @@ use crate::job::Quantity;
 use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution, recovered, recovered_at_rest};
 
-/// Spacings from the middle of the contact within which the peak pressure is on the same normal.
-const SAME_NORMAL: f64 = 0.5;
-
 /// Whether the peak pressure has a normal of its own.
 pub(super) fn is_beside_middle(step: &StepSolution) -> bool {
-    (step.peak_position - step.middle).abs() > SAME_NORMAL * step.spacing
+    (step.peak_position - step.middle).abs() > 0.5 * step.spacing
 }
 
 /// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the

@@ -9,10 +9,8 @@ use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 
 /// Largest force that was solved over that of the largest figure, beyond which the figure is said
-/// to have stopped rising; where larger forces cannot be solved, that is said from the first
-/// difference that is seen in a message.
-const RISING: f64 = 1.1;
-const SEEN: f64 = 1.001;
+/// to have stopped rising: the first difference that is seen in a message.
+const RISING: f64 = 1.001;
 
 /// The force under which a figure of the contact has the value that a job asked for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -148,9 +146,7 @@ pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter
             } else {
                 format!("no force that is solved, up to {force}, gives any {name}")
             };
-            let is_limit = matches!(found.reason, UnreachableReason::Limit(_));
-            let bound = if found.largest_force > if is_limit { SEEN } else { RISING } * found.force
-            {
+            let bound = if found.largest_force > RISING * found.force {
                 format!(
                     "{bound}; up to {} it rises no more",
                     write.force_text(found.largest_force)

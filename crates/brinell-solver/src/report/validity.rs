@@ -6,7 +6,6 @@ use super::mesh_effects::{
     COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
     peak_is_unbounded,
 };
-use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
 use super::surface_stress::UncertainStress;
 use super::units::rounded;
@@ -64,9 +63,6 @@ pub const VALIDITY_CODES: &[&str] = &[
 pub(super) const AT_EDGE: &str = "The contact still reaches the edge of the meshed contact zone; \
                                   pressure beyond it is missing.";
 
-/// Radius \[mm\] and half-width over it of a job in SI whose figures look like millimetres.
-const LARGE_RADIUS: f64 = 1000.0;
-const TINY_CONTACT: f64 = 1e-4;
 /// Young's modulus \[MPa\] below which a figure in Pa looks like one in MPa.
 const SOFT: f64 = 1.0;
 pub(super) const SUSPICIOUS_UNITS: &str = "Units are SI, but the figures look like millimetres, \
@@ -75,32 +71,21 @@ pub(super) const SUSPICIOUS_UNITS: &str = "Units are SI, but the figures look li
 
 /// Half-width over the smallest radius beyond which the surfaces are no longer close to their
 /// tangent.
-const WIDE_CONTACT: f64 = 0.1;
+pub(super) const WIDE_CONTACT: f64 = 0.1;
 /// Slope of a surface beyond which the same is said. A smooth curve through the points of a flank
 /// of 10 % is up to half as steep again.
 const STEEP: f64 = 0.15;
-/// Evaluations of the plastic law beyond which a coupling is called slow.
-const MANY_UPDATES: usize = 150;
-/// Work of the accelerated coupling for a load beyond which that is said, in evaluations of the
-/// plastic law, as which a factorization counts so many times. Of 40 random jobs, most of 10 to 20
-/// evaluations for a load, it is said of all that take more than 20 times the median time of jobs
-/// of their size.
+/// Work for a load beyond which that is said, in evaluations of the plastic law, as which a
+/// factorization counts so many times. Of 40 random jobs, most of 10 to 20 evaluations for a load,
+/// it is said of all that take more than 20 times the median time of jobs of their size.
 const MUCH_WORK: usize = 200;
 const FACTORIZATION: usize = 10;
-/// Increments of a load, and evaluations for each of them, that are many.
-const MANY_INCREMENTS: usize = 25;
-const SLOW_ITERATION: usize = 12;
 /// Meshes of a search for a force that are many.
 const MANY_MESHES: usize = 40;
-/// Elements over those asked for, and equations, from which on a mesh is called fine.
-const MUCH_FINER: f64 = 3.0;
+/// Equations from which on a mesh is called fine.
 const MANY_EQUATIONS: usize = 1_000_000;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
-/// Plastic strain beyond which that is said more strongly.
-const VERY_LARGE_STRAIN: f64 = 0.2;
-/// Relative error of the force of an onset of yield beyond which that is said.
-const UNCERTAIN_ONSET: f64 = 0.03;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
@@ -172,16 +157,6 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
             } else {
                 ""
             }
-        ));
-    }
-    if let Some(error) = step.onset_error.filter(|error| {
-        *error > UNCERTAIN_ONSET && step.rounded_edge.is_none() && !is_onset_unknown(job, step)
-    }) {
-        messages.push(format!(
-            "The force under which yield begins is known to {:.0} % only: the strength of the \
-             material changes, or stress has a peak, within few elements. More elements \
-             (`mesh.elements_per_half_width`) tell it better.",
-            100.0 * error
         ));
     }
     if let Some(tip) = &step.rounded_tip {
@@ -343,7 +318,7 @@ pub(super) fn notes(
                 .into(),
         );
     }
-    if looks_like_millimetres(job, half_width, radius) {
+    if looks_like_millimetres(job) {
         say("suspicious_units", SUSPICIOUS_UNITS.into());
     }
     notes
@@ -425,7 +400,7 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
     let updates: usize = step.history.iter().map(|record| record.initial_stress_updates).sum();
     let iterations = step.history.len();
     if coupling != Coupling::Accelerated {
-        return (updates > MANY_UPDATES).then(|| {
+        return (updates > MUCH_WORK).then(|| {
             format!(
                 "The coupling took {updates} evaluations of the plastic law in {iterations} \
                  iterations; the accelerated one (`solver.coupling`) rarely takes more than 40."
@@ -438,7 +413,7 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
     }
     let increments = step.increments.len().max(1);
     let mut causes = Vec::new();
-    if increments > MANY_INCREMENTS {
+    if increments * increments > updates {
         causes.push(format!(
             "the load is divided into {increments} increments, until half as many change little \
              (`solver.increments` sets their number)"
@@ -450,7 +425,7 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
              {factorizations} factorizations of the stiffness"
         ));
     }
-    if updates > SLOW_ITERATION * increments || causes.is_empty() {
+    if causes.is_empty() {
         causes.push(
             "what yields hardly hardens, or is near the limit load, so that contact and plastic \
              flow settle slowly"
@@ -488,7 +463,7 @@ fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<String> 
     let asked = f64::from(job.mesh.elements_per_half_width);
     let elements = half_width / step.spacing;
     let equations: usize = step.bodies.iter().flatten().map(|body| body.equations).sum();
-    (elements > MUCH_FINER * asked && equations > MANY_EQUATIONS).then(|| {
+    (elements > 2.0 * asked && equations > MANY_EQUATIONS).then(|| {
         format!(
             "Details of the surfaces take {elements:.0} elements over the half-width in place of \
              {asked:.0}, and {:.1} million equations: the job takes some {:.0} times as long as \
@@ -556,29 +531,19 @@ pub(super) fn strain_remark(
         };
         return Some(("collapse", message));
     }
-    let message = if strain > VERY_LARGE_STRAIN {
-        format!(
-            "Plastic strain reaches {percent:.0} %, far beyond the 5 % that small-strain theory \
-             is meant for: the change of shape that is left out is no longer small. Use the \
-             figures for orientation only."
-        )
-    } else if strain > LARGE_STRAIN {
-        format!(
-            "Plastic strain reaches {percent:.1} %; small-strain theory is meant for up to 5 %."
-        )
-    } else {
-        return None;
-    };
-    Some(("large_strain", message))
+    (strain > LARGE_STRAIN).then(|| {
+        let message = format!(
+            "Plastic strain reaches {percent:.1} %; small-strain theory is meant for up to 5 %: \
+             it leaves out the change of shape."
+        );
+        ("large_strain", message)
+    })
 }
 
-/// Whether a job in SI has figures that are usual in millimetres, newtons and megapascals.
-pub(super) fn looks_like_millimetres(job: &Job, half_width: f64, radius: f64) -> bool {
+/// Whether a job in SI has moduli that are usual in megapascals.
+pub(super) fn looks_like_millimetres(job: &Job) -> bool {
     let mut moduli = [&job.upper, &job.lower].into_iter().filter_map(Body::young_modulus);
-    let is_soft = moduli.any(|modulus| modulus < SOFT);
-    let is_large = radius.is_finite() && radius > LARGE_RADIUS;
-    let is_tiny = half_width > 0.0 && half_width < TINY_CONTACT * radius;
-    job.units == Units::Si && (is_soft || is_large && is_tiny)
+    job.units == Units::Si && moduli.any(|modulus| modulus < SOFT)
 }
 
 /// What is said of loads that fall under deformation theory, and of approaches below what earlier
@@ -617,9 +582,6 @@ fn falls(job: &Job) -> bool {
     }
 }
 
-/// What is advised after another coupling than the default one.
-const OTHER_COUPLING: &str = " Use the accelerated coupling (`solver.coupling`).";
-
 /// What is known of a step that did not converge.
 #[expect(clippy::struct_excessive_bools, reason = "each is a finding of its own")]
 pub(super) struct Unfinished<'a> {
@@ -656,7 +618,11 @@ pub(super) fn not_converged(step: &Unfinished<'_>, settings: SolverSettings) -> 
     let contact = step.contact_check.worst();
     let iterations = step.history.len();
     let residual = step.residual;
-    let other = if settings.coupling == Coupling::Accelerated { "" } else { OTHER_COUPLING };
+    let other = if settings.coupling == Coupling::Accelerated {
+        ""
+    } else {
+        " Use the accelerated coupling (`solver.coupling`)."
+    };
     let is_balanced = step
         .history
         .last()
@@ -727,12 +693,11 @@ mod tests {
     #[test]
     fn millimetres_in_a_job_in_si_are_told() {
         for (units, radius, force, modulus, is_told) in [
-            // Cylinders of 20 m, or of steel that is softer than jelly.
-            ("SI", "20", "612", "210e9", true),
+            // Steel that is softer than jelly.
             ("SI", "20", "612", "210000", true),
             ("SI", "0.02", "0.06", "210000", true),
             ("SI", "0.02", "612e3", "210e9", false),
-            // Rollers of a bridge are large, and loaded accordingly.
+            // Rollers of a bridge are large.
             ("SI", "20", "60e6", "210e9", false),
             ("mm_N_MPa", "20", "612", "210000", false),
         ] {

@@ -472,7 +472,7 @@ fn pointers(value: &Value) -> Vec<String> {
     let mut all = vec![String::new()];
     match value {
         Value::Object(members) => {
-            all.extend(members.iter().flat_map(|(key, child)| below(key, child)))
+            all.extend(members.iter().flat_map(|(key, child)| below(key, child)));
         }
         Value::Array(items) => {
             all.extend(

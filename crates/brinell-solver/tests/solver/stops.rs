@@ -65,7 +65,7 @@ fn a_sweep_that_is_stopped_keeps_the_steps_before() {
     for questions in 0.. {
         match run(&job, &mut StopSweepAt(questions)) {
             Err(SolveError::Interrupted(Interrupt::Cancelled)) => {
-                assert_eq!(most, 0, "question {questions}")
+                assert_eq!(most, 0, "question {questions}");
             }
             Err(error) => panic!("stopped at question {questions}: {error}"),
             Ok(solution) => {

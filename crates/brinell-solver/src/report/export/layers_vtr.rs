@@ -17,17 +17,12 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::surface_vtu::faces;
-use super::vtu::unusable;
+use super::vtu::{TENSOR, unusable};
 use super::{ExportError, FieldsFile};
 use crate::report::{FieldLayout, FieldSide, Report, encode_layers};
 
-const BYTES: usize = size_of::<f64>();
-
 /// An array of cells: its name, what its components are made of, and its attributes.
 type CellArray = (&'static str, &'static [&'static str], &'static str);
-
-const TENSOR: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" ComponentName1=\"YY\" \
-     ComponentName2=\"ZZ\" ComponentName3=\"XY\" ComponentName4=\"YZ\" ComponentName5=\"XZ\"";
 
 const CELL_ARRAYS: [CellArray; 4] = [
     ("stress", &["sigma_xx", "sigma_yy", "sigma_zz", "sigma_xy", "sigma_yz", "sigma_xz"], TENSOR),
@@ -150,7 +145,7 @@ impl VtrFile {
         let first =
             *sides.first().filter(|_| layout.member() == "layers").ok_or(ExportError::NoLayers)?;
         let find = |name: &str| layout.find(first, name).map_err(unusable);
-        let count = |name: &str| find(name).map(|range| range.len() / BYTES);
+        let count = |name: &str| find(name).map(|range| range.len() / size_of::<f64>());
         let bodies =
             sides.iter().map(|side| Body::new(*side, layout)).collect::<Result<_, _>>()?;
         let title = format!(
@@ -176,14 +171,14 @@ impl VtrFile {
     fn array(&self, array: usize) -> Vec<VtrPiece> {
         let (name, components, attributes) = CELL_ARRAYS[array];
         let n_cells = self.cells[0] * self.cells[1];
-        let bytes = BYTES * components.len() * n_cells * self.layers();
+        let bytes = size_of::<f64>() * components.len() * n_cells * self.layers();
         let of_body = |body: &Body| {
             let what = What::Layer { negative: body.negative(components.len()) };
             let sources = body.arrays[array].clone();
             body.layers(self.cells[2]).map(move |layer| {
                 let of_layer = |range: &Range<usize>| {
-                    let begin = range.start + BYTES * n_cells * layer;
-                    begin..begin + BYTES * n_cells
+                    let begin = range.start + size_of::<f64>() * n_cells * layer;
+                    begin..begin + size_of::<f64>() * n_cells
                 };
                 VtrPiece { what, sources: sources.iter().map(of_layer).collect() }
             })
@@ -214,7 +209,7 @@ impl VtrFile {
     /// Cells of a layer, x fastest.
     fn layer<B: AsRef<[u8]>>(&mut self, negative: [bool; 6], sources: &[B]) {
         let [nx, ny, _] = self.cells;
-        let components: Vec<&[[u8; BYTES]]> =
+        let components: Vec<&[[u8; size_of::<f64>()]]> =
             sources.iter().map(|bytes| bytes.as_ref().as_chunks().0).collect();
         for cell in (0..ny).flat_map(|j| (0..nx).map(move |i| i * ny + j)) {
             for (component, negative) in components.iter().zip(negative) {
@@ -251,7 +246,7 @@ impl FieldsFile for VtrFile {
         let along =
             [("x", What::Faces, nx), ("y", What::Faces, ny), ("z", of_layers, self.layers())];
         for ((name, what, cells), source) in along.into_iter().zip(&self.coordinates) {
-            pieces.push(text(What::Begin(["Float64", name, ""], BYTES * (cells + 1))));
+            pieces.push(text(What::Begin(["Float64", name, ""], size_of::<f64>() * (cells + 1))));
             pieces.push(VtrPiece { what, sources: vec![source.clone()] });
             pieces.push(text(What::End));
         }
@@ -282,7 +277,7 @@ impl FieldsFile for VtrFile {
                 self.pending.resize(self.pending.len() + n_cells, number);
             }
             What::Faces => {
-                self.pending.extend(faces(&coordinates()).into_iter().flat_map(f64::to_le_bytes))
+                self.pending.extend(faces(&coordinates()).into_iter().flat_map(f64::to_le_bytes));
             }
             What::LayerFaces([above, below]) => {
                 let depths = coordinates();

@@ -7,12 +7,8 @@ use std::fmt::{Display, Write as _};
 use std::iter::once;
 use std::ops::Range;
 
+use super::vtu::{END, QUAD};
 use crate::report::{MapsReport, Report};
-
-/// VTK's number for a quadrilateral with 4 nodes.
-const QUAD: u8 = 9;
-
-const END: &str = "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
 /// The text before an array, its type, name and components, and its values at one x.
 type Array = ([&'static str; 4], fn(&Surface, usize) -> String);

@@ -22,12 +22,11 @@ use base64::engine::general_purpose::STANDARD;
 use super::surface_vtu::surface_vtu;
 use super::{ExportError, FieldsFile};
 use crate::job::{Analysis, Named};
+use crate::report::field_arrays::CHUNK;
 use crate::report::{FieldArraysError, FieldLayout, FieldSide, Report, encode_fields};
 
 /// VTK's number for a quadrilateral with 4 nodes.
-const QUAD: u8 = 9;
-/// Nodes or elements in one piece.
-const CHUNK: usize = 4096;
+pub(super) const QUAD: u8 = 9;
 
 /// The mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ, XZ),
 /// `von_mises` and `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in its
@@ -120,9 +119,9 @@ const ARRAYS: [(&str, Array); 9] = [
     ("", Array::Types),
 ];
 
-const END: &str = "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+pub(super) const END: &str = "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
-const STRESS_COMPONENTS: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" \
+pub(super) const TENSOR: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" \
                                  ComponentName1=\"YY\" ComponentName2=\"ZZ\" \
                                  ComponentName3=\"XY\" ComponentName4=\"YZ\" \
                                  ComponentName5=\"XZ\"";
@@ -160,7 +159,7 @@ impl Array {
     const fn declaration(self) -> [&'static str; 3] {
         match self {
             Self::Displacement => ["Float64", "displacement", "NumberOfComponents=\"3\""],
-            Self::Stress => ["Float64", "stress", STRESS_COMPONENTS],
+            Self::Stress => ["Float64", "stress", TENSOR],
             Self::VonMises => ["Float64", "von_mises", ""],
             Self::Strain => ["Float64", "equivalent_plastic_strain", ""],
             Self::Body => ["UInt8", "body", ""],
@@ -297,7 +296,7 @@ impl VtuFile {
                 );
             }
             Array::Points => {
-                floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1), 0.0]))
+                floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1), 0.0]));
             }
             Array::Stress => {
                 floats(
@@ -309,7 +308,7 @@ impl VtuFile {
             Array::Body => pending.extend(range.clone().map(|_| body.name)),
             Array::Types => pending.extend(range.clone().map(|_| QUAD)),
             Array::Offsets => {
-                integers(pending, range.clone().map(|k| 4 * (first_element + k + 1)))
+                integers(pending, range.clone().map(|k| 4 * (first_element + k + 1)));
             }
             Array::Connectivity => {
                 let corners =

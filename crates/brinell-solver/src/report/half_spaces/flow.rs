@@ -5,12 +5,10 @@ use std::sync::Arc;
 use super::elastic::EllipticReference;
 use super::step::{of_bodies, section_along_x};
 use crate::job::{Job, Material, Theory};
+use crate::report::flow::NOTICEABLE;
 use crate::report::units::UnitConverter;
 use crate::report::{EnergyReport, FlowReport, IncrementsReport, PerBody, SurfaceReport};
 use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceStep};
-
-/// Equivalent plastic strain that the tolerance of an iteration may leave where nothing yields.
-const NOTICEABLE: f64 = 1e-6;
 
 /// What a history has done so far.
 #[derive(Debug, Default)]

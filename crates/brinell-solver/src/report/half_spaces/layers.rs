@@ -5,13 +5,6 @@ use crate::report::LayersReport;
 use crate::report::units::UnitConverter;
 use crate::solver::half_spaces::HalfSpaceBody;
 
-/// Rows of a deviator, whose zz is -xx - yy.
-const XX: usize = 0;
-const YY: usize = 1;
-const XY: usize = 2;
-const XZ: usize = 3;
-const YZ: usize = 4;
-
 /// The cells of a body.
 pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport {
     let (grid, faces) = (&body.grid, body.layers.faces());
@@ -32,6 +25,8 @@ pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport
         };
         cells().map(of_cell).collect()
     };
+    // Rows of a deviator, whose zz is -xx - yy.
+    let [xx, yy, xy, xz, yz] = [0, 1, 2, 3, 4];
     let equivalent = &body.equivalent_plastic_strain;
     LayersReport {
         x: lengths((0..grid.nx()).map(|i| grid.x(i)).collect()),
@@ -52,11 +47,11 @@ pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport
         } else {
             equivalent.clone()
         },
-        plastic_strain_xx: plastic(&[XX], 1.0),
-        plastic_strain_yy: plastic(&[YY], 1.0),
-        plastic_strain_zz: plastic(&[XX, YY], -1.0),
-        plastic_strain_xy: plastic(&[XY], 1.0),
-        plastic_strain_xz: plastic(&[XZ], 1.0),
-        plastic_strain_yz: plastic(&[YZ], 1.0),
+        plastic_strain_xx: plastic(&[xx], 1.0),
+        plastic_strain_yy: plastic(&[yy], 1.0),
+        plastic_strain_zz: plastic(&[xx, yy], -1.0),
+        plastic_strain_xy: plastic(&[xy], 1.0),
+        plastic_strain_xz: plastic(&[xz], 1.0),
+        plastic_strain_yz: plastic(&[yz], 1.0),
     }
 }

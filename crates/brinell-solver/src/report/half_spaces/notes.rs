@@ -2,23 +2,20 @@
 //! said in the same words.
 
 use super::step::largest_strain;
-use crate::job::{Body, Deformable, Job, Material, Theory};
+use crate::job::{Body, Deformable, Job, Material, MeshSettings, Theory};
 use crate::report::ValidityNote;
 use crate::report::plastic_strain::{UNBOUNDED, bilinear_curve};
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness};
 use crate::report::units::{UnitConverter, rounded};
 use crate::report::validity::{
-    AT_EDGE, SUSPICIOUS_UNITS, Unfinished, history_remark, looks_like_millimetres, not_converged,
-    stopped, strain_remark,
+    AT_EDGE, SUSPICIOUS_UNITS, Unfinished, WIDE_CONTACT, history_remark, looks_like_millimetres,
+    not_converged, stopped, strain_remark,
 };
 use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap,
 };
 
-/// Semi-axis over a radius along it beyond which the surfaces are no longer close to their
-/// tangent.
-const WIDE_CONTACT: f64 = 0.1;
 /// Cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
 /// Semi-axes from each other from which on the bodies near the contact are no half-spaces: depth
@@ -26,8 +23,6 @@ const COARSE_GRID: f64 = 5.0;
 const REACH: f64 = 3.0;
 /// Depths within a layer at which strengths are compared.
 const SAMPLES: u32 = 16;
-/// Most cells over a semi-axis that a job can ask for.
-const MAX_CELLS: f64 = 60.0;
 
 /// The remarks of a step.
 pub(super) fn notes(
@@ -42,8 +37,8 @@ pub(super) fn notes(
     if let Some((code, message)) = status_remark(job, step) {
         note(code, message);
     }
-    let [a, b] = step.figures.semi_axes;
-    if let Some((size, radius)) = widest(job, problem.orientation(), [a, b]) {
+    let [a, _] = step.figures.semi_axes;
+    if let Some((size, radius)) = widest(job, problem.orientation(), step.figures.semi_axes) {
         note(
             "wide_contact",
             format!(
@@ -107,11 +102,21 @@ pub(super) fn notes(
     {
         note(code, message);
     }
-    let radius = problem.principal_curvatures()[0].recip();
-    if problem.has_hertz() && looks_like_millimetres(job, a, radius) {
+    if looks_like_millimetres(job) {
         note("suspicious_units", SUSPICIOUS_UNITS.to_owned());
     }
-    if has_heights && reaches_rim(&step.surface) {
+    of_shapes(problem, step, write, note);
+    notes
+}
+
+/// The remarks on what the surfaces are: heights, rollers, half-spaces.
+fn of_shapes(
+    problem: &HalfSpaceProblem,
+    step: &HalfSpaceStep,
+    write: UnitConverter,
+    mut note: impl FnMut(&str, String),
+) {
+    if problem.heights.is_some() && reaches_rim(&step.surface) {
         note(
             "surface_end",
             "The contact comes to the end of the heights, beyond which nothing touches: at the \
@@ -132,6 +137,7 @@ pub(super) fn notes(
                 .to_owned(),
         );
     }
+    let [a, b] = step.figures.semi_axes;
     if a > 0.0 {
         note(
             "half_spaces",
@@ -143,7 +149,6 @@ pub(super) fn notes(
             ),
         );
     }
-    notes
 }
 
 /// What is said of a step that did not converge.
@@ -223,7 +228,9 @@ fn coarse_case(
     write: UnitConverter,
 ) -> (&'static str, String) {
     let cells = f64::from(job.mesh.elements_per_half_width);
-    let wanted = (cells * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_CELLS);
+    let wanted = (cells * ratio.ln() / COARSE_RATIO.ln())
+        .ceil()
+        .min(f64::from(MeshSettings::MAX_CELLS_PER_SEMI_AXIS));
     let message = format!(
         "The strength changes by {:.0} % within one layer of cells at a depth of {}, where the \
          stress is more than half of it: a layer has the strength of its middle, and what is \

@@ -194,7 +194,7 @@ impl ElasticBody {
         if let Some(points) = points {
             let assembler = self.assembler();
             points.reduced_elements(&mut |element, addition| {
-                assembler.add(&mut values, element, addition)
+                assembler.add(&mut values, element, addition);
             });
         }
         values

@@ -93,7 +93,7 @@ pub fn run_each(
     let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
     match loads(&job.load) {
         Loads::Given(loads) => {
-            solution.interrupted = sequence.solve(&loads, &mut run, receiver)?
+            solution.interrupted = sequence.solve(&loads, &mut run, receiver)?;
         }
         Loads::Sought(sought) => {
             let (steps, sensitivity) = force_search::run(sought, &sequence, &mut run)?;
