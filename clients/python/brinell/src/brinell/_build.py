@@ -150,7 +150,7 @@ def job(
         history: loads one after the other, `{"force": F}` or `{"approach": a}`; 0 takes the
             load away (theory "flow").
         onset: ask for the force at which the contact begins to yield.
-        target: ask for the force under which a figure has a value, as in `{"peak_pressure": 1200}`.
+        target: ask for the force under which a figure has a value: `{"peak_pressure": 1200}`.
         theory: "deformation" (default) knows one loading; "flow" follows the loads, with
             dents and residual stress.
         elements_per_half_width: how fine the mesh is (default 20).

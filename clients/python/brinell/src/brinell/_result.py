@@ -117,7 +117,7 @@ class Step:
 
     @property
     def contact_stiffness(self) -> float:
-        """The slope of force over approach; NaN where bodies yield, unless the job asked for it."""
+        """The slope of force over approach, NaN where bodies yield, unless asked for."""
         return number(self.data.get("contact_stiffness"))
 
     @property
