@@ -17,7 +17,7 @@ const materials = library.materials;
 const lines = materials.map(
   ({ name, source, material }) => `  ${JSON.stringify({ name, source, material })},\n`,
 );
-const text = `/** Materials of \`api/materials.json\`, in mm, N, MPa. Generated: \`npm --prefix tests/page run presets\`. */
+const text = `/** Materials of \`api/materials.json\` [mm, N, MPa]: \`npm --prefix tests/page run presets\`. */
 
 /* prettier-ignore */
 /** @type {import('./materials.js').Preset[]} */

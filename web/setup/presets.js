@@ -1,4 +1,4 @@
-/** Materials of `api/materials.json`, in mm, N, MPa. Generated: `npm --prefix tests/page run presets`. */
+/** Materials of `api/materials.json` [mm, N, MPa]: `npm --prefix tests/page run presets`. */
 
 /* prettier-ignore */
 /** @type {import('./materials.js').Preset[]} */
