@@ -71,8 +71,10 @@ fn figures_are_in_the_units_of_the_job() {
     assert_near(pressed(one), 100.0, 1e-9);
     let metres = json!({
         "analysis": "three_dimensional", "units": "SI", "output": {"fields": true},
-        "upper": {"shape": {"type": "curved", "radius_x": 0.01, "radius_y": 0.05}, "material": {"rigid": true}},
-        "lower": {"shape": {"type": "flat"}, "material": {"young_modulus": 210e9, "poisson_ratio": 0.3}},
+        "upper": {"shape": {"type": "curved", "radius_x": 0.01, "radius_y": 0.05},
+            "material": {"rigid": true}},
+        "lower": {"shape": {"type": "flat"}, "material": {"young_modulus": 210e9,
+            "poisson_ratio": 0.3}},
         "load": {"force": 100}, "mesh": {"elements_per_half_width": 5},
     });
     let report = solve(&metres);
@@ -266,7 +268,10 @@ fn random_job(random: &mut Random) -> Value {
     let peak = half_width * young / (std::f64::consts::PI * radius);
     let force = 2.0 / 3.0 * std::f64::consts::PI * half_width * half_width * peak;
     let rotation = random.between(-90.0, 90.0);
-    let curved = |x: f64, y: f64| json!({"type": "curved", "radius_x": x, "radius_y": y, "rotation": rotation});
+    let curved = |x: f64, y: f64| {
+        json!({"type": "curved", "radius_x": x, "radius_y": y,
+        "rotation": rotation})
+    };
     let upper = match random.one_of(3) {
         0 => json!({"type": "sphere", "radius": radius}),
         1 => curved(radius, radius * random.decades(1.0, 20.0)),
@@ -284,7 +289,8 @@ fn random_job(random: &mut Random) -> Value {
         }
         let mut steel = json!({"young_modulus": young, "poisson_ratio": random.between(0.2, 0.4)});
         if random.happens(0.6) {
-            steel["plasticity"] = json!({"law": "bilinear", "yield_stress": peak / random.between(1.2, 5.0),
+            steel["plasticity"] = json!({"law": "bilinear",
+                "yield_stress": peak / random.between(1.2, 5.0),
                 "tangent_modulus": random.between(0.0, 0.1) * young});
         }
         steel

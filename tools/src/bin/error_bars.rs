@@ -197,8 +197,10 @@ fn main() {
                     let size = step.spacing / step.half_width().max(f64::MIN_POSITIVE);
                     println!(
                         "{}",
-                        json!({"figure": CONTACT.iter().chain(&BODY).nth(figure), "bar": bars[k], "error": error,
-                            "found": found[k], "coarse": coarse, "exact": exact[k], "size": size, "job": job})
+                        json!({"figure": CONTACT.iter().chain(&BODY).nth(figure), "bar": bars[k],
+                            "error": error,
+                            "found": found[k], "coarse": coarse, "exact": exact[k], "size": size,
+                            "job": job})
                     );
                 }
             }

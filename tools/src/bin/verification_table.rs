@@ -140,7 +140,8 @@ fn line_contacts(cases: &mut Vec<Case>) {
     );
     cases.push(Case {
         name: "steel cylinder on aluminium block",
-        job: json!({"analysis": "plane_strain", "upper": cylinder(50.0, "clamped", &Value::Null), "lower": block,
+        job: json!({"analysis": "plane_strain", "upper": cylinder(50.0, "clamped", &Value::Null),
+            "lower": block,
             "load": {"force": 35_000.0}}),
         checks: vec![
             check("peak [MPa]", 3585.4, "NAFEMS, Hertz", peak),
@@ -196,7 +197,8 @@ fn half_spaces(
     }
     let shape = json!({"type": "curved", "radius_x": 10.0, "radius_y": 10.0 * radius_ratio});
     let mut job = json!({"analysis": "three_dimensional", "load": {"force": 1.0}, "lower": lower,
-        "upper": {"shape": shape, "material": {"rigid": true}}, "mesh": {"elements_per_half_width": cells}});
+        "upper": {"shape": shape, "material": {"rigid": true}},
+        "mesh": {"elements_per_half_width": cells}});
     let reference = EllipticReference::of(&Job::from_value(&job)?).ok_or("no half-spaces")?;
     let force = (peak_pressure / reference.under(1.0).peak_pressure).powi(3);
     job["load"]["force"] = json!(force);
@@ -296,7 +298,8 @@ fn plastic_contacts(cases: &mut Vec<Case>) {
             ],
         });
     }
-    let power = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
+    let power = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3,
+        "exponent": 5.0});
     cases.push(Case {
         name: "Ramberg–Osgood cylinders, roller",
         job: equal(
@@ -317,7 +320,8 @@ fn plastic_contacts(cases: &mut Vec<Case>) {
         job: json!({"analysis": "plane_strain",
             "upper": {"shape": {"type": "cylinder", "radius": 20.0}, "material": {"rigid": true}},
             "lower": body(&block, "clamped", E, &bilinear(200.0, 0.0)),
-            "load": {"forces": [500.0, 1000.0, 1500.0, 2000.0]}, "solver": {"max_iterations": 2000}}),
+            "load": {"forces": [500.0, 1000.0, 1500.0, 2000.0]},
+            "solver": {"max_iterations": 2000}}),
         checks: vec![check(
             "mean pressure [MPa]",
             prandtl_mean_pressure(shear_yield_von_mises(200.0)),

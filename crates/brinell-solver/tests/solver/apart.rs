@@ -30,8 +30,10 @@ fn codes(step: &StepReport) -> Vec<&str> {
 #[expect(clippy::needless_pass_by_value, reason = "values are written where they are used")]
 fn on_groove(analysis: &str, edge_radius: f64, load: Value, elements: u32) -> Value {
     json!({"analysis": analysis, "load": load, "mesh": {"elements_per_half_width": elements},
-        "upper": {"shape": {"type": "punch", "width": 4.0, "edge_radius": edge_radius, "depth": 5.0}, "material": {"rigid": true}},
-        "lower": {"shape": {"type": "groove", "radius": 20.0, "width": 20.0, "depth": 20.0}, "material": steel()}})
+        "upper": {"shape": {"type": "punch", "width": 4.0, "edge_radius": edge_radius,
+            "depth": 5.0}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "groove", "radius": 20.0, "width": 20.0, "depth": 20.0},
+            "material": steel()}})
 }
 
 /// Sharp edges of a slope s to the surface beside them, each over the width b: `P = π/4 E* s b`,
@@ -119,7 +121,8 @@ fn parts_that_are_too_small_for_the_mesh_are_said() {
 
 #[expect(clippy::needless_pass_by_value, reason = "values are written where they are used")]
 fn bumps(heights: [f64; 2], interpolation: &str, force: f64, material: Value) -> Value {
-    json!({"analysis": "plane_strain", "load": {"force": force}, "mesh": {"elements_per_half_width": 10},
+    json!({"analysis": "plane_strain", "load": {"force": force},
+        "mesh": {"elements_per_half_width": 10},
         "upper": {"shape": {"type": "profile", "interpolation": interpolation, "depth": 20.0,
             "points": [[-10.0, -0.3], [-5.0, heights[0]], [0.0, 0.0], [5.0, heights[1]], [10.0, -0.3]]}, "material": material},
         "lower": {"shape": {"type": "block", "width": 80.0, "depth": 40.0}, "material": steel()}})
@@ -177,7 +180,8 @@ fn a_smooth_face_has_no_sharp_corner() {
 /// Points on a flat face beside a sharp punch cost nothing.
 #[test]
 fn points_of_a_flat_face_are_not_resolved() {
-    let punch = json!({"shape": {"type": "punch", "width": 2.0, "depth": 2.0}, "material": {"rigid": true}});
+    let punch = json!({"shape": {"type": "punch", "width": 2.0, "depth": 2.0},
+        "material": {"rigid": true}});
     let points: Vec<[f64; 2]> = (0..40).map(|k| [0.25 * f64::from(k), 0.0]).collect();
     let face =
         json!({"type": "profile", "interpolation": "linear", "points": points, "depth": 20.0});
@@ -196,9 +200,11 @@ fn points_of_a_flat_face_are_not_resolved() {
 #[test]
 fn pins_reach_80_degrees_on_coarse_meshes() {
     let pin = |load: Value, elements: u32| {
-        json!({"analysis": "plane_strain", "load": load, "mesh": {"elements_per_half_width": elements},
+        json!({"analysis": "plane_strain", "load": load,
+            "mesh": {"elements_per_half_width": elements},
             "upper": {"shape": {"type": "cylinder", "radius": 10.0}, "material": steel()},
-            "lower": {"shape": {"type": "hole", "radius": 10.05, "outer_radius": 201.0}, "material": steel()}})
+            "lower": {"shape": {"type": "hole", "radius": 10.05, "outer_radius": 201.0},
+                "material": steel()}})
     };
     for degrees in [70.0_f64, 76.0, 79.0] {
         let persson = PinInHole::of_half_angle(degrees.to_radians());

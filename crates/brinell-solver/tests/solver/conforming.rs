@@ -247,10 +247,15 @@ fn a_pin_in_si() {
 fn other_units_have_the_same_mesh() {
     for clearance in [1.922_904_155_5e-6, 1e-4, 3e-2] {
         let job = |length: f64, stress: f64| {
-            let body = |shape: Value| json!({"shape": shape, "material": {"young_modulus": stress * YOUNG, "poisson_ratio": 0.45}});
-            json!({"analysis": "axisymmetric", "units": if stress > 1.0 { "SI" } else { "mm_N_MPa" },
+            let body = |shape: Value| {
+                json!({"shape": shape,
+                "material": {"young_modulus": stress * YOUNG, "poisson_ratio": 0.45}})
+            };
+            json!({"analysis": "axisymmetric",
+                "units": if stress > 1.0 { "SI" } else { "mm_N_MPa" },
                 "upper": body(json!({"type": "cylinder", "radius": length})),
-                "lower": body(json!({"type": "hole", "radius": length * (1.0 + clearance), "outer_radius": 1.2 * length * (1.0 + clearance)})),
+                "lower": body(json!({"type": "hole", "radius": length * (1.0 + clearance),
+                    "outer_radius": 1.2 * length * (1.0 + clearance)})),
                 "load": {"force": 63.682 * clearance}, "mesh": {"elements_per_half_width": 10}})
         };
         let [mm, si] = [report(&job(1.0, 1.0)), report(&job(1e-3, 1e6))];

@@ -13,7 +13,8 @@ const MESHES: [u32; 5] = [8, 11, 15, 20, 28];
 const REFERENCE: u32 = 64;
 
 fn problems() -> Vec<Value> {
-    let ramberg_osgood = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
+    let ramberg_osgood = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3,
+        "exponent": 5.0});
     let mut on_block = two_cylinders("clamped", Value::Null, 400.0);
     on_block["lower"]["shape"] = json!({"type": "block", "width": 200.0, "depth": 200.0});
     let mut spheres = two_cylinders("clamped", Value::Null, 500.0);
@@ -68,7 +69,8 @@ fn unloaded(analysis: &str, shape: &Value, law: &str, force: f64, elements: u32)
     let job = json!({"analysis": analysis, "load": {"history": [{"force": force}, {"force": 0}]},
         "upper": {"shape": shape, "material": {"rigid": true}},
         "lower": {"shape": {"type": "block", "width": 60, "depth": 30}, "material": steel},
-        "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}, "solver": {"theory": "flow"}});
+        "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false},
+        "solver": {"theory": "flow"}});
     report(&job).steps.remove(1)
 }
 
@@ -167,21 +169,26 @@ fn errors_that_a_coarser_mesh_does_not_show() {
     let block = json!({"type": "block", "width": 200.0, "depth": 200.0});
     let soft = json!({"law": "bilinear", "yield_stress": 300.0, "tangent_modulus": 210.0});
     let plateau = json!({"analysis": "plane_stress", "load": {"approach": 0.02},
-        "upper": body(roller.clone(), 210_000.0, 0.3, soft.clone()), "lower": body(block, 210_000.0, 0.3, soft)});
-    let ramberg_osgood = json!({"law": "ramberg_osgood", "reference_stress": 238.0, "offset": 0.579, "exponent": 4.03});
+        "upper": body(roller.clone(), 210_000.0, 0.3, soft.clone()),
+        "lower": body(block, 210_000.0, 0.3, soft)});
+    let ramberg_osgood = json!({"law": "ramberg_osgood", "reference_stress": 238.0,
+        "offset": 0.579, "exponent": 4.03});
     let parabola = json!({"type": "parabola", "radius": 0.192, "width": 0.214, "depth": 0.373});
     let mut flowing = json!({"analysis": "plane_strain", "load": {"approach": 3.31e-5},
         "upper": body(parabola, 1_220_000.0, 0.499, ramberg_osgood),
-        "lower": body(json!({"type": "cylinder", "radius": 0.739}), 244_000.0, 0.499, Value::Null)});
+        "lower": body(json!({"type": "cylinder",
+            "radius": 0.739}), 244_000.0, 0.499, Value::Null)});
     flowing["upper"]["support"] = json!("clamped");
     flowing["lower"]["support"] = json!("clamped");
     let tall = json!({"type": "block", "width": 10.0, "depth": 35.0});
-    let mut column = json!({"analysis": "plane_stress", "load": {"approach": 0.004}, "upper": rigid(&roller),
+    let mut column = json!({"analysis": "plane_stress", "load": {"approach": 0.004},
+        "upper": rigid(&roller),
         "lower": body(tall, 210_000.0, 0.499, Value::Null)});
     column["lower"]["support"] = json!("clamped");
     let punch = json!({"type": "punch", "width": 2.0, "edge_radius": 0.4, "depth": 5.0});
     let wide = json!({"type": "block", "width": 1000.0, "depth": 450.0});
-    let edge = json!({"analysis": "plane_strain", "load": {"approach": 0.0091}, "upper": rigid(&punch),
+    let edge = json!({"analysis": "plane_strain", "load": {"approach": 0.0091},
+        "upper": rigid(&punch),
         "lower": body(wide, 13_000.0, 0.0, Value::Null)});
     let cases: [(Value, u32, &[&str]); 4] = [
         (plateau, 10, &["peak pressure", "half-width", "force"]),

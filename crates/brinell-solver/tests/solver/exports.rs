@@ -183,7 +183,8 @@ fn bump_in_si() -> Value {
         .collect();
     json!({
         "analysis": "plane_strain", "units": "SI", "load": {"force": 2e5},
-        "upper": {"shape": {"type": "profile", "points": points, "depth": 0.02}, "material": material},
+        "upper": {"shape": {"type": "profile", "points": points, "depth": 0.02},
+            "material": material},
         "lower": {"shape": {"type": "block", "width": 0.04, "depth": 0.02}, "material": material},
         "mesh": {"elements_per_half_width": 8}, "output": {"fields": true},
     })

@@ -17,9 +17,11 @@ fn near_limit_load(force: f64) -> Report {
         "plasticity": {"law": "bilinear", "yield_stress": 504, "tangent_modulus": 0}});
     report(&json!({
         "analysis": "plane_strain", "load": {"force": force},
-        "upper": {"shape": {"type": "cylinder", "radius": 19.894_839_115_749_168}, "material": material},
+        "upper": {"shape": {"type": "cylinder", "radius": 19.894_839_115_749_168},
+            "material": material},
         "lower": {"shape": {"type": "block", "width": 60, "depth": 30}, "material": material},
-        "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow"}, "output": {"subsurface": false},
+        "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow"},
+        "output": {"subsurface": false},
     }))
 }
 
@@ -61,13 +63,18 @@ fn a_collapse_says_which_increment_has_no_answer() {
 /// What follows an increment that has diverged is no collapse of a body.
 #[test]
 fn a_divergence_is_no_collapse() {
-    let material = |poisson_ratio: f64, plasticity: Value| json!({"young_modulus": 210_000, "poisson_ratio": poisson_ratio, "plasticity": plasticity});
+    let material = |poisson_ratio: f64, plasticity: Value| {
+        json!({"young_modulus": 210_000,
+        "poisson_ratio": poisson_ratio, "plasticity": plasticity})
+    };
     let voce = json!({"law": "voce", "yield_stress": 504, "saturation_stress": 907.2, "rate": 5});
     let bilinear = json!({"law": "bilinear", "yield_stress": 352.8, "tangent_modulus": 210});
     let report = report(&json!({
         "analysis": "axisymmetric", "load": {"history": [{"force": 300}, {"force": 0}]},
-        "upper": {"shape": {"type": "cylinder", "radius": 39.509_051_442_869_32}, "material": material(0.3, voce)},
-        "lower": {"shape": {"type": "ellipse", "semi_axis_x": 5.893_011_805_544_258, "semi_axis_y": 3.535_807_083_326_555},
+        "upper": {"shape": {"type": "cylinder", "radius": 39.509_051_442_869_32},
+            "material": material(0.3, voce)},
+        "lower": {"shape": {"type": "ellipse", "semi_axis_x": 5.893_011_805_544_258,
+            "semi_axis_y": 3.535_807_083_326_555},
                   "material": material(0.2, bilinear)},
         "mesh": {"elements_per_half_width": 4}, "output": {"subsurface": false},
         "solver": {"theory": "flow", "coupling": "weak", "increments": 1},
@@ -83,12 +90,14 @@ fn a_divergence_is_no_collapse() {
 /// A force that is nothing beside the one before it is held to what that has left in the bodies.
 #[test]
 fn next_to_no_load_after_a_large_one_is_an_answer() {
-    let cylinder = json!({"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 210_000, "poisson_ratio": 0.3,
+    let cylinder = json!({"shape": {"type": "cylinder", "radius": 20},
+        "material": {"young_modulus": 210_000, "poisson_ratio": 0.3,
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500}}});
     let report = report(&json!({
         "analysis": "plane_stress", "upper": cylinder, "lower": cylinder,
         "load": {"history": [{"force": 600}, {"force": 6e-7}, {"force": 6e-8}, {"force": 600}]},
-        "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow", "increments": 6}, "output": {"subsurface": false},
+        "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow", "increments": 6},
+        "output": {"subsurface": false},
     }));
     for step in &report.steps {
         assert_eq!(step.status, SolveStatus::Converged, "{:?}: {:?}", step.load, step.validity);
@@ -102,11 +111,15 @@ fn the_first_step_inherits_no_error() {
         "plasticity": {"law": "bilinear", "yield_stress": 420, "tangent_modulus": 2000}});
     let report = report(&json!({
         "analysis": "plane_stress", "load": {"history": [{"force": 1e-9}, {"force": 2e-4}]},
-        "upper": {"shape": {"type": "ellipse", "semi_axis_x": 20, "semi_axis_y": 30}, "material": material},
-        "lower": {"shape": {"type": "block", "width": 60, "depth": 30}, "material": {"young_modulus": 210_000, "poisson_ratio": 0.49,
+        "upper": {"shape": {"type": "ellipse", "semi_axis_x": 20, "semi_axis_y": 30},
+            "material": material},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 30},
+            "material": {"young_modulus": 210_000, "poisson_ratio": 0.49,
             "plasticity": {"law": "bilinear", "yield_stress": 420, "tangent_modulus": 2000},
-            "initial_stress": [{"depth": 0, "sigma_x": -415.8, "sigma_z": 0}, {"depth": 0.6, "sigma_x": 0, "sigma_z": 0}]}},
-        "mesh": {"elements_per_half_width": 4}, "solver": {"theory": "flow"}, "output": {"subsurface": false},
+            "initial_stress": [{"depth": 0, "sigma_x": -415.8, "sigma_z": 0}, {"depth": 0.6,
+                "sigma_x": 0, "sigma_z": 0}]}},
+        "mesh": {"elements_per_half_width": 4}, "solver": {"theory": "flow"},
+        "output": {"subsurface": false},
     }));
     let message = says(&report.steps[0], "not_converged").unwrap();
     assert!(message.contains("over the whole bodies forces are off balance"), "{message}");
@@ -117,12 +130,15 @@ fn the_first_step_inherits_no_error() {
 /// yield have any.
 #[test]
 fn what_has_yielded_is_the_same_by_both_theories() {
-    let cylinder = json!({"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 3000, "poisson_ratio": 0.499,
+    let cylinder = json!({"shape": {"type": "cylinder", "radius": 20},
+        "material": {"young_modulus": 3000, "poisson_ratio": 0.499,
         "plasticity": {"law": "ludwik", "yield_stress": 3, "coefficient": 3, "exponent": 0.1}}});
     let area = |solver: Value| {
         let report = report(&json!({
-            "analysis": "plane_strain", "upper": cylinder, "lower": cylinder, "load": {"force": 5.096_159_153_107_087},
-            "mesh": {"elements_per_half_width": 10}, "solver": solver, "output": {"subsurface": false},
+            "analysis": "plane_strain", "upper": cylinder, "lower": cylinder,
+            "load": {"force": 5.096_159_153_107_087},
+            "mesh": {"elements_per_half_width": 10}, "solver": solver,
+            "output": {"subsurface": false},
         }));
         report.steps[0].plasticity.upper.as_ref().unwrap().area
     };

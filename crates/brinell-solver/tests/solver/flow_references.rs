@@ -21,7 +21,8 @@ fn deformable(tangent_modulus: f64) -> Value {
 }
 
 fn solved(upper: &Value, lower: &Value, history: &Value, elements: u32) -> Report {
-    let job = json!({"analysis": "axisymmetric", "upper": upper, "lower": lower, "load": {"history": history},
+    let job = json!({"analysis": "axisymmetric", "upper": upper, "lower": lower,
+        "load": {"history": history},
         "mesh": {"elements_per_half_width": elements}, "solver": {"theory": "flow"},
         "output": {"subsurface": false}});
     let report = report::run(&Job::from_value(&job).unwrap(), &mut Unobserved).unwrap();
@@ -39,7 +40,8 @@ fn sphere_under_flat(
 ) -> Report {
     let flat =
         json!({"shape": {"type": "block", "width": 40, "depth": 20}, "material": {"rigid": true}});
-    let sphere = json!({"shape": {"type": "cylinder", "radius": RADIUS}, "material": deformable(tangent_modulus)});
+    let sphere = json!({"shape": {"type": "cylinder", "radius": RADIUS},
+        "material": deformable(tangent_modulus)});
     let mut history = vec![json!({"approach": approach})];
     if relieved {
         history.push(json!({"force": 0}));
@@ -128,7 +130,8 @@ fn a_sphere_keeps_the_interference_of_etsion_kligerman_and_kadin() {
 fn the_pressure_under_a_rigid_ball_levels_at_three_yield_stresses() {
     let ball =
         json!({"shape": {"type": "cylinder", "radius": RADIUS}, "material": {"rigid": true}});
-    let block = json!({"shape": {"type": "block", "width": 300, "depth": 150}, "material": deformable(0.0)});
+    let block = json!({"shape": {"type": "block", "width": 300, "depth": 150},
+        "material": deformable(0.0)});
     let approach = |w: f64| json!({"approach": w * KOGUT_ETSION.interference});
     let report = solved(&ball, &block, &json!([approach(500.0), approach(800.0)]), 40);
     for step in &report.steps {

@@ -243,7 +243,8 @@ fn an_approach_below_the_permanent_one_carries_nothing() {
 #[test]
 fn what_a_theory_cannot_do_is_refused_by_name() {
     let body = r#"{"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 210000,
-        "poisson_ratio": 0.3, "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10500,
+        "poisson_ratio": 0.3, "plasticity": {"law": "bilinear", "yield_stress": 500,
+            "tangent_modulus": 10500,
         "backstress": [{"modulus": 1000, "rate": 0}]}}}"#;
     let faults = |load: &str, solver: &str| {
         let job = format!(
@@ -282,9 +283,11 @@ fn ball_on_block(interferences: &[f64], tangent_modulus: f64, elements: u32) -> 
         interferences.iter().map(|w| format!(r#"{{"approach": {}}}"#, w * first)).collect();
     let job = format!(
         r#"{{"analysis": "axisymmetric", "load": {{"history": [{}, {{"force": 0}}]}},
-        "upper": {{"shape": {{"type": "cylinder", "radius": {radius}}}, "material": {{"rigid": true}}}},
+        "upper": {{"shape": {{"type": "cylinder", "radius": {radius}}},
+            "material": {{"rigid": true}}}},
         "lower": {{"shape": {{"type": "block", "width": 300, "depth": 150}},
-            "material": {{"young_modulus": 200000, "poisson_ratio": 0.3, "plasticity": {{"law": "bilinear",
+            "material": {{"young_modulus": 200000, "poisson_ratio": 0.3,
+                "plasticity": {{"law": "bilinear",
             "yield_stress": {yield_stress}, "tangent_modulus": {tangent_modulus}}}}}}},
         "mesh": {{"elements_per_half_width": {elements}}}, "solver": {{"theory": "flow"}}}}"#,
         loads.join(", ")
@@ -310,8 +313,10 @@ fn sphere_under_flat(interference: f64, plasticity: &str, history: &str) -> Job 
     let w = interference * critical_interference(steel_modulus(), 200.0, 10.0);
     let job = format!(
         r#"{{"analysis": "axisymmetric", "load": {{"history": {}}},
-        "upper": {{"shape": {{"type": "block", "width": 40, "depth": 20}}, "material": {{"rigid": true}}}},
-        "lower": {{"shape": {{"type": "cylinder", "radius": 10}}, "material": {{"young_modulus": 200000,
+        "upper": {{"shape": {{"type": "block", "width": 40, "depth": 20}},
+            "material": {{"rigid": true}}}},
+        "lower": {{"shape": {{"type": "cylinder", "radius": 10}},
+            "material": {{"young_modulus": 200000,
             "poisson_ratio": 0.3, "plasticity": {plasticity}}}}},
         "mesh": {{"elements_per_half_width": 10}}, "solver": {{"theory": "flow"}}}}"#,
         history.replace('W', &w.to_string())
@@ -422,14 +427,17 @@ fn flow_theory_knows_no_up_no_left_and_no_units() {
             "cylinder" => json!({"type": "cylinder", "radius": length(20.0)}),
             _ => json!({"type": "block", "width": length(60.0), "depth": length(30.0)}),
         };
-        json!({"shape": shape, "material": {"young_modulus": 210_000.0 * stress, "poisson_ratio": 0.3,
-            "plasticity": {"law": "bilinear", "yield_stress": 500.0 * stress, "tangent_modulus": 10_500.0 * stress}}})
+        json!({"shape": shape, "material": {"young_modulus": 210_000.0 * stress,
+            "poisson_ratio": 0.3,
+            "plasticity": {"law": "bilinear", "yield_stress": 500.0 * stress,
+                "tangent_modulus": 10_500.0 * stress}}})
     };
     let asked = |upper: &str, lower: &str, size: f64, stress: f64, units: &str| {
         let force = 900.0 * size * stress;
         parse(
             &json!({"analysis": "plane_strain", "units": units, "upper": body(upper, size, stress),
-            "lower": body(lower, size, stress), "load": {"history": [{"force": force}, {"force": 0}]},
+            "lower": body(lower, size, stress),
+            "load": {"history": [{"force": force}, {"force": 0}]},
             "mesh": {"elements_per_half_width": 8}, "solver": {"theory": "flow"}}),
         )
     };

@@ -24,7 +24,8 @@ fn punch(
     load: &Value,
 ) -> StepReport {
     let metal = json!({"young_modulus": young_modulus, "poisson_ratio": 0.3,
-        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0.05 * young_modulus}});
+        "plasticity": {"law": "bilinear", "yield_stress": 500,
+            "tangent_modulus": 0.05 * young_modulus}});
     let shape = json!({"type": "punch", "width": 4, "edge_radius": edge_radius, "depth": 5});
     let block = json!({"type": "block", "width": 60, "depth": 40});
     let job = json!({"analysis": analysis, "upper": {"shape": shape, "material": {"rigid": true}},
@@ -112,8 +113,10 @@ fn stress_at_the_surface_of_a_dent() {
     let metal = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0}});
     let ball = json!({"shape": {"type": "cylinder", "radius": 20}, "material": metal});
-    let job = json!({"analysis": "axisymmetric", "upper": ball, "lower": ball, "solver": {"theory": "flow"},
-        "load": {"history": [{"force": 310.522}, {"force": 0}]}, "mesh": {"elements_per_half_width": 10}});
+    let job = json!({"analysis": "axisymmetric", "upper": ball, "lower": ball,
+        "solver": {"theory": "flow"},
+        "load": {"history": [{"force": 310.522}, {"force": 0}]},
+        "mesh": {"elements_per_half_width": 10}});
     let steps = report(&job).steps;
     for step in &steps {
         let profile = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
@@ -153,9 +156,11 @@ fn an_approach_below_its_error_is_told() {
         "plasticity": {"law": "bilinear", "yield_stress": 135, "tangent_modulus": 372}});
     let shape = json!({"type": "punch", "width": 5.245, "depth": 14, "edge_radius": 0.0345});
     let block = json!({"type": "block", "width": 112, "depth": 132});
-    let job = json!({"analysis": "plane_stress", "upper": {"shape": shape, "material": {"rigid": true}},
+    let job = json!({"analysis": "plane_stress", "upper": {"shape": shape,
+        "material": {"rigid": true}},
         "lower": {"shape": block, "material": metal}, "solver": {"theory": "flow"},
-        "load": {"history": [{"approach": 0.0063}, {"force": 0}]}, "mesh": {"elements_per_half_width": 12}});
+        "load": {"history": [{"approach": 0.0063}, {"force": 0}]},
+        "mesh": {"elements_per_half_width": 12}});
     let step = report(&job).steps.remove(1);
     assert_eq!(step.estimated_error.unwrap().approach, None);
     assert!(remark(&step, "coarse_mesh").is_some());
@@ -166,7 +171,8 @@ fn an_approach_below_its_error_is_told() {
 fn elastic_bodies_are_not_advised_to_harden() {
     let elastic = json!({"young_modulus": 11_537, "poisson_ratio": 0.3});
     let mut stressed = elastic.clone();
-    stressed["initial_stress"] = json!([{"depth": 0, "sigma_x": 6.8, "sigma_z": 6.8}, {"depth": 12, "sigma_x": 0, "sigma_z": 0}]);
+    stressed["initial_stress"] = json!([{"depth": 0, "sigma_x": 6.8, "sigma_z": 6.8}, {"depth": 12,
+        "sigma_x": 0, "sigma_z": 0}]);
     let job = json!({"analysis": "axisymmetric", "load": {"force": 1e-9},
         "upper": {"shape": {"type": "cylinder", "radius": 1e3}, "material": elastic},
         "lower": {"shape": {"type": "block", "width": 850, "depth": 1088}, "material": stressed},
@@ -211,7 +217,8 @@ fn a_ring_of_few_elements_has_no_bars() {
 /// Cylinders under a load or target.
 fn cylinders(tangent_modulus: f64, load: &Value) -> Value {
     let material = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
-        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent_modulus}});
+        "plasticity": {"law": "bilinear", "yield_stress": 500,
+            "tangent_modulus": tangent_modulus}});
     let body = json!({"shape": {"type": "cylinder", "radius": 20}, "material": material});
     json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": load,
         "mesh": {"elements_per_half_width": 10}, "output": {"subsurface": false}})
@@ -298,7 +305,8 @@ fn flat_by_points(radius: f64) -> Value {
     let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500}});
     json!({"analysis": "plane_strain", "output": {"subsurface": false},
-        "upper": {"shape": {"type": "profile", "points": points, "depth": 5}, "material": {"rigid": true}},
+        "upper": {"shape": {"type": "profile", "points": points, "depth": 5},
+            "material": {"rigid": true}},
         "lower": {"shape": {"type": "block", "width": 60, "depth": 40}, "material": steel}})
 }
 
@@ -339,7 +347,8 @@ fn no_stress_at_the_surface_is_beyond_what_elements_have_borne() {
         "upper": {"shape": {"type": "cylinder", "radius": 5.4}, "material": soft},
         "lower": {"shape": {"type": "block", "width": 16, "depth": 18}, "material":
             {"young_modulus": 58_000, "poisson_ratio": 0.3}},
-        "load": {"history": [{"force": 0.1}, {"force": 0}]}, "mesh": {"elements_per_half_width": 8}});
+        "load": {"history": [{"force": 0.1}, {"force": 0}]},
+        "mesh": {"elements_per_half_width": 8}});
     for step in &report(&job).steps {
         let below = step.subsurface.as_ref().unwrap().upper.as_ref().unwrap();
         assert!(below.von_mises[0] < 9.0, "{:?}", below.von_mises);

@@ -22,7 +22,8 @@ fn press(analysis: &str, shape: Value, load: Value, block: f64, plasticity: Valu
     }
     json!({"analysis": analysis, "load": load,
         "upper": {"shape": shape, "material": {"rigid": true}},
-        "lower": {"shape": {"type": "block", "width": 2.0 * block, "depth": block}, "material": material}})
+        "lower": {"shape": {"type": "block", "width": 2.0 * block, "depth": block},
+            "material": material}})
 }
 
 fn step(job: &Value) -> StepReport {
@@ -114,7 +115,8 @@ fn power_law_punches() {
         let scale = 30.0_f64;
         let coefficient = scale.powf(1.0 - exponent);
         let indenter = PowerIndenter::new(exponent, coefficient, MODULUS);
-        let shape = json!({"type": "power", "exponent": exponent, "scale": scale, "width": 20.0, "depth": 20.0});
+        let shape = json!({"type": "power", "exponent": exponent, "scale": scale, "width": 20.0,
+            "depth": 20.0});
         let load = json!({"force": indenter.force(1.0)});
         let round = step(&press("axisymmetric", shape.clone(), load, 400.0, Value::Null));
         assert_within(round.approach, indenter.approach(1.0), 3e-3);
@@ -133,7 +135,8 @@ fn the_bar_of_the_half_width_holds_for_high_powers() {
         for (analysis, force) in
             [("axisymmetric", indenter.force(1.0)), ("plane_strain", indenter.line_force(1.0))]
         {
-            let shape = json!({"type": "power", "exponent": exponent, "scale": 3.0, "width": 6.0, "depth": 20.0});
+            let shape = json!({"type": "power", "exponent": exponent, "scale": 3.0, "width": 6.0,
+                "depth": 20.0});
             let step = step(&press(analysis, shape, json!({"force": force}), 400.0, Value::Null));
             let error = (step.contact.half_width - 1.0).abs();
             assert!(
@@ -152,7 +155,8 @@ fn the_peak_of_a_pointed_power_has_no_bar() {
         for (analysis, force) in
             [("axisymmetric", indenter.force(1.0)), ("plane_strain", indenter.line_force(1.0))]
         {
-            let shape = json!({"type": "power", "exponent": exponent, "scale": 30.0, "width": 20.0, "depth": 20.0});
+            let shape = json!({"type": "power", "exponent": exponent, "scale": 30.0, "width": 20.0,
+                "depth": 20.0});
             let step = step(&press(analysis, shape, json!({"force": force}), 200.0, Value::Null));
             let bars = step.estimated_error.unwrap();
             assert!(
@@ -204,7 +208,8 @@ fn a_parabola_has_hertz_pressure_and_an_ellipse_that_of_its_vertex() {
 #[test]
 fn a_rounded_wedge_goes_from_cylinder_to_wedge() {
     let (angle, radius) = (2.0_f64, 5.0);
-    let shape = json!({"type": "wedge", "angle": angle, "tip_radius": radius, "width": 20.0, "depth": 20.0});
+    let shape = json!({"type": "wedge", "angle": angle, "tip_radius": radius, "width": 20.0,
+        "depth": 20.0});
     let with = |force: f64| {
         step(&press("plane_strain", shape.clone(), json!({"force": force}), 400.0, Value::Null))
     };
@@ -254,7 +259,8 @@ fn a_rounded_punch_ends_on_its_arcs() {
 fn small_edge_radii_are_solved_or_refused_in_every_analysis() {
     for analysis in ["plane_strain", "plane_stress", "axisymmetric"] {
         let job = |half_width: f64, radius: f64| {
-            let shape = json!({"type": "punch", "width": 2.0 * half_width, "edge_radius": radius, "depth": 5.0});
+            let shape = json!({"type": "punch", "width": 2.0 * half_width, "edge_radius": radius,
+                "depth": 5.0});
             let mut job = press(analysis, shape, json!({"force": 2000.0}), 40.0, Value::Null);
             job["mesh"] = json!({"elements_per_half_width": 12});
             job
@@ -314,7 +320,8 @@ fn the_bar_of_a_rounded_tip_holds_its_pressure() {
                 if shape == "cone" { indenter.force(1.0) } else { indenter.line_force(1.0) };
             for q in [1e-4, 3e-3, 0.01, 0.03, 0.1, 0.15, 0.25, 0.4] {
                 let radius = q / angle.to_radians().sin();
-                let indenter = json!({"type": shape, "angle": angle, "tip_radius": radius, "width": 20.0, "depth": 20.0});
+                let indenter = json!({"type": shape, "angle": angle, "tip_radius": radius,
+                    "width": 20.0, "depth": 20.0});
                 let step =
                     step(&press(analysis, indenter, json!({"force": force}), 80.0, Value::Null));
                 let a = step.contact.half_width;
@@ -345,7 +352,8 @@ fn a_refusal_names_the_half_width_that_there_would_be() {
     for exponent in [3.0, 10.0] {
         let scale = 30.0_f64;
         let indenter = PowerIndenter::new(exponent, scale.powf(1.0 - exponent), MODULUS);
-        let shape = json!({"type": "power", "exponent": exponent, "scale": scale, "width": 12.0, "depth": 20.0});
+        let shape = json!({"type": "power", "exponent": exponent, "scale": scale, "width": 12.0,
+            "depth": 20.0});
         let job = press(
             "axisymmetric",
             shape,

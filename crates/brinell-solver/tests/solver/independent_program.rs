@@ -12,7 +12,8 @@ use crate::problems::{FORCE_3, assert_within, report, two_cylinders};
 
 #[test]
 fn ramberg_osgood_cylinders() {
-    let law = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
+    let law = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3,
+        "exponent": 5.0});
     let report = report(&two_cylinders("roller", law, FORCE_3));
     let step = &report.steps[0];
     assert_eq!(step.status, SolveStatus::Converged);

@@ -35,8 +35,10 @@ fn pressed(analysis: &str, initial: &Value) -> Value {
 }
 
 fn peened() -> Value {
-    json!([{"depth": 0.0, "sigma_x": -500.0, "sigma_z": -500.0}, {"depth": 0.1, "sigma_x": -650.0, "sigma_z": -650.0},
-           {"depth": 0.4, "sigma_x": 60.0, "sigma_z": 60.0}, {"depth": 3.0, "sigma_x": 0.0, "sigma_z": 0.0}])
+    json!([{"depth": 0.0, "sigma_x": -500.0, "sigma_z": -500.0}, {"depth": 0.1, "sigma_x": -650.0,
+        "sigma_z": -650.0},
+           {"depth": 0.4, "sigma_x": 60.0, "sigma_z": 60.0}, {"depth": 3.0, "sigma_x": 0.0,
+               "sigma_z": 0.0}])
 }
 
 fn hard() -> Value {
@@ -232,10 +234,13 @@ fn a_stressed_roller() {
     let plasticity = json!({"law": "bilinear", "yield_stress": 900.0, "tangent_modulus": 5000.0});
     let job = |theory: &str, initial: bool| {
         let mut body = json!({"shape": {"type": "cylinder", "radius": 10.0}, "support": "roller",
-            "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": plasticity}});
+            "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
+                "plasticity": plasticity}});
         if initial {
-            body["material"]["initial_stress"] = json!([{"depth": 0.0, "sigma_x": -300.0, "sigma_z": -300.0},
-                {"depth": 0.3, "sigma_x": -300.0, "sigma_z": -300.0}, {"depth": 0.6, "sigma_x": 0.0, "sigma_z": 0.0}]);
+            body["material"]["initial_stress"] = json!([{"depth": 0.0, "sigma_x": -300.0,
+                "sigma_z": -300.0},
+                {"depth": 0.3, "sigma_x": -300.0, "sigma_z": -300.0}, {"depth": 0.6,
+                    "sigma_x": 0.0, "sigma_z": 0.0}]);
         }
         json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"force": 420.0},
             "solver": {"theory": theory}})
@@ -297,7 +302,8 @@ fn rows_are_checked() {
     weak["lower"]["material"]["plasticity"]["over_depth"] = json!([[0.0, 1.2], [0.4, 1.0]]);
     assert_eq!(refused(&weak), "accepted");
     let mut everywhere = pressed("plane_strain", &peened());
-    everywhere["lower"]["material"]["plasticity"] = json!({"law": "ramberg_osgood", "reference_stress": 900.0, "offset": 0.3, "exponent": 5.0});
+    everywhere["lower"]["material"]["plasticity"] = json!({"law": "ramberg_osgood",
+        "reference_stress": 900.0, "offset": 0.3, "exponent": 5.0});
     assert!(refused(&everywhere).contains("yield point"));
     assert!(refused(&pressed("plane_stress", &peened())).contains("/0/sigma_z"));
     let mut uneven = pressed("axisymmetric", &peened());

@@ -236,9 +236,11 @@ fn ties_are_decided_alike_in_all_units() {
                 *value = json!(value.as_f64().unwrap() * length);
             }
         }
-        json!({"analysis": "plane_strain", "units": if length < 1.0 { "SI" } else { "mm_N_MPa" }, "load": load,
+        json!({"analysis": "plane_strain", "units": if length < 1.0 { "SI" } else { "mm_N_MPa" },
+            "load": load,
             "upper": {"shape": other, "material": material(84_000.0)},
-            "lower": {"shape": {"type": "profile", "points": points, "depth": 20.0 * length, "interpolation": interpolation},
+            "lower": {"shape": {"type": "profile", "points": points, "depth": 20.0 * length,
+                "interpolation": interpolation},
                 "material": material(210_000.0)},
             "mesh": {"elements_per_half_width": 10}})
     };

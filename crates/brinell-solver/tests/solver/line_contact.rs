@@ -51,7 +51,8 @@ fn cylinder_on_block(force: f64) -> Value {
     json!({
         "analysis": "plane_strain",
         "upper": {"shape": {"type": "cylinder", "radius": 50.0}, "material": elastic(210_000.0)},
-        "lower": {"shape": {"type": "block", "width": 200.0, "depth": 200.0}, "material": elastic(70_000.0)},
+        "lower": {"shape": {"type": "block", "width": 200.0, "depth": 200.0},
+            "material": elastic(70_000.0)},
         "load": {"force": force}
     })
 }
@@ -108,7 +109,8 @@ fn a_thin_layer_is_compressed_as_by_itself() {
     let elastic = json!({"young_modulus": 2000.0, "poisson_ratio": 0.2});
     let job = json!({"analysis": "plane_strain", "load": {"approach": 2e-4},
         "upper": {"shape": {"type": "cylinder", "radius": 100.0}, "material": {"rigid": true}},
-        "lower": {"shape": {"type": "block", "width": 20.0, "depth": depth}, "material": elastic}});
+        "lower": {"shape": {"type": "block", "width": 20.0, "depth": depth},
+            "material": elastic}});
     let step = &report(&job).steps[0];
     assert_eq!(step.status, SolveStatus::Converged);
     let half_width = (2.0_f64 * 100.0 * 2e-4).sqrt();
@@ -128,8 +130,10 @@ fn layers_of_any_thickness_are_meshed() {
             let depth = 20.0 * 0.5_f64.powi(k);
             let material = json!({"young_modulus": 70_000.0, "poisson_ratio": 0.3});
             let job = json!({"analysis": "plane_strain", "load": {"force": 3500.0},
-                "upper": {"shape": {"type": "cylinder", "radius": 50.0}, "material": {"rigid": true}},
-                "lower": {"shape": {"type": "block", "width": 60.0, "depth": depth}, "material": material},
+                "upper": {"shape": {"type": "cylinder", "radius": 50.0},
+                    "material": {"rigid": true}},
+                "lower": {"shape": {"type": "block", "width": 60.0, "depth": depth},
+                    "material": material},
                 "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}});
             let step = &report(&job).steps[0];
             assert_eq!(step.status, SolveStatus::Converged, "{depth}");

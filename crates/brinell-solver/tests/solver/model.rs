@@ -70,13 +70,15 @@ mod accepted {
             "shape": {"type": "cylinder", "radius": 20},
             "material": {"young_modulus": 210_000, "poisson_ratio": 0.3}
         });
-        let least = json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"force": 100}});
+        let least = json!({"analysis": "plane_strain", "upper": body, "lower": body,
+            "load": {"force": 100}});
         let job = Job::from_value(&least).unwrap();
         let mut written = serde_json::to_value(&job).unwrap();
         assert_eq!(written["mesh"], json!({"elements_per_half_width": 20}));
         assert_eq!(
             written["solver"],
-            json!({"theory": "deformation", "coupling": "accelerated", "contact": "active_set", "tolerance": 1e-6,
+            json!({"theory": "deformation", "coupling": "accelerated", "contact": "active_set",
+                "tolerance": 1e-6,
                 "max_iterations": 500})
         );
         assert_eq!(
@@ -316,7 +318,8 @@ mod refused {
         /lower/material/plasticity/saturation_stress: must be at least `yield_stress`, got 299
         /lower/material/plasticity/rate: is required
         ");
-        let power = json!({"law": "ramberg_osgood", "reference_stress": 500, "offset": 0, "exponent": 0.5});
+        let power = json!({"law": "ramberg_osgood", "reference_stress": 500, "offset": 0,
+            "exponent": 0.5});
         assert_snapshot!(faults_of(&with(curve, power)), @r"
         /lower/material/plasticity/exponent: must be between 1 and 200, got 0.5
         /lower/material/plasticity/offset: must be between 1e-9 and 1000000, got 0

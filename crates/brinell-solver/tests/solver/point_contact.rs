@@ -52,7 +52,8 @@ fn a_sphere_on_a_block_has_hertz_pressure() {
     let hertz = HertzPoint::from_peak_pressure(300.0, effective, MODULUS);
     let mut block = cylinder("clamped", Value::Null);
     block["shape"] = json!({"type": "block", "width": 80.0, "depth": 40.0});
-    let job = json!({"analysis": "axisymmetric", "upper": cylinder("clamped", Value::Null), "lower": block,
+    let job = json!({"analysis": "axisymmetric", "upper": cylinder("clamped", Value::Null),
+        "lower": block,
         "load": {"force": hertz.force()}});
     let report = report(&job);
     let step = &report.steps[0];
@@ -95,7 +96,8 @@ fn onset(yield_stress: f64, elements: u32) -> (HertzPoint, Report) {
     let law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0.0});
     let mut body = cylinder("clamped", law);
     body["shape"]["radius"] = json!(10.0);
-    let job = json!({"analysis": "axisymmetric", "upper": body, "lower": body, "load": {"onset": true},
+    let job = json!({"analysis": "axisymmetric", "upper": body, "lower": body,
+        "load": {"onset": true},
         "mesh": {"elements_per_half_width": elements}});
     let report = report(&job);
     assert_eq!(report.status, SolveStatus::Converged);

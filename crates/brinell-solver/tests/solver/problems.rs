@@ -18,7 +18,8 @@ pub fn cylinder(support: &str, plasticity: Value) -> Value {
     if !plasticity.is_null() {
         material["plasticity"] = plasticity;
     }
-    json!({"shape": {"type": "cylinder", "radius": 20.0}, "support": support, "material": material})
+    json!({"shape": {"type": "cylinder", "radius": 20.0}, "support": support,
+        "material": material})
 }
 
 /// The hardening of the paper's problem.

@@ -21,7 +21,8 @@ fn the_mean_pressure_stays_below_prandtls() {
     let mut punch = cylinder("clamped", Value::Null);
     punch["material"] = json!({"rigid": true});
     let job = json!({"analysis": "plane_strain", "upper": punch, "lower": block,
-        "load": {"forces": [300.0, 600.0, 1200.0, 2000.0]}, "mesh": {"elements_per_half_width": 16},
+        "load": {"forces": [300.0, 600.0, 1200.0, 2000.0]},
+        "mesh": {"elements_per_half_width": 16},
         "solver": {"max_iterations": 2000}});
     let report = report(&job);
     let ceiling = prandtl_mean_pressure(shear_yield_von_mises(YIELD));

@@ -27,7 +27,8 @@ fn cylinders(plasticity: &Value, force: f64) -> Value {
     if !plasticity.is_null() {
         material["plasticity"] = plasticity.clone();
     }
-    let body = json!({"shape": {"type": "cylinder", "radius": 20.0}, "support": "clamped", "material": material});
+    let body = json!({"shape": {"type": "cylinder", "radius": 20.0}, "support": "clamped",
+        "material": material});
     json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"force": force}})
 }
 
@@ -190,7 +191,8 @@ fn the_plastic_zone_reaches_the_surface_only_under_high_loads() {
 
 #[test]
 fn a_law_without_a_yield_point_is_outlined_at_its_reference_stress() {
-    let law = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
+    let law = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3,
+        "exponent": 5.0});
     let zone = step(&cylinders(&law, FORCE)).plasticity.lower.unwrap();
     let enclosed: f64 = zone.outline.iter().map(|polygon| signed_area(polygon)).sum();
     assert_within(enclosed, zone.area, 0.05);
@@ -328,7 +330,10 @@ fn a_core_that_yields_before_the_load_is_told() {
         "over_depth": [[0.0, 1.0], [2.0, 1.0], [2.1, 0.06]]});
     let mut job = cylinders(&plasticity, 50.0);
     for side in ["upper", "lower"] {
-        let row = |depth: f64, stress: f64| json!({"depth": depth, "sigma_x": stress, "sigma_z": stress});
+        let row = |depth: f64, stress: f64| {
+            json!({"depth": depth, "sigma_x": stress,
+            "sigma_z": stress})
+        };
         job[side]["material"]["initial_stress"] =
             json!([row(0.0, -800.0), row(2.0, -800.0), row(2.1, 0.0)]);
     }
@@ -350,7 +355,8 @@ fn a_pin_in_its_groove_is_a_wide_contact() {
 #[test]
 fn sharp_corner() {
     let mut job = cylinders(&Value::Null, 100.0);
-    job["upper"] = json!({"shape": {"type": "punch", "width": 2.0, "depth": 5.0}, "material": {"rigid": true}});
+    job["upper"] = json!({"shape": {"type": "punch", "width": 2.0, "depth": 5.0},
+        "material": {"rigid": true}});
     job["lower"]["shape"] = json!({"type": "block", "width": 60.0, "depth": 30.0});
     assert_says(&job, "sharp_corner");
 }

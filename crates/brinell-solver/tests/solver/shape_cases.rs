@@ -194,18 +194,22 @@ fn searches_without_an_end_are_refused_before_they_begin() {
 fn searches_cost_what_was_estimated() {
     let steel = |yield_stress: f64| {
         json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3,
-            "plasticity": {"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 2100.0}})
+            "plasticity": {"law": "bilinear", "yield_stress": yield_stress,
+                "tangent_modulus": 2100.0}})
     };
     let roller = json!({"shape": {"type": "cylinder", "radius": 10.0}, "material": steel(500.0)});
-    let hole = json!({"shape": {"type": "hole", "radius": 10.05, "outer_radius": 50.0}, "material": steel(700.0)});
-    let block = json!({"shape": {"type": "block", "width": 80.0, "depth": 40.0}, "material": steel(700.0)});
+    let hole = json!({"shape": {"type": "hole", "radius": 10.05, "outer_radius": 50.0},
+        "material": steel(700.0)});
+    let block = json!({"shape": {"type": "block", "width": 80.0, "depth": 40.0},
+        "material": steel(700.0)});
     for lower in [hole, block] {
         for load in [
             json!({"onset": true}),
             json!({"target": {"peak_pressure": 800.0}}),
             json!({"target": {"max_plastic_strain": 1e-3}}),
         ] {
-            let job = json!({"analysis": "plane_strain", "load": load, "upper": roller, "lower": lower,
+            let job = json!({"analysis": "plane_strain", "load": load, "upper": roller,
+                "lower": lower,
                 "mesh": {"elements_per_half_width": 10}});
             let estimate = report::preflight(&parse(&job)).unwrap().equations as f64;
             let found = report(&job).mesh.equations as f64;
@@ -223,8 +227,10 @@ fn a_punch_in_a_groove_costs_what_was_estimated() {
     for (analysis, force) in
         [("plane_strain", 20.0), ("plane_strain", 150.0), ("plane_stress", 150.0)]
     {
-        let job = json!({"analysis": analysis, "load": {"force": force}, "mesh": {"elements_per_half_width": 12},
-            "upper": {"shape": {"type": "punch", "width": 0.177, "depth": 10.0, "edge_radius": 0.0014}, "material": {"rigid": true}},
+        let job = json!({"analysis": analysis, "load": {"force": force},
+            "mesh": {"elements_per_half_width": 12},
+            "upper": {"shape": {"type": "punch", "width": 0.177, "depth": 10.0,
+                "edge_radius": 0.0014}, "material": {"rigid": true}},
             "lower": {"shape": {"type": "groove", "radius": 15.0, "width": 20.0, "depth": 30.0},
                 "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3}}});
         let estimate = report::preflight(&parse(&job)).unwrap().equations as f64;
@@ -341,8 +347,10 @@ fn a_steep_spike_is_refused_of_every_material() {
 
 fn rough(trace: (usize, f64, usize)) -> Value {
     let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
-    json!({"analysis": "plane_strain", "load": {"force": 300.0}, "mesh": {"elements_per_half_width": 20},
-        "upper": {"shape": {"type": "profile", "points": rough_traces::trace(trace), "depth": 20.0}, "material": steel},
+    json!({"analysis": "plane_strain", "load": {"force": 300.0},
+        "mesh": {"elements_per_half_width": 20},
+        "upper": {"shape": {"type": "profile", "points": rough_traces::trace(trace),
+            "depth": 20.0}, "material": steel},
         "lower": {"shape": {"type": "block", "width": 60.0, "depth": 30.0}, "material": steel}})
 }
 

@@ -42,8 +42,10 @@ fn job(coupling: &str) -> Job {
         "analysis": "plane_strain",
         "upper": {"shape": cylinder, "material": {"rigid": true}},
         "lower": {"shape": {"type": "block", "width": 120.0, "depth": 60.0}, "support": "clamped",
-                  "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": law}},
-        "load": {"force": 1200.0}, "mesh": {"elements_per_half_width": 8}, "solver": {"coupling": coupling},
+                  "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
+                      "plasticity": law}},
+        "load": {"force": 1200.0}, "mesh": {"elements_per_half_width": 8},
+        "solver": {"coupling": coupling},
     });
     Job::from_json(job.to_string().as_bytes()).unwrap()
 }
@@ -55,7 +57,8 @@ fn job(coupling: &str) -> Job {
 fn a_sweep_that_is_stopped_keeps_the_steps_before() {
     let cylinder = json!({"shape": {"type": "cylinder", "radius": 20.0},
         "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
-                     "plasticity": {"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 10_500.0}}});
+                     "plasticity": {"law": "bilinear", "yield_stress": 500.0,
+                         "tangent_modulus": 10_500.0}}});
     let job: Value = json!({
         "analysis": "plane_strain", "upper": cylinder, "lower": cylinder,
         "load": {"forces": [300.0, 330.0, 360.0, 390.0]}, "mesh": {"elements_per_half_width": 5},
@@ -93,7 +96,8 @@ fn a_sweep_that_is_stopped_keeps_the_steps_before() {
 fn history() -> Job {
     let cylinder = json!({"shape": {"type": "cylinder", "radius": 20.0},
         "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
-                     "plasticity": {"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 10_500.0}}});
+                     "plasticity": {"law": "bilinear", "yield_stress": 500.0,
+                         "tangent_modulus": 10_500.0}}});
     let job: Value = json!({
         "analysis": "plane_strain", "upper": cylinder, "lower": cylinder,
         "load": {"history": [{"force": 500}, {"force": 100}, {"force": 600}, {"force": 0}]},
@@ -204,10 +208,12 @@ fn the_report_of_a_job_can_be_stopped() {
     let cylinder = |yield_stress: f64| {
         json!({"shape": {"type": "cylinder", "radius": 20.0},
             "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
-                         "plasticity": {"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 10_500.0}}})
+                         "plasticity": {"law": "bilinear", "yield_stress": yield_stress,
+                             "tangent_modulus": 10_500.0}}})
     };
     let job: Value = json!({
-        "analysis": "plane_strain", "upper": cylinder(500.0), "lower": cylinder(400.0), "load": {"force": 400.0},
+        "analysis": "plane_strain", "upper": cylinder(500.0), "lower": cylinder(400.0),
+        "load": {"force": 400.0},
         "mesh": {"elements_per_half_width": 5}, "output": {"fields": true, "subsurface": true},
     });
     let job = Job::from_json(job.to_string().as_bytes()).unwrap();

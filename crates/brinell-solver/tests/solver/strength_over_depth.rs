@@ -112,7 +112,8 @@ fn a_graded_tube_yields_as_its_closed_form_says() {
 }
 
 fn graded_cylinder(yield_stress: f64, over_depth: &Value) -> Value {
-    let law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0.0, "over_depth": over_depth});
+    let law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0.0,
+        "over_depth": over_depth});
     let mut body = cylinder("roller", law);
     body["shape"]["radius"] = json!(10.0);
     body
@@ -134,7 +135,8 @@ fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
         (json!([[0.0, 4.0], [0.0212, 4.0], [0.021_221, 1.0], [0.03, 4.0]]), 20),
     ] {
         let body = graded_cylinder(35.0, &over_depth);
-        let job = json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"onset": true},
+        let job = json!({"analysis": "plane_strain", "upper": body, "lower": body,
+            "load": {"onset": true},
             "mesh": {"elements_per_half_width": elements}});
         let found = report(&job);
         assert_eq!(found.status, SolveStatus::Converged);
@@ -223,7 +225,8 @@ fn yielded_depths(body: &BodySolution) -> Option<(f64, f64)> {
 fn a_zone_at_the_core_is_found() {
     for theory in ["deformation", "flow"] {
         let over_depth = json!([[0.0, 6.0], [1.3, 6.0], [1.31, 1.0]]);
-        let law = json!({"law": "bilinear", "yield_stress": 240.0, "tangent_modulus": 2000.0, "over_depth": over_depth});
+        let law = json!({"law": "bilinear", "yield_stress": 240.0, "tangent_modulus": 2000.0,
+            "over_depth": over_depth});
         let mut job = two_cylinders("clamped", law, 612.6106);
         job["solver"] = json!({"theory": theory});
         let solution = solve(&job);
@@ -292,7 +295,10 @@ fn profiles_that_are_none_are_refused_field_by_field() {
             .map(|side| format!("/{side}/material/plasticity/over_depth{rest}"))
             .to_vec()
     };
-    let case = |surface: f64, core: f64| json!({"hardness": {"surface": surface, "core": core, "case_depth": 1.0}});
+    let case = |surface: f64, core: f64| {
+        json!({"hardness": {"surface": surface, "core": core,
+        "case_depth": 1.0}})
+    };
     for (over_depth, place) in [
         (json!([]), ""),
         (json!({}), "/hardness"),
@@ -346,7 +352,8 @@ fn the_strangest_profiles_end_in_an_answer_or_say_so() {
     ];
     let laws = [
         bilinear(),
-        json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0}),
+        json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3,
+            "exponent": 5.0}),
         json!({"law": "table", "points": [[0.0, 500.0], [0.01, 600.0]]}),
         json!({"law": "swift", "yield_stress": 500.0, "strain_offset": 0.002, "exponent": 0.1}),
         json!({"law": "ludwik", "yield_stress": 500.0, "coefficient": 700.0, "exponent": 0.4}),

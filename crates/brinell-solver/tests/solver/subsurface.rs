@@ -79,7 +79,8 @@ fn profiles_lie_below_the_middle_and_below_the_peak() {
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 2000}});
     let points =
         [[-5.0, -0.5], [-1.0, -0.02], [0.0, 0.0], [0.3, -0.004], [1.0, -0.08], [5.0, -0.9]];
-    let profile = serde_json::json!({"type": "profile", "points": points, "depth": 10, "interpolation": "smooth"});
+    let profile = serde_json::json!({"type": "profile", "points": points, "depth": 10,
+        "interpolation": "smooth"});
     let job = serde_json::json!({"analysis": "plane_strain",
         "upper": {"shape": profile, "material": {"rigid": true}},
         "lower": {"shape": {"type": "block", "width": 40, "depth": 20}, "material": steel},

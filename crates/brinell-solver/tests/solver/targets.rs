@@ -206,7 +206,8 @@ fn a_figure_that_does_not_depend_on_the_force_tells_none() {
     let block =
         json!({"shape": {"type": "block", "width": 200, "depth": 100}, "material": elastic});
     let job = |analysis: &str, shape: Value, target: Value| {
-        json!({"analysis": analysis, "upper": {"shape": shape, "material": {"rigid": true}}, "lower": block,
+        json!({"analysis": analysis, "upper": {"shape": shape, "material": {"rigid": true}},
+            "lower": block,
             "load": {"target": target}, "mesh": {"elements_per_half_width": ELEMENTS}})
     };
     let punch = json!({"type": "punch", "width": 4, "depth": 10});

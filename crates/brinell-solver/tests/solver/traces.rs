@@ -13,8 +13,10 @@ fn steel() -> Value {
 }
 
 fn on_block(points: &[[f64; 2]], force: f64, elements: u32) -> Value {
-    json!({"analysis": "plane_strain", "load": {"force": force}, "mesh": {"elements_per_half_width": elements},
-        "upper": {"shape": {"type": "profile", "points": points, "depth": 20.0}, "material": steel()},
+    json!({"analysis": "plane_strain", "load": {"force": force},
+        "mesh": {"elements_per_half_width": elements},
+        "upper": {"shape": {"type": "profile", "points": points, "depth": 20.0},
+            "material": steel()},
         "lower": {"shape": {"type": "block", "width": 60.0, "depth": 30.0}, "material": steel()}})
 }
 

@@ -105,7 +105,8 @@ fn solve(model: ModelOf) -> Solution {
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10500}}}"#;
     let job = format!(
         r#"{{"analysis": "plane_strain", "upper": {body}, "lower": {body},
-        "load": {{"history": [{{"force": 612.6106}}, {{"force": 0}}]}}, "mesh": {{"elements_per_half_width": 10}},
+        "load": {{"history": [{{"force": 612.6106}}, {{"force": 0}}]}},
+        "mesh": {{"elements_per_half_width": 10}},
         "solver": {{"theory": "flow", "increments": 2, "tolerance": 1e-9}}}}"#
     );
     let job = Job::from_json(job.as_bytes()).unwrap();

@@ -58,11 +58,13 @@ fn onset_on_stressed_block(
 ) -> StepReport {
     let elastic = json!({"young_modulus": 210_000.0, "poisson_ratio": poisson_ratio});
     let mut yielding = elastic.clone();
-    yielding["plasticity"] = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 4000.0, "over_depth": over_depth});
+    yielding["plasticity"] = json!({"law": "bilinear", "yield_stress": 500.0,
+        "tangent_modulus": 4000.0, "over_depth": over_depth});
     yielding["initial_stress"] = initial.clone();
     let job = json!({"analysis": analysis, "load": {"onset": true},
         "upper": {"shape": {"type": "cylinder", "radius": 100.0}, "material": elastic},
-        "lower": {"shape": {"type": "block", "width": 600.0, "depth": 400.0}, "material": yielding}});
+        "lower": {"shape": {"type": "block", "width": 600.0, "depth": 400.0},
+            "material": yielding}});
     let step = report(&job).steps.remove(0);
     assert_eq!(step.status, SolveStatus::Converged);
     step
@@ -118,7 +120,8 @@ fn the_bar_of_an_onset_at_the_edge_of_a_contact_circle_holds_on_few_elements() {
         )
     };
     let body = |shape: Value, nu: f64, initial: Value| {
-        json!({"shape": shape, "material": {"young_modulus": 210_000, "poisson_ratio": nu, "initial_stress": initial,
+        json!({"shape": shape, "material": {"young_modulus": 210_000, "poisson_ratio": nu,
+            "initial_stress": initial,
             "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 4000}}})
     };
     let block = json!({"type": "block", "width": 600, "depth": 400});
@@ -200,9 +203,8 @@ fn the_bar_of_an_onset_holds_the_closed_form() {
 fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
     let uniform = json!([[0, 1.0]]);
     let rows = |points: [[f64; 3]; 4]| {
-        json!(points.map(
-                |[depth, sigma_x, sigma_z]| json!({"depth": depth, "sigma_x": sigma_x, "sigma_z": sigma_z})
-            ))
+        json!(points.map(|[depth, sigma_x, sigma_z]| json!({"depth": depth, "sigma_x": sigma_x,
+                    "sigma_z": sigma_z})))
     };
     let below = |z: f64| match z {
         0.0..0.4 => -350.0 * z / 0.4,

@@ -21,7 +21,8 @@ pub fn laws() -> [(&'static str, Value); 7] {
         ),
         (
             "ramberg_osgood",
-            json!({"law": "ramberg_osgood", "reference_stress": YIELD, "offset": 0.3, "exponent": 5.0}),
+            json!({"law": "ramberg_osgood", "reference_stress": YIELD, "offset": 0.3,
+                "exponent": 5.0}),
         ),
         (
             "table",
@@ -29,7 +30,8 @@ pub fn laws() -> [(&'static str, Value); 7] {
         ),
         (
             "swift",
-            json!({"law": "swift", "yield_stress": YIELD, "strain_offset": 0.005, "exponent": 0.2}),
+            json!({"law": "swift", "yield_stress": YIELD, "strain_offset": 0.005,
+                "exponent": 0.2}),
         ),
         (
             "ludwik",
@@ -37,7 +39,8 @@ pub fn laws() -> [(&'static str, Value); 7] {
         ),
         (
             "voce",
-            json!({"law": "voce", "yield_stress": YIELD, "saturation_stress": 800.0, "rate": 30.0}),
+            json!({"law": "voce", "yield_stress": YIELD, "saturation_stress": 800.0,
+                "rate": 30.0}),
         ),
     ]
 }
@@ -105,6 +108,8 @@ pub fn job(
         "plane_stress" => PI * radius * peak.powi(2) / 105_000.0,
         _ => (PI * peak).powi(3) * (radius / plane_strain).powi(2) / 6.0,
     };
-    json!({"analysis": analysis, "upper": body(upper), "lower": body(lower), "load": {"force": force},
-        "mesh": {"elements_per_half_width": 10}, "solver": {"coupling": coupling, "tolerance": 1e-6}})
+    json!({"analysis": analysis, "upper": body(upper), "lower": body(lower),
+        "load": {"force": force},
+        "mesh": {"elements_per_half_width": 10}, "solver": {"coupling": coupling,
+            "tolerance": 1e-6}})
 }

@@ -65,7 +65,8 @@ pub fn job(random: &mut Random, elements: &[u32]) -> Value {
     let first = body(random, &scale, true);
     let second = body(random, &scale, false);
     let (upper, lower) = if random.happens(0.5) { (first, second) } else { (second, first) };
-    let mut job = json!({"analysis": analysis, "upper": upper, "lower": lower, "load": load(random, &scale),
+    let mut job = json!({"analysis": analysis, "upper": upper, "lower": lower,
+        "load": load(random, &scale),
         "mesh": {"elements_per_half_width": random.one_of(elements)}});
     let mut solver = Map::new();
     if is_flow {
@@ -162,7 +163,8 @@ fn convex(random: &mut Random, scale: &Scale) -> (Value, bool) {
         0 => json!({"type": "cylinder", "radius": radius}),
         1 => json!({"type": "parabola", "radius": radius, "width": width, "depth": depth}),
         2 => {
-            json!({"type": "ellipse", "semi_axis_x": radius, "semi_axis_y": radius * random.between(0.4, 2.0)})
+            json!({"type": "ellipse", "semi_axis_x": radius,
+                "semi_axis_y": radius * random.between(0.4, 2.0)})
         }
         3 => {
             // As high at the half-width as a cylinder.
@@ -170,7 +172,8 @@ fn convex(random: &mut Random, scale: &Scale) -> (Value, bool) {
             let height = half_width * half_width / (2.0 * radius);
             let scale =
                 (height / half_width.powf(exponent)).powf((1.0 - exponent).recip()).min(1e6);
-            json!({"type": "power", "exponent": exponent, "scale": scale, "width": 8.0 * half_width, "depth": radius})
+            json!({"type": "power", "exponent": exponent, "scale": scale,
+                "width": 8.0 * half_width, "depth": radius})
         }
         4 => {
             let kind = if scale.analysis == "axisymmetric" { "cone" } else { "wedge" };
@@ -189,7 +192,8 @@ fn convex(random: &mut Random, scale: &Scale) -> (Value, bool) {
                 .filter(|[x, _]| scale.analysis != "axisymmetric" || *x >= 0.0)
                 .collect();
             let interpolation = random.one_of(&["smooth", "smooth", "linear"]);
-            json!({"type": "profile", "points": points, "depth": radius, "interpolation": interpolation})
+            json!({"type": "profile", "points": points, "depth": radius,
+                "interpolation": interpolation})
         }
         _ => {
             let width = 2.0 * half_width;
@@ -220,24 +224,29 @@ fn plasticity(random: &mut Random, scale: &Scale) -> Value {
     match random.one_of(&[0, 1, 2, 3, 4, 5, 6]) {
         0 => json!({"law": "bilinear", "yield_stress": limit, "tangent_modulus": 0}),
         1 => {
-            json!({"law": "bilinear", "yield_stress": limit, "tangent_modulus": young * random.decades(1e-4, 0.15)})
+            json!({"law": "bilinear", "yield_stress": limit,
+                "tangent_modulus": young * random.decades(1e-4, 0.15)})
         }
         2 => {
-            json!({"law": "ludwik", "yield_stress": limit, "coefficient": limit * random.decades(0.1, 10.0),
+            json!({"law": "ludwik", "yield_stress": limit,
+                "coefficient": limit * random.decades(0.1, 10.0),
             "exponent": exponent})
         }
         3 => {
-            json!({"law": "swift", "yield_stress": limit, "strain_offset": random.decades(1e-4, 0.05),
+            json!({"law": "swift", "yield_stress": limit,
+                "strain_offset": random.decades(1e-4, 0.05),
             "exponent": exponent})
         }
         4 => {
-            json!({"law": "voce", "yield_stress": limit, "saturation_stress": limit * random.between(1.05, 3.0),
+            json!({"law": "voce", "yield_stress": limit,
+                "saturation_stress": limit * random.between(1.05, 3.0),
             "rate": random.decades(1.0, 300.0)})
         }
         5 => json!({"law": "table", "points": [[0, limit],
             [random.between(0.01, 0.05), limit * random.between(1.0, 1.5)], [0.2, 1.5 * limit]]}),
         _ => {
-            json!({"law": "ramberg_osgood", "reference_stress": limit, "offset": random.decades(0.1, 1.0),
+            json!({"law": "ramberg_osgood", "reference_stress": limit,
+                "offset": random.decades(0.1, 1.0),
             "exponent": random.between(3.0, 20.0)})
         }
     }
