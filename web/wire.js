@@ -1,6 +1,6 @@
 /**
- * What goes over the wire: the schemas of the OpenAPI document that the page names, and those that
- * they refer to. Generated from it: `BRINELL_WRITE=1 cargo test --test openapi`.
+ * What goes over the wire: the schemas of the OpenAPI document that the page names, and those that they refer to. Generated from it:
+ * `BRINELL_WRITE=1 cargo test --test openapi`.
  *
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
@@ -297,6 +297,7 @@
  * @property {number} middle_pressure
  * @property {number} moment
  * @property {(number)[]} pressure
+ * @property {number} tilt
  * @property {(number)[]} y
  *
  * @typedef {object} RoughContact

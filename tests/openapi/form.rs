@@ -139,6 +139,7 @@ fn quantity(figure: &Figure) -> &'static str {
         ) => "stress",
         Figure::Quantity(Quantity::LineForce) => "line_force",
         Figure::Quantity(Quantity::Force) => "force",
+        Figure::Quantity(Quantity::Moment) => "energy",
         Figure::Pure(_) => "number",
     }
 }

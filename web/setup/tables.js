@@ -1,6 +1,6 @@
 /**
- * The fields of every shape and hardening law, as the service reads them. Generated from the
- * tables of the solver: `BRINELL_WRITE=1 cargo test --test openapi`.
+ * The fields of every shape and hardening law, as the service reads them. Generated from the tables of the solver:
+ * `BRINELL_WRITE=1 cargo test --test openapi`.
  */
 
 /* prettier-ignore */
@@ -133,6 +133,7 @@ export const SHAPES = {
       {"columns":["length","length"],"description":"Points `[y, height]` for `points`, y rising and passing 0, straight between them. Points that start or end at y = 0 are completed by their mirror image. Beyond the outermost ones the height stays.","key":"points","kind":"points","label":"Points","optional":true,"symbol":"y, height"},
       {"description":"Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
       {"description":"Misalignment in the plane of axis and normal, in mrad: positive brings the end at positive y closer to the other body; 0 if it is left out. The approach is that of the middle.","key":"tilt","label":"Tilt","optional":true,"quantity":"number","symbol":"ϑ"},
+      {"description":"Moment about its x axis through the middle, in place of `tilt`, which is found then: positive presses the end at positive y. It is whole from the smallest force of the job on and in proportion to the force below. Only with forces.","key":"moment","label":"Moment","optional":true,"quantity":"energy","symbol":"M"},
     ],
   },
   flat: {

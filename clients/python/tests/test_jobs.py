@@ -149,3 +149,55 @@ def test_materials_are_found_by_any_name() -> None:
     assert "CuSn7Zn2Pb3-C" not in brinell.steels
     with pytest.raises(KeyError, match="S355"):
         brinell.steels["unobtainium"]
+
+
+def rough(heights: Any) -> dict[str, Any]:
+    surface = {"heights": heights, "spacing_x": 0.01, "spacing_y": 0.01}
+    flat = {"type": "flat"}
+    return {
+        "analysis": "three_dimensional",
+        "upper": {"shape": flat, "material": {"rigid": True}, "surface": surface},
+        "lower": {"shape": flat, "material": {"young_modulus": 210000, "poisson_ratio": 0.3}},
+        "load": {"force": 1},
+    }
+
+
+def without(value: Any, keys: set[str]) -> Any:
+    """A document without the members of these names."""
+    if isinstance(value, dict):
+        return {key: without(one, keys) for key, one in value.items() if key not in keys}
+    return [without(one, keys) for one in value] if isinstance(value, list) else value
+
+
+def test_heights_of_an_array_are_sent_as_numpy_writes_them(client: brinell.Client) -> None:
+    x = np.linspace(-1, 1, 16)
+    heights = 1e-3 * np.cos(5 * x)[:, None] * np.cos(7 * x[None, :] + 0.3)
+    lists = client.solve(rough(heights.tolist()))
+    unit = pint.UnitRegistry()
+    for array in (heights, np.asfortranarray(heights), unit.Quantity(1e3 * heights, "um")):
+        document = document_of(rough(array))
+        assert list(document["upper"]["surface"]["heights"]) == ["npy_base64"]
+        if not isinstance(array, np.ndarray):
+            continue
+        same = client.solve(document)
+        timed = {"elapsed_ms", "timings_ms"}
+        assert without(same.data, timed) == without(lists.data, timed)
+    single = document_of(rough(heights.astype(np.float32)))["upper"]["surface"]["heights"]
+    double = document_of(rough(heights))["upper"]["surface"]["heights"]
+    assert len(single["npy_base64"]) < 0.8 * len(double["npy_base64"])
+
+
+def test_holes_of_an_array_are_named() -> None:
+    heights = np.zeros((8, 8))
+    heights[2, 3] = np.nan
+    with pytest.raises(brinell.InvalidJob) as caught:
+        document_of(rough(heights))
+    assert [fault.pointer for fault in caught.value.errors] == ["#/upper/surface/heights/2/3"]
+
+
+def test_a_moment_has_a_unit() -> None:
+    unit = pint.UnitRegistry()
+    body = brinell.roller(
+        radius=5, length=10, moment=unit.Quantity(2, "N*m"), material=brinell.rigid
+    )
+    assert document_of({"upper": body})["upper"]["shape"]["moment"] == pytest.approx(2000)

@@ -104,7 +104,7 @@ pub(super) fn into_solution(
         active_set,
         status,
         pivots,
-        applications: 0,
+        ..ContactSolution::default()
     }
 }
 

@@ -59,6 +59,8 @@ pub struct ContactSolution {
     pub gap: Vec<f64>,
     /// Approach α of the supports \[mm\].
     pub approach: f64,
+    /// Tilt of the gap for which it was solved, where a caller seeks one; solvers leave it 0.
+    pub tilt: f64,
     /// `P = eᵀR` \[N\].
     pub total_force: f64,
     /// The pairs in contact, exactly those with R > 0.

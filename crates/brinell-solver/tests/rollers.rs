@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
 
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, Report, RollerReport, StepReport};
+use brinell_solver::report::{self, Report, RollerReport, RunError, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
@@ -235,4 +235,120 @@ fn a_roller_at_any_angle_is_the_same_contact() {
     for rotation in [1.0, 10.0, 37.0, 89.0, 90.0, -90.0, 91.0, 179.0, 180.0, 270.0, 360.0] {
         near(pressed(rotation), straight, 1e-6);
     }
+}
+
+/// The same roller under a moment that it is free to tilt under.
+fn balanced(mut job: Value, moment: f64) -> Value {
+    job["upper"]["shape"].as_object_mut().unwrap().remove("tilt");
+    job["upper"]["shape"]["moment"] = json!(moment);
+    job
+}
+
+/// With profiles and without, below or turned, from a moment that hardly tilts to one under which
+/// a part of the length comes off. Cells are not the same: a moment says other widths beforehand
+/// than a tilt.
+#[test]
+fn a_moment_has_the_tilt_that_has_this_moment() {
+    let few = json!({"mesh": {"elements_per_half_width": 4}, "output": {"subsurface": false}});
+    let mut below = roller(8.0, &json!({"tilt": 1, "rotation": 200}), &few);
+    (below["upper"], below["lower"]) = (below["lower"].clone(), below["upper"].clone());
+    for (job, side) in [
+        (tilted(1.0), "upper"),
+        (roller(8.0, &json!({"tilt": -0.01}), &few), "upper"),
+        (tilted(3.0), "upper"),
+        (
+            roller(8.0, &json!({"profile": "crowned", "crown_radius": 300, "tilt": 5}), &few),
+            "upper",
+        ),
+        (below, "lower"),
+    ] {
+        let given = solve(&job);
+        let mut free = job.clone();
+        let shape = free[side]["shape"].as_object_mut().unwrap();
+        let tilt = shape.remove("tilt").unwrap().as_f64().unwrap();
+        let turned = if side == "lower" { -1.0 } else { 1.0 };
+        shape.insert("moment".to_owned(), json!(turned * along(&given.steps[0]).moment));
+        let found = solve(&free);
+        let [given, found] = [&given.steps[0], &found.steps[0]];
+        near(along(given).tilt, turned * tilt, 1e-12);
+        near(along(found).moment, along(given).moment, 1e-7);
+        near(along(found).tilt, along(given).tilt, 5e-3);
+        let bars = [found, given].map(|step| step.estimated_error.unwrap().approach.unwrap());
+        near(found.approach, given.approach, bars[0] + bars[1]);
+    }
+}
+
+#[test]
+fn no_moment_is_no_tilt_and_a_moment_the_other_way_its_mirror_image() {
+    let [none, one, other] = [0.0, 4000.0, -4000.0].map(|moment| {
+        let report = solve(&balanced(tilted(0.0), moment));
+        along(&report.steps[0]).clone()
+    });
+    assert!(none.tilt.abs() < 1e-9 && none.moment.abs() < 1e-4, "{} {}", none.tilt, none.moment);
+    assert!(one.tilt > 0.1, "{}", one.tilt);
+    near(one.tilt, -other.tilt, 1e-6);
+    near(one.moment, 4000.0, 1e-6);
+    let pairs = one.pressure.iter().zip(other.pressure.iter().rev());
+    assert!(pairs.map(|(p, q)| (p - q).abs()).fold(0.0, f64::max) < 1e-6 * one.middle_pressure);
+}
+
+/// A history goes to the whole moment and back; every load ends with its moment, and the plastic
+/// strain that it leaves tilts the roller farther than an elastic contact.
+#[test]
+fn a_moment_goes_with_a_history_that_yields() {
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 600, "tangent_modulus": 10_500}});
+    let changes = json!({"lower": {"shape": {"type": "flat"}, "material": steel},
+        "load": {"history": [{"force": 2000}, {"force": 3000}, {"force": 0}, {"force": 2000}]},
+        "solver": {"theory": "flow", "increments": 3}, "mesh": {"elements_per_half_width": 4}});
+    let shape = json!({"profile": "logarithmic", "design_force": 4000, "moment": 1500});
+    let report = solve(&roller(8.0, &shape, &changes));
+    let steps: Vec<_> = report.steps.iter().map(along).collect();
+    for step in [steps[0], steps[1], steps[3]] {
+        near(step.moment, 1500.0, 1e-6);
+    }
+    assert!(steps[2].moment.abs() < 1e-9);
+    let mut elastic = roller(8.0, &shape, &changes);
+    elastic["lower"]["material"].as_object_mut().unwrap().remove("plasticity");
+    let elastic = solve(&elastic);
+    assert!(
+        steps[1].tilt > 1.1 * along(&elastic.steps[1]).tilt,
+        "{} {}",
+        steps[1].tilt,
+        along(&elastic.steps[1]).tilt
+    );
+    near(along(&elastic.steps[0]).tilt, along(&elastic.steps[3]).tilt, 1e-6);
+}
+
+/// The contact of half a micrometre under 4 N is as wide as no grid holds it.
+#[test]
+fn a_roller_that_is_no_roller_is_refused() {
+    let mut job = roller(8.0, &json!({"length": 1e-6}), &json!({"load": {"force": 1}}));
+    let refused = |job: &Value| match report::run(&Job::from_value(job).unwrap(), &mut Unobserved)
+    {
+        Err(RunError::Input(faults)) => faults,
+        other => panic!("{other:?}"),
+    };
+    let faults = refused(&job);
+    assert_eq!(faults.len(), 1);
+    assert_eq!(faults[0].pointer, "/upper/shape/length");
+    assert!(faults[0].detail.contains("long"), "{faults:?}");
+    job["upper"]["shape"]["length"] = json!(0.1);
+    solve(&job);
+}
+
+/// The profile of the documents: an undercut of 1 mm at one end ends the contact there, 4 mm from
+/// the middle of a roller of 10 mm, which holds its tilt by a moment towards the other end.
+#[test]
+fn an_undercut_is_a_step_of_points() {
+    let points = json!([[-5, 0], [4, 0], [4.01, -0.2], [5, -0.2]]);
+    let shape = json!({"length": 10, "profile": "points", "points": points});
+    let few = json!({"mesh": {"elements_per_half_width": 4}, "output": {"subsurface": false}});
+    let report = solve(&roller(8.0, &shape, &few));
+    let step = along(&report.steps[0]);
+    let touched = step.y.iter().zip(&step.pressure).filter(|(_, p)| **p > 0.0).map(|(y, _)| *y);
+    let cell = step.y[1] - step.y[0];
+    let (first, last) = touched.fold((0.0_f64, 0.0_f64), |(a, b), y| (a.min(y), b.max(y)));
+    assert!((first + 5.0).abs() < cell && (last - 4.0).abs() < cell, "{first} {last}");
+    assert!(step.moment < 0.0);
 }

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use super::BASE;
 
 /// What a figure of a result is, and its unit in words.
-const UNITS: [(&str, &str); 12] = [
+const UNITS: [(&str, &str); 13] = [
     ("length", "Unit: mm (SI: m)."),
     ("area", "Unit: mm² (SI: m²)."),
     ("volume", "Unit: mm³ (SI: m³)."),
@@ -23,6 +23,7 @@ const UNITS: [(&str, &str); 12] = [
          dimensions.",
     ),
     ("degrees", "Unit: degree."),
+    ("mrad", "Unit: mrad."),
     (
         "length, stress or 1",
         "Unit: that of the figure, mm or MPa (SI: m or Pa); plastic strain without one.",

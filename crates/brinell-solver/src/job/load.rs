@@ -166,6 +166,22 @@ impl Load {
         }
     }
 
+    /// The smallest force above zero, if all loads are forces that are given.
+    pub fn least_force(&self) -> Option<f64> {
+        let forces: Vec<f64> = match self {
+            Self::Forces(forces) => forces.iter().map(|force| force.get()).collect(),
+            Self::History(loads) => loads
+                .iter()
+                .map(|load| match load {
+                    HistoryLoad::Force(force) => Some(force.get()),
+                    HistoryLoad::Approach(_) => None,
+                })
+                .collect::<Option<_>>()?,
+            _ => return None,
+        };
+        forces.into_iter().filter(|force| *force > 0.0).reduce(f64::min)
+    }
+
     /// Reads a load; `force` says what a force is in this analysis.
     pub(super) fn read(cursor: Cursor<'_>, force: Quantity, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;

@@ -29,6 +29,8 @@ pub enum Quantity {
     LineForce,
     /// A force, `1e-9..=1e9` N.
     Force,
+    /// A moment of either sign, `-1e12..=1e12` N mm.
+    Moment,
 }
 
 impl Quantity {
@@ -44,6 +46,7 @@ impl Quantity {
             Self::Stress => (1e-6, 1e7),
             Self::SignedStress => (-1e7, 1e7),
             Self::LineForce | Self::Force => (1e-9, 1e9),
+            Self::Moment => (-1e12, 1e12),
         }
     }
 
@@ -70,6 +73,8 @@ impl Quantity {
             (Self::LineForce, Units::MmNMpa) => "N/mm",
             (Self::LineForce, Units::Si) => "N/m",
             (Self::Force, _) => "N",
+            (Self::Moment, Units::MmNMpa) => "N mm",
+            (Self::Moment, Units::Si) => "N m",
         }
     }
 
@@ -90,9 +95,10 @@ impl Quantity {
     const fn factors(self, units: Units) -> (f64, f64) {
         match (units, self) {
             (Units::MmNMpa, _) | (Units::Si, Self::Force) => (1.0, 1.0),
-            (Units::Si, Self::Length | Self::Position | Self::Depth | Self::Approach) => {
-                (1e3, 1.0)
-            }
+            (
+                Units::Si,
+                Self::Length | Self::Position | Self::Depth | Self::Approach | Self::Moment,
+            ) => (1e3, 1.0),
             (
                 Units::Si,
                 Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress,
@@ -106,7 +112,7 @@ impl Quantity {
 mod tests {
     use super::*;
 
-    const ALL: [Quantity; 10] = [
+    const ALL: [Quantity; 11] = [
         Quantity::Length,
         Quantity::Position,
         Quantity::Depth,
@@ -117,6 +123,7 @@ mod tests {
         Quantity::SignedStress,
         Quantity::LineForce,
         Quantity::Force,
+        Quantity::Moment,
     ];
 
     #[test]
@@ -132,6 +139,7 @@ mod tests {
             near(Quantity::Stress, units.stress());
             near(Quantity::LineForce, units.line_force());
             near(Quantity::Force, 1.0);
+            near(Quantity::Moment, units.length());
         }
     }
 

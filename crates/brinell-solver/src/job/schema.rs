@@ -115,6 +115,7 @@ impl Schemas<'_> {
         all.extend(self.loads());
         all.push(("Detrend", enumeration::<Detrend>("What is taken away from heights.")));
         all.push(("SurfaceHeights", self.surface()));
+        all.push(("NpyHeights", npy_heights()));
         all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
         all.push((
             "SolverSettings",
@@ -198,13 +199,22 @@ impl Schemas<'_> {
     }
 
     fn surface(&self) -> Value {
-        let counts = |items: Value| json!({"type": "array", "items": items, "minItems": Surface::MIN_CELLS, "maxItems": Surface::MAX_CELLS});
-        let mut heights = counts(counts(json!({"type": "number"})));
-        heights["description"] = json!(
-            "Heights along the outward normal at the middles of cells: `heights[i][j]` at the \
-             i-th x and the j-th y of the job, the middle of the grid at the origin. Rows of one \
-             length."
-        );
+        let counts = |items: Value| {
+            json!({
+                "type": "array",
+                "items": items,
+                "minItems": Surface::MIN_CELLS,
+                "maxItems": Surface::MAX_CELLS,
+            })
+        };
+        let mut rows = counts(counts(json!({"type": "number"})));
+        rows["description"] = json!("Rows of one length.");
+        let heights = json!({
+            "description": "Heights along the outward normal at the middles of cells: \
+                            `heights[i][j]` at the i-th x and the j-th y of the job, the middle \
+                            of the grid at the origin. Lists, or an array of numpy.",
+            "anyOf": [rows, self.named("NpyHeights")],
+        });
         let length = |along: &str| {
             let described = format!("Distance of heights along {along}.");
             let mut schema = figure_schema(&Figure::Quantity(Quantity::Length), &described);
@@ -544,6 +554,19 @@ impl Schemas<'_> {
         let references: Vec<_> = names.iter().map(|name| self.named(name)).collect();
         json!({"description": description, "oneOf": references})
     }
+}
+
+/// An array as numpy writes it.
+fn npy_heights() -> Value {
+    let text = json!({
+        "type": "string",
+        "description": "Base64 of what numpy.save writes: two dimensions, little-endian float64 \
+                        or float32, in the units of lists. Not NaN.",
+    });
+    object(
+        "Heights as an array of numpy, which takes fewer bytes than lists and no digit away.",
+        vec![Entry { key: Surface::NPY, schema: text, required: true }],
+    )
 }
 
 /// A closed object with these members.

@@ -6,7 +6,7 @@ use serde::ser::{SerializeStruct, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FaultCode, Named, Quantity, Units};
+use super::{FaultCode, Named, Quantity, Units, npy};
 
 /// Heights over the shape of a body at the middles of equal cells, along the outward normal.
 /// Lengths in mm.
@@ -45,6 +45,8 @@ impl Surface {
     pub const KEY: &'static str = "surface";
     pub(super) const KEYS: &'static [&'static str] =
         &["heights", "spacing_x", "spacing_y", "detrend"];
+    /// The key of heights as an array of numpy.
+    pub const NPY: &'static str = "npy_base64";
     /// Fewest and most cells along a side.
     pub const MIN_CELLS: usize = 8;
     /// See [`Self::MIN_CELLS`].
@@ -89,34 +91,72 @@ impl Surface {
         self.heights.iter().enumerate().map(levelled).collect()
     }
 
+    /// Heights as lists, and their numbers along x and y.
+    fn read_rows(c: Cursor<'_>, units: Option<Units>) -> Option<([usize; 2], Vec<f64>)> {
+        let counts = Self::MIN_CELLS..=Self::MAX_CELLS;
+        let row = |row: Cursor<'_>| {
+            row.array(counts.clone(), |c| c.quantity::<f64>(Quantity::Position, units))
+        };
+        let rows: Vec<Vec<f64>> = c.array(counts.clone(), row)?;
+        if rows.iter().any(|row| row.len() != rows[0].len()) {
+            c.fault(
+                FaultCode::Inconsistent,
+                format_args!("every row must have as many heights as the first"),
+            );
+            return None;
+        }
+        Some(([rows.len(), rows[0].len()], rows.concat()))
+    }
+
+    /// The same from an array of numpy.
+    fn read_npy(c: Cursor<'_>, units: Option<Units>) -> Option<([usize; 2], Vec<f64>)> {
+        let object = c.object()?;
+        object.only(&[Self::NPY]);
+        object.required(Self::NPY, |c| {
+            let fault = |detail: String| {
+                c.fault(FaultCode::Inconsistent, format_args!("{detail}"));
+                None
+            };
+            let npy::Grid { shape, mut values } =
+                match npy::read(c.text()?, Self::MAX_CELLS * Self::MAX_CELLS) {
+                    Ok(grid) => grid,
+                    Err(detail) => return fault(detail),
+                };
+            let (fewest, most) = (Self::MIN_CELLS, Self::MAX_CELLS);
+            if !shape.iter().all(|side| (fewest..=most).contains(side)) {
+                let [rows, columns] = shape;
+                return fault(format!(
+                    "must have between {fewest} and {most} heights along each side, got {rows} × \
+                     {columns}"
+                ));
+            }
+            let units = units?;
+            let (low, high) = Quantity::Position.wire_range(units);
+            if let Some(k) = values.iter().position(|value| !(low..=high).contains(value)) {
+                let (i, j, unit) = (k / shape[1], k % shape[1], Quantity::Position.symbol(units));
+                return fault(format!(
+                    "must have heights between {low} and {high} {unit}, got {} at [{i}, {j}]",
+                    values[k]
+                ));
+            }
+            for value in &mut values {
+                *value = Quantity::Position.to_core(units, *value);
+            }
+            Some((shape, values))
+        })
+    }
+
     pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(Self::KEYS);
-        let counts = Self::MIN_CELLS..=Self::MAX_CELLS;
         let rows = object.required("heights", |c| {
-            let row = |row: Cursor<'_>| {
-                row.array(counts.clone(), |c| c.quantity::<f64>(Quantity::Position, units))
-            };
-            let rows: Vec<Vec<f64>> = c.array(counts.clone(), row)?;
-            if rows.iter().any(|row| row.len() != rows[0].len()) {
-                c.fault(
-                    FaultCode::Inconsistent,
-                    format_args!("every row must have as many heights as the first"),
-                );
-                return None;
-            }
-            Some(rows)
+            if c.is_object() { Self::read_npy(c, units) } else { Self::read_rows(c, units) }
         });
         let spacing = |key| object.required(key, |c| c.quantity::<f64>(Quantity::Length, units));
         let (spacing_x, spacing_y) = (spacing("spacing_x"), spacing("spacing_y"));
         let detrend = object.or("detrend", Detrend::default(), |c| c.named());
-        let rows = rows?;
-        Some(Self {
-            cells: [rows.len(), rows[0].len()],
-            heights: rows.concat(),
-            spacing: [spacing_x?, spacing_y?],
-            detrend: detrend?,
-        })
+        let (cells, heights) = rows?;
+        Some(Self { cells, heights, spacing: [spacing_x?, spacing_y?], detrend: detrend? })
     }
 }
 
@@ -141,6 +181,8 @@ impl Serialize for InUnits<'_, Surface> {
 #[cfg(test)]
 mod tests {
     use crate::job::{Job, JobError};
+    use base64::Engine as _;
+    use base64::engine::general_purpose::STANDARD;
     use serde_json::{Value, json};
 
     fn job(surface: &Value) -> Value {
@@ -177,6 +219,86 @@ mod tests {
         let levelled = surface.levelled();
         assert!(levelled.iter().all(|height| height.abs() < 0.2 || *height > 0.9), "{levelled:?}");
         assert!(levelled.iter().sum::<f64>().abs() < 1e-12);
+    }
+
+    /// An array as numpy writes it.
+    fn npy(header: &str, data: &[u8]) -> Value {
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        let header = format!("{header:<117}\n");
+        bytes.extend(u16::try_from(header.len()).unwrap().to_le_bytes());
+        bytes.extend(header.as_bytes());
+        bytes.extend(data);
+        json!({"npy_base64": STANDARD.encode(bytes)})
+    }
+
+    fn header(kind: &str, order: &str, shape: &str) -> String {
+        format!("{{'descr': '{kind}', 'fortran_order': {order}, 'shape': {shape}, }}")
+    }
+
+    fn bytes(rows: &[Vec<f64>]) -> Vec<u8> {
+        rows.iter().flatten().flat_map(|height| height.to_le_bytes()).collect()
+    }
+
+    #[test]
+    fn heights_of_numpy_are_those_of_lists() {
+        let of = |heights: Value, units: &str| {
+            let mut one = job(&json!({"heights": heights, "spacing_x": 0.1, "spacing_y": 0.2}));
+            one["units"] = json!(units);
+            one["lower"]["material"]["young_modulus"] = json!(1e8);
+            Job::from_value(&one).unwrap()
+        };
+        let rows = sloping();
+        let turned: Vec<Vec<f64>> =
+            (0..10).map(|j| (0..8).map(|i| rows[i][j]).collect()).collect();
+        #[expect(clippy::cast_possible_truncation, reason = "small whole numbers")]
+        let single: Vec<u8> =
+            rows.iter().flatten().flat_map(|height| (*height as f32).to_le_bytes()).collect();
+        for units in ["mm_N_MPa", "SI"] {
+            let expected = of(json!(rows), units);
+            for array in [
+                npy(&header("<f8", "False", "(8, 10)"), &bytes(&rows)),
+                npy(&header("<f8", "True", "(8, 10)"), &bytes(&turned)),
+                npy(&header("<f4", "False", "(8, 10)"), &single),
+                npy("{\"shape\":(8,10),\"fortran_order\":False,\"descr\":\"<f8\"}", &bytes(&rows)),
+            ] {
+                assert_eq!(of(array, units), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn every_fault_of_an_array_is_named() {
+        let rows = sloping();
+        let mut hole = rows.clone();
+        hole[2][3] = f64::NAN;
+        let good = bytes(&rows);
+        for (heights, said) in [
+            (npy(&header("<f8", "False", "(8, 10)"), &bytes(&hole)), "got NaN at [2, 3]"),
+            (npy(&header(">f8", "False", "(8, 10)"), &good), "not `>f8`"),
+            (npy(&header("|O", "False", "(8, 10)"), &good), "not `|O`"),
+            (
+                npy(&header("<f8", "False", "(80,)"), &good),
+                "two dimensions, not the shape `(80,)`",
+            ),
+            (npy(&header("<f8", "False", "(4, 20)"), &good), "got 4 × 20"),
+            (npy(&header("<f8", "False", "(8, 11)"), &good), "704 bytes of data, not 640"),
+            (npy(&header("<f8", "False", "(99999999999, 99999999999)"), &good), "at most 262144"),
+            (npy("{}", &good), "not ``"),
+            (json!({"npy_base64": "k05V"}), "as numpy.save writes it"),
+            (json!({"npy_base64": STANDARD.encode(b"\x93NUMPY\x02\x00\xff\xff")}), "ends before"),
+            (json!({"npy_base64": "no!"}), "must be Base64"),
+            (json!({"npy_base64": 3}), "must be a string"),
+        ] {
+            let wire = json!({"heights": heights, "spacing_x": 0.1, "spacing_y": 0.2});
+            let Err(JobError::Fields(faults)) = Job::from_value(&job(&wire)) else {
+                panic!("{said}")
+            };
+            assert_eq!(faults[0].pointer, "/upper/surface/heights/npy_base64");
+            assert!(faults.len() == 1 && faults[0].detail.contains(said), "{faults:?}");
+        }
+        let wire = json!({"heights": {"npy": ""}, "spacing_x": 0.1, "spacing_y": 0.2});
+        let expected = ["/upper/surface/heights/npy", "/upper/surface/heights/npy_base64"];
+        assert_eq!(pointers(&job(&wire)), expected);
     }
 
     #[test]

@@ -1,7 +1,11 @@
 //! What half-spaces in three dimensions ask of a job.
 
 use super::reader::Node;
-use super::{Analysis, Body, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Shape};
+use super::reader::text::five_digits;
+use super::{
+    Analysis, Body, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Quantity, Shape,
+    TargetFigure,
+};
 
 /// Least curvature of the gap in one direction over that in the other: what is flatter is a line
 /// contact.
@@ -20,6 +24,8 @@ impl Job {
         }
         if faults.is_empty() && !self.has_heights() {
             faults.extend(self.faults_of_gap());
+            faults.extend(self.faults_of_moments());
+            faults.extend(self.faults_of_half_width());
         }
         let most = MeshSettings::MAX_CELLS_PER_SEMI_AXIS;
         if self.mesh.elements_per_half_width > most {
@@ -109,6 +115,62 @@ impl Job {
             faults.push(FieldError::new(format!("/load/{}", self.load.kind()), detail));
         }
         faults
+    }
+
+    /// One roller at most tilts under a moment, under forces whose contact can bear it.
+    fn faults_of_moments(&self) -> Vec<FieldError> {
+        let pointers = ["/upper/shape/moment", "/lower/shape/moment"].into_iter();
+        let moments = [&self.upper, &self.lower].map(|body| match &body.shape {
+            Shape::Roller(roller) => roller.moment,
+            _ => None,
+        });
+        let given: Vec<_> = pointers.zip(moments).filter_map(|(at, of)| Some((at, of?))).collect();
+        let (Some((_, moment)), Some(half_length)) = (given.first(), self.half_length()) else {
+            return Vec::new();
+        };
+        let detail = match self.load.least_force() {
+            _ if given.len() > 1 => {
+                "belongs to one of the bodies: the other one holds against it".to_owned()
+            }
+            None => format!(
+                "goes with forces that are given, not with `{}`: give the `tilt`",
+                self.load.kind()
+            ),
+            Some(force) if moment.abs() >= force * half_length => format!(
+                "must be smaller than the smallest force times half the length of the roller, {} \
+                 {}, beyond which no pressure balances it",
+                five_digits(Quantity::Moment.to_wire(self.units, force * half_length)),
+                Quantity::Moment.symbol(self.units)
+            ),
+            Some(_) => return Vec::new(),
+        };
+        given.into_iter().map(|(pointer, _)| FieldError::new(pointer, detail.clone())).collect()
+    }
+
+    /// Half the length that rollers leave the contact; `None` without a roller.
+    fn half_length(&self) -> Option<f64> {
+        let of = |body: &Body| match &body.shape {
+            Shape::Roller(roller) => Some(0.5 * roller.length.get()),
+            _ => None,
+        };
+        [of(&self.upper), of(&self.lower)].into_iter().flatten().reduce(f64::min)
+    }
+
+    /// A half-width that is sought is that of the shorter semi-axis, and ends with a roller.
+    fn faults_of_half_width(&self) -> Option<FieldError> {
+        let (Load::Target(target), Some(most)) = (&self.load, self.half_length()) else {
+            return None;
+        };
+        if target.figure != TargetFigure::HalfWidth || target.value.get() < most {
+            return None;
+        }
+        let detail = format!(
+            "must be below half the length of the roller, {} {}: the half-width is the shorter \
+             semi-axis of the contact",
+            five_digits(Quantity::Length.to_wire(self.units, most)),
+            Quantity::Length.symbol(self.units)
+        );
+        Some(FieldError::new("/load/target/half_width", detail))
     }
 
     /// The gap opens in every direction, or a roller ends, so that the contact does.
@@ -320,5 +382,59 @@ mod tests {
             &json!({"type": "flat"}),
         );
         assert_eq!(pointers(&wrong), ["/upper/shape/radius_x"]);
+    }
+
+    #[test]
+    fn a_moment_is_one_that_a_contact_under_forces_bears() {
+        let with = |changes: Value, load: Value| {
+            let mut shape = json!({"type": "roller", "radius": 10, "length": 8});
+            for (key, value) in changes.as_object().unwrap() {
+                shape[key] = value.clone();
+            }
+            let mut job = job(&shape, &json!({"type": "flat"}));
+            job["load"] = load;
+            job["solver"] = json!({"theory": "flow"});
+            job
+        };
+        let moment = |moment: f64| json!({"moment": moment});
+        for load in [
+            json!({"force": 100}),
+            json!({"forces": [100, 300]}),
+            json!({"history": [{"force": 100}, {"force": 0}]}),
+        ] {
+            assert!(faults(&with(moment(-399.0), load.clone())).is_empty(), "{load}");
+            let found = faults(&with(moment(400.0), load));
+            assert!(found.len() == 1 && found[0].contains("400 N mm"), "{found:?}");
+        }
+        for load in [
+            json!({"approach": 0.01}),
+            json!({"history": [{"force": 100}, {"approach": 0}]}),
+            json!({"onset": true}),
+            json!({"target": {"peak_pressure": 1000}}),
+        ] {
+            assert_eq!(pointers(&with(moment(1.0), load)), ["/upper/shape/moment"]);
+        }
+        let both = with(json!({"moment": 1, "tilt": 0}), json!({"force": 100}));
+        assert_eq!(pointers(&both), ["/upper/shape/moment"]);
+        let mut si =
+            with(json!({"moment": 0.5, "radius": 0.01, "length": 0.008}), json!({"force": 100}));
+        si["units"] = json!("SI");
+        si["upper"]["material"] = json!({"rigid": true});
+        si["lower"]["material"]["young_modulus"] = json!(2.1e11);
+        assert!(faults(&si)[0].contains("0.4 N m"), "{:?}", faults(&si));
+        let mut two = with(moment(1.0), json!({"force": 100}));
+        two["lower"]["shape"] = two["upper"]["shape"].clone();
+        assert_eq!(pointers(&two), ["/lower/shape/moment", "/upper/shape/moment"]);
+    }
+
+    #[test]
+    fn a_half_width_that_is_sought_ends_with_a_roller() {
+        let mut wide =
+            job(&json!({"type": "roller", "radius": 10, "length": 0.5}), &json!({"type": "flat"}));
+        wide["load"] = json!({"target": {"half_width": 0.25}});
+        let found = faults(&wide);
+        assert!(found.len() == 1 && found[0].contains("0.25 mm"), "{found:?}");
+        wide["load"] = json!({"target": {"half_width": 0.24}});
+        assert!(faults(&wide).is_empty());
     }
 }

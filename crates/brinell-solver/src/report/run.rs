@@ -58,6 +58,11 @@ impl RunError {
             SolveError::NoLoad | SolveError::Overloaded { .. } => {
                 vec![format!("/load/{}", job.load.kind())]
             }
+            SolveError::ShortRoller { .. } => {
+                let rollers =
+                    sides.iter().filter(|(_, body)| matches!(body.shape, Shape::Roller(_)));
+                rollers.map(|(side, _)| format!("/{side}/shape/length")).collect()
+            }
             SolveError::NoYieldPoint | SolveError::Unreachable(_) => match &job.load {
                 Load::Target(target) => vec![format!("/load/target/{}", target.figure.name())],
                 _ => vec!["/load/onset".to_owned()],

@@ -126,6 +126,17 @@ pub enum SolveError {
         /// What is solved.
         most: f64,
     },
+    /// The contact would be many times as wide as a roller is long.
+    #[error(
+        "the roller is {length:.2e} mm long, but under this load no grid holds its contact below a \
+         length of {least:.2e} mm: reduce the load, or give the length that touches"
+    )]
+    ShortRoller {
+        /// Its length \[mm\].
+        length: f64,
+        /// What a grid holds \[mm\].
+        least: f64,
+    },
     /// Stopped before there was anything to report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),

@@ -303,6 +303,7 @@ def roller(
     material: Material,
     crown_radius: Number | None = None,
     design_force: Number | None = None,
+    moment: Number | None = None,
     points: Sequence[tuple[Number, Number]] | Sequence[Sequence[Number]] | Any = None,
     profile: str | None = None,
     rotation: Number | None = None,
@@ -317,6 +318,9 @@ def roller(
         crown_radius: Radius of the arc along the axis, for `crowned`.
         design_force: Force under which a `logarithmic` profile makes the pressure along the roller
             even.
+        moment: Moment about its x axis through the middle, in place of `tilt`, which is found then:
+            positive presses the end at positive y. It is whole from the smallest force of the
+            job on and in proportion to the force below. Only with forces.
         points: Points `[y, height]` for `points`, y rising and passing 0, straight between them.
             Points that start or end at y = 0 are completed by their mirror image. Beyond the
             outermost ones the height stays.
@@ -331,7 +335,7 @@ def roller(
         material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
-    return build_body(Roller, material, support, length=length, radius=radius, crown_radius=crown_radius, design_force=design_force, points=points, profile=profile, rotation=rotation, tilt=tilt)
+    return build_body(Roller, material, support, length=length, radius=radius, crown_radius=crown_radius, design_force=design_force, moment=moment, points=points, profile=profile, rotation=rotation, tilt=tilt)
 
 
 def sphere(

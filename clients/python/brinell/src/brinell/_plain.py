@@ -4,7 +4,9 @@ pint.
 
 from __future__ import annotations
 
+import base64
 import copy
+import io
 import json
 import math
 import os
@@ -12,6 +14,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
+import numpy as np
 from pydantic import BaseModel
 
 from ._errors import Fault, InvalidJob
@@ -38,6 +41,7 @@ JobLike: TypeAlias = Mapping[str, Any] | BaseModel | str | os.PathLike[str]
 """A job: from `brinell.job(...)`, a dict as the service takes it, or the path of a JSON file."""
 
 LENGTH, STRESS, FORCE, ANGLE, PURE = "length", "stress", "force", "degree", "dimensionless"
+MOMENT = "moment"
 
 # What the figures under a key are. Pairs have one word for each of their two columns.
 _KINDS: dict[str, str | tuple[str, str]] = {
@@ -49,6 +53,7 @@ _KINDS: dict[str, str | tuple[str, str]] = {
             "crown_radius",
             "spacing_x",
             "spacing_y",
+            "heights",
             "radius_y",
             "width",
             "depth",
@@ -86,6 +91,7 @@ _KINDS: dict[str, str | tuple[str, str]] = {
     "force": FORCE,
     "forces": FORCE,
     "design_force": FORCE,
+    "moment": MOMENT,
     "angle": ANGLE,
     "rotation": ANGLE,
     "over_depth": (LENGTH, PURE),
@@ -103,6 +109,7 @@ def unit_of(kind: str, document: Mapping[str, Any]) -> str:
         LENGTH: "m" if si else "mm",
         STRESS: "Pa" if si else "MPa",
         FORCE: ("N/m" if si else "N/mm") if per_length else "N",
+        MOMENT: "N*m" if si else "N*mm",
     }.get(kind, kind)
 
 
@@ -122,6 +129,8 @@ def plain(value: Any, document: Mapping[str, Any] | None = None, key: str = "") 
             if v is not None
         }
     kind = _KINDS.get(key, PURE)
+    if key == "heights" and not isinstance(value, (list, tuple)):
+        return _heights(value, document)
     if (
         isinstance(kind, tuple)
         and isinstance(value, (list, tuple))
@@ -132,6 +141,19 @@ def plain(value: Any, document: Mapping[str, Any] | None = None, key: str = "") 
     if isinstance(value, (list, tuple)):
         return [plain(v, document, key) for v in value]
     return _figure(value, kind if isinstance(kind, str) else kind[0], document)
+
+
+def _heights(value: Any, document: Mapping[str, Any]) -> Any:
+    """An array of heights as `numpy.save` writes it; lists where it has holes, to name them."""
+    if isinstance(value, Quantity):
+        value = value.to(unit_of(LENGTH, document)).magnitude
+    array = np.asarray(value)
+    if array.ndim != 2 or not np.isfinite(array).all():
+        return array.tolist()
+    single = array.dtype == np.float32
+    file = io.BytesIO()
+    np.save(file, np.ascontiguousarray(array, "<f4" if single else "<f8"), allow_pickle=False)
+    return {"npy_base64": base64.b64encode(file.getvalue()).decode("ascii")}
 
 
 def _is_pair(value: list[Any] | tuple[Any, ...]) -> bool:

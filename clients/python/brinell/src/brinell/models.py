@@ -1659,6 +1659,22 @@ class MeshSettings(BaseModel):
     ] = None
 
 
+class NpyHeights(BaseModel):
+    """
+    Heights as an array of numpy, which takes fewer bytes than lists and no digit away.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    npy_base64: Annotated[
+        str,
+        Field(
+            description='Base64 of what numpy.save writes: two dimensions, little-endian float64 or float32, in the units of lists. Not NaN.'
+        ),
+    ]
+
+
 class OnsetLoad(BaseModel):
     """
     The force at which the contact begins to yield is the answer.
@@ -2267,13 +2283,19 @@ class RollerContact(BaseModel):
     moment: Annotated[
         float,
         Field(
-            description='Moment of the pressure about the x axis through the middle, the sum of force times y: positive where the half at positive y bears more. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.'
+            description='Moment of the pressure about the x axis through the middle, the sum of force times y: positive where the half at positive y bears more. The body whose end at positive y is pressed is held in its tilt by this moment. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.'
         ),
     ]
     pressure: Annotated[
         list[float],
         Field(
             description='Largest pressure of a cell of each row. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    tilt: Annotated[
+        float,
+        Field(
+            description='Tilt of one body against the other, that is given or under a moment that is given found: positive where the surfaces are brought closer at positive y. Without force it is that of the last contact. Unit: mrad.'
         ),
     ]
     y: Annotated[
@@ -2576,6 +2598,13 @@ class Height(RootModel[list[float]]):
     root: Annotated[list[float], Field(max_length=512, min_length=8)]
 
 
+class Heights(RootModel[list[Height]]):
+    root: Annotated[
+        list[Height],
+        Field(description='Rows of one length.', max_length=512, min_length=8),
+    ]
+
+
 class SurfaceHeights(BaseModel):
     """
     Heights on top of the shape of a half-space. The contact is solved on their grid, and there is none beyond it.
@@ -2589,11 +2618,9 @@ class SurfaceHeights(BaseModel):
         Field(description='What is taken away from the heights. Default: `none`.'),
     ] = None
     heights: Annotated[
-        list[Height],
+        Heights | NpyHeights,
         Field(
-            description='Heights along the outward normal at the middles of cells: `heights[i][j]` at the i-th x and the j-th y of the job, the middle of the grid at the origin. Rows of one length.',
-            max_length=512,
-            min_length=8,
+            description='Heights along the outward normal at the middles of cells: `heights[i][j]` at the i-th x and the j-th y of the job, the middle of the grid at the origin. Lists, or an array of numpy.'
         ),
     ]
     spacing_x: Annotated[
@@ -3209,6 +3236,14 @@ class Roller(BaseModel):
             le=1000000.0,
         ),
     ]
+    moment: Annotated[
+        float | None,
+        Field(
+            description='Moment about its x axis through the middle, in place of `tilt`, which is found then: positive presses the end at positive y. It is whole from the smallest force of the job on and in proportion to the force below. Only with forces. Range: -1e12 to 1e12 N mm or -1e9 to 1e9 N m.',
+            ge=-1000000000000.0,
+            le=1000000000000.0,
+        ),
+    ] = None
     points: Annotated[
         list[Point1] | None,
         Field(

@@ -90,6 +90,11 @@ impl<'a> Cursor<'a> {
         matches!(self.node, Node::Array(_))
     }
 
+    /// Whether it is an object.
+    pub fn is_object(&self) -> bool {
+        matches!(self.node, Node::Object(_))
+    }
+
     /// Any finite number.
     pub fn number(&self) -> Option<f64> {
         let Node::Number(value) = self.node else { return self.not("a number") };

@@ -38,6 +38,10 @@ record! {
         /// positive y closer to the other body; 0 if it is left out. The approach is that of the
         /// middle.
         pub tilt: Option<f64> = Field::pure(-50.0..=50.0).label("Tilt", "ϑ"),
+        /// Moment about its x axis through the middle, in place of `tilt`, which is found then:
+        /// positive presses the end at positive y. It is whole from the smallest force of the job
+        /// on and in proportion to the force below. Only with forces.
+        pub moment: Option<f64> = Field::quantity(Quantity::Moment).label("Moment", "M"),
     }
 }
 
@@ -112,6 +116,8 @@ fn rules(known: &Known) -> Vec<FieldError> {
             faults.extend(unless(!known.has(key), &pointer, &detail));
         }
     }
+    let is_tilted = known.has("tilt") && known.has("moment");
+    faults.extend(unless(!is_tilted, "/moment", "stands in place of `tilt`; give one of them"));
     if wanted == Some("points") {
         faults.extend(known.points("points").map(outline_faults).unwrap_or_default());
     }

@@ -94,8 +94,13 @@ pub struct RollerReport {
     /// cells \[stress >= 0\].
     pub end_pressure: [f64; 2],
     /// Moment of the pressure about the x axis through the middle, the sum of force times y:
-    /// positive where the half at positive y bears more \[energy\].
+    /// positive where the half at positive y bears more. The body whose end at positive y is
+    /// pressed is held in its tilt by this moment \[energy\].
     pub moment: f64,
+    /// Tilt of one body against the other, that is given or under a moment that is given found:
+    /// positive where the surfaces are brought closer at positive y. Without force it is that of
+    /// the last contact \[mrad\].
+    pub tilt: f64,
 }
 
 /// Cells along y, the mean of the two rows beside x = 0.

@@ -72,6 +72,7 @@ fn rollers(job: &Job) -> Vec<RollerGap> {
             length: roller.length.get(),
             rotation: roller.rotation.unwrap_or(0.0).to_radians(),
             tilt: 1e-3 * roller.tilt.unwrap_or(0.0),
+            moment: roller.moment,
             relief: relief(roller, modulus),
         }),
         _ => None,

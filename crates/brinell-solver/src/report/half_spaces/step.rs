@@ -159,7 +159,7 @@ impl StepWriter<'_> {
                 b: write.length(hertz.semi_axis_y),
                 approach: write.length(hertz.approach),
             }),
-            roller: self.roller(map),
+            roller: self.roller(step),
             surface: self.rough_contact(step),
             section: SectionReport {
                 y: y.clone(),
@@ -200,8 +200,9 @@ impl StepWriter<'_> {
     }
 
     /// Rows of cells between the ends of a roller.
-    fn roller(&self, map: &SurfaceMap) -> Option<RollerReport> {
+    fn roller(&self, step: &HalfSpaceStep) -> Option<RollerReport> {
         let (half_length, write) = (self.problem.half_length()?, self.write);
+        let map = &step.surface;
         let rows = Row::all(&map.grid, &map.pressure).into_iter().enumerate();
         let rows =
             rows.map(|(j, row)| (map.grid.y(j), row)).filter(|(y, _)| y.abs() < half_length);
@@ -221,6 +222,7 @@ impl StepWriter<'_> {
                 .collect(),
             half_width: rows.iter().map(|row| write.length(row.half_width)).collect(),
             moment: write.length(write.force(moment)),
+            tilt: 1e3 * step.tilt,
             middle_pressure: pressure[low].max(pressure[high]),
             end_pressure: [at_end(pressure.first()), at_end(pressure.last())],
             pressure,

@@ -51,9 +51,18 @@ impl Answer {
         };
         let measured = measure(&self.system, &self.outcome, last_peak, Some(stresses));
         let evidence = self.evidence(&measured.bodies, least.residual);
-        let judged =
+        let (status, mut check) =
             judge(&self.system, &self.outcome, &evidence, load, engine.tolerance, least.contact);
-        self.reported(engine, load, measured, &evidence, judged)
+        let contact = &self.outcome.state.response.contact;
+        let missing = self.system.moment.map_or(0.0, |moment| {
+            moment.missing(self.system.moment_of(&contact.force), contact.total_force).abs()
+        });
+        check.equilibrium = check.equilibrium.max(missing);
+        let status = match status {
+            SolveStatus::Converged if !check.is_sound() => SolveStatus::NotConverged,
+            status => status,
+        };
+        self.reported(engine, load, measured, &evidence, (status, check))
     }
 
     /// The same as the last iteration has left it.
@@ -78,7 +87,8 @@ impl Answer {
         system.initial_stress(&trial, &mut answer);
         let mut unloaded_gap = vec![0.0; force.len()];
         system.surface.apply(force, &mut unloaded_gap);
-        for (gap, initial) in unloaded_gap.iter_mut().zip(&system.initial_gap) {
+        let tilted = system.tilted(&system.initial_gap, state.response.contact.tilt);
+        for (gap, initial) in unloaded_gap.iter_mut().zip(&tilted) {
             *gap += initial;
         }
         for body in bodies.iter().flatten() {
@@ -114,6 +124,7 @@ impl Answer {
             errors: None,
             peak_position,
             largest_cell_pressure,
+            tilt: engine.problem.tilt() + self.outcome.state.response.contact.tilt,
             hertz: (figures.force > 0.0 && engine.problem.has_hertz())
                 .then(|| engine.problem.hertz(figures.force)),
             surface: Arc::new(surface),

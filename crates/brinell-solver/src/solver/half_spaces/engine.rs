@@ -44,7 +44,7 @@ const BEYOND_ENDS: f64 = 1.0;
 /// Sides of cells along a roller over those across it, as long as they are not more than so many
 /// times as many.
 const ROLLER_ASPECT: f64 = 4.0;
-const MOST_CELLS_ALONG: f64 = 8.0;
+pub(super) const MOST_CELLS_ALONG: f64 = 8.0;
 /// Depth of the layers below heights over half the shorter side, and their growth.
 const PATCH_DEPTH: f64 = 0.5;
 const PATCH_GROWTH: f64 = 1.2;
@@ -235,7 +235,7 @@ pub(super) struct HalfSpaceEngine<'a> {
 
 /// Largest violation of a contact condition that the contact solver leaves: half of what the check
 /// lets pass.
-const CONTACT_TOLERANCE: f64 = 5e-9;
+pub(super) const CONTACT_TOLERANCE: f64 = 5e-9;
 
 impl<'a> HalfSpaceEngine<'a> {
     /// Iterated as the job asks for.
@@ -347,6 +347,7 @@ impl HalfSpaceEngine<'_> {
             design: *design,
             surface: SurfaceFlexibility::new(grid, problem.effective_modulus()),
             closing: vec![1.0; initial_gap.len()],
+            moment: problem.moment(),
             accepted: bodies.iter().map(|body: &YieldingBody| vec![0.0; body.len()]).collect(),
             initial_gap,
             elastic,
@@ -397,6 +398,7 @@ pub(super) fn is_symmetric(
     let is_even = rows.clone().zip(mirrored).all(|(row, mirror)| row == mirror)
         && rows.all(|row| row.iter().eq(row.iter().rev()));
     is_even
+        && problem.moment().is_none()
         && problem.materials.iter().flatten().all(|material| {
             initial_stress(material, problem.orientation(), layers)
                 .iter()

@@ -16,6 +16,8 @@ pub struct RollerGap {
     pub rotation: f64,
     /// Slope by which it rises along its y.
     pub tilt: f64,
+    /// Moment about its middle under which it tilts instead, positive towards its y \[N mm\].
+    pub moment: Option<f64>,
     /// How the surface falls along its y.
     pub relief: Relief,
 }
@@ -55,7 +57,7 @@ impl RollerGap {
     }
 
     fn is_tilted(&self) -> bool {
-        self.tilt.abs() > 0.0
+        self.tilt.abs() > 0.0 || self.moment.is_some()
     }
 
     /// Whether both halves are alike.
@@ -149,7 +151,7 @@ impl HalfSpaceProblem {
         self.rollers.iter().map(|roller| 0.5 * roller.length).reduce(f64::min)
     }
 
-    /// Slope by which the gap falls along y of the fields.
+    /// Slope by which the gap falls along y of the fields, as far as it is given.
     pub(super) fn tilt(&self) -> f64 {
         let orientation = self.orientation();
         self.rollers.iter().map(|roller| roller.tilt * (roller.rotation - orientation).cos()).sum()
@@ -161,7 +163,7 @@ mod tests {
     use super::*;
 
     fn roller(relief: Relief) -> RollerGap {
-        RollerGap { radius: 5.0, length: 8.0, rotation: 0.0, tilt: 0.0, relief }
+        RollerGap { radius: 5.0, length: 8.0, rotation: 0.0, tilt: 0.0, moment: None, relief }
     }
 
     #[test]

@@ -15,6 +15,7 @@ mod gap;
 mod history;
 mod law;
 mod measure;
+mod moment;
 mod problem;
 mod run;
 mod search;

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use brinell_halfspace::EllipticContact;
 
+use super::engine::MOST_CELLS_ALONG;
 use super::gap::{HeightMap, RollerGap};
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, Load, SolverSettings};
@@ -15,9 +16,9 @@ use crate::solver::SolveError;
 const CIRCLE: f64 = 1e-12;
 /// Curvature along a roller over that across it below which the roller is straight.
 const LINE: f64 = 1e-9;
-/// Forces between which one is sought \[N\], and how often their range is halved.
+/// Forces between which one is sought \[N\], and how often a range is halved.
 const FORCES: [f64; 2] = [1e-12, 1e12];
-const BISECTIONS: u32 = 60;
+pub(super) const BISECTIONS: u32 = 60;
 /// Mean pressure of a fully plastic contact over the flow stress, and the strain at which that is
 /// taken over half-width times curvature.
 ///
@@ -106,7 +107,7 @@ impl HalfSpaceProblem {
             return Some(Expected::of_heights(map));
         }
         let elastic = self.elastic_contact(load)?;
-        let (a, b, peak) = self.tilted(&elastic);
+        let (a, b, peak) = self.tilted(&elastic, load);
         let is_line = self.half_length().is_some_and(|half_length| b >= half_length);
         let most = match load {
             ContactLoad::Force(_) => f64::INFINITY,
@@ -170,22 +171,32 @@ impl HalfSpaceProblem {
 
     /// Semi-axes along x and y and largest pressure of a contact with the tilt of its rollers.
     /// Each length of a roller is taken for a spring, so that the line load is linear along it and
-    /// largest at an end; the ellipse of an arc moves along it.
-    fn tilted(&self, even: &EllipticContact) -> (f64, f64, f64) {
+    /// largest at an end, and comes to zero on the way there under a moment beyond P L/6; the
+    /// ellipse of an arc moves along it.
+    fn tilted(&self, even: &EllipticContact, load: ContactLoad) -> (f64, f64, f64) {
         let EllipticContact { semi_axis_x: a, semi_axis_y: b, peak_pressure, approach } = *even;
-        let (tilt, Some(half_length)) = (self.tilt().abs(), self.half_length()) else {
+        let Some(half_length) = self.half_length() else {
             return (a, b, peak_pressure);
         };
+        // Where the force acts, over half the length.
+        let beside = self.moment().map(|moment| moment.missing(0.0, load.magnitude()).abs());
+        let tilt = self.tilt().abs();
         if !self.is_line(even) {
-            return (
-                a,
-                (b + tilt / self.principal_curvatures()[1]).min(half_length),
-                peak_pressure,
+            let off = beside.map_or_else(
+                || tilt / self.principal_curvatures()[1],
+                |beside| beside * half_length,
             );
+            return (a, (b + off).min(half_length), peak_pressure);
         }
-        // What tilt adds at the end, over the mean.
-        let uneven = tilt * half_length / approach;
-        let most = if uneven < 1.0 { 1.0 + uneven } else { 2.0 * uneven.sqrt() };
+        // The line load at the end over the mean.
+        let most = match beside {
+            Some(beside) if beside < 1.0 / 3.0 => 1.0 + 3.0 * beside,
+            Some(beside) => 4.0 / (3.0 * (1.0 - beside)),
+            None => {
+                let uneven = tilt * half_length / approach;
+                if uneven < 1.0 { 1.0 + uneven } else { 2.0 * uneven.sqrt() }
+            }
+        };
         (most.sqrt() * a, b, most.sqrt() * peak_pressure)
     }
 
@@ -269,11 +280,18 @@ impl Expected {
         Self { semi_axes, patch, half_length: None, is_line: false, overload: 0.0, over_flow: 0.0 }
     }
 
-    /// Fails under loads that small strains do not bear.
+    /// Fails under loads that small strains do not bear, and on rollers too short for a grid.
     ///
     /// # Errors
-    /// [`SolveError::Overloaded`].
+    /// [`SolveError::Overloaded`], [`SolveError::ShortRoller`].
     pub fn bearable(self) -> Result<Self, SolveError> {
+        let half_width = self.semi_axes[0];
+        if let Some(half_length) = self.half_length
+            && MOST_CELLS_ALONG * half_length < half_width
+        {
+            let (length, least) = (2.0 * half_length, 2.0 * half_width / MOST_CELLS_ALONG);
+            return Err(SolveError::ShortRoller { length, least });
+        }
         let (overload, most) = (self.over_flow, MOST_OVERLOAD);
         if overload > most { Err(SolveError::Overloaded { overload, most }) } else { Ok(self) }
     }

@@ -27,6 +27,8 @@ pub struct HalfSpaceStep {
     pub peak_position: [f64; 2],
     /// Largest pressure of a single cell.
     pub largest_cell_pressure: f64,
+    /// Slope by which the gap falls along y by the tilt of rollers, given or found.
+    pub tilt: f64,
     /// Elastic bodies under the same force; `None` without force.
     pub hertz: Option<EllipticContact>,
     /// Pressures and gaps.

@@ -17,6 +17,7 @@ use brinell_halfspace::{
 };
 
 use super::engine::GridDesign;
+use super::moment::PrescribedMoment;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::method;
 use crate::solver::method::contact_system::{
@@ -44,6 +45,8 @@ pub(super) struct HalfSpaces {
     pub initial_gap: Vec<f64>,
     /// All normals are along the approach.
     pub closing: Vec<f64>,
+    /// Under which a roller tilts; `None` where tilts are given.
+    pub moment: Option<PrescribedMoment>,
     /// Upper and lower; `None` for a rigid one. Two equal bodies share one that yields.
     pub elastic: [Option<ElasticBody>; 2],
     pub yielding: RefCell<Yielding>,
@@ -122,9 +125,12 @@ impl HalfSpaces {
     /// Approach α \[mm\], 0 where undeformed surfaces begin to touch. No cell has their tips in
     /// its middle, so that in cells they do at the least gap.
     pub fn approach(&self, contact: &ContactSolution) -> f64 {
-        let least = self.initial_gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let begins =
-            contact.total_force <= 0.0 && (contact.approach - least).abs() <= f64::EPSILON * least;
+        if contact.total_force > 0.0 {
+            return contact.approach;
+        }
+        let gap = self.tilted(&self.initial_gap, contact.tilt);
+        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let begins = (contact.approach - least).abs() <= f64::EPSILON * least.abs();
         if begins { 0.0 } else { contact.approach }
     }
 
@@ -187,6 +193,22 @@ impl ContactSystem for HalfSpaces {
         let done = self.yielding.borrow_mut().open(initial_stress, &mut opening, &mut never);
         debug_assert!(done.is_ok(), "nobody stops it");
         opening
+    }
+
+    fn contact(
+        &self,
+        gap_opening: &[f64],
+        solver: &dyn ContactSolver,
+        load: ContactLoad,
+        start: Option<&ContactSolution>,
+        run: &mut Run<'_>,
+    ) -> Result<ContactSolution, method::Error> {
+        let gaps = self.initial_gap.iter().zip(gap_opening);
+        let gap: Vec<f64> = gaps.map(|(gap, opening)| gap + opening).collect();
+        match self.moment {
+            Some(moment) => self.balanced(moment, &gap, solver, load, start, run),
+            None => Ok(run.solve_contact(solver, &self.contact_problem(&gap, load), start)?),
+        }
     }
 
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
