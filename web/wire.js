@@ -1,6 +1,6 @@
 /**
- * What goes over the wire: the schemas of the OpenAPI document that the page names, and those that they refer to. Generated from it:
- * `BRINELL_WRITE=1 cargo test --test openapi`.
+ * What goes over the wire: the schemas of the OpenAPI document that the page names, and those that
+ * they refer to. Generated from it: `BRINELL_WRITE=1 cargo test --test openapi`.
  *
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
@@ -39,6 +39,7 @@
  * @property {number} peak_pressure
  *
  * @typedef {object} ContactMaps
+ * @property {(number)[]} [dent]
  * @property {(number)[]} gap
  * @property {(number)[]} pressure
  * @property {(number)[]} x

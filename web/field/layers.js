@@ -124,10 +124,35 @@ function section({ x, y, z, ...arrays }, axis, up) {
     displacement: new Float32Array(2 * many * rows),
   });
   for (const name of SAME) mesh[name] = values(arrays[name]);
+  mesh.outline = outlineOf(mesh, many, rows);
   // z points into each body; shear is that of the section, upward.
   for (const [name, own] of Object.entries(NAMES[axis]))
     mesh[name] = values(arrays[own], name === 'tau_xy' ? up : 1);
   return mesh;
+}
+
+/**
+ * Lines between nodes that have yielded and nodes that have not.
+ * @param {Record<string, ArrayLike<number>>} mesh @param {number} many nodes to a row @param {number} rows
+ */
+function outlineOf({ nodes, equivalent_plastic_strain: strain }, many, rows) {
+  const between = (/** @type {number} */ a, /** @type {number} */ b) => ({
+    x: (nodes[2 * a] + nodes[2 * b]) / 2,
+    y: (nodes[2 * a + 1] + nodes[2 * b + 1]) / 2,
+    u: 0,
+    v: 0,
+  });
+  const lines = [];
+  for (let row = 0; row + 1 < rows; row++)
+    for (let k = row * many; k + 1 < (row + 1) * many; k++) {
+      const corners = [k, k + 1, k + 1 + many, k + many];
+      const ends = corners.flatMap((a, n) => {
+        const b = corners[(n + 1) % 4];
+        return strain[a] > 0 === strain[b] > 0 ? [] : [between(a, b)];
+      });
+      for (let n = 0; n < ends.length; n += 2) lines.push(ends.slice(n, n + 2));
+    }
+  return lines;
 }
 
 /** A report as that of the section: its contact lies along the section, and its bodies are whole. @param {Report} report @param {Axis} axis @returns {Report} */
@@ -137,7 +162,7 @@ export const reportOf = (report, axis) => ({
   mesh: { ...report.mesh, symmetric: false },
   steps: report.steps.map((step) => {
     const { three_dimensional: ellipse, contact } = step;
-    // The surfaces of both bodies are where they touch; a zone is known below the middle alone.
+    // The surfaces of both bodies are where they touch; the section has a zone of its own.
     const still = { ...step, approach: 0, plasticity: { upper: null, lower: null } };
     const fields = step.layers && planesOf(/** @type {any} */ (step.layers))[axis];
     if (axis === 'x' || !ellipse) return { ...still, fields };

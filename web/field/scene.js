@@ -114,7 +114,9 @@ export class Scene {
     if (body) this.#surface = surfaceOf(body, step.contact.nodes.x);
     this.bodies = framed.map((body) => ({
       ...body,
-      polygons: carried(step.plasticity?.[body.name]?.outline ?? [], body, report.mesh.symmetric),
+      polygons:
+        /** @type {any} */ (body.mesh).outline ??
+        carried(step.plasticity?.[body.name]?.outline ?? [], body, report.mesh.symmetric),
     }));
     this.#place();
   }

@@ -149,7 +149,13 @@ function ofRoller(report, { three_dimensional: ellipse, contact }) {
             name: 'Moment',
             value: roller.moment,
             unit: unit('energy', report.units),
-            note: 'that holds the tilt, about the middle',
+            note: 'about the middle, positive towards y',
+          },
+          {
+            name: 'Tilt',
+            value: roller.tilt,
+            unit: 'mrad',
+            note: 'positive closer at positive y',
           },
         ]
       : []),

@@ -7,7 +7,6 @@ import { ask } from '../api/client.js';
 import { bands, limitOf, roundStep } from '../field/palette.js';
 import { colourBar } from '../field/read.js';
 import { h } from '../lib/dom.js';
-import { numberOf } from '../lib/number.js';
 import { colour, onTheme, paper } from '../lib/theme.js';
 import { figure, plain, setOf, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
@@ -22,7 +21,7 @@ import { Panel, segments } from './panel.js';
 /**
  * @typedef {object} Picture
  * @property {Ellipse} ellipse
- * @property {Maps & {depth?: number[]}} maps `depth`: that of both dents together
+ * @property {Maps} maps with a `dent` where a load has left one
  * @property {string} label
  * @property {string} colour of its curves
  * @property {number[]} [dash]
@@ -41,12 +40,12 @@ const SHOWN = 1.35;
 const TICKS = 70;
 const FONT = '11px system-ui, sans-serif';
 
-/** @typedef {'pressure' | 'gap' | 'depth'} Quantity */
+/** @typedef {'pressure' | 'gap' | 'dent'} Quantity */
 /** @type {Record<Quantity, {name: string, letter: string, kind: 'stress' | 'length'}>} */
 const QUANTITIES = {
   pressure: { name: 'Pressure', letter: 'p', kind: 'stress' },
   gap: { name: 'Gap', letter: 'g', kind: 'length' },
-  depth: { name: 'Dent', letter: 'δ', kind: 'length' },
+  dent: { name: 'Dent', letter: 'δ', kind: 'length' },
 };
 
 export class MapPanel {
@@ -182,14 +181,14 @@ export class MapPanel {
     this.jobs.hidden = this.#pictures.length < 2;
     this.jobs.replaceChildren(...this.#pictures.map(({ label }) => h('option', {}, label)));
     this.jobs.selectedIndex = this.#which;
-    const dented = this.#pictures.some(({ maps }) => maps.depth);
+    const dented = this.#pictures.some(({ maps }) => maps.dent);
     const boxes = /** @type {NodeListOf<HTMLInputElement>} */ (
       this.choice.querySelectorAll('input')
     );
     /** @type {HTMLElement} */ (boxes[2].parentElement).hidden = !dented;
     // What a load has left is what one looks for when it is gone.
-    if (dented !== (this.#quantity === 'depth')) {
-      this.#quantity = dented ? 'depth' : 'pressure';
+    if (dented !== (this.#quantity === 'dent')) {
+      this.#quantity = dented ? 'dent' : 'pressure';
       boxes[dented ? 2 : 0].checked = true;
     }
   }
@@ -294,7 +293,7 @@ export class MapPanel {
     const [x, y] =
       left === undefined || top === undefined ? [NaN, NaN] : this.#frame.place(left, top);
     const at = (/** @type {Quantity} */ quantity) => valueAt(maps, quantity, x, y);
-    const dent = maps.depth ? ` · dent ${figure(at('depth'), 3)} ${length}` : '';
+    const dent = maps.dent ? ` · dent ${figure(at('dent'), 3)} ${length}` : '';
     const scales = ellipse.surface ? '' : ' The axes have scales of their own.';
     const axes = ellipse.orientation
       ? `x lies along the shorter semi-axis, ${figure(ellipse.orientation, 3)}° from that of the job. `
@@ -355,7 +354,7 @@ export class MapPanel {
       for (let left = 0; left < frame.width; left++) {
         const place = frame.place(frame.x0 + left + 0.5, frame.y0 + top + 0.5);
         const value = valueAt(maps, quantity, ...place);
-        const seen = quantity === 'depth' ? Number.isFinite(value) : value > 0;
+        const seen = quantity === 'dent' ? Number.isFinite(value) : value > 0;
         const band = Math.min(shades.length - 1, Math.max(0, Math.floor((value - low) / step)));
         row[left] = seen && (quantity !== 'pressure' || touches(maps, ...place)) ? band : -1;
         const [beside, over] = [row[left - 1] ?? row[left], above[left] ?? row[left]];
@@ -373,49 +372,20 @@ export class MapPanel {
 }
 
 /** @param {Shown} one @param {number} at @param {string} label @returns {Promise<Picture>} */
-async function pictureOf({ id, job, report, raw = report, colour, dash }, at, label) {
+async function pictureOf({ id, report, raw = report, colour, dash }, at, label) {
   const step = raw.steps[at];
   const maps =
     step.three_dimensional?.maps ??
     (await ask(`v1/jobs/${id}/result?fields=maps&step=${at + 1}`)).steps[0].three_dimensional.maps;
   const own = /** @type {import('../lib/units.js').Units} */ (raw.units);
-  const depth = dentOf(job, step, maps);
+  const unloaded = step.contact.force === 0 && step.flow !== undefined;
   const converted = inUnits(
-    { ...maps, depth },
+    { ...maps, dent: unloaded ? maps.dent : undefined },
     { analysis: raw.analysis, units: own },
     setOf(report.units),
   );
   const ellipse = /** @type {Ellipse} */ (report.steps[at].three_dimensional);
   return { ellipse, maps: converted, units: report.units, label, colour, dash };
-}
-
-/**
- * What a load has left of both surfaces: the gap without load, less that of the bodies as they
- * were, and the permanent approach.
- * @param {import('../types.js').Job} job @param {import('../types.js').Step} step @param {Maps} maps
- * @returns {number[] | undefined} nothing under load, and of shapes that are not given by their radii
- */
-function dentOf(job, { contact, flow, approach, three_dimensional: ellipse }, { x, y, gap }) {
-  const bodies = [job.upper, job.lower];
-  const plain = bodies.every(
-    ({ shape, surface }) => ['sphere', 'curved', 'flat'].includes(shape?.type) && !surface,
-  );
-  if (contact.force !== 0 || !flow || !ellipse || !plain) return undefined;
-  const sum = { xx: 0, yy: 0, xy: 0 };
-  for (const { shape } of bodies) {
-    const turn = (((Number(shape.rotation) || 0) - ellipse.orientation) * Math.PI) / 180;
-    const [c, s] = [Math.cos(turn), Math.sin(turn)];
-    const [kx, ky] = [shape.radius_x ?? shape.radius, shape.radius_y ?? shape.radius].map(
-      (radius) => (radius == null ? 0 : 1 / numberOf(radius)),
-    );
-    sum.xx += kx * c * c + ky * s * s;
-    sum.yy += kx * s * s + ky * c * c;
-    sum.xy += (kx - ky) * c * s;
-  }
-  return gap.map((one, k) => {
-    const [px, py] = [x[Math.floor(k / y.length)], y[k % y.length]];
-    return one - (sum.xx * px * px + sum.yy * py * py) / 2 - sum.xy * px * py + approach;
-  });
 }
 
 /** @param {number[]} values */

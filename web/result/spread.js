@@ -34,7 +34,7 @@ export class SpreadPanel {
   }
 
   /** @param {Shown[]} shown @param {number} at @param {import('../wire.js').RollerContact} roller */
-  #along(shown, at, { end_pressure: ends, middle_pressure: middle, moment }) {
+  #along(shown, at, { end_pressure: ends, middle_pressure: middle, moment, tilt }) {
     const { report } = shown[0];
     const [length, stress] = [unit('length', report.units), unit('stress', report.units)];
     const slope = unit(stiffnessOf(report), report.units);
@@ -57,7 +57,7 @@ export class SpreadPanel {
       y: sides[0].roller.pressure,
       right: true,
     };
-    const words = `Edge pressure ${ends.map((one) => figure(one, 4)).join(' and ')} ${stress} at the ends, ${figure(middle, 4)} ${stress} in the middle; moment ${figure(moment, 3)} ${unit('energy', report.units)}.`;
+    const words = `Edge pressure ${ends.map((one) => figure(one, 4)).join(' and ')} ${stress} at the ends, ${figure(middle, 4)} ${stress} in the middle; moment ${figure(moment, 3)} ${unit('energy', report.units)}, tilt ${figure(tilt, 3)} mrad.`;
     this.chart.show({
       x: `y  [${length}]`,
       y: `line load  [${slope}]`,

@@ -1,5 +1,6 @@
 /** The job being set up: one document that the form, the JSON and the sketch show and change. */
 
+import { readGrid } from '../api/npz.js';
 import { convert, forceOf, unitsOf } from '../lib/units.js';
 import { isObject } from '../lib/kept.js';
 import * as pointer from '../lib/pointer.js';
@@ -51,7 +52,7 @@ export class Draft extends EventTarget {
   /** @param {Job} job @param {string} source */
   replace(job, source) {
     if (!pointer.same(job, this.job)) this.#keep(source === 'json' ? source : '');
-    this.job = structuredClone(job);
+    this.job = listed(structuredClone(job));
     this.#changed(source);
   }
 
@@ -116,6 +117,21 @@ export class Draft extends EventTarget {
   #changed(source) {
     this.dispatchEvent(new CustomEvent('change', { detail: source }));
   }
+}
+
+/** Heights of numpy as lists, which are drawn and converted; what is no array stays to be told. @param {Job} job */
+function listed(job) {
+  for (const body of [job.upper, job.lower]) {
+    const text = body?.surface?.heights?.npy_base64;
+    if (typeof text !== 'string') continue;
+    try {
+      const bytes = Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
+      body.surface.heights = readGrid(bytes.buffer);
+    } catch {
+      continue;
+    }
+  }
+  return job;
 }
 
 /** @param {Job} given @param {Units} units @returns {Job} the same physics in other units */

@@ -61,8 +61,14 @@ for (const field of SHAPES.roller.fields)
 /** @param {Record<string, any> | undefined} shape @returns {Field[]} those that a shape of this kind and profile has */
 export const shapeFields = (shape) =>
   (SHAPES[shape?.type]?.fields ?? []).filter(
-    ({ key }) => shape?.type !== 'roller' || (OF_PROFILE[key] ?? shape.profile) === shape.profile,
+    ({ key }) =>
+      shape?.type !== 'roller' ||
+      ((OF_PROFILE[key] ?? shape.profile) === shape.profile &&
+        key !== (tiltOf(shape) === 'tilt' ? 'moment' : 'tilt')),
   );
+
+/** How a roller is tilted. @param {Record<string, any> | undefined} shape @returns {'tilt' | 'moment'} the field that says it */
+export const tiltOf = (shape) => (shape?.moment === undefined ? 'tilt' : 'moment');
 
 /** Heights that stand on a body. @type {Field[]} */
 export const SURFACE = [

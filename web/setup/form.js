@@ -33,6 +33,7 @@ import {
   shapeFields,
   shapesFor,
   targetOf,
+  tiltOf,
   usualElements,
 } from './fields.js';
 import { Kinds, hasTerms } from './kinds.js';
@@ -303,12 +304,15 @@ export class Form {
       this.#choice(`${at}/shape/type`, 'Shape', shapesFor(job.analysis, shape?.type), (type) =>
         this.kinds.useShape(body, String(type)),
       ),
-      ...shapeFields(shape).map((field) =>
+      ...shapeFields(shape).flatMap((field) =>
         field.key === 'profile'
           ? this.#place(`${at}/shape/profile`, field, (profile) =>
               this.kinds.useProfile(body, profile ? String(profile) : undefined),
             )
-          : this.#field(`${at}/shape`, field),
+          : [
+              ...(field.key === tiltOf(shape) ? [this.#tilt(body)] : []),
+              this.#field(`${at}/shape`, field),
+            ],
       ),
       ...this.#surface(body),
       ofShape,
@@ -321,6 +325,14 @@ export class Form {
       ...(hasBackstress(job, body) ? [this.#field(`${at}/material/plasticity`, BACKSTRESS)] : []),
       curve,
     ];
+  }
+
+  /** @param {Body} body */
+  #tilt(body) {
+    const kinds = { tilt: 'Tilt given', moment: 'Moment given' };
+    return this.#choice(`/${body}/shape/tilt_kind`, 'Misalignment', kinds, (kind) =>
+      this.kinds.useTilt(body, kind),
+    );
   }
 
   /** @param {Body} body */
@@ -504,6 +516,7 @@ function valueIn(job, place) {
     return hasInitialStress(within('/stress_kind')) ? 'given' : 'none';
   if (place.endsWith('/surface_kind'))
     return hasSurface(within('/surface_kind')) ? 'given' : 'none';
+  if (place.endsWith('/tilt_kind')) return tiltOf(within('/tilt_kind'));
   if (place.endsWith('/law')) return lawOf(within('/law'));
   if (place === '/load/kind') return loadOf(job.load);
   if (place === '/load/target_kind') return targetOf(job.load);

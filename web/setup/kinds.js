@@ -20,6 +20,7 @@ import {
   profileLike,
   shapeLike,
   targetOf,
+  tiltOf,
   typicalInitialStress,
   typicalModulus,
   typicalOverDepth,
@@ -112,6 +113,17 @@ export class Kinds {
     );
     const shape = profile ? { ...own, profile, ...profileLike(profile, old, job), ...given } : own;
     this.draft.set(at, shape, this.source);
+  }
+
+  /** A tilt, or a moment under which it is found. @param {Body} body @param {unknown} kind */
+  useTilt(body, kind) {
+    const at = `/${body}/shape`;
+    const { shape } = this.draft.job[body];
+    this.#keep(at, `roller ${tiltOf(shape)}`);
+    const { tilt: _, moment: __, ...own } = shape;
+    const before = this.#before(at, `roller ${kind}`);
+    const chosen = kind === 'moment' ? { moment: before?.moment ?? 0 } : { tilt: before?.tilt };
+    this.draft.set(at, { ...own, ...chosen }, this.source);
   }
 
   /** @param {Body} body @param {boolean} given whether heights stand on it */

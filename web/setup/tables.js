@@ -1,6 +1,6 @@
 /**
- * The fields of every shape and hardening law, as the service reads them. Generated from the tables of the solver:
- * `BRINELL_WRITE=1 cargo test --test openapi`.
+ * The fields of every shape and hardening law, as the service reads them. Generated from the
+ * tables of the solver: `BRINELL_WRITE=1 cargo test --test openapi`.
  */
 
 /* prettier-ignore */
@@ -234,7 +234,7 @@ export const INITIAL_STRESS = {"columns":["length","stress","stress"],"descripti
 /** The figures of a result by what they are; those without unit are left out. @type {Record<string, string[]>} */
 /* prettier-ignore */
 export const FIGURES = {
-  length: ["a","approach","b","depth","displacement","gap","half_width","height","left","nodes","outline","peak_position","peak_position_y","pile_up","pile_up_position","position","position_y","right","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
+  length: ["a","approach","b","dent","depth","displacement","gap","half_width","height","left","nodes","outline","peak_position","peak_position_y","pile_up","pile_up_position","position","position_y","right","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
   stress: ["end_pressure","initial_sigma_x","initial_sigma_y","initial_sigma_z","largest_cell_pressure","mean_pressure","middle_pressure","nominal_pressure","peak_pressure","pressure","pressure_quantiles","shakedown_pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","von_mises","yield_stress"],
   load: ["force","stiffness_from","stiffness_to","yield_onset_force"],
   slope: ["contact_stiffness","line_load","stiffness","unloading_stiffness"],

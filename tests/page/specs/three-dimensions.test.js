@@ -154,10 +154,70 @@ service.test(
     await page.locator('.figures > div', { hasText: 'Moment' }).waitFor();
     await page
       .locator('#panel-spread')
-      .getByText(/^Edge pressure .* in the middle; moment /)
+      .getByText(/^Edge pressure .* in the middle; moment .*, tilt 1 mrad/)
       .waitFor();
+    await page.getByLabel('Misalignment').selectOption('moment');
+    assert.equal(await page.getByLabel(/^Tilt/).count(), 0);
+    await page.getByLabel(/^Moment/).fill('20000');
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    const tile = page.locator('.figures > div', { hasText: 'Moment' });
+    await tile.getByText(/^20000/).waitFor();
+    await page.locator('.figures > div', { hasText: /^Tilt/ }).getByText('mrad').waitFor();
+    await page.getByLabel('Misalignment').selectOption('tilt');
+    assert.equal(await page.getByLabel(/^Tilt/).inputValue(), '1');
+    assert.equal(await page.getByLabel(/^Moment/).count(), 0);
   },
 );
+
+service.test('rollers and heights leave dents that are seen as maps', async (page) => {
+  const roller = { type: 'roller', radius: 10, length: 4, profile: 'iso_16281', moment: 200 };
+  const rolled = { ...DENT, upper: { shape: roller, material: { rigid: true } } };
+  const load = { history: [{ force: 3000 }, { force: 0 }] };
+  const heights = { heights: cap(16), spacing_x: 0.01, spacing_y: 0.01 };
+  const rough = {
+    ...DENT,
+    upper: { shape: { type: 'flat' }, material: { rigid: true }, surface: heights },
+  };
+  for (const job of [
+    { ...rolled, load, mesh: { elements_per_half_width: 4 } },
+    { ...rough, load: { history: [{ force: 30 }, { force: 0 }] } },
+  ]) {
+    await shown(page, job);
+    await page.locator('#panel-map canvas[aria-label^="Map of the dent"]').waitFor();
+    const tile = await page
+      .locator('.figures > div', { hasText: 'Depth of the dent' })
+      .innerText();
+    const deep = Number(/[\d.]+(e-?\d+)?(?= ?mm)/.exec(tile)?.[0]);
+    await page.locator('#panel-map .colours li').first().waitFor();
+    const most = await page.locator('#panel-map .colours').innerText();
+    assert.ok(deep > 0 && Number(/[\d.]+/.exec(most)?.[0]) >= 0.9 * deep, `${tile} ${most}`);
+  }
+});
+
+service.test('sections have the outline of what has yielded in them', async (page) => {
+  const lines = await page.evaluate(async () => {
+    const { planesOf } = await import(/** @type {any} */ ('/field/layers.js'));
+    const names = ['xx', 'yy', 'zz', 'xy', 'xz', 'yz'].map((name) => `sigma_${name}`);
+    const zeros = new Float64Array(3 * 5 * 4);
+    const strain = zeros.map((_, k) => (k === (1 * 5 + 2) * 4 + 1 ? 0.01 : 0));
+    const lower = {
+      x: [-2, -1, 0, 1, 2],
+      y: [-3, -1, 1, 3],
+      z: [0.5, 1.5, 2.5],
+      ...Object.fromEntries([...names, 'von_mises'].map((name) => [name, zeros])),
+      equivalent_plastic_strain: strain,
+    };
+    const { x, y } = planesOf({ upper: null, lower });
+    return [x.lower.outline, y.lower.outline];
+  });
+  // Around the one node, half-way to its neighbours.
+  const corners = lines.map((/** @type {any[][]} */ of) =>
+    of.flat().map(({ x, y }) => `${x} ${y}`),
+  );
+  assert.deepEqual([...new Set(corners[0])].sort(), ['-0.5 -1.5', '0 -1', '0 -2', '0.5 -1.5']);
+  assert.equal(corners[0].length, 8);
+  assert.deepEqual([...new Set(corners[1])].sort(), ['-1 -1', '-1 -2', '-2 -1.5', '0 -1.5']);
+});
 
 /** A cap of heights [mm], a line for each x. @param {number} many */
 const cap = (many) =>

@@ -310,6 +310,12 @@ class ContactMaps(BaseModel):
     Cells of the surface. The cell at `x[i]`, `y[j]` stands at the place `i * y.length + j` of a map, counted from 0.
     """
 
+    dent: Annotated[
+        list[float] | None,
+        Field(
+            description='How far plastic strain lowers both surfaces together, without force the dents of both; absent where no body has a hardening curve. Unit: mm (SI: m).'
+        ),
+    ] = None
     gap: Annotated[
         list[float], Field(description='Gap after loading. Unit: mm (SI: m).')
     ]
@@ -2836,7 +2842,7 @@ class ThreeDimensional(BaseModel):
     maps: Annotated[
         ContactMaps | None,
         Field(
-            description='Pressure and gap of all cells; absent unless `output.fields` asks for them.'
+            description='Pressure, gap and dent of all cells; absent unless `output.fields` asks for them.'
         ),
     ] = None
     orientation: Annotated[

@@ -35,7 +35,7 @@ pub struct ThreeDimensionalReport {
     pub surface: Option<RoughContactReport>,
     /// The cells of the section x = 0; those of the section y = 0 are `contact.nodes`.
     pub section: SectionReport,
-    /// Pressure and gap of all cells; absent unless `output.fields` asks for them.
+    /// Pressure, gap and dent of all cells; absent unless `output.fields` asks for them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub maps: Option<MapsReport>,
     /// Estimated relative errors of further figures; absent where `estimated_error` is `null`.
@@ -128,6 +128,10 @@ pub struct MapsReport {
     pub pressure: Vec<f64>,
     /// Gap after loading \[length\].
     pub gap: Vec<f64>,
+    /// How far plastic strain lowers both surfaces together, without force the dents of both;
+    /// absent where no body has a hardening curve \[length\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dent: Option<Vec<f64>>,
 }
 
 /// Estimated relative errors of figures of the contact and of each body.

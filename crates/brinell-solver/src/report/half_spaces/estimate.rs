@@ -9,7 +9,7 @@ use crate::solver::half_spaces::{self, HalfSpaceProblem};
 
 /// Bytes of the report of a step: of each cell of the surface where maps are asked for, and of
 /// each row and layer, where a row along a roller counts twice.
-const MAP_BYTES: u64 = 24;
+const MAP_BYTES: u64 = 32;
 const ROW_BYTES: u64 = 220;
 /// Cells of the layers that are a unit of work.
 const WORK_UNIT: u64 = 1000;

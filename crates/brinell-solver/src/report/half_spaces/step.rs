@@ -171,6 +171,7 @@ impl StepWriter<'_> {
                 y,
                 pressure: stresses(&map.pressure),
                 gap: lengths(&map.gap),
+                dent: dent(step).map(|dent| lengths(&dent)),
             }),
             estimated_error: ellipse_errors(step),
         }
@@ -435,6 +436,19 @@ fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
         area: relative(errors.area, figures.area),
         bodies: PerBody { upper: of(0), lower: of(1) },
     })
+}
+
+/// Displacement of both surfaces by plastic strain in every cell \[mm\]; `None` where no body can
+/// yield.
+fn dent(step: &HalfSpaceStep) -> Option<Vec<f64>> {
+    let mut bodies = step.bodies.iter().flatten().filter(|body| body.plastic_strain.is_some());
+    let mut dent = bodies.next()?.plastic_displacement.clone();
+    for body in bodies {
+        for (sum, displacement) in dent.iter_mut().zip(&body.plastic_displacement) {
+            *sum += displacement;
+        }
+    }
+    Some(dent)
 }
 
 /// The mean of the two rows beside y = 0, or the row there.
