@@ -172,6 +172,8 @@ export class Form {
       job.lower?.shape?.type,
       job.upper?.shape?.profile,
       job.lower?.shape?.profile,
+      tiltOf(job.upper?.shape),
+      tiltOf(job.lower?.shape),
       hasSurface(job.upper),
       hasSurface(job.lower),
       job.analysis === 'axisymmetric',
@@ -309,10 +311,9 @@ export class Form {
           ? this.#place(`${at}/shape/profile`, field, (profile) =>
               this.kinds.useProfile(body, profile ? String(profile) : undefined),
             )
-          : [
-              ...(field.key === tiltOf(shape) ? [this.#tilt(body)] : []),
-              this.#field(`${at}/shape`, field),
-            ],
+          : field.key === tiltOf(shape)
+            ? this.#tilt(body, field)
+            : this.#field(`${at}/shape`, field),
       ),
       ...this.#surface(body),
       ofShape,
@@ -327,12 +328,23 @@ export class Form {
     ];
   }
 
-  /** @param {Body} body */
-  #tilt(body) {
+  /** @param {Body} body @param {Field} field */
+  #tilt(body, field) {
+    const at = `/${body}/shape`;
     const kinds = { tilt: 'Tilt given', moment: 'Moment given' };
-    return this.#choice(`/${body}/shape/tilt_kind`, 'Misalignment', kinds, (kind) =>
-      this.kinds.useTilt(body, kind),
-    );
+    return [
+      this.#choice(`${at}/tilt_kind`, 'Misalignment', kinds, (kind) =>
+        this.kinds.useTilt(body, kind),
+      ),
+      // A moment that is emptied to take another stays where it is; the choice takes it away.
+      this.#place(`${at}/${field.key}`, field, (value) =>
+        this.draft.set(
+          `${at}/${field.key}`,
+          value ?? (field.key === 'moment' ? '' : undefined),
+          SOURCE,
+        ),
+      ),
+    ];
   }
 
   /** @param {Body} body */

@@ -300,7 +300,8 @@ fn a_moment_goes_with_a_history_that_yields() {
         "plasticity": {"law": "bilinear", "yield_stress": 600, "tangent_modulus": 10_500}});
     let changes = json!({"lower": {"shape": {"type": "flat"}, "material": steel},
         "load": {"history": [{"force": 2000}, {"force": 3000}, {"force": 0}, {"force": 2000}]},
-        "solver": {"theory": "flow", "increments": 3}, "mesh": {"elements_per_half_width": 4}});
+        "solver": {"theory": "flow", "increments": 3}, "mesh": {"elements_per_half_width": 4},
+        "output": {"fields": true}});
     let shape = json!({"profile": "logarithmic", "design_force": 4000, "moment": 1500});
     let report = solve(&roller(8.0, &shape, &changes));
     let steps: Vec<_> = report.steps.iter().map(along).collect();
@@ -308,6 +309,11 @@ fn a_moment_goes_with_a_history_that_yields() {
         near(step.moment, 1500.0, 1e-6);
     }
     assert!(steps[2].moment.abs() < 1e-9);
+    let unloaded = &report.steps[2];
+    let maps = unloaded.three_dimensional.as_ref().unwrap().maps.as_ref().unwrap();
+    let deepest = maps.dent.iter().flatten().copied().fold(0.0, f64::max);
+    let surfaces = &unloaded.flow.as_ref().unwrap().surfaces;
+    near(deepest, surfaces.lower.as_ref().unwrap().depth, 1e-12);
     let mut elastic = roller(8.0, &shape, &changes);
     elastic["lower"]["material"].as_object_mut().unwrap().remove("plasticity");
     let elastic = solve(&elastic);
