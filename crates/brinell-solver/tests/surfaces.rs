@@ -135,6 +135,52 @@ fn a_rough_patch_touches_in_proportion_to_its_load() {
     assert!((1.7..2.1).contains(&(two / one)), "{one} {two}");
 }
 
+/// The slope between 2 % less and 2 % more force.
+#[test]
+fn the_stiffness_of_a_rough_contact_is_that_of_its_cells() {
+    let (heights, slope) = rough(64);
+    let upper = json!({"shape": {"type": "flat"}, "surface": heights});
+    let force = 0.05 * 0.5 * (210_000.0 / 0.91) * slope * 0.64 * 0.64;
+    let forces = json!({"forces": [0.98 * force, force, 1.02 * force]});
+    let report = solve(&on_steel(&upper, None, &forces));
+    let [before, here, after] = [0, 1, 2].map(|k| &report.steps[k]);
+    let slope = 0.04 * force / (after.approach - before.approach);
+    near(here.contact_stiffness.unwrap(), slope, 0.02);
+}
+
+/// After a load a second one of the same force and a lighter one find the bodies elastic, and the
+/// dents of asperities remain.
+#[test]
+fn a_rough_surface_shakes_down() {
+    let (heights, slope) = rough(32);
+    let upper = json!({"shape": {"type": "flat"}, "surface": heights});
+    let force = 0.05 * 0.5 * (210_000.0 / 0.91) * slope * 0.64 * 0.64;
+    let plasticity = json!({"law": "bilinear", "yield_stress": 400, "tangent_modulus": 10_500});
+    let loads = [1.0, 0.0, 0.01, 1.0, 0.0].map(|part| json!({"force": part * force}));
+    let mut job = on_steel(&upper, Some(&plasticity), &json!({"history": loads}));
+    job["solver"] = json!({"theory": "flow"});
+    let report = solve(&job);
+    let [first, dented, light, again, left] = [0, 1, 2, 3, 4].map(|k| &report.steps[k]);
+    let strain = |step: &StepReport| {
+        let zone = step.plasticity.lower.as_ref().unwrap();
+        zone.max_equivalent_plastic_strain.unwrap()
+    };
+    for step in [dented, light, again, left] {
+        near(strain(step), strain(first), 1e-6);
+    }
+    near(again.approach, first.approach, 1e-6);
+    assert_eq!(surface(again).contact_ratio.to_bits(), surface(first).contact_ratio.to_bits());
+    let dent =
+        |step: &StepReport| step.flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap().depth;
+    assert!(dent(dented) > 0.1 * dent(first), "{} of {}", dent(dented), dent(first));
+    near(dent(left), dent(dented), 1e-6);
+    // Three cells.
+    let cells = 1024.0 * surface(light).contact_ratio;
+    assert!((1.0..10.0).contains(&cells), "{cells}");
+    assert!(light.contact.mean_pressure <= light.contact.peak_pressure);
+    assert!(first.flow.as_ref().unwrap().unloading_stiffness > 0.0);
+}
+
 #[test]
 fn asperities_that_yield_leave_dents() {
     let (heights, slope) = rough(32);

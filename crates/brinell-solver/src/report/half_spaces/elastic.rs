@@ -2,11 +2,16 @@
 
 use std::f64::consts::PI;
 
-use brinell_halfspace::{EllipticContact, SurfaceGrid};
+use brinell_contact::{
+    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver as _, never,
+};
+use brinell_halfspace::{EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
 use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
 use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
-use crate::solver::half_spaces::{HalfSpaceProblem, HeightMap, Relief, RollerGap};
+use crate::solver::half_spaces::{
+    HalfSpaceProblem, HalfSpaceStep, HeightMap, Relief, RollerGap, SurfaceMap,
+};
 
 /// Logarithmic profiles of ISO 16281 over the diameter: of rollers up to 2.5 diameters long, and
 /// of longer ones.
@@ -183,20 +188,46 @@ impl EllipticReference {
         2.0 / self.problem.principal_curvatures().iter().sum::<f64>()
     }
 
-    /// dP/dα of elastic bodies that touch within an ellipse of a longer semi-axis `b` and an axis
-    /// ratio `a/b` \[N/mm\]: `π E* b/K(√(1 - (a/b)²))`, the stiffness of a flat punch of this
-    /// outline. Along a roller of length 2b it is `π E* b/ln(4b/a)`, the slope of the closed form
-    /// of [`HalfSpaceProblem::hertz`]; 0, unknown, where it is tilted or has a profile beside an
-    /// arc.
+    /// dP/dα of elastic bodies where the contact of a step stays as it is \[N/mm\]; 0 of bodies
+    /// that do not touch.
+    pub fn stiffness(&self, step: &HalfSpaceStep) -> f64 {
+        let has_outline =
+            self.problem.heights.is_none() && self.problem.rollers.iter().all(RollerGap::is_plain);
+        if has_outline {
+            self.of_outline(step.figures.semi_axes)
+        } else {
+            self.of_cells(&step.surface)
+        }
+    }
+
+    /// That of a flat punch of the cells in contact: the force under which all of them sink by 1.
+    fn of_cells(&self, map: &SurfaceMap) -> f64 {
+        if map.pressure.iter().all(|pressure| *pressure <= 0.0) {
+            return 0.0;
+        }
+        let flexibility = SurfaceFlexibility::new(map.grid, self.problem.effective_modulus());
+        // No cell beside the punch sinks as far as 2.
+        let initial_gap: Vec<f64> =
+            map.pressure.iter().map(|p| if *p > 0.0 { 0.0 } else { 2.0 }).collect();
+        let problem = ContactProblem {
+            flexibility: &flexibility,
+            initial_gap: &initial_gap,
+            closing: &vec![1.0; initial_gap.len()],
+            load: ContactLoad::Approach(1.0),
+        };
+        let pressed = ConjugateGradientSolver::new(1e-6).solve(&problem, None, &mut never);
+        pressed.map_or(0.0, |pressed| pressed.total_force)
+    }
+
+    /// Within an ellipse of a longer semi-axis `b` and an axis ratio `a/b`: `π E* b/K(√(1 -
+    /// (a/b)²))`, the stiffness of a flat punch of this outline. Along a roller of length 2b it is
+    /// `π E* b/ln(4b/a)`, the slope of the closed form of [`HalfSpaceProblem::hertz`].
     ///
     /// # Reference
     /// K. L. Johnson, *Contact Mechanics* (1985), section 3.5.
-    pub fn stiffness(&self, [a, b]: [f64; 2]) -> f64 {
+    fn of_outline(&self, [a, b]: [f64; 2]) -> f64 {
         let (short, long) = (a.min(b), a.max(b));
-        if short <= 0.0
-            || self.problem.heights.is_some()
-            || !self.problem.rollers.iter().all(RollerGap::is_plain)
-        {
+        if short <= 0.0 {
             return 0.0;
         }
         let modulus = self.problem.effective_modulus();
@@ -281,7 +312,7 @@ mod tests {
             "load": {"force": 100}}"#;
         let reference = EllipticReference::of(&Job::from_json(job).unwrap()).unwrap();
         let modulus = 210_000.0 / 0.91;
-        assert!((reference.stiffness([0.2, 0.2]) / (2.0 * modulus * 0.2) - 1.0).abs() < 1e-14);
+        assert!((reference.of_outline([0.2, 0.2]) / (2.0 * modulus * 0.2) - 1.0).abs() < 1e-14);
         // p0 = 1.613 σ_y at the onset, P = π³ R² p0³/(6 E*²).
         let force = PI.powi(3) * 100.0 * (1.6132 * 500.0f64).powi(3) / (6.0 * modulus * modulus);
         assert!((reference.onset_force().unwrap() / force - 1.0).abs() < 1e-3);
@@ -289,7 +320,8 @@ mod tests {
         let [before, here, after] = [99.0, 100.0, 101.0].map(|force| reference.under(force));
         let slope = 2.0 / (after.approach - before.approach);
         assert!(
-            (reference.stiffness([here.semi_axis_x, here.semi_axis_y]) / slope - 1.0).abs() < 1e-4
+            (reference.of_outline([here.semi_axis_x, here.semi_axis_y]) / slope - 1.0).abs()
+                < 1e-4
         );
     }
 }

@@ -41,7 +41,7 @@ impl FlowState {
         self.force = step.figures.force;
         self.bodies.clone_from(&step.bodies);
         Some(FlowReport {
-            unloading_stiffness: write.stiffness(reference.stiffness(step.figures.semi_axes)),
+            unloading_stiffness: write.stiffness(reference.stiffness(step)),
             energy: EnergyReport::of(step.energy, write),
             increments: IncrementsReport::of(&step.increments, write),
             surfaces: if step.status.is_stopped() {

@@ -132,12 +132,12 @@ impl StepWriter<'_> {
     }
 
     /// dP/dα of bodies that have not yielded or that a history has pressed together farther: the
-    /// slope of Hertz's curve of the same contact \[N/mm\].
+    /// slope while the contact stays as it is \[N/mm\].
     pub fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
         let yields = step.bodies.iter().flatten().any(|body| body.largest_strain.is_some());
         let grows = step.figures.approach >= step.largest_approach;
         let is_known = !(step.status.is_stopped() || yields && grows);
-        is_known.then(|| self.reference.stiffness(step.figures.semi_axes))
+        is_known.then(|| self.reference.stiffness(step))
     }
 
     fn three_dimensional(&self, step: &HalfSpaceStep) -> ThreeDimensionalReport {
