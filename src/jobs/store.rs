@@ -1,4 +1,4 @@
-//! The only door to storage.
+//! The trait through which all code reaches the storage.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -14,61 +14,60 @@ use super::{
     ResultHead, StepResult, TraceParent, Turn, WorkerId,
 };
 
-/// Keeps jobs, hands them out and remembers how they ended.
+/// Stores jobs, hands them to workers and keeps their results.
 ///
-/// Every change is one atomic step, and every step that alters a job is announced on the store's
-/// [`JobNotifier`](super::JobNotifier) *after* it can be read. The store stamps all times, so that
-/// several processes sharing one store share one clock. Implementations are checked by one suite,
-/// `tests/store_contract`.
+/// Every change is atomic. A change of a job is announced on the store's
+/// [`JobNotifier`](super::JobNotifier) *after* it can be read. All times come from the store's
+/// clock, so that processes that share a store share a clock. One suite, `tests/store_contract`,
+/// checks all implementations.
 ///
 /// # Errors
-/// Of every method: [`StoreError::Unavailable`] where the storage does not answer,
-/// [`StoreError::NotFound`] of a job that there is not; further ones as each says.
+/// Every method: [`StoreError::Unavailable`] if the storage does not answer,
+/// [`StoreError::NotFound`] if the job does not exist. Each method lists its further errors.
 #[async_trait]
 pub trait JobStore: Send + Sync + 'static {
-    /// Takes in a job, durably as far as the store is durable, and queues it behind those of its
-    /// priority. A job with an idempotency key that is known already is not taken in: the job that
-    /// came with the key is returned. The turn of its key ends when others may be taken in.
+    /// Stores a job and queues it behind the jobs of its priority. If its idempotency key is known
+    /// already, the method stores nothing and returns the job that came with the key. `turn` is
+    /// dropped as soon as the key's next submission may begin.
     ///
     /// # Errors
     /// [`StoreError::QueueFull`], [`StoreError::QuotaExceeded`], [`StoreError::KeyReused`],
-    /// [`StoreError::KeyEnded`], [`StoreError::DiskFull`]; nothing is kept then.
+    /// [`StoreError::KeyEnded`], [`StoreError::DiskFull`]; the job is not stored then.
     async fn enqueue(&self, job: NewJob, turn: Turn) -> Result<Enqueued, StoreError>;
 
-    /// Takes in several jobs, each as [`JobStore::enqueue`] does, all in one step: of each, in
-    /// order, what became of it. One that is refused leaves nothing behind and does not touch the
-    /// others.
+    /// Stores several jobs in one transaction, each as [`JobStore::enqueue`] does, and returns one
+    /// outcome for each job, in order. A refused job does not affect the others.
     ///
     /// # Errors
-    /// [`StoreError::DiskFull`], [`StoreError::Damaged`], [`StoreError::Unavailable`]; none is
-    /// kept then.
+    /// [`StoreError::DiskFull`], [`StoreError::Damaged`], [`StoreError::Unavailable`]; no job is
+    /// stored then.
     async fn enqueue_all(
         &self,
         jobs: Vec<NewJob>,
         turn: Turn,
     ) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError>;
 
-    /// What is known about a job.
+    /// Returns the record of a job.
     async fn get(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
-    /// A page of the iterations of the latest attempt behind the first `after`, in order, about
-    /// [`HISTORY_PAGE`]; empty where there are no more.
+    /// Returns a page of about [`HISTORY_PAGE`] iterations of the latest attempt, in order,
+    /// without its first `after` iterations; empty behind the last one.
     async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError>;
 
     /// The job as it was submitted (JSON).
     async fn request(&self, id: JobId) -> Result<Bytes, StoreError>;
 
-    /// The result without its steps, if the job has one.
+    /// Returns the result without its steps, if the job has one.
     async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError>;
 
-    /// The report of a step of the result, counted from 0, without its fields.
+    /// Returns the report of a step (counted from 0) without its fields.
     ///
     /// # Errors
     /// [`StoreError::NotFound`] without such a step.
     async fn step(&self, id: JobId, step: usize) -> Result<Deflated, StoreError>;
 
-    /// The part of the fields of a step, counted from 0, that has this byte of them, or else the
-    /// last before it; `None` of a job that did not ask for them.
+    /// Returns the part of the fields of a step (counted from 0) that contains the given byte, or
+    /// the last part before it; `None` if the job did not ask for fields.
     /// [`FieldsReader`](super::FieldsReader) puts parts together.
     ///
     /// # Errors
@@ -80,24 +79,23 @@ pub trait JobStore: Send + Sync + 'static {
         at: usize,
     ) -> Result<Option<FieldsPart>, StoreError>;
 
-    /// Hands out up to `request.places` jobs, one after the other: the key that holds the fewest
-    /// places has the next one, and among equals the key that has spent the least solver time
-    /// within the last minute. Of a key, jobs that have lost their worker go first, then the
-    /// highest priority, then the oldest. A key that holds as many places of the worker as it may,
-    /// or has as many jobs running as it may, is passed over.
+    /// Leases up to `request.places` jobs to a worker, one after the other. The next job comes
+    /// from the key that holds the fewest places; among equal keys, from the key that has spent
+    /// the least solver time within the last minute. Of one key, jobs that have lost their worker
+    /// go first, then the highest priority, then the oldest job. A key at its limit of places on
+    /// the worker, or of running jobs, is passed over.
     ///
     /// Every place has memory of its own. Jobs that need more share the rest of the worker's
-    /// memory; the first that does not fit holds up those behind it, so that large jobs are not
-    /// overtaken for ever by other large ones.
+    /// memory. The first large job that does not fit blocks the large jobs behind it, so that they
+    /// cannot overtake it for ever.
     ///
-    /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked,
-    /// instead of being handed out. One that was lost `max_attempts - 1` times is handed out by
-    /// itself and only to a worker that does nothing else ([`ClaimRequest::exclusive`]): no job is
-    /// given up because of its neighbour's fault.
+    /// A job whose worker was lost `max_attempts` times fails, or is cancelled if a client asked
+    /// for that. A job whose worker was lost `max_attempts - 1` times runs alone on an idle worker
+    /// ([`ClaimRequest::exclusive`]): no job fails because a neighbour crashed the worker.
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
-    /// Extends leases of one worker by `lease` from now and tells of each whether it is still
-    /// held, in the given order.
+    /// Extends leases of one worker to `lease` from now and returns for each, in the given order,
+    /// whether the worker still holds it.
     async fn heartbeat(
         &self,
         leases: &[Lease],
@@ -114,15 +112,15 @@ pub trait JobStore: Send + Sync + 'static {
         records: &[IterationRecord],
     ) -> Result<(), StoreError>;
 
-    /// Keeps the results of further steps of a leased job, in order. Where they begin with number
-    /// 0, those that were kept before are removed.
+    /// Stores the results of further steps of a leased job, in order. Results that begin with step
+    /// 0 replace all earlier ones.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
     async fn record_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError>;
 
-    /// Ends a leased job; `records` are its last iterations, `steps` its last steps. Steps of a
-    /// job that ends without a report are removed.
+    /// Ends a leased job; `records` are its last iterations, `steps` its last steps. A job that
+    /// ends without a report loses its steps.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
@@ -134,15 +132,15 @@ pub trait JobStore: Send + Sync + 'static {
         outcome: Outcome,
     ) -> Result<(), StoreError>;
 
-    /// Gives leased jobs back to the queue, as if they had not been taken up; one that was to stop
-    /// is cancelled. Leases that are lost already are passed over.
+    /// Returns leased jobs to the queue without counting the attempt; cancels the jobs that were
+    /// asked to stop. Lost leases are ignored.
     async fn release(&self, leases: &[Lease]) -> Result<(), StoreError>;
 
-    /// Asks a job to stop: a queued one is cancelled at once, a running one is marked, a finished
-    /// one is left. Returns the job as it is afterwards.
+    /// Asks a job to stop: a queued job is cancelled at once, a running job is marked, a finished
+    /// job stays as it is. Returns the job afterwards.
     async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
-    /// One page of jobs, in the order of their submission.
+    /// Returns a page of jobs in the order of their submission.
     async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError>;
 
     /// Removes a finished job.
@@ -151,40 +149,39 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`], [`StoreError::Unfinished`].
     async fn delete(&self, id: JobId) -> Result<(), StoreError>;
 
-    /// How many jobs are in each state; states without jobs may be missing.
+    /// Returns the number of jobs in each state; states without jobs may be missing.
     async fn counts(&self) -> Result<Counts, StoreError>;
 
-    /// Removes finished jobs, and forgotten idempotency keys, that are older than allowed, a
-    /// bounded number at a time. Returns how many jobs it removed.
+    /// Removes finished jobs and idempotency keys that are older than `retention` allows, a
+    /// bounded number of them. Returns the number of removed jobs.
     async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError>;
 
-    /// Returns once everything that was acknowledged survives a loss of power. Jobs that are not
-    /// interactive need no such call.
+    /// Returns once every acknowledged change survives a loss of power. Only interactive jobs need
+    /// this call; the others are synced before they are acknowledged.
     async fn sync(&self) -> Result<(), StoreError>;
 
-    /// Looks for damage in the store's own file, and in every job if `jobs`; returns one line for
-    /// each damage found.
+    /// Checks the store's own file for damage, and every job if `jobs`; returns one line for each
+    /// fault.
     async fn check(&self, jobs: bool) -> Result<Vec<String>, StoreError>;
 
-    /// Writes a consistent copy of everything to a new file. `false` if the store has means of its
-    /// own for that.
+    /// Writes a consistent copy of the store to a new file. Returns `false` where the database
+    /// server makes its own backups.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`], [`StoreError::DiskFull`].
     async fn backup(&self, file: &Path) -> Result<bool, StoreError>;
 
-    /// Shows that the store can be written to and has room for another job.
+    /// Checks that the store accepts writes and has room for another job.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`], [`StoreError::DiskFull`].
     async fn ping(&self) -> Result<(), StoreError>;
 
-    /// Ends all connections, so that a store in a file has everything in it; nothing can be asked
-    /// any more.
+    /// Closes all connections, after which a store's file is complete and every call fails.
     async fn close(&self);
 }
 
-/// Iterations that are written, and read, at a time.
+/// Most iterations in one row, which is written and read at once.
 pub const HISTORY_PAGE: usize = 256;
 
 /// Most jobs one [`JobStore::sweep`] removes.
@@ -193,16 +190,16 @@ pub const SWEEP: usize = 500;
 /// How long finished jobs are kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Retention {
-    /// Those with a result.
+    /// Jobs with a result.
     pub succeeded: Duration,
-    /// Those without: failed, cancelled, timed out.
+    /// Jobs without a result: failed, cancelled, timed out.
     pub failed: Duration,
-    /// Bytes of results above which the jobs that finished first are removed before their time.
+    /// Bytes of all results above which the oldest results are removed early.
     pub stored_bytes: Option<u64>,
 }
 
 impl Retention {
-    /// When a job is removed; `None` until it has finished.
+    /// Returns when a job is removed; `None` until it has finished.
     pub fn expires_at(&self, job: &JobRecord) -> Option<Timestamp> {
         let kept = match job.state {
             JobState::Succeeded | JobState::NotConverged => self.succeeded,
@@ -222,89 +219,89 @@ impl Default for Retention {
     }
 }
 
-/// What became of a job that was handed in.
+/// The outcome of a submission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Enqueued {
     /// The job.
     pub job: JobRecord,
-    /// It is not new: it came with the same idempotency key before.
+    /// Whether the job was submitted with the same idempotency key before.
     pub replayed: bool,
 }
 
 /// Jobs in each state.
 pub type Counts = BTreeMap<JobState, usize>;
 
-/// A worker asking for jobs.
+/// A worker's request for jobs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ClaimRequest {
-    /// Who asks.
+    /// Id of the worker.
     pub owner: WorkerId,
-    /// How many places are free.
+    /// Number of free places.
     pub places: usize,
-    /// How many places of the worker a key may hold.
+    /// Most places of the worker that one key may hold.
     pub places_of_key: usize,
     /// Memory \[bytes\] that each place has of its own.
     pub memory_of_place: u64,
-    /// Whether the worker does nothing else, and may be given a job that must run by itself.
+    /// Whether the worker is idle and can run a job that must run alone.
     pub exclusive: bool,
-    /// Memory \[bytes\] beside it that the jobs may need in all, by their estimates.
+    /// Memory \[bytes\] that large jobs share, counted by their estimates.
     pub free_memory: u64,
-    /// Memory \[bytes\] of the idle worker. Jobs that need more are left to others.
+    /// Memory \[bytes\] of the idle worker. Larger jobs are left to other workers.
     pub memory: u64,
-    /// How long the jobs are his without a heartbeat.
+    /// Duration of a lease without a heartbeat.
     pub lease: Duration,
-    /// How often a job's worker may be lost.
+    /// Number of lost workers after which a job fails.
     pub max_attempts: u32,
 }
 
-/// What a worker is handed.
+/// The jobs leased by one claim.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Claims {
     /// The jobs, in the order of the queue.
     pub jobs: Vec<Claim>,
-    /// A job waits for a worker that does nothing else.
+    /// Whether a job waits for an idle worker.
     pub exclusive_pending: bool,
 }
 
-/// The right to write to a running job. It is lost for good when another worker takes the job up.
+/// The right of a worker to write to a running job. It ends when the job is leased again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Lease {
     /// The job.
     pub job: JobId,
-    /// Whose it is.
+    /// Id of the worker.
     pub owner: WorkerId,
-    /// Which attempt, counted from 1.
+    /// Number of the attempt, counted from 1.
     pub attempt: u32,
 }
 
-/// A job handed out.
+/// A leased job.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Claim {
-    /// The right to it.
+    /// The lease.
     pub lease: Lease,
-    /// It must run by itself.
+    /// Whether the job must run alone.
     pub exclusive: bool,
-    /// Memory \[bytes\] it is estimated to need.
+    /// Estimated memory \[bytes\] of the job.
     pub memory: u64,
     /// The job as it was submitted (JSON).
     pub request: Bytes,
-    /// The trace that its submission belongs to.
+    /// The trace of its submission.
     pub trace: Option<TraceParent>,
 }
 
-/// What a heartbeat learns.
+/// The answer to a heartbeat for one lease.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LeaseStatus {
-    /// Extended.
+    /// The lease is extended.
     Held {
-        /// Somebody asked the job to stop.
+        /// Whether a client asked the job to stop.
         cancel_requested: bool,
     },
-    /// The job is another's, or gone.
+    /// Another worker holds the job, or it is removed.
     Lost,
 }
 
-/// Which jobs to list.
+/// A filter for lists of jobs.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct JobFilter {
     /// Only these jobs; all if empty.
@@ -317,7 +314,7 @@ pub struct JobFilter {
     pub since: Option<Timestamp>,
     /// Only jobs accepted before this time.
     pub until: Option<Timestamp>,
-    /// Only jobs handed in under this key.
+    /// Only jobs submitted under this key.
     pub submitter: Option<KeyId>,
     /// The oldest first, instead of the newest.
     pub oldest_first: bool,
@@ -330,47 +327,46 @@ pub struct JobFilter {
 /// One page of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JobPage {
-    /// In the order that was asked for.
+    /// The jobs in the requested order.
     pub jobs: Vec<JobRecord>,
-    /// Where the next page starts; `None` on the last.
+    /// Id after which the next page starts; `None` on the last page.
     pub next: Option<JobId>,
 }
 
-/// Why a store did not do as it was asked.
+/// An error of a store.
 #[derive(Debug, Error)]
 pub enum StoreError {
-    /// No job of that name, or it has been removed since.
+    /// The job does not exist, or was removed.
     #[error("there is no such job")]
     NotFound,
-    /// As many jobs wait as may wait.
+    /// The queue has reached its longest length.
     #[error("the queue is full ({queued} jobs waiting)")]
     QueueFull {
         /// Jobs waiting.
         queued: usize,
     },
-    /// The API key has as much as it may.
+    /// A limit of the API key is reached.
     #[error("{quota}")]
     QuotaExceeded {
-        /// Of what.
+        /// Which limit.
         quota: Quota,
     },
-    /// The idempotency key came with another body before.
+    /// The idempotency key belongs to a submission with another body.
     #[error("the idempotency key was used with another body before")]
     KeyReused,
     /// The API key was revoked, or has expired, since the request began.
     #[error("the API key is no longer good")]
     KeyEnded,
-    /// Another worker owns the job, or nobody does any more.
+    /// The worker no longer holds the lease.
     #[error("the job's lease is lost")]
     LeaseLost,
     /// The job is still queued or running.
     #[error("the job is {0}")]
     Unfinished(JobState),
-    /// The disk is full, or has less room left than is reserved for jobs that are accepted
-    /// already.
+    /// The disk is full, or its free space is reserved for the results of accepted jobs.
     #[error("the disk is full")]
     DiskFull,
-    /// What is stored cannot be read, now or later.
+    /// A stored row is damaged: a retry fails as well.
     #[error("what is stored is damaged")]
     Damaged(#[source] Box<dyn std::error::Error + Send + Sync>),
     /// The storage does not answer.
@@ -378,13 +374,13 @@ pub enum StoreError {
     Unavailable(#[source] Box<dyn std::error::Error + Send + Sync>),
 }
 
-/// What an API key has as much of as it may.
+/// A limit of an API key that a submission exceeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Quota {
     /// Jobs waiting.
     #[error("this API key may have {limit} jobs waiting, and has them")]
     Queued {
-        /// How many it may have.
+        /// The limit.
         limit: u32,
     },
     /// Results.
@@ -393,17 +389,17 @@ pub enum Quota {
          job may take {needed} more"
     )]
     Stored {
-        /// How many bytes they may take.
+        /// The limit \[bytes\].
         limit: u64,
-        /// Bytes they take, those that unfinished jobs are estimated to take included.
+        /// Bytes of the key's results, with the estimates of its unfinished jobs.
         used: u64,
-        /// Bytes that the result of the job is estimated to take.
+        /// Estimated bytes of the job's result.
         needed: u64,
     },
     /// Priority.
     #[error("jobs of this API key may have priority {limit} at most")]
     Priority {
-        /// The highest it may ask for.
+        /// The highest allowed priority.
         limit: i16,
     },
 }
@@ -423,17 +419,17 @@ impl Quota {
 }
 
 impl StoreError {
-    /// Whether the storage is at fault, and not the request.
+    /// Returns whether the storage is at fault rather than the request.
     pub const fn is_of_storage(&self) -> bool {
         matches!(self, Self::DiskFull | Self::Damaged(_) | Self::Unavailable(_))
     }
 
-    /// Wraps whatever made the storage fail.
+    /// Wraps the cause of a failure of the storage.
     pub fn unavailable(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Unavailable(source.into())
     }
 
-    /// Wraps whatever is wrong with what is stored.
+    /// Wraps the description of a damaged row.
     pub fn damaged(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Damaged(source.into())
     }

@@ -1,5 +1,5 @@
-//! API keys take turns at something that there is little of: a key that floods waits for itself,
-//! where others would wait with it.
+//! Fair access of API keys to a scarce resource: the requests of a key queue behind each other,
+//! never in front of another key's.
 
 use std::collections::HashMap;
 use std::panic::resume_unwind;
@@ -19,13 +19,13 @@ pub struct Turns {
 }
 
 impl Turns {
-    /// Each key has so many turns at a time.
+    /// Gives each key at most `at_once` turns at a time.
     pub fn new(at_once: usize) -> Self {
         Self { at_once, keys: Mutex::default() }
     }
 
-    /// Waits for a turn, which ends when what is returned is dropped. Without a key there is none
-    /// to wait for.
+    /// Waits for a turn, which ends when the returned value is dropped. A request without a key
+    /// does not wait.
     pub async fn take(&self, key: Option<KeyId>) -> Turn {
         let permit = match key {
             Some(key) => self.of(key).acquire_owned().await.ok(),
@@ -34,7 +34,7 @@ impl Turns {
         Turn { _permit: permit }
     }
 
-    /// A turn, if one is free.
+    /// Returns a turn if one is free.
     pub fn try_take(&self, key: Option<KeyId>) -> Option<Turn> {
         match key {
             Some(key) => Some(Turn { _permit: Some(self.of(key).try_acquire_owned().ok()?) }),
@@ -61,13 +61,13 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// One that nobody waits for.
+    /// A turn that takes no place.
     pub fn free() -> Self {
         Self { _permit: None }
     }
 }
 
-/// Threads for what takes long. Those without a key take their turns together.
+/// Threads for long computations. Requests without a key share one turn.
 #[derive(Debug)]
 pub struct Threads {
     keys: Turns,
@@ -75,13 +75,13 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// So many at once, and so many of them for each key.
+    /// Allows `at_once` computations, at most `of_key` of them for one key.
     pub fn new(at_once: usize, of_key: usize) -> Self {
         Self { keys: Turns::new(of_key), places: Arc::new(Semaphore::new(at_once)) }
     }
 
-    /// Does something on a thread that nobody else waits for. It keeps its place to its end,
-    /// although nobody may wait for it any more.
+    /// Runs a closure on a blocking thread. The closure keeps its place until it ends, even if the
+    /// caller's future is dropped.
     pub async fn run<T: Send + 'static>(
         &self,
         key: Option<KeyId>,
@@ -93,7 +93,8 @@ impl Threads {
             let _held = (turn, place);
             work()
         };
-        // The runtime ends only with the process: else it panicked.
+        // The runtime lives as long as the process, so the only error left is a panic of the
+        // closure.
         spawn_blocking(run).await.unwrap_or_else(|error| resume_unwind(error.into_panic()))
     }
 }

@@ -1,9 +1,9 @@
-//! Where jobs are kept: implementations of [`JobStore`].
+//! Implementations of [`JobStore`].
 //!
 //! | store | for |
 //! |---|---|
-//! | [`open_sqlite`] | one process; its jobs survive whatever happens to it |
-//! | [`open_sqlite_in_memory`] | demonstrations and tests: the same tables, gone with the process |
+//! | [`open_sqlite`] | one process; its jobs survive a crash of it |
+//! | [`open_sqlite_in_memory`] | demonstrations and tests: the same tables, in memory |
 //! | [`open_postgres`] | any number of processes on any number of machines |
 
 mod migration;
@@ -23,10 +23,10 @@ impl<T: JobStore + KeyStore + DeliveryStore> Store for T {}
 pub struct StoreLimits {
     /// Most jobs that may wait.
     pub queue_capacity: usize,
-    /// What an API key may take that has no bound of its own.
+    /// Limits of an API key that sets none of its own.
     pub by_key: KeyLimits,
-    /// Room \[bytes\] on the disk below which no job is accepted. Only of a file: the disk of a
-    /// server is its own matter.
+    /// Free disk space \[bytes\] below which the store accepts no job. It applies to SQLite files
+    /// only; a database server watches its own disk.
     pub min_free_bytes: u64,
 }
 

@@ -1,7 +1,7 @@
 //! Jobs in PostgreSQL, shared by any number of processes on any number of machines.
 //!
-//! The database's clock stamps all times, so the machines' own clocks do not matter. Processes
-//! tell each other of changes by `NOTIFY`; whoever waits also looks once a second by himself.
+//! All times come from the clock of the database, so the machines' clocks do not matter. Processes
+//! announce changes by `NOTIFY`; a task that waits also queries once a second.
 
 mod notifications;
 
@@ -26,21 +26,21 @@ const STEPS: &[Step] = steps!("postgres");
 /// Connections of one process.
 const CONNECTIONS: u32 = 10;
 
-/// Longest wait for one of them.
+/// Longest wait for a connection.
 const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Why there is no store.
+/// An error that keeps the store from opening.
 #[derive(Debug, Error)]
 pub enum PostgresError {
     /// The database cannot be reached.
     #[error("cannot connect to the database: {0}")]
     Connect(#[source] sqlx::Error),
-    /// Its tables cannot be brought up to date.
+    /// The migrations of its tables fail.
     #[error("cannot bring the database up to date: {0}")]
     Migrate(#[source] sqlx::Error),
 }
 
-/// The database, connected.
+/// A pool of connections to the database.
 struct PostgresPool {
     pool: PgPool,
     clock: Option<Arc<dyn Clock>>,
@@ -48,8 +48,8 @@ struct PostgresPool {
     listener: AbortHandle,
 }
 
-/// Connects to the store at a `postgres://` address and makes its tables if need be. A `clock`
-/// takes the place of the database's own, for tests.
+/// Connects to the store at a `postgres://` address and runs the migrations. A test may pass a
+/// `clock` in place of the database's.
 ///
 /// # Errors
 /// [`PostgresError`].
@@ -61,8 +61,8 @@ pub async fn open_postgres(
 ) -> Result<Arc<dyn Store>, PostgresError> {
     let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(ACQUIRE_TIMEOUT);
     let pool = pool.after_connect(|connection, _| {
-        // A claim takes half a millisecond. Of tables without statistics the planner expects so
-        // much that it would be compiled first, each time for fifty.
+        // A claim takes half a millisecond. On tables without statistics the planner overestimates
+        // its cost and would compile it first (JIT), for fifty milliseconds each time.
         Box::pin(async move { connection.execute("SET jit = off").await.map(drop) })
     });
     let pool = pool.connect(url).await.map_err(PostgresError::Connect)?;
@@ -113,12 +113,12 @@ impl Backend for PostgresPool {
     }
 
     async fn check_space(&self) -> Result<(), StoreError> {
-        // The server's disk is out of sight; a write that does not fit fails as such.
+        // A client cannot see the server's disk; a write to a full disk fails with its own error.
         Ok(())
     }
 
     async fn check(&self) -> Result<Vec<String>, StoreError> {
-        // The server's own files are its administrator's matter.
+        // The administrator of the server checks the server's files.
         Ok(Vec::new())
     }
 

@@ -1,12 +1,12 @@
-//! Jobs in an embedded SQLite file: nothing to set up, and nothing acknowledged is lost.
+//! Jobs in an embedded SQLite file: no server to set up, and no acknowledged change is lost.
 //! `:memory:` keeps the same tables in this process's memory.
 //!
-//! All writing goes through one connection, so that no statement waits for a lock; readers have
-//! their own and never wait for the writer. The file has a write-ahead log with `synchronous =
-//! NORMAL`: a commit survives the end of the process at once, and a loss of power after
-//! [`Backend::sync`], which several commits share. One process owns the directory, by a lock on a
-//! file in it; therefore whatever is marked as running at the start was interrupted, and runs
-//! again at once.
+//! One connection does all writing, so that no statement waits for a lock; readers have
+//! connections of their own and never wait for the writer. The file has a write-ahead log with
+//! `synchronous = NORMAL`: a commit survives a crash of the process at once, and a loss of power
+//! after [`Backend::sync`], which several commits share. One process owns the directory by a lock
+//! on a file in it. Jobs that are marked as running at the start were therefore interrupted; they
+//! run again at once.
 
 mod own_file;
 mod restore;
@@ -45,7 +45,7 @@ pub const DATABASE: &str = "brinell.db";
 /// Readers beside the writer.
 const READERS: u32 = 4;
 
-/// Longest wait for the lock of another process's statement (a command beside a running service).
+/// Longest wait for a lock that another process holds (a command beside a running service).
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Size \[bytes\] to which the write-ahead log shrinks once its content is in the database.
@@ -54,10 +54,10 @@ const WAL_BYTES: &str = "67108864";
 /// Size \[bytes\] of a page.
 const PAGE_BYTES: u64 = 4096;
 
-/// One part in so many of a store in memory is reserved for what accepted jobs still write.
+/// One part in so many of a store in memory is reserved for the results of accepted jobs.
 const MEMORY_RESERVE: u64 = 8;
 
-/// Why there is no store.
+/// An error that keeps the store from opening.
 #[derive(Debug, Error)]
 pub enum SqliteError {
     /// The directory or its lock cannot be made.
@@ -98,8 +98,8 @@ pub enum SqliteError {
 /// An open database.
 struct SqliteDatabase {
     writer: SqlitePool,
-    /// The writer's pool again where the database is in memory: its one connection is the
-    /// database.
+    /// The writer's pool again where the database is in memory: such a database exists only on its
+    /// one connection.
     readers: SqlitePool,
     clock: Arc<dyn Clock>,
     /// `None` in memory, where nothing survives anyway.
@@ -108,7 +108,7 @@ struct SqliteDatabase {
     _lock: Option<DirectoryLock>,
 }
 
-/// What a database grows into.
+/// The space that a database may take.
 enum Space {
     Disk {
         disk: FreeSpace,
@@ -133,7 +133,7 @@ pub async fn open_sqlite(
     open(directory, limits, notifier, clock, Some(lock)).await
 }
 
-/// Opens the store beside the process that owns it, to look after its API keys.
+/// Opens the store beside the process that owns it, to manage its API keys.
 ///
 /// # Errors
 /// [`SqliteError`].
@@ -146,7 +146,7 @@ pub async fn open_sqlite_keys(
     open(directory, StoreLimits::default(), JobNotifier::new(), clock, None).await
 }
 
-/// Opens a store in this process's memory, which may grow to so many bytes.
+/// Opens a store in this process's memory that may grow to `bytes`.
 ///
 /// # Errors
 /// [`SqliteError::Database`].
@@ -175,13 +175,13 @@ async fn open(
     Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
-/// The lock of a data directory. It ends with the process, however that ends.
+/// The lock of a data directory. The operating system releases it when the process ends.
 struct DirectoryLock(File);
 
 impl Drop for DirectoryLock {
     fn drop(&mut self) {
-        // Closing the file is not enough: a child process that another thread is just starting
-        // still has it open.
+        // Closing the file is not enough: a child process that another thread is starting may
+        // still hold a copy of the descriptor.
         drop(self.0.unlock());
     }
 }
@@ -198,8 +198,8 @@ fn lock_directory(directory: &Path) -> Result<DirectoryLock, SqliteError> {
     }
 }
 
-/// What the connections to a file and to memory share. Every statement has its index: one that
-/// SQLite makes for it alone would go through the whole table.
+/// Options of all connections. Automatic indices are off: SQLite would build one for a single
+/// statement by reading the whole table, and every statement here has its own index.
 fn connect_options() -> SqliteConnectOptions {
     SqliteConnectOptions::new().foreign_keys(true).pragma("automatic_index", "off")
 }
@@ -269,12 +269,12 @@ impl SqliteDatabase {
     }
 }
 
-/// One connection, free of transactions whenever it is acquired: whatever an error or a dropped
-/// future left open is rolled back.
+/// Makes a pool of one connection. Acquiring it rolls back a transaction that an error or a
+/// dropped future left open.
 fn writer_pool() -> SqlitePoolOptions {
     pool().min_connections(1).max_connections(1).after_release(|connection, _| {
         Box::pin(async move {
-            // Fails where no transaction is open.
+            // The statement fails where no transaction is open.
             let _ = sqlx::query("ROLLBACK").execute(connection).await;
             Ok(true)
         })
@@ -307,7 +307,7 @@ impl Backend for SqliteDatabase {
     }
 
     async fn check_space(&self) -> Result<(), StoreError> {
-        // Pages that removed jobs have left are used before the database grows.
+        // The database reuses the pages of removed jobs before it grows.
         let reusable = async || self.pages("PRAGMA freelist_count").await;
         let is_low = match &self.space {
             Space::Disk { disk, files } => {
@@ -338,7 +338,7 @@ impl Backend for SqliteDatabase {
         let name = file
             .to_str()
             .ok_or_else(|| StoreError::unavailable("the name of the file is not UTF-8"))?;
-        // One read transaction: what is committed meanwhile is not in the copy.
+        // The copy is one read transaction: it contains no later commits.
         let mut connection = self.writer.acquire().await?;
         sqlx::query("VACUUM INTO $1").bind(name).execute(&mut *connection).await?;
         Ok(true)
@@ -355,10 +355,11 @@ impl Backend for SqliteDatabase {
     }
 }
 
-/// A transaction of the writer. The pool rolls back what is not committed, [`writer_pool`].
+/// A transaction of the writer. The pool rolls back a transaction without commit, see
+/// [`writer_pool`].
 ///
-/// sqlx's own type counts transactions and is at a loss where SQLite ends one by itself, which it
-/// does when the disk is full: that connection never begins another.
+/// sqlx's own type counts nested transactions. When the disk is full, SQLite ends a transaction by
+/// itself and the count is wrong: that connection never begins another transaction.
 struct SqliteTransaction(PoolConnection<Sqlite>);
 
 impl Deref for SqliteTransaction {
@@ -391,7 +392,7 @@ mod tests {
     use crate::jobs::SystemClock;
     use crate::store::sql::NEXT;
 
-    /// As a child process has it until it becomes another program.
+    /// A duplicated descriptor, as a child process holds between fork and exec.
     #[test]
     fn a_lock_ends_although_its_file_is_open_elsewhere() {
         let directory = std::env::temp_dir().join(format!("brinell-lock-{}", std::process::id()));
@@ -404,7 +405,7 @@ mod tests {
         fs::remove_dir_all(directory).unwrap();
     }
 
-    /// The writer waits for no claim however many jobs wait.
+    /// A claim blocks the writer, so its cost must not grow with the queue.
     #[tokio::test]
     async fn a_claim_looks_the_heads_of_the_queues_up() {
         let store = SqliteDatabase::in_memory(1 << 20, Arc::new(SystemClock)).await.unwrap();

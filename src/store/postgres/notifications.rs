@@ -1,9 +1,10 @@
-//! What processes tell each other by `NOTIFY`.
+//! Announcements of changes between processes, by `LISTEN` and `NOTIFY`.
 //!
-//! Each listens on one connection, and tells on another after its changes are committed: a
-//! transaction that notifies takes a lock of the whole database for its commit, and those of all
-//! processes would wait for each other's disk. What is lost when a connection breaks or a process
-//! ends is looked up once a second.
+//! Each process listens on one connection and notifies on another, after its changes are
+//! committed. `NOTIFY` inside the changing transaction would take a lock of the whole database
+//! until the commit is on the disk, and the commits of all processes would wait for each other. A
+//! notification may be lost with its connection or process; every process therefore also queries
+//! once a second.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -19,24 +20,25 @@ use crate::store::sql::Change;
 /// Channel of the notifications.
 const CHANNEL: &str = "brinell";
 
-/// Most changes told at once, and most that wait to be told.
+/// Most changes in one statement, and most changes that wait for one.
 const BATCH: usize = 256;
 const WAITING: usize = 4096;
 
 /// Time between two tries to listen.
 const RECONNECT_INTERVAL: Duration = Duration::from_secs(1);
 
-/// Longest wait for the connection.
+/// Longest wait for a connection.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Tells other processes of changes, in the order in which it is told of them.
+/// Announces changes to other processes, in the order of the calls.
 #[derive(Debug)]
 pub(super) struct Announcer(Sender<Change>);
 
 impl Announcer {
-    /// Starts the task that tells. It ends when the announcer is dropped and all is told.
+    /// Starts the task that notifies. The task ends when the announcer is dropped and its queue is
+    /// empty.
     pub(super) fn start(pool: &PgPool, node: WorkerId) -> Self {
-        // A loss of power takes nothing with it that anybody relies on.
+        // A notification need not survive a loss of power.
         let options = PgPoolOptions::new()
             .max_connections(1)
             .acquire_timeout(CONNECT_TIMEOUT)
@@ -51,7 +53,7 @@ impl Announcer {
         Self(sender)
     }
 
-    /// Tells of changes that are committed.
+    /// Announces changes that are committed.
     pub(super) fn announce(&self, changes: &[Change]) {
         for change in changes {
             if self.0.try_send(*change).is_err() {
@@ -84,7 +86,7 @@ fn message(node: WorkerId, change: Change) -> String {
     }
 }
 
-/// What another process tells; nothing if it is our own voice, or a newer version's.
+/// Parses a notification; `None` if this process sent it or a newer version's kind is unknown.
 fn heard(message: &str, node: WorkerId) -> Option<Change> {
     let mut words = message.split(' ');
     if words.next()? == node.to_string() {

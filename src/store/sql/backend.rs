@@ -1,4 +1,4 @@
-//! What tells one database from another.
+//! The interface that SQLite and PostgreSQL implement.
 
 use std::ops::DerefMut;
 use std::path::Path;
@@ -20,7 +20,7 @@ use crate::jobs::{JobId, JobNotifier, StoreError};
 /// Longest wait for a connection to read from.
 const READER_WAIT: Duration = Duration::from_secs(2);
 
-/// All statements that a connection executes.
+/// All statements that a connection executes, for either database.
 pub(in crate::store) trait Statements:
     Reading + Intake + Claiming + Leasing + Keys + Deliveries
 {
@@ -31,21 +31,21 @@ impl<T: Reading + Intake + Claiming + Leasing + Keys + Deliveries> Statements fo
 /// A database with jobs in it.
 #[async_trait]
 pub(in crate::store) trait Backend: Send + Sync + 'static {
-    /// Which kind.
+    /// Driver of sqlx.
     type Database: Database<Connection: Statements>;
-    /// A transaction that may write.
+    /// Type of a transaction that may write.
     type Write: WriteTransaction<Target = <Self::Database as Database>::Connection>;
 
-    /// Connections to read from.
+    /// Returns the pool of connections for reading.
     fn readers(&self) -> &Pool<Self::Database>;
 
-    /// A connection to read from. Who has to wait for it for long is told so.
+    /// Acquires a connection for reading; fails if the pool has none for too long.
     async fn read(&self) -> Result<PoolConnection<Self::Database>, StoreError> {
         let reader = timeout(READER_WAIT, self.readers().acquire()).await;
         Ok(reader.map_err(StoreError::unavailable)??)
     }
 
-    /// A transaction that may write, and the time in microseconds since 1970.
+    /// Begins a transaction that may write; returns it and the time in microseconds since 1970.
     async fn write(&self) -> Result<(Self::Write, i64), StoreError>;
 
     /// Returns once everything that was committed before the call survives a loss of power.
@@ -57,13 +57,14 @@ pub(in crate::store) trait Backend: Send + Sync + 'static {
     /// [`StoreError::DiskFull`] below the reserve.
     async fn check_space(&self) -> Result<(), StoreError>;
 
-    /// Looks for damage below the tables; one line for each damage.
+    /// Checks the database file for damage; returns one line for each fault.
     async fn check(&self) -> Result<Vec<String>, StoreError>;
 
-    /// Writes a copy to a new file; `false` if the database has means of its own for that.
+    /// Copies the database into a new file; returns `false` where the database server makes its
+    /// own backups.
     async fn backup(&self, file: &Path) -> Result<bool, StoreError>;
 
-    /// Closes all connections, so that a file holds all there is; nothing can be asked any more.
+    /// Closes all connections, after which the database file is complete and every call fails.
     async fn close(&self) {}
 
     /// Tells other processes of changes that are committed.
@@ -77,23 +78,23 @@ pub(in crate::store) trait WriteTransaction: DerefMut + Send {
     async fn commit(self) -> Result<(), StoreError>;
 }
 
-/// Whether a change is acknowledged to somebody who relies on it after a loss of power.
+/// Durability of a commit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Durability {
-    /// It is on the disk before anybody is told.
+    /// The commit is synced to the disk before it is acknowledged.
     Synced,
-    /// It survives the end of the process, however sudden, but perhaps not a loss of power.
+    /// The commit survives a crash of the process; a loss of power may undo it.
     Written,
 }
 
-/// Something others may be waiting for.
+/// A change that other tasks or processes may be waiting for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::store) enum Change {
-    /// There is a job to claim.
+    /// A job can be claimed.
     Work,
-    /// A job has moved.
+    /// A job has progressed.
     Progress(JobId),
-    /// A job is to stop.
+    /// A job was asked to stop.
     Cancel(JobId),
     /// A job has ended.
     Finished(JobId),

@@ -1,5 +1,5 @@
-//! Statements that hand jobs out, in one transaction. Claims take turns, so that what one has read
-//! another does not hand out.
+//! Statements that claim queued jobs for a worker, in one transaction. Claims exclude each other:
+//! a job that one claim has read cannot be handed out by another.
 
 use bytes::Bytes;
 use sqlx::types::Uuid;
@@ -9,12 +9,12 @@ use super::codec::{count, damaged, failure_json, unpack};
 use crate::jobs::{Claim, ClaimRequest, Claims, JobFailure, JobId, JobState, Lease, StoreError};
 use crate::store::StoreLimits;
 
-/// The job that goes next: of the key that holds the fewest places, and among equals of the one
-/// that has spent the least solver time, the first that waits. A key holds so many places of a
-/// worker (`$3`), and so many of all (`$4`).
+/// Selects the next job: the first queued job of the key that holds the fewest places; among equal
+/// keys, of the key that has spent the least solver time. A key may hold at most `$3` places of
+/// one worker and `$4` places of all workers.
 ///
-/// SQLite joins crossed tables as they are written: keys are few, and the first job of each is
-/// looked up.
+/// SQLite keeps the order of a cross join: it goes through the keys, which are few, and looks the
+/// first job of each up in the index.
 pub(in crate::store) const NEXT: &str = "
     SELECT j.id, j.memory
     FROM accounts a CROSS JOIN jobs j
@@ -31,7 +31,7 @@ pub(in crate::store) const NEXT: &str = "
         j.id
     LIMIT 1";
 
-/// The job whose next loss is its last.
+/// Selects the job that fails if its worker is lost once more.
 const LAST_CHANCE: &str = "SELECT id, memory FROM jobs
     WHERE state = 'queued' AND losses > 0 AND losses >= $1 AND memory <= $2 ORDER BY id LIMIT 1";
 
@@ -41,8 +41,8 @@ const LEASE: &str =
     WHERE id = $1 AND state = 'queued'
     RETURNING attempts, traceparent, (SELECT r.body FROM requests r WHERE r.job = jobs.id)";
 
-/// Puts an attempt on the account of its key. What was spent before is forgotten bit by bit,
-/// within a minute.
+/// Charges the solver time of an attempt to its key. Time charged before decays to zero within a
+/// minute.
 pub(super) const SETTLE: &str = "UPDATE accounts SET settled_at = $2,
         spent = $2 - (SELECT started_at FROM jobs WHERE id = $1)
             + CASE WHEN $2 - settled_at < 60000000 THEN spent * (60000000 - ($2 - settled_at)) / 60000000 ELSE 0 END
@@ -52,35 +52,35 @@ const END: &str =
     "UPDATE jobs SET state = $2, failure = $3, finished_at = $4, owner = NULL, leased_until = NULL
     WHERE id = $1";
 
-/// Queues again what has lost its worker.
+/// Queues a job again whose worker was lost.
 const REQUEUE: &str =
     "UPDATE jobs SET state = 'queued', losses = losses + 1, owner = NULL, leased_until = NULL,
         started_at = NULL, iterations = 0, latest = NULL, steps = 0, stored_bytes = 0
     WHERE id = $1";
 
-/// Removes what an attempt has left.
+/// Removes the iterations, steps and fields of an earlier attempt.
 pub(super) const FORGET: [&str; 3] = [
     "DELETE FROM iterations WHERE job = $1",
     "DELETE FROM result_steps WHERE job = $1",
     "DELETE FROM field_parts WHERE job = $1",
 ];
 
-/// Name and estimated memory.
+/// Id and estimated memory \[bytes\] of a job.
 type Candidate = (Uuid, i64);
 
-/// Places and memory that are free. Every place has memory of its own, which is enough for
-/// ordinary jobs; larger ones share the rest, and the first of them that does not fit holds up the
-/// large ones behind it.
+/// Free places and free memory of a worker. Every place has memory of its own, enough for an
+/// ordinary job. Larger jobs share the remaining memory; the first large job that does not fit
+/// blocks the large jobs behind it.
 struct Room {
     places: usize,
     memory_of_place: u64,
     shared: u64,
-    /// Memory that the next job may need.
+    /// Memory \[bytes\] that the next job may need.
     largest: u64,
 }
 
 impl Room {
-    /// Takes room for a job; `false` if it has to wait.
+    /// Reserves a place and memory for a job; returns `false` if the job has to wait.
     fn take(&mut self, memory: u64) -> bool {
         if memory > self.memory_of_place {
             let Some(rest) = self.shared.checked_sub(memory) else {
@@ -94,22 +94,22 @@ impl Room {
     }
 }
 
-/// Handing out.
+/// Claims on a connection.
 pub(in crate::store) trait Claiming: Send {
-    /// Waits for the turn of this worker; whether a lease has run out, and whether a job has lost
-    /// its worker before.
+    /// Waits until no other claim runs. Returns whether a lease has expired, and whether a queued
+    /// job has lost a worker before.
     fn take_turn(
         &mut self,
         now: i64,
     ) -> impl Future<Output = Result<(bool, bool), StoreError>> + Send;
-    /// Queues the jobs again whose lease ran out; those that nobody takes up again end, and are
-    /// returned.
+    /// Queues the jobs again whose lease expired. Ends, and returns, the jobs that have lost their
+    /// last worker or were cancelled.
     fn expire(
         &mut self,
         max_attempts: u32,
         now: i64,
     ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
-    /// Hands out jobs for as long as there is room; `lost` if some have lost their worker.
+    /// Claims jobs while places and memory are free. `lost`: some queued jobs have lost a worker.
     fn claim(
         &mut self,
         request: &ClaimRequest,
@@ -117,7 +117,7 @@ pub(in crate::store) trait Claiming: Send {
         lost: bool,
         now: i64,
     ) -> impl Future<Output = Result<Claims, StoreError>> + Send;
-    /// Hands a job out; `None` if it has just been cancelled.
+    /// Leases a job to the worker; returns `None` if it was cancelled meanwhile.
     fn lease(
         &mut self,
         job: Candidate,
@@ -127,7 +127,8 @@ pub(in crate::store) trait Claiming: Send {
     ) -> impl Future<Output = Result<Option<Claim>, StoreError>> + Send;
 }
 
-/// The text of a job. Without one, the job fails where it is read; the queue behind it goes on.
+/// Returns the text of a job, empty where the row is damaged: the reader then fails this job, and
+/// the jobs behind it go on.
 fn readable_text(id: JobId, packed: Option<Vec<u8>>) -> Bytes {
     let text = packed.map_or_else(|| Err(damaged("no text")), unpack);
     text.unwrap_or_else(|error| {
@@ -136,17 +137,17 @@ fn readable_text(id: JobId, packed: Option<Vec<u8>>) -> Bytes {
     })
 }
 
-/// The moment a lease that begins now runs out.
+/// Returns when a lease that begins now expires.
 pub(super) fn until(now: i64, lease: std::time::Duration) -> i64 {
     now.saturating_add(i64::try_from(lease.as_micros()).unwrap_or(i64::MAX))
 }
 
-/// The largest integer of a database where a number is beyond it.
+/// Converts a number to the database's integer, its largest one where the number is beyond it.
 fn bound(number: impl TryInto<i64>) -> i64 {
     number.try_into().unwrap_or(i64::MAX)
 }
 
-// The statements are the same for every database, the types that carry them are not.
+// Both databases run the same statements, with different types of sqlx.
 macro_rules! claiming {
     ($database:ty, $connection:ty, $turn:literal, $lost:literal) => {
         impl Claiming for $connection {
@@ -258,7 +259,7 @@ macro_rules! claiming {
     };
 }
 
-// Who writes to SQLite is alone.
+// SQLite has one writer, which needs no lock.
 claiming!(
     Sqlite,
     SqliteConnection,
@@ -266,8 +267,7 @@ claiming!(
         EXISTS (SELECT 1 FROM jobs WHERE state = 'queued' AND losses > 0)",
     "SELECT id, losses, cancel_requested FROM jobs WHERE state = 'running' AND leased_until <= $1"
 );
-// The number of the lock is that of nothing else. A job that its worker is just writing to is
-// passed over.
+// No other lock has this number. SKIP LOCKED passes over a job that its worker is writing to.
 claiming!(
     Postgres,
     PgConnection,

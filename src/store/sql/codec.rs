@@ -1,7 +1,7 @@
-//! What a job looks like in a row: JSON in text columns, compressed in binary ones, microseconds
-//! for times.
+//! Conversion of jobs to rows: JSON in text columns, compressed JSON in binary columns, times in
+//! microseconds.
 //!
-//! The first version compressed with zstd; what it left is still read.
+//! Version 1 compressed with zstd; its rows are still read.
 
 use std::io::Read;
 
@@ -17,10 +17,10 @@ use crate::jobs::{
     KeyId, StoreError,
 };
 
-/// Most bytes anything is unpacked to, should a row be damaged.
+/// Largest size \[bytes\] of an unpacked text; a damaged row could claim any.
 const UNPACKED_LIMIT: u64 = 1 << 30;
 
-/// A row that no version of this program has written.
+/// An error for a row that no version of this program can have written.
 #[derive(Debug, Error)]
 #[error("a row of the store is damaged: {0}")]
 pub(super) struct Damaged(String);
@@ -92,7 +92,7 @@ pub(super) fn state_named(name: &str) -> Result<JobState, StoreError> {
     JobState::by_name(name).ok_or_else(|| damaged(format!("state {name:?}")))
 }
 
-/// A number that cannot be negative or too large.
+/// Converts a column that cannot be negative or too large.
 pub(super) fn count<T: TryInto<U, Error: ToString>, U>(value: T) -> Result<U, StoreError> {
     value.try_into().map_err(damaged)
 }
@@ -101,7 +101,7 @@ pub(super) fn time(micros: i64) -> Result<Timestamp, StoreError> {
     Timestamp::from_microsecond(micros).map_err(damaged)
 }
 
-/// How a failure is kept.
+/// A failure as JSON stores it.
 #[derive(Serialize, Deserialize)]
 struct StoredFailure {
     kind: FailureKind,

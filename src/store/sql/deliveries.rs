@@ -1,4 +1,4 @@
-//! Statements about announcements of the ends of jobs.
+//! Statements about announcements (webhook deliveries).
 
 use std::time::Duration;
 
@@ -28,7 +28,7 @@ const FIND: &str = "SELECT id, state, attempts, due_at, status, error, delivered
 /// An announcement as selected by [`FIND`].
 type FindRow = (Uuid, String, i32, Option<i64>, Option<i32>, Option<String>, Option<i64>);
 
-/// An announcement that is due: job, name, address, attempt, API key and trace of the job.
+/// An announcement that is due: job, id, URL, attempt, API key and trace of the job.
 type DueRow = (Uuid, Uuid, String, i32, Option<Uuid>, Option<String>);
 
 /// Announcements on a connection.
@@ -38,7 +38,7 @@ pub(in crate::store) trait Deliveries: Send {
         job: JobId,
         url: String,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Makes the announcement of a job that has just ended due.
+    /// Makes the announcement of a job due that has just ended.
     fn schedule_delivery(
         &mut self,
         job: JobId,
@@ -177,7 +177,7 @@ impl<B: Backend> DeliveryStore for SqlStore<B> {
         for (delivery, end) in ends {
             Deliveries::end_delivery(&mut *transaction, delivery, end, now).await?;
         }
-        // What was postponed and forgotten is due again when its lease ends.
+        // An announcement whose postponement is lost is due again when its lease expires.
         let was_postponed =
             ends.iter().all(|(_, end)| matches!(end, DeliveryEnd::Postponed { .. }));
         self.commit(transaction, if was_postponed { Written } else { Synced }, &[]).await

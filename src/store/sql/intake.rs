@@ -1,4 +1,4 @@
-//! Statements that take jobs in, stop them and remove them.
+//! Statements that submit, cancel and remove jobs.
 
 use std::collections::BTreeMap;
 
@@ -22,8 +22,8 @@ const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = 
 const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, reserved_bytes, account, traceparent)
      VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9)";
 const ACCOUNT: &str = "INSERT INTO accounts (id) VALUES ($1) ON CONFLICT DO NOTHING";
-/// Jobs that wait, those of one submitter among them, bytes that his results take or will take,
-/// and whether he has an account.
+/// Selects the number of queued jobs, the number of queued jobs of one submitter, the bytes that
+/// the submitter's results take or will take, and whether the submitter has an account.
 const PLACES: &str = "SELECT (SELECT count(*) FROM jobs WHERE state = 'queued'),
          CASE WHEN $2 THEN (SELECT count(*) FROM jobs WHERE state = 'queued' AND account = $1) ELSE 0 END,
          CASE WHEN $3 THEN (SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
@@ -42,8 +42,8 @@ const SWEEP_OLD: &str =
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
      ORDER BY finished_at LIMIT $3)";
 
-/// The oldest results of the key whose results take the most, until all take no more than is kept:
-/// nobody makes room for another key.
+/// Selects the oldest results of the key whose results take the most bytes, until all results
+/// together fit the limit: a key with few results loses none.
 const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
          SELECT id, finished_at, sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
          FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
@@ -52,19 +52,19 @@ const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
      WHERE older < (SELECT sum(stored_bytes) FROM jobs WHERE finished_at IS NOT NULL) - $1
      ORDER BY finished_at LIMIT $2)";
 
-/// Jobs that others may be taking in at the same time, of which nothing is seen: a batch on each
-/// connection of several servers. A queue that has room for no more than these counts them one
-/// transaction after the other.
+/// Jobs that concurrent, uncommitted transactions may be inserting: a batch on each connection of
+/// several servers. Where the queue has less room than this, submissions are serialized so that
+/// each counts the others' jobs.
 const ON_THEIR_WAY: usize = 4000;
 
-/// A place within a transaction.
+/// Commands about a savepoint of a transaction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::store) enum Savepoint {
-    /// Remember it.
+    /// Set the savepoint.
     Set,
-    /// Keep what was done since.
+    /// Keep the changes since the savepoint.
     Release,
-    /// Undo what was done since.
+    /// Undo the changes since the savepoint.
     RollBack,
 }
 
@@ -78,7 +78,7 @@ impl Savepoint {
     }
 }
 
-/// Changes from outside.
+/// Changes that clients ask for.
 pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
     fn enqueue(
         &mut self,
@@ -86,13 +86,13 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
         limits: StoreLimits,
         now: i64,
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
-    /// Marks a place in a transaction, or returns to the one marked last.
+    /// Sets, releases or rolls back to the savepoint.
     fn savepoint(
         &mut self,
         step: Savepoint,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Checks that there is room for a job, also by the limits of its key; whether its submitter
-    /// has an account.
+    /// Checks a job against the length of the queue and the limits of its key; returns whether its
+    /// submitter has an account.
     fn check_places(
         &mut self,
         owner: Uuid,
@@ -105,7 +105,8 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
         job: JobId,
         tags: BTreeMap<String, String>,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// The job that came with this name before, if there is one; else the name is taken for `job`.
+    /// Returns the job that was submitted with this idempotency key before; without one, records
+    /// the key for `job`.
     fn replay(
         &mut self,
         job: JobId,
@@ -117,7 +118,7 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
         id: JobId,
         now: i64,
     ) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
-    /// Writes one row, which shows that writing works.
+    /// Writes one row to show that the database accepts writes.
     fn record_health(&mut self, now: i64) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn delete(&mut self, id: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn sweep(
@@ -127,7 +128,7 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
     ) -> impl Future<Output = Result<usize, StoreError>> + Send;
 }
 
-/// The latest time of finishing that is old enough.
+/// Returns the time before which a job must have finished to be removed.
 fn cutoff(now: i64, keep: std::time::Duration) -> i64 {
     now.saturating_sub(i64::try_from(keep.as_micros()).unwrap_or(i64::MAX))
 }
@@ -142,7 +143,8 @@ macro_rules! intake {
                 now: i64,
             ) -> Result<Enqueued, StoreError> {
                 let submitter = job.submitter.map(|key| key.uuid());
-                // Before a name is taken: who waits for a name never holds up its owner.
+                // The lock comes before the idempotency key is recorded, so that a transaction
+                // that waits for the key never blocks its owner.
                 let limits_of_key = match job.submitter {
                     Some(key) => self.lock_key(key, now).await?.or(limits.by_key),
                     None => {
@@ -203,7 +205,7 @@ macro_rules! intake {
                 let mut found = places().fetch_one(&mut *self).await?;
                 let is_nearly_full = count::<_, usize>(found.0)?.saturating_add(ON_THEIR_WAY)
                     >= limits.queue_capacity;
-                // Whoever has no key has this lock.
+                // A submission without a key already holds this lock.
                 if is_nearly_full && job.submitter.is_some() {
                     self.lock_intake().await?;
                     found = places().fetch_one(&mut *self).await?;
@@ -266,7 +268,7 @@ macro_rules! intake {
                     .bind(name.key.clone())
                     .fetch_optional(&mut *self)
                     .await?;
-                // Removed in this very moment: the client may ask again.
+                // Another transaction is removing the job: the client may retry.
                 let gone =
                     || StoreError::unavailable("the job of this idempotency key is being removed");
                 let (digest, first) = known.ok_or_else(gone)?;
@@ -304,7 +306,7 @@ macro_rules! intake {
                     state @ (JobState::Queued | JobState::Running) => {
                         Err(StoreError::Unfinished(state))
                     }
-                    // Finished between the two statements: the client may ask again.
+                    // The job finished between the two statements: the client may retry.
                     _ => Err(StoreError::Unfinished(JobState::Running)),
                 }
             }

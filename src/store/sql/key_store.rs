@@ -1,4 +1,4 @@
-//! The keys of a database.
+//! [`KeyStore`] in a database.
 
 use std::time::Duration;
 

@@ -17,7 +17,7 @@ const ROTATE: &str =
 const LIMIT: &str = "UPDATE api_keys SET expires_at = $2, max_queued = $3, max_running = $4, max_stored = $5, max_priority = $6
      WHERE id = $1 AND revoked_at IS NULL";
 
-/// The columns of [`KeyRow`] of the table of keys.
+/// Selects the columns of [`KeyRow`] from the table of keys.
 macro_rules! select_keys {
     ($rest:literal) => {
         concat!(
@@ -29,7 +29,7 @@ macro_rules! select_keys {
     };
 }
 
-/// Most jobs waiting, most running, most bytes, highest priority.
+/// Limits of a key: queued jobs, running jobs, bytes of results, priority.
 type LimitsRow = (Option<i64>, Option<i64>, Option<i64>, Option<i32>);
 
 /// A key as selected by [`select_keys`].
@@ -95,23 +95,24 @@ fn limits_row(limits: KeyLimits) -> LimitsRow {
     )
 }
 
-/// Keys to a connection.
+/// Statements about keys on a connection.
 pub(in crate::store) trait Keys: Send {
     fn add_key(&mut self, key: ApiKey) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn keys(
         &mut self,
         id: Option<KeyId>,
     ) -> impl Future<Output = Result<Vec<ApiKey>, StoreError>> + Send;
-    /// What a submitter may take by the row of his key. Until the end of the transaction nobody
-    /// else submits under this key, so that jobs are counted and names are taken one after the
-    /// other.
+    /// Locks the row of a key and returns the key's limits. Until the transaction ends, no other
+    /// submission under this key proceeds: jobs are counted, and idempotency keys recorded, one
+    /// after the other.
     fn lock_key(
         &mut self,
         key: KeyId,
         now: i64,
     ) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
-    /// The same without a key, and of all jobs that wait. The row of a key is locked before, never
-    /// after; whoever has no key takes this lock before all else.
+    /// Serializes all submissions, also those without a key. A transaction that locks the row of a
+    /// key locks it before this lock, never after; a transaction without a key takes this lock
+    /// first.
     fn lock_intake(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn rotate_key(
         &mut self,
@@ -227,9 +228,9 @@ macro_rules! limits_of_key {
     };
 }
 
-/// A lock of no row; its number is that of nothing else.
+/// An advisory lock; no other lock has this number.
 const LOCK_INTAKE: &str = "SELECT pg_advisory_xact_lock(4242001)";
 
-// Who writes to SQLite is alone.
+// SQLite has one writer, which needs no lock.
 keys!(Sqlite, SqliteConnection, limits_of_key!(""), None::<&str>);
 keys!(Postgres, PgConnection, limits_of_key!(" FOR UPDATE"), Some(LOCK_INTAKE));

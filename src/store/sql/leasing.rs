@@ -1,4 +1,5 @@
-//! Statements of those who hold a lease. Each is fenced on owner and attempt.
+//! Statements of a worker that holds a lease. Each names owner and attempt in its condition, so
+//! that a lost lease changes nothing.
 
 use std::time::Duration;
 
@@ -15,8 +16,8 @@ use crate::jobs::{
 const PROGRESS: &str = "UPDATE jobs SET iterations = iterations + $4, latest = $5
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations";
 const APPEND: &str = "INSERT INTO iterations (job, first, last, records) VALUES ($1, $2, $3, $4)";
-/// The steps of an attempt that has no report are removed, and those that an attempt had before it
-/// began anew: whether there are any is told.
+/// Ends a job; without a report, its steps no longer count. Returns the iterations, and whether
+/// steps of a history that began again are left to delete.
 const FINISH: &str = "UPDATE jobs SET state = $4, finished_at = $5, has_report = $6, failure = $7,
          iterations = iterations + $8, latest = coalesce($9, latest),
          steps = CASE WHEN $6 THEN coalesce($10, steps) ELSE 0 END,
@@ -35,7 +36,7 @@ const STEPS: &str = "UPDATE jobs SET steps = coalesce($4, steps),
          stored_bytes = CASE WHEN $6 THEN $5 WHEN $4 <= steps THEN stored_bytes ELSE stored_bytes + $5 END
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
      RETURNING $6 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
-/// A write whose answer was lost is made again.
+/// A repeated write, after its acknowledgement was lost, changes nothing.
 const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)
      ON CONFLICT (job, step) DO UPDATE SET body = excluded.body";
 const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($1, $2, $3, $4)
@@ -60,7 +61,7 @@ pub(in crate::store) trait Leasing: Send {
         lease: &Lease,
         steps: &[StepResult],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Ends a job; `records` and `steps` are those that have not been written yet.
+    /// Ends a job; `records` and `steps` are the ones not written yet.
     fn finish(
         &mut self,
         lease: &Lease,
@@ -69,14 +70,14 @@ pub(in crate::store) trait Leasing: Send {
         outcome: &Outcome,
         now: i64,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Adds iterations, the last of which is number `last` of the attempt.
+    /// Appends iterations; `last` is the number of the last one within the attempt.
     fn append_records(
         &mut self,
         job: JobId,
         last: i32,
         records: &[IterationRecord],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Adds results of steps, which take the place of all others if these are outdated.
+    /// Adds results of steps; removes all earlier steps first if they are outdated.
     fn append_steps(
         &mut self,
         job: JobId,
@@ -84,7 +85,8 @@ pub(in crate::store) trait Leasing: Send {
         outdated: bool,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn forget_steps(&mut self, job: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Gives a job back; `Some(true)` if it was cancelled instead, `None` if the lease was lost.
+    /// Returns a job to the queue. The result is `Some(true)` if the job was cancelled instead,
+    /// `None` if the lease was lost.
     fn release(
         &mut self,
         lease: &Lease,
@@ -96,8 +98,8 @@ fn number_of<T>(items: &[T]) -> i32 {
     i32::try_from(items.len()).unwrap_or(i32::MAX)
 }
 
-/// How many steps there are with these, `None` without any; their bytes; whether they take the
-/// place of all others.
+/// Returns the number of steps of the job with these (`None` without any), the bytes of these, and
+/// whether they replace all earlier ones.
 fn sum_up(steps: &[StepResult]) -> (Option<i32>, i64, bool) {
     let bytes =
         i64::try_from(steps.iter().map(StepResult::bytes).sum::<usize>()).unwrap_or(i64::MAX);
@@ -301,5 +303,5 @@ macro_rules! leasing {
 }
 
 leasing!(Sqlite, SqliteConnection, "");
-// A row that its worker is just writing is passed over until the next time.
+// SKIP LOCKED passes over a row that its worker is writing; the next heartbeat renews it.
 leasing!(Postgres, PgConnection, " FOR UPDATE SKIP LOCKED");

@@ -1,7 +1,7 @@
 //! Jobs in a database: [`SqlStore`] is the [`JobStore`] of every [`Backend`].
 //!
-//! Every change is one transaction: what it writes can be read when it is announced, here and,
-//! through the backend, to other processes.
+//! Every change is one transaction. The change is announced after the commit: in this process, and
+//! through the backend to other processes.
 
 mod backend;
 mod claiming;
@@ -44,11 +44,11 @@ use reading::Reading;
 /// disk.
 const DISK_FULL: [&str; 2] = ["13", "53100"];
 
-/// SQLite's codes for a file that is damaged or none of its own, and PostgreSQL's for damaged data
-/// and indices.
+/// SQLite's codes for a damaged file and for a file that is no database; PostgreSQL's codes for
+/// damaged data and indices.
 const DAMAGED: [&str; 7] = ["11", "26", "267", "523", "779", "XX001", "XX002"];
 
-/// SQLite's code for a write that the system refused, which includes the process's limit on the
+/// SQLite's code for a write that the operating system refused, also at the process's limit on the
 /// size of a file.
 const WRITE_REFUSED: &str = "778";
 
@@ -63,7 +63,7 @@ impl From<sqlx::Error> for StoreError {
     }
 }
 
-/// Jobs that are checked for damage at a time.
+/// Jobs that one query of the damage check reads.
 const CHECKED: i64 = 500;
 
 /// A [`JobStore`] in a database.
@@ -74,7 +74,7 @@ pub(super) struct SqlStore<B> {
 }
 
 impl<B: Backend> SqlStore<B> {
-    /// Reads everything of a job.
+    /// Reads all rows of a job.
     async fn check_job(&self, id: JobId) -> Result<(), StoreError> {
         self.get(id).await?;
         self.request(id).await?;
@@ -96,8 +96,8 @@ impl<B: Backend> SqlStore<B> {
         Ok(())
     }
 
-    /// Commits a transaction and announces what it changed. Jobs that have ended are announced to
-    /// their receivers from here on: every end passes here.
+    /// Commits a transaction and announces its changes. Every job that ends passes here; its
+    /// webhook delivery becomes due in the same transaction.
     async fn commit(
         &self,
         mut transaction: B::Write,
@@ -128,7 +128,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
         let durability = if job.interactive { Written } else { Synced };
         let (mut transaction, now) = self.backend.write().await?;
         let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
-        // Many that are handed in one after the other share a sync.
+        // Submissions that arrive together share one sync.
         drop(turn);
         self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
@@ -317,7 +317,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
                 match self.check_job(id).await {
                     Ok(()) => {}
                     Err(StoreError::NotFound) => match self.get(id).await {
-                        // Removed meanwhile.
+                        // The job was removed meanwhile.
                         Err(StoreError::NotFound) => {}
                         _ => found.push(format!("job {id}: a part of it is missing")),
                     },

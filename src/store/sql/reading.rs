@@ -1,4 +1,4 @@
-//! Statements that change nothing.
+//! Statements that only read.
 
 use bytes::Bytes;
 use sqlx::types::Uuid;
@@ -19,7 +19,7 @@ const FIND: &str = concat!(
      FROM jobs j WHERE j.id = $1"
 );
 
-/// Jobs without their places, which would cost a look at the whole queue for each.
+/// Jobs without their places in the queue: each place would cost a scan of the queue.
 const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE TRUE");
 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
@@ -40,7 +40,8 @@ const WITHOUT_ACCOUNT: &str = "SELECT id FROM jobs WHERE state = 'queued'
      AND NOT EXISTS (SELECT 1 FROM accounts a WHERE a.id = jobs.account) ORDER BY id";
 const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
 
-/// The job of a row. One damaged row does not hide the others of a list.
+/// Converts a row to a job; `None` and a line in the log where the row is damaged, so that a list
+/// still shows its other rows.
 fn readable(row: JobRow) -> Option<JobRecord> {
     let id = JobId::from(row.0);
     let record = job_record(row);
@@ -52,10 +53,10 @@ fn readable(row: JobRow) -> Option<JobRecord> {
 
 type ResultRow = (Option<Vec<u8>>, i32, i32, bool);
 
-/// The number of the first of some iterations, from 0, and the iterations.
+/// A row of iterations: the number of the first, counted from 0, and the compressed records.
 pub(super) type PackedRecords = (i32, Vec<u8>);
 
-/// Questions to a connection.
+/// Queries on a connection.
 pub(in crate::store) trait Reading: Send {
     fn find(&mut self, id: JobId) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
     fn history(
@@ -83,19 +84,19 @@ pub(in crate::store) trait Reading: Send {
         &mut self,
         filter: &JobFilter,
     ) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
-    /// Names of jobs in order, those after `id`.
+    /// Returns the ids of the jobs after `id`, in order.
     fn ids_after(
         &mut self,
         id: JobId,
         limit: i64,
     ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
-    /// What is wrong with tables that concern all jobs; one line for each damage.
+    /// Checks the tables that concern all jobs; returns one line for each fault.
     fn check_tables(&mut self) -> impl Future<Output = Result<Vec<String>, StoreError>> + Send;
     fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
 }
 
-// The statements are the same for every database, the types that carry them are not: generic code
-// would need a page of bounds for each of these functions.
+// Both databases run the same statements, with different types of sqlx: a generic function would
+// need a page of trait bounds, a macro needs none.
 macro_rules! reading {
     ($database:ty, $connection:ty) => {
         impl Reading for $connection {
