@@ -1,4 +1,4 @@
-//! A job whose client waits for its answer: it is cancelled when the client goes.
+//! A job whose client waits for the result: it is cancelled when the client hangs up.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use tokio::runtime::Handle;
 
 use super::{JobId, JobService, KeyId};
 
-/// Cancels its job when it is dropped, which is what happens when the client hangs up.
+/// Cancels its job when it is dropped, as it is when the client hangs up.
 pub struct AttendedJob {
     jobs: Arc<JobService>,
     job: Option<JobId>,
@@ -14,12 +14,12 @@ pub struct AttendedJob {
 }
 
 impl AttendedJob {
-    /// A job that is cancelled in the name of a key; `None` is a job that goes on by itself.
+    /// Guards a job, to be cancelled in the name of `key`; without a job, dropping does nothing.
     pub(super) fn new(jobs: Arc<JobService>, job: Option<JobId>, key: Option<KeyId>) -> Self {
         Self { jobs, job, key }
     }
 
-    /// The client has its answer.
+    /// Disarms the guard: the client has its answer.
     pub fn release(mut self) {
         self.job = None;
     }

@@ -1,4 +1,4 @@
-//! What theory answers without a mesh.
+//! Closed-form contact (Hertz), without a mesh.
 
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -43,7 +43,7 @@ pub struct ClosedFormStep {
 }
 
 impl ClosedForm {
-    /// The closed form for a job.
+    /// Evaluates the closed form for a job.
     ///
     /// # Errors
     /// The fields to which Hertz's theory does not apply.
@@ -80,7 +80,7 @@ impl ClosedForm {
         })
     }
 
-    /// Of half-spaces in three dimensions.
+    /// Evaluates Hertz's contact of half-spaces in three dimensions.
     fn of_ellipse(units: Units, reference: &EllipticReference, forces: &Sweep) -> Self {
         let step = |force: f64| {
             let hertz = reference.under(force);

@@ -1,8 +1,8 @@
-//! Compressed texts that can be put together to one gzip stream without being compressed again.
+//! Compressed texts that can be joined into one gzip stream without compressing again.
 //!
-//! Each is a run of deflate blocks (RFC 1951) that ends at a byte boundary and refers to nothing
-//! before it, with the checksum and the length that the end of a gzip stream (RFC 1952) is made
-//! of.
+//! Each text is a run of deflate blocks (RFC 1951) that ends at a byte boundary and refers to no
+//! earlier text. Its checksum and length are stored beside it, because a gzip stream (RFC 1952)
+//! ends with the checksum and length of the whole.
 //!
 //! ```text
 //! offset   bytes   content
@@ -32,10 +32,10 @@ const GZIP_HEAD: [u8; 10] = [0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 255];
 /// Longest text \[bytes\] of one block that is stored as it is.
 const MAX_STORED: usize = 0xffff;
 
-/// Most bytes anything is unpacked to, should a row be damaged.
+/// Largest size \[bytes\] of an unpacked text; a damaged row could claim any.
 const UNPACKED_LIMIT: u64 = 1 << 30;
 
-/// The bytes are not a compressed text.
+/// An error for bytes that are not a compressed text.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("not a compressed text: {0}")]
 pub struct DeflateError(&'static str);
@@ -50,8 +50,8 @@ impl Deflated {
     /// # Errors
     /// [`DeflateError`] if the compressor fails, which it does not.
     pub fn compress(text: &[u8]) -> Result<Self, DeflateError> {
-        // In one call: a compressor that ran out of room in a flush does not end it without more
-        // text.
+        // One call compresses everything: a compressor that runs out of room during a flush needs
+        // more text to end the flush.
         let mut packed = Vec::with_capacity(HEAD + longest(text.len()));
         head_of(text, &mut packed);
         let mut compress = Compress::new(Compression::fast(), false);
@@ -66,7 +66,7 @@ impl Deflated {
         Ok(Self(packed.into()))
     }
 
-    /// A short text as it is, for what stands between two compressed ones.
+    /// Stores a short text without compression, for the JSON between two compressed texts.
     pub fn stored(text: &'static [u8]) -> Self {
         let text = &text[..text.len().min(MAX_STORED)];
         let mut packed = Vec::with_capacity(HEAD + 5 + text.len());
@@ -80,27 +80,27 @@ impl Deflated {
         Self(packed.into())
     }
 
-    /// Reads what [`Deflated::into_bytes`] gave; `None` if the bytes have another form.
+    /// Parses the bytes of [`Deflated::into_bytes`]; `None` if they have another form.
     pub fn from_bytes(bytes: Bytes) -> Option<Self> {
         (bytes.len() >= HEAD && bytes[0] == VERSION).then_some(Self(bytes))
     }
 
-    /// The bytes to keep.
+    /// Returns the bytes to store.
     pub fn into_bytes(self) -> Bytes {
         self.0
     }
 
-    /// Bytes to keep.
+    /// Returns the number of bytes to store.
     pub fn packed_len(&self) -> usize {
         self.0.len()
     }
 
-    /// Checksum of the text.
+    /// Returns the CRC-32 of the text.
     fn crc(&self) -> u32 {
         self.0[1..5].try_into().map_or(0, u32::from_le_bytes)
     }
 
-    /// Length of the text \[bytes\].
+    /// Returns the length of the text \[bytes\].
     fn text_len(&self) -> u64 {
         self.0[5..HEAD].try_into().map_or(0, u64::from_le_bytes)
     }
@@ -119,7 +119,7 @@ impl Deflated {
         decompress
             .decompress_vec(&self.0[HEAD..], &mut text, FlushDecompress::None)
             .map_err(damaged)?;
-        // One byte of room shows whether there is more than there should be.
+        // One spare byte shows whether the text is longer than its header says.
         text.reserve(1);
         let end = decompress
             .decompress_vec(&LAST_BLOCK, &mut text, FlushDecompress::Finish)
@@ -135,8 +135,8 @@ impl Deflated {
     }
 }
 
-/// Bytes to which a text of this length is compressed at most: codes have nine bits where the text
-/// has eight.
+/// Returns the largest compressed size of a text of this length: a fixed code takes up to nine
+/// bits for eight.
 const fn longest(length: usize) -> usize {
     length + length / 8 + 1024
 }
@@ -147,7 +147,7 @@ fn head_of(text: &[u8], packed: &mut Vec<u8>) {
     packed.extend((text.len() as u64).to_le_bytes());
 }
 
-/// Puts compressed texts together to one gzip stream.
+/// Joins compressed texts into one gzip stream.
 #[derive(Debug, Default)]
 pub struct GzipStream {
     checksum: Hasher,
@@ -155,19 +155,19 @@ pub struct GzipStream {
 }
 
 impl GzipStream {
-    /// The beginning of the stream.
+    /// Starts a stream and returns its first bytes.
     pub fn begin() -> (Self, Bytes) {
         (Self::default(), Bytes::from_static(&GZIP_HEAD))
     }
 
-    /// The next text.
+    /// Appends a text and returns its bytes of the stream.
     pub fn append(&mut self, text: &Deflated) -> Bytes {
         self.checksum.combine(&Hasher::new_with_initial_len(text.crc(), text.text_len()));
         self.length += text.text_len();
         text.0.slice(HEAD..)
     }
 
-    /// The end of the stream.
+    /// Ends the stream and returns its last bytes.
     pub fn end(self) -> Bytes {
         #[expect(
             clippy::cast_possible_truncation,
@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(Deflated::stored(b",").text().unwrap(), ",");
     }
 
-    /// Where a compressor has no more room is not the same for texts of different lengths.
+    /// Texts of many lengths exhaust the compressor's room at different places.
     #[test]
     fn texts_of_any_length_are_read_back() {
         let figures = texts().pop().unwrap();

@@ -1,16 +1,16 @@
-//! JSON in which every number is a number.
+//! JSON whose numbers are all finite.
 //!
-//! `serde_json` writes NaN and infinities as `null`. A report must not leave like that: it is read
-//! back, and has to be what was written.
+//! `serde_json` writes NaN and infinities as `null`. The encoder therefore reads the JSON back and
+//! compares it with the value.
 
 use bytes::Bytes;
 use serde::{Serialize, de::DeserializeOwned};
 use thiserror::Error;
 
-/// Why a value was not written.
+/// An error of the encoder.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum EncodeError {
-    /// It does not read back as it was written, as where a number is NaN or infinite.
+    /// The JSON reads back as another value, as where a number is NaN or infinite.
     #[error("it does not read back as it was written: {0}")]
     Altered(String),
     /// The JSON cannot be compressed.

@@ -1,5 +1,5 @@
-//! Stored results in the forms that other programs read. Tables and files of fields are written
-//! piece by piece, as whoever takes them reads; pictures are small.
+//! Export of stored results in formats of other programs. Tables and field files are written piece
+//! by piece at the speed of the client; pictures are small and written at once.
 
 use std::iter::once;
 use std::ops::Range;
@@ -16,12 +16,12 @@ use brinell_solver::report::export::{
 };
 use brinell_solver::report::{Report, StepReport};
 
-/// Least size \[bytes\] of what is sent at a time, but for the last.
+/// Smallest size \[bytes\] of a chunk, except the last.
 const PIECE: usize = 64 << 10;
-/// Arrays of fields that are read side by side, at most.
+/// Most arrays of fields that are read at once.
 const ARRAYS: usize = 6;
 
-/// Why a result does not have a form.
+/// An error of an export.
 #[derive(Debug, Error)]
 pub enum ExportFailure {
     /// The store has no such job, does not answer, or is damaged.
@@ -30,12 +30,12 @@ pub enum ExportFailure {
     /// The job has no result, or none yet.
     #[error("the job has no result")]
     NoResult,
-    /// The result has no such form.
+    /// The result cannot be written in this format.
     #[error(transparent)]
     Export(#[from] ExportError),
 }
 
-/// A result in another form, as it is sent.
+/// A result in an export format, as it is sent.
 pub struct Exported {
     jobs: Arc<JobService>,
     id: JobId,
@@ -58,8 +58,8 @@ fn read_step(text: &[u8]) -> Result<StepReport, StoreError> {
 }
 
 impl JobService {
-    /// The report of a job in another form; `step`, counted from 0, is the last one unless it is
-    /// given. A table has all steps unless one is given.
+    /// Exports the report of a job. `step` is counted from 0; without it, a table has all steps
+    /// and any other format the last step.
     ///
     /// # Errors
     /// [`ExportFailure`].
@@ -82,7 +82,7 @@ impl JobService {
         let (job, mut report) = self.decoders.run(key, read).await?;
         let exported = |form| Exported { jobs: Arc::clone(self), id, key, form };
         let Some(last) = steps.checked_sub(1) else {
-            // Of the first version, with its steps in it.
+            // A report of version 1 contains its steps.
             let written = self.decoders.run(key, move || form.write(&job, &report, step)).await?;
             return Ok(exported(Form::Pieces(Box::new(once(written)))));
         };
@@ -120,7 +120,7 @@ impl JobService {
 }
 
 impl Exported {
-    /// Sends everything; a client that has gone is no error.
+    /// Sends the whole export; a client that hung up is no error.
     ///
     /// # Errors
     /// [`StoreError`].
@@ -154,7 +154,7 @@ impl Exported {
     }
 }
 
-/// Gathers what is small.
+/// Gathers small pieces into chunks.
 struct Out {
     text: String,
     sender: Sender<Bytes>,

@@ -7,7 +7,7 @@ use super::JobState;
 use brinell_solver::job::FieldError;
 use brinell_solver::solver::{Interrupt, SolveStatus};
 
-/// Whose fault a failure is.
+/// The cause of a failure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FailureKind {
@@ -24,7 +24,7 @@ pub enum FailureKind {
 pub struct JobFailure {
     /// Whose fault it is.
     pub kind: FailureKind,
-    /// For a person.
+    /// A sentence for a person.
     pub detail: String,
     /// Fields at fault, if the input is.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -41,40 +41,40 @@ impl JobFailure {
         Self { kind: FailureKind::Input, detail, errors }
     }
 
-    /// The solver's own words.
+    /// Converts an error of the solver.
     pub fn solver(detail: impl Into<String>) -> Self {
         Self { kind: FailureKind::Solver, detail: detail.into(), errors: Vec::new() }
     }
 
-    /// The job took its workers with it, or had bad luck that often.
+    /// Returns the failure of a job whose worker was lost `times` times, by its own fault or not.
     pub fn lost(times: u32) -> Self {
         Self::internal(format!("the worker was lost {times} times while solving this job"))
     }
 
-    /// A fault of the program, told without its innards.
+    /// Returns the failure for a fault of the program, without internal details.
     pub fn internal(detail: impl Into<String>) -> Self {
         Self { kind: FailureKind::Internal, detail: detail.into(), errors: Vec::new() }
     }
 }
 
-/// What a worker brings back.
+/// The outcome of an attempt.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// A report, complete or as far as it came.
+    /// A report, complete or of the finished steps.
     Reported {
         /// How the solve ended.
         status: SolveStatus,
         /// The report without the steps, which are recorded as they are finished (JSON).
         report: Bytes,
     },
-    /// Stopped before there was anything to report.
+    /// The solve was stopped before its first report.
     Interrupted(Interrupt),
     /// No report.
     Failed(JobFailure),
 }
 
 impl Outcome {
-    /// The state of a job that ended like this.
+    /// Returns the state of a job with this outcome.
     pub fn state(&self) -> JobState {
         match self {
             Self::Reported { status, .. } => (*status).into(),

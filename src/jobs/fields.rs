@@ -1,5 +1,5 @@
-//! Fields of a step as they are read: part by part, so that whoever passes them on slowly holds
-//! one part of them and no place that others wait for.
+//! Reading of the fields of a step part by part: a slow client occupies the memory of one part,
+//! and no connection to the database.
 
 use std::ops::{Deref, Range};
 
@@ -19,7 +19,7 @@ pub struct FieldsReader<S> {
 }
 
 impl<S: Deref<Target: JobStore>> FieldsReader<S> {
-    /// The fields of a step, counted from 0; `None` of a job that did not ask for them.
+    /// Opens the fields of a step (counted from 0); `None` if the job did not ask for fields.
     ///
     /// # Errors
     /// [`StoreError`].
@@ -29,12 +29,12 @@ impl<S: Deref<Target: JobStore>> FieldsReader<S> {
         Ok(Some(Self { store, job, step, layout, part }))
     }
 
-    /// Where the arrays stand.
+    /// Returns the layout of the arrays.
     pub fn layout(&self) -> &FieldLayout {
         &self.layout
     }
 
-    /// The bytes in a range.
+    /// Returns the bytes in a range.
     ///
     /// # Errors
     /// [`StoreError`].
@@ -56,10 +56,10 @@ impl<S: Deref<Target: JobStore>> FieldsReader<S> {
         Ok(gathered.into())
     }
 
-    /// Reads everything and keeps nothing.
+    /// Reads all parts and discards them, to check them.
     ///
     /// # Errors
-    /// [`StoreError::Damaged`] where something is missing.
+    /// [`StoreError::Damaged`] where a part is missing.
     pub async fn check(mut self) -> Result<(), StoreError> {
         let (mut at, end) = (0, self.layout.end());
         while at < end {

@@ -1,4 +1,4 @@
-//! Names of jobs, workers and API keys.
+//! Identifiers of jobs, workers and API keys.
 
 use std::fmt;
 use std::str::FromStr;
@@ -15,7 +15,7 @@ use uuid::Uuid;
 pub struct JobId(Uuid);
 
 impl JobId {
-    /// A new name, later than every name this process gave out before.
+    /// Generates an id that sorts behind every id this process generated before.
     pub fn generate() -> Self {
         Self(Uuid::now_v7())
     }
@@ -46,8 +46,8 @@ impl FromStr for JobId {
     }
 }
 
-/// Name of a worker process, new at every start: a restarted worker never inherits the leases of
-/// the dead one.
+/// Id of a worker process, new at every start: a restarted worker never inherits the leases of its
+/// predecessor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct WorkerId(Uuid);
 

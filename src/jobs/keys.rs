@@ -1,8 +1,8 @@
-//! API keys: who may ask, and for what.
+//! API keys and their scopes.
 //!
-//! A token is `brinell_<id>_<secret>`. The secret is random and long, so a plain SHA-256 of it is
-//! all that is kept: nobody can guess what would have to be guessed. The id finds the key; the
-//! digests are compared in constant time.
+//! A token is `brinell_<id>_<secret>`. The id finds the key in the store. The secret is random and
+//! long enough that its plain SHA-256 cannot be reversed by guessing; the store keeps this digest
+//! only. Digests are compared in constant time.
 
 use std::time::Duration;
 
@@ -35,12 +35,12 @@ impl Scope {
     /// Every scope.
     pub const ALL: [Self; 4] = [Self::Read, Self::Write, Self::Monitor, Self::Admin];
 
-    /// Whether it may hand jobs in, stop and remove them.
+    /// Returns whether the key may submit, cancel and remove jobs.
     pub const fn changes(self) -> bool {
         matches!(self, Self::Write | Self::Admin)
     }
 
-    /// Whether it sees everybody's jobs.
+    /// Returns whether the key sees the jobs of all keys.
     pub const fn sees_all(self) -> bool {
         matches!(self, Self::Monitor | Self::Admin)
     }
@@ -61,7 +61,7 @@ impl Scope {
     }
 }
 
-/// What an API key may take; `None` leaves it to the settings of the service.
+/// Limits of an API key; `None` takes the limit of the service's settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct KeyLimits {
     /// Jobs waiting.
@@ -75,7 +75,7 @@ pub struct KeyLimits {
 }
 
 impl KeyLimits {
-    /// These bounds, and where there is none those of `defaults`.
+    /// Returns these limits, with `defaults` where a limit is `None`.
     #[must_use]
     pub fn or(self, defaults: Self) -> Self {
         Self {
@@ -87,16 +87,16 @@ impl KeyLimits {
     }
 }
 
-/// A secret that another has replaced.
+/// The previous secret of a key.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PreviousSecret {
     /// SHA-256 of it.
     pub digest: [u8; 32],
-    /// When it ceases to be good.
+    /// When the secret expires.
     pub until: Timestamp,
 }
 
-/// A key as it is kept.
+/// A key as it is stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ApiKey {
     /// Its name for programs.
@@ -109,18 +109,18 @@ pub struct ApiKey {
     pub digest: [u8; 32],
     /// The secret before this one.
     pub previous: Option<PreviousSecret>,
-    /// What it may take.
+    /// Its limits.
     pub limits: KeyLimits,
     /// When it was made.
     pub created_at: Timestamp,
-    /// When it ceases to be good by itself.
+    /// When it expires.
     pub expires_at: Option<Timestamp>,
-    /// Since when it is no longer good.
+    /// When it was revoked.
     pub revoked_at: Option<Timestamp>,
 }
 
 impl ApiKey {
-    /// A new key and its token, which is never seen again.
+    /// Generates a key and its token. The token cannot be recovered later.
     pub fn generate(name: String, scope: Scope, now: Timestamp) -> (Self, String) {
         let id = KeyId::generate();
         let (digest, token) = new_secret(id);
@@ -138,7 +138,7 @@ impl ApiKey {
         (key, token)
     }
 
-    /// Whether this is its secret, and it is still good.
+    /// Returns whether `secret` is a secret of this key and the key is valid.
     pub fn accepts(&self, secret: &str, now: Timestamp) -> bool {
         let given = digest(secret);
         let is_current = bool::from(self.digest.ct_eq(&given));
@@ -149,34 +149,33 @@ impl ApiKey {
         (is_current || is_previous) && self.is_good(now)
     }
 
-    /// Whether it is neither revoked nor expired.
+    /// Returns whether the key is neither revoked nor expired.
     pub fn is_good(&self, now: Timestamp) -> bool {
         self.revoked_at.is_none() && self.expires_at.is_none_or(|end| now < end)
     }
 }
 
-/// A new secret of a key: its digest, and the token with it.
+/// Generates a new secret for a key: its digest and the token.
 pub fn new_secret(id: KeyId) -> ([u8; 32], String) {
     // Two random UUIDs are 244 random bits.
     let secret = format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple());
     (digest(&secret), format!("{PREFIX}{}_{secret}", id.uuid().simple()))
 }
 
-/// A key that one process is started with and that is kept nowhere. Its bearer is an
-/// administrator.
+/// A key that one process receives at its start and never stores. Its bearer is an administrator.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OnceKey([u8; 32]);
 
 impl OnceKey {
-    /// Fewest characters that nobody guesses: 128 bits in hexadecimal.
+    /// Fewest characters of the secret: 128 bits in hexadecimal.
     pub const MIN_LENGTH: usize = 32;
 
-    /// `None` if the secret is too short to be one.
+    /// Wraps a secret; `None` if it is shorter than the minimum.
     pub fn new(secret: &str) -> Option<Self> {
         (secret.len() >= Self::MIN_LENGTH).then(|| Self(digest(secret)))
     }
 
-    /// Whether this is its secret.
+    /// Returns whether `secret` is the secret of this key.
     pub fn accepts(&self, secret: &str) -> bool {
         bool::from(self.0.ct_eq(&digest(secret)))
     }
@@ -186,23 +185,23 @@ fn digest(secret: &str) -> [u8; 32] {
     Sha256::digest(secret.as_bytes()).into()
 }
 
-/// The id and the secret in a token; `None` if it is no token.
+/// Splits a token into id and secret; `None` if the text is no token.
 pub fn read_token(token: &str) -> Option<(KeyId, &str)> {
     let (id, secret) = token.strip_prefix(PREFIX)?.split_once('_')?;
     Some((id.parse().ok()?, secret))
 }
 
-/// Keeps API keys, beside the jobs they are for.
+/// Stores API keys.
 #[async_trait]
 pub trait KeyStore: Send + Sync + 'static {
-    /// Keeps a key.
+    /// Stores a key.
     async fn add_key(&self, key: ApiKey) -> Result<(), StoreError>;
 
-    /// All keys, the oldest first, or the one of that id.
+    /// Returns all keys, the oldest first, or the key of the given id.
     async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError>;
 
-    /// Gives a key another secret; the one so far stays good for `overlap`. `false` if there is no
-    /// such key, or it is revoked.
+    /// Gives a key a new secret; the present secret stays valid for `overlap`. Returns `false` if
+    /// the key does not exist or is revoked.
     async fn rotate_key(
         &self,
         id: KeyId,
@@ -210,8 +209,7 @@ pub trait KeyStore: Send + Sync + 'static {
         overlap: Duration,
     ) -> Result<bool, StoreError>;
 
-    /// Sets what a key may take and when it expires; `false` if there is no such key, or it is
-    /// revoked.
+    /// Sets limits and expiry of a key. Returns `false` if the key does not exist or is revoked.
     async fn limit_key(
         &self,
         id: KeyId,
@@ -219,7 +217,7 @@ pub trait KeyStore: Send + Sync + 'static {
         expires_at: Option<Timestamp>,
     ) -> Result<bool, StoreError>;
 
-    /// Makes a key no longer good; `false` if there is none, or it was revoked before.
+    /// Revokes a key. Returns `false` if the key does not exist or was revoked before.
     async fn revoke_key(&self, id: KeyId) -> Result<bool, StoreError>;
 }
 

@@ -1,4 +1,4 @@
-//! What is measured of jobs, under the names that Prometheus, dashboards and alerts know.
+//! Metrics of jobs, under the names that Prometheus, dashboards and alerts use.
 
 use std::time::Duration;
 
@@ -15,16 +15,17 @@ pub const JOBS_RUNNING: &str = "brinell_jobs_running";
 pub const QUEUE_WAIT: &str = "brinell_queue_wait_seconds";
 /// Time \[s\] of an attempt.
 pub const SOLVE_DURATION: &str = "brinell_solve_duration_seconds";
-/// Attempts by `outcome`: the final state of the job, or `released` of one that was given back.
+/// Attempts by `outcome`: the final state of the job, or `released` if it returned to the queue.
 pub const JOBS_TOTAL: &str = "brinell_jobs_total";
 /// Iterations of an attempt.
 pub const SOLVER_ITERATIONS: &str = "brinell_solver_iterations";
-/// Bodies that a job needed, by `outcome`: `hit` if it was kept from an earlier job, else `miss`.
+/// Lookups of bodies in the cache, by `outcome`: `hit` if an earlier job left the body, else
+/// `miss`.
 pub const FACTOR_CACHE_LOOKUPS: &str = "brinell_factor_cache_lookups_total";
-/// Bytes of bodies and factors kept for later jobs.
+/// Bytes of cached bodies and factors.
 pub const FACTOR_CACHE_BYTES: &str = "brinell_factor_cache_bytes";
 
-/// The queue as it is; `None` if nobody knows.
+/// Records the state of the queue; `None` if the store does not answer.
 pub fn queue(counts: Option<&Counts>) {
     let jobs = |state| {
         let of = |counts: &Counts| counts.get(&state).copied().unwrap_or(0) as f64;
@@ -34,19 +35,19 @@ pub fn queue(counts: Option<&Counts>) {
     gauge!(JOBS_RUNNING).set(jobs(JobState::Running));
 }
 
-/// A job has waited so long for its first attempt.
+/// Records how long a job waited for its first attempt.
 pub fn waited(time: Duration) {
     histogram!(QUEUE_WAIT).record(time);
 }
 
-/// An attempt has ended. A job that was given back has no final state.
+/// Records an attempt that ended. A job that returned to the queue has no final state.
 pub fn attempted(outcome: Option<JobState>, time: Duration, iterations: usize) {
     counter!(JOBS_TOTAL, "outcome" => outcome.map_or("released", JobState::name)).increment(1);
     histogram!(SOLVE_DURATION).record(time);
     histogram!(SOLVER_ITERATIONS).record(iterations as f64);
 }
 
-/// What is kept from job to job, and how often it has served.
+/// Records size, hits and misses of the cache of bodies.
 pub fn factor_cache(figures: FactorCacheStats) {
     counter!(FACTOR_CACHE_LOOKUPS, "outcome" => "hit").absolute(figures.hits);
     counter!(FACTOR_CACHE_LOOKUPS, "outcome" => "miss").absolute(figures.misses);

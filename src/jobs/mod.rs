@@ -1,5 +1,4 @@
-//! What a job is once it has been handed in: its identity, its life, where it is kept and who
-//! solves it.
+//! Jobs behind their submission: identity, states, storage and the interface to the solver.
 //!
 //! ```text
 //!             claim                    finish
@@ -10,10 +9,10 @@
 //!     └── cancel ───────────────────────────────▶ cancelled
 //! ```
 //!
-//! [`JobStore`] is the only door to storage and decides every transition; a worker owns a running
-//! job by a [`Lease`], and whatever it writes is fenced on that lease. [`JobNotifier`] notifies
-//! subscribers in this process that a job has changed; [`JobService`] is what the HTTP layer talks
-//! to.
+//! All code reaches the storage through [`JobStore`], which decides every transition. A worker
+//! owns a running job by a [`Lease`]; the store rejects writes of a worker whose lease is lost.
+//! [`JobNotifier`] notifies subscribers in this process that a job has changed. The HTTP layer
+//! calls [`JobService`].
 
 mod attended;
 mod callback;

@@ -1,9 +1,9 @@
 //! Notifies subscribers in this process that a job has changed.
 //!
-//! The store announces every change here after making it (a store shared by several machines
-//! forwards the others' changes too); those who wait then ask the store. A signal carries no data,
-//! so a slow listener costs nothing and misses nothing: it sees the latest state whenever it
-//! looks.
+//! The store announces every change here after its commit; a store shared by several machines
+//! forwards their announcements too. Subscribers then query the store. A signal carries no data,
+//! so a slow subscriber needs no buffer and misses nothing: its next query returns the latest
+//! state.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -12,14 +12,14 @@ use tokio::sync::{Notify, watch};
 
 use super::JobId;
 
-/// What has happened to a job since the first subscription to it.
+/// The changes of a job since the first subscription to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Signal {
     /// Number of changes announced.
     pub changes: u64,
-    /// Somebody asked the job to stop.
+    /// Whether a client asked the job to stop.
     pub cancel_requested: bool,
-    /// The job has reached its final state.
+    /// Whether the job has reached its final state.
     pub finished: bool,
 }
 
@@ -31,13 +31,13 @@ pub struct JobNotifier {
 }
 
 impl JobNotifier {
-    /// A notifier without subscribers.
+    /// Creates a notifier without subscribers.
     pub fn new() -> Arc<Self> {
         Arc::new(Self::default())
     }
 
-    /// Listens to one job. Subscription first, then ask the store: a change in between is not
-    /// missed.
+    /// Subscribes to one job. Subscribe first, then query the store: a change between the two is
+    /// not missed.
     pub fn subscribe(self: &Arc<Self>, id: JobId) -> Subscription {
         let receiver = self
             .lock()
@@ -47,22 +47,22 @@ impl JobNotifier {
         Subscription { id, receiver, notifier: Arc::clone(self) }
     }
 
-    /// Progress was recorded.
+    /// Announces progress of a job.
     pub fn announce_progress(&self, id: JobId) {
         self.announce(id, |_| ());
     }
 
-    /// The job was asked to stop.
+    /// Announces that a job was asked to stop.
     pub fn announce_cancel(&self, id: JobId) {
         self.announce(id, |signal| signal.cancel_requested = true);
     }
 
-    /// The job reached its final state.
+    /// Announces that a job reached its final state.
     pub fn announce_finished(&self, id: JobId) {
         self.announce(id, |signal| signal.finished = true);
     }
 
-    /// Changes may have gone unheard: everybody looks again.
+    /// Wakes all subscribers to query again, because announcements may have been lost.
     pub fn announce_gap(&self) {
         for sender in self.lock().values() {
             sender.send_modify(|signal| signal.changes += 1);
@@ -70,13 +70,13 @@ impl JobNotifier {
         self.announce_work();
     }
 
-    /// There is a job to claim.
+    /// Announces that a job can be claimed.
     pub fn announce_work(&self) {
         self.work.notify_one();
     }
 
-    /// Waits for [`JobNotifier::announce_work`]; one announced while nobody waited counts. For one
-    /// waiter a process.
+    /// Waits for [`JobNotifier::announce_work`], and returns at once if it was called since the
+    /// last wait. Each process has one waiter.
     pub async fn work(&self) {
         self.work.notified().await;
     }

@@ -1,4 +1,4 @@
-//! What is known about one job.
+//! Records of jobs.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use jiff::Timestamp;
 
 use super::{IterationRecord, JobFailure, JobId, JobState, KeyId, TraceParent};
 
-/// A job on its way into the store. It has been checked: its text parses and its cost is allowed.
+/// A checked job, ready for the store: its text parses and its cost is allowed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewJob {
     /// Its name.
@@ -18,16 +18,16 @@ pub struct NewJob {
     pub tags: BTreeMap<String, String>,
     /// Larger goes first.
     pub priority: i16,
-    /// Memory \[bytes\] it is estimated to need.
+    /// Estimated memory \[bytes\] of the solve.
     pub memory: u64,
-    /// Bytes its result is estimated to take in the store.
+    /// Estimated bytes of its result in the store.
     pub result_bytes: u64,
     /// The API key it came under.
     pub submitter: Option<KeyId>,
-    /// What makes a repeated submission recognisable.
+    /// The idempotency key of the submission.
     pub idempotency: Option<Idempotency>,
-    /// Somebody waits for the answer on an open connection. The job survives the end of the
-    /// process like any other, but is not synced to the disk before it is acknowledged
+    /// Whether a client waits for the result on an open connection. The job survives a crash of
+    /// the process like any other, but is not synced to the disk before it is acknowledged
     /// ([`JobStore::sync`](super::JobStore::sync)).
     pub interactive: bool,
     /// Where its end is announced.
@@ -37,7 +37,7 @@ pub struct NewJob {
 }
 
 impl NewJob {
-    /// A job of ordinary priority without labels, under a new name.
+    /// Makes a job with a new id, ordinary priority and no labels.
     pub fn new(request: Bytes) -> Self {
         Self {
             id: JobId::generate(),
@@ -55,22 +55,22 @@ impl NewJob {
     }
 }
 
-/// A client's name for one submission. Names of different API keys do not meet.
+/// An idempotency key: the client's name for one submission. Two API keys may use the same name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Idempotency {
     /// The client's name.
     pub key: String,
-    /// Digest of what was submitted: the same name with another digest is a mistake.
+    /// Digest of the submission: the same name with another digest is an error.
     pub digest: [u8; 32],
 }
 
-/// What is known about one job, without the bulky parts (request, history, report), which have
-/// doors of their own in [`JobStore`](super::JobStore).
+/// The record of a job without its large parts: [`JobStore`](super::JobStore) returns request,
+/// history and report by methods of their own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JobRecord {
     /// Its name.
     pub id: JobId,
-    /// Where it stands.
+    /// Its state.
     pub state: JobState,
     /// Labels.
     pub tags: BTreeMap<String, String>,
@@ -84,11 +84,11 @@ pub struct JobRecord {
     pub started_at: Option<Timestamp>,
     /// When it reached its final state.
     pub finished_at: Option<Timestamp>,
-    /// How often a worker took it up.
+    /// Number of attempts.
     pub attempts: u32,
-    /// Jobs of the same key that will be taken up before it, while it is queued.
+    /// Number of queued jobs of the same key in front of it, while it is queued.
     pub queue_position: Option<usize>,
-    /// Whether somebody asked it to stop.
+    /// Whether a client asked it to stop.
     pub cancel_requested: bool,
     /// Iterations of the latest attempt so far.
     pub iterations: usize,

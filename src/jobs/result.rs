@@ -1,4 +1,4 @@
-//! A result as it is kept: in parts, so that nobody has to hold a long sweep in memory.
+//! Stored results, in parts: no process has to hold a long sweep in memory.
 
 use bytes::Bytes;
 
@@ -11,8 +11,8 @@ const STEPS: &str = "\"steps\":[]";
 /// The result of one step.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StepResult {
-    /// Its number from 0 on. A step takes the place of one of its number, and those behind that
-    /// one are given up.
+    /// Its number, counted from 0. It replaces a stored step of the same number, and the steps
+    /// behind that one are removed.
     pub number: usize,
     /// The step's report without its fields (JSON).
     pub report: Deflated,
@@ -21,7 +21,7 @@ pub struct StepResult {
 }
 
 impl StepResult {
-    /// Takes a step's report apart.
+    /// Splits a step's report from its fields.
     ///
     /// # Errors
     /// [`EncodeError`] if a number in it is NaN or infinite.
@@ -36,44 +36,44 @@ impl StepResult {
         Ok(Self { number, report, fields: fields.map(Bytes::from) })
     }
 
-    /// Bytes it takes in the store.
+    /// Returns the bytes that it takes in the store.
     pub fn bytes(&self) -> usize {
         self.report.packed_len() + self.fields.as_ref().map_or(0, Bytes::len)
     }
 }
 
-/// Size \[bytes\] of the parts that fields are kept in; the last one is shorter.
+/// Size \[bytes\] of the stored parts of fields; the last part is shorter.
 pub const FIELDS_PART: usize = 256 << 10;
 
-/// Part of the fields of a step.
+/// A part of the fields of a step.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FieldsPart {
-    /// Where it begins in the bytes of the step.
+    /// Offset of its first byte within the fields of the step.
     pub first: usize,
-    /// What stands there.
+    /// Its bytes.
     pub bytes: Bytes,
 }
 
-/// Everything in a result but its steps.
+/// A result without its steps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ResultHead {
     /// The report with an empty list of steps (JSON); of jobs of the first version, the whole
     /// report.
     pub report: Bytes,
-    /// Steps that are kept apart.
+    /// Number of steps that are stored apart.
     pub steps: usize,
     /// Whether the steps have fields.
     pub has_fields: bool,
-    /// The attempt that it came of.
+    /// Number of the attempt that produced it.
     pub attempt: u32,
 }
 
 impl ResultHead {
-    /// The JSON before and behind the steps; `None` of a report of the first version, which has
-    /// its steps in it.
+    /// Returns the JSON before and behind the steps; `None` for a report of version 1, which
+    /// contains its steps.
     pub fn around_steps(&self) -> Option<(Bytes, Bytes)> {
-        // Before the steps stand a few words of the service's own: no text of a client can be
-        // mistaken for them.
+        // The JSON before the steps contains no text of a client that could be mistaken for the
+        // marker.
         let text = std::str::from_utf8(&self.report).ok()?;
         let begin = text.find(STEPS)? + STEPS.len() - 1;
         Some((self.report.slice(..begin), self.report.slice(begin..)))

@@ -23,34 +23,34 @@ use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
 
-/// Longest time between two looks at the store while waiting. Changes are announced, so this only
-/// matters when an announcement from another process is lost.
+/// Longest time between two queries of a waiting request. Changes are announced, so the time
+/// matters only when an announcement of another process is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
-/// Time between two looks at the key of a request that goes on.
+/// Time between two checks of the API key of a long request.
 const KEY_INTERVAL: Duration = Duration::from_secs(5);
 
 /// Jobs that are checked at the same time, each on a thread of its own. A sweep of a thousand
-/// loads takes 20 ms: others take their turns with it by the scheduler of the system, where they
-/// would wait in a row for each other's.
+/// loads takes 20 ms; the scheduler of the system shares the cores among checks that would
+/// otherwise wait for each other.
 const CHECKS: usize = 32;
 
 /// Pieces of results that are decoded at the same time.
 const DECODERS: usize = 4;
 
-/// Shortest time between two writes that show that the store is well.
+/// Shortest time between two writes of the readiness check.
 const PING_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Bounds on what is taken in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SubmissionLimits {
-    /// Largest memory \[bytes\] a job may be estimated to need.
+    /// Largest allowed estimate of a job's memory \[bytes\].
     pub job_bytes: u64,
-    /// Largest result \[bytes\] a job may be estimated to have.
+    /// Largest allowed estimate of a job's result \[bytes\].
     pub result_bytes: u64,
 }
 
-/// A job as it is handed in.
+/// A submission.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Submission {
     /// Its text.
@@ -59,23 +59,23 @@ pub struct Submission {
     pub priority: i16,
     /// The API key it comes under.
     pub submitter: Option<KeyId>,
-    /// The client's name for this submission, if it may come twice.
+    /// The idempotency key, if the client may repeat the submission.
     pub idempotency_key: Option<String>,
     /// The client waits for the answer.
     pub interactive: bool,
     /// Where its end is to be announced.
     pub callback_url: Option<String>,
-    /// The trace that it belongs to.
+    /// Its trace.
     pub trace: Option<TraceParent>,
 }
 
-/// Why a job is not taken in.
+/// An error that keeps a job from being accepted.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Rejection {
     /// Its text is not a job.
     #[error(transparent)]
     Invalid(#[from] JobError),
-    /// It would need more memory than a job may.
+    /// The job would need more memory than allowed.
     #[error(
         "the job has {} equations and needs about {} MiB; a job may need {} MiB at most",
         .estimate.equations, .estimate.bytes >> 20, .limit >> 20
@@ -86,7 +86,7 @@ pub enum Rejection {
         /// What it may \[bytes\].
         limit: u64,
     },
-    /// Its result would be larger than one may be.
+    /// The result would be larger than allowed.
     #[error(
         "the result of the job would take about {} MiB; a result may take {} MiB at most",
         .estimate.result_bytes >> 20, .limit >> 20
@@ -99,7 +99,7 @@ pub enum Rejection {
     },
 }
 
-/// Why a job was not queued.
+/// An error of a submission.
 #[derive(Debug, Error)]
 pub enum SubmitError {
     /// The job itself is at fault.
@@ -113,7 +113,7 @@ pub enum SubmitError {
     Store(#[from] StoreError),
 }
 
-/// Takes jobs in, answers questions about them, and stops them.
+/// Submits, queries and cancels jobs.
 pub struct JobService {
     pub(super) store: Arc<dyn JobStore>,
     notifier: Arc<JobNotifier>,
@@ -123,27 +123,27 @@ pub struct JobService {
     limits: SubmissionLimits,
     closed: CancellationToken,
     waits_end: CancellationToken,
-    /// Where large pieces of results are decoded and written; a key has half of it.
+    /// Threads that decode and write large pieces of results; a key may hold half of them.
     pub decoders: Threads,
-    /// Where jobs are checked and estimated, one of a key at a time.
+    /// Threads that check and estimate jobs, one job of a key at a time.
     checks: Threads,
-    /// Of submissions, cancels and removals: each takes a connection to the store, and locks the
-    /// row of its key.
+    /// Turns of submissions, cancels and removals: each takes a connection to the store and locks
+    /// the row of its key.
     submissions: Turns,
-    /// Damage was found in the file of the store.
+    /// Whether the file of the store is damaged.
     damaged: AtomicBool,
-    /// Until when the store is taken to be well.
+    /// Time until which the last readiness check holds.
     healthy_until: Mutex<Option<Instant>>,
 }
 
-/// Leaves a line about a job that was handed in.
+/// Logs a submission.
 fn log_queued(enqueued: &Enqueued, key: Option<KeyId>) {
     let Enqueued { job, replayed } = enqueued;
     tracing::info!(target: AUDIT, job = %job.id, key = key.map(display), replayed, "queued");
 }
 
-/// Carries out a change of the store, also where whoever asked for it goes meanwhile: what is
-/// committed is announced.
+/// Runs a change of the store to its end, even if the client hangs up meanwhile: every commit is
+/// announced.
 async fn to_its_end<T: Send + 'static>(
     change: impl Future<Output = Result<T, StoreError>> + Send + 'static,
 ) -> Result<T, StoreError> {
@@ -173,7 +173,7 @@ fn check(
     Ok((job, estimate))
 }
 
-/// A job that is in order, as it goes into the store.
+/// Makes the record of an accepted job for the store.
 fn new_job(
     solver: &dyn JobSolver,
     limits: SubmissionLimits,
@@ -198,7 +198,7 @@ fn new_job(
 
 #[expect(clippy::missing_errors_doc, reason = "a `StoreError` is that of the store")]
 impl JobService {
-    /// A service on `store`, whose changes `notifier` announces.
+    /// Makes a service on `store`, whose changes `notifier` announces.
     pub fn new(
         store: Arc<dyn JobStore>,
         notifier: Arc<JobNotifier>,
@@ -237,7 +237,7 @@ impl JobService {
         Ok(self.checks.run(key, move || check(solver.as_ref(), limits, &request)).await?.1)
     }
 
-    /// Waits for a turn, and no longer than the service takes jobs in.
+    /// Waits for a turn of the key while the service accepts jobs.
     async fn unless_closed<T>(&self, turn: impl Future<Output = T>) -> Result<T, SubmitError> {
         tokio::select! {
             biased;
@@ -246,18 +246,18 @@ impl JobService {
         }
     }
 
-    /// The API key of a token, if it is good.
+    /// Returns the API key of a token, if the key is valid.
     pub async fn authenticate(&self, token: &str) -> Result<Option<ApiKey>, StoreError> {
         let Some((id, secret)) = read_token(token) else { return Ok(None) };
         let keys = self.keys.keys(Some(id)).await?;
         Ok(keys.into_iter().find(|key| key.accepts(secret, SystemClock.now())))
     }
 
-    /// Returns once an API key is no longer good.
+    /// Returns once an API key is no longer valid.
     pub async fn key_ends(&self, key: KeyId) {
         loop {
             sleep(KEY_INTERVAL).await;
-            // A store that does not answer for a moment ends nobody's key.
+            // A store that fails to answer for a moment invalidates no key.
             if let Ok(keys) = self.keys.keys(Some(key)).await
                 && !keys.iter().any(|key| key.is_good(SystemClock.now()))
             {
@@ -266,7 +266,7 @@ impl JobService {
         }
     }
 
-    /// What theory answers to a job without a mesh.
+    /// Evaluates the closed form for a job.
     ///
     /// # Errors
     /// [`Rejection`] with every fault, also where the theory does not apply.
@@ -290,9 +290,9 @@ impl JobService {
         Ok(self.submit_with(submission, |_| ()).await?.0)
     }
 
-    /// Checks a job and queues it for a client that waits for its answer: the job is cancelled
-    /// when what is returned beside it, or this future, is dropped. One with an idempotency key is
-    /// not, for its client means to ask again.
+    /// Checks a job and queues it for a client that waits for its result. Dropping the returned
+    /// guard, or this future, cancels the job, unless it has an idempotency key: its client may
+    /// repeat the request.
     ///
     /// # Errors
     /// [`SubmitError`]; nothing is queued then.
@@ -308,8 +308,8 @@ impl JobService {
         self.submit_with(submission, attend).await
     }
 
-    /// As [`Self::submit`]. What `attend` makes of a job that is queued is dropped if nobody waits
-    /// for it any more.
+    /// Submits a job as [`Self::submit`] does. The value that `attend` makes of the queued job is
+    /// dropped if the caller's future was dropped.
     async fn submit_with<T: Send + 'static>(
         &self,
         submission: Submission,
@@ -330,11 +330,11 @@ impl JobService {
         Ok(to_its_end(enqueue).await?)
     }
 
-    /// Checks several jobs and queues those that are in order, all in one step; of each, in order,
-    /// what became of it.
+    /// Checks several jobs and queues the valid ones in one transaction; returns one outcome for
+    /// each job, in order.
     ///
     /// # Errors
-    /// [`SubmitError::Closed`], and what is wrong with the store; nothing is queued then.
+    /// [`SubmitError::Closed`] and errors of the store; nothing is queued then.
     pub async fn submit_all(
         &self,
         submissions: Vec<Submission>,
@@ -369,7 +369,7 @@ impl JobService {
         Ok(checked.into_iter().map(of).collect())
     }
 
-    /// The store, for questions that need nothing else.
+    /// Returns the store, for plain queries.
     pub fn store(&self) -> &dyn JobStore {
         self.store.as_ref()
     }
@@ -379,8 +379,8 @@ impl JobService {
         self.store.get(id).await
     }
 
-    /// Like [`JobService::get`], once the job has finished, `timeout` has elapsed or waits have
-    /// been ended ([`JobService::end_waits`]).
+    /// Returns the record of a job once it has finished, `timeout` has elapsed or
+    /// [`JobService::end_waits`] was called.
     pub async fn wait(&self, id: JobId, timeout: Duration) -> Result<JobRecord, StoreError> {
         let mut subscription = self.subscribe(id);
         let deadline = Instant::now() + timeout;
@@ -400,7 +400,7 @@ impl JobService {
         }
     }
 
-    /// Listens to a job.
+    /// Subscribes to a job.
     pub fn subscribe(&self, id: JobId) -> Subscription {
         self.notifier.subscribe(id)
     }
@@ -410,8 +410,8 @@ impl JobService {
         self.store.result(id).await
     }
 
-    /// The fields of a step, counted from 0, in double precision; `None` of a job that did not ask
-    /// for them.
+    /// Opens the fields of a step (counted from 0) in double precision; `None` if the job did not
+    /// ask for fields.
     pub async fn fields(
         &self,
         id: JobId,
@@ -449,8 +449,8 @@ impl JobService {
         .await
     }
 
-    /// Shows that the store can be written to. Anybody may ask, so that the store is written to
-    /// once a second at most.
+    /// Checks that the store accepts writes. Clients without a key may call this, so it writes at
+    /// most once a second.
     pub async fn ping(&self) -> Result<(), StoreError> {
         if self.damaged.load(Ordering::Relaxed) {
             return Err(StoreError::damaged("the check at the start found damage"));
@@ -464,8 +464,8 @@ impl JobService {
         Ok(())
     }
 
-    /// Looks for damage in the file of the store. Where there is some, the service is not ready
-    /// from then on.
+    /// Checks the file of the store for damage. With damage, the service is not ready from then
+    /// on.
     pub async fn check_store(&self) {
         match self.store.check(false).await {
             Ok(found) if found.is_empty() => tracing::info!("the store is sound"),
@@ -487,17 +487,17 @@ impl JobService {
         self.limits
     }
 
-    /// Takes no more jobs in. Questions are still answered.
+    /// Rejects further submissions; queries are still answered.
     pub fn close(&self) {
         self.closed.cancel();
     }
 
-    /// Closes the store. Nothing can be asked any more.
+    /// Closes the store, after which every call fails.
     pub async fn close_store(&self) {
         self.store.close().await;
     }
 
-    /// Ends all waits with the present state of their jobs.
+    /// Ends all waits; each returns the present state of its job.
     pub fn end_waits(&self) {
         self.waits_end.cancel();
     }

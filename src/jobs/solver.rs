@@ -1,4 +1,4 @@
-//! The seam between the job queue and the mechanics.
+//! The interface between the job queue and the mechanics.
 
 use std::sync::Arc;
 
@@ -7,10 +7,9 @@ use brinell_solver::job::{FieldError, Job};
 use brinell_solver::report::{self, JobEstimate, Report, RunError, StepReport};
 use brinell_solver::solver::{FactorCache, Observer, Options};
 
-/// Solves jobs. The service uses [`CoreSolver`]; tests put slow, failing and panicking ones in its
-/// place.
+/// Solves jobs. The service uses [`CoreSolver`]; tests use slow, failing and panicking solvers.
 pub trait JobSolver: Send + Sync + 'static {
-    /// What the job will cost, without solving it.
+    /// Estimates the cost of a job without solving it.
     ///
     /// # Errors
     /// Every field that makes the job impossible.
@@ -18,9 +17,9 @@ pub trait JobSolver: Send + Sync + 'static {
         report::preflight(job)
     }
 
-    /// Solves the job and hands over each step with its number as [`report::run_each`] does; the
-    /// report that is returned has no steps. Runs on a thread of its own and may take its time,
-    /// but asks `observer` between phases.
+    /// Solves the job and passes each step with its number to the caller as [`report::run_each`]
+    /// does; the returned report has no steps. The caller provides a thread; between phases, the
+    /// solve asks `observer` whether to stop.
     ///
     /// # Errors
     /// [`RunError`] when there is nothing to report. Not converging is a status of the report, not
@@ -33,14 +32,14 @@ pub trait JobSolver: Send + Sync + 'static {
     ) -> Result<Report, RunError>;
 }
 
-/// The solver of this crate.
+/// The solver of this program, [`brinell_solver`].
 #[derive(Debug, Default)]
 pub struct CoreSolver {
     cache: Option<Arc<FactorCache>>,
 }
 
 impl CoreSolver {
-    /// A solver that keeps up to so many bytes of bodies and factors from one job to the next.
+    /// Makes a solver that caches up to `bytes` of bodies and factors between jobs.
     pub fn with_cache(bytes: usize) -> Self {
         Self { cache: (bytes > 0).then(|| Arc::new(FactorCache::new(bytes))) }
     }

@@ -1,4 +1,4 @@
-//! The stations of a job's life.
+//! The states of a job.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use utoipa::ToSchema;
 
 use brinell_solver::solver::SolveStatus;
 
-/// Where a job stands. The first two are passed through, the others are final.
+/// The state of a job. The first two are transient, the others are final.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, ToSchema,
 )]
@@ -41,7 +41,7 @@ impl JobState {
         Self::TimedOut,
     ];
 
-    /// Whether nothing can happen to the job any more.
+    /// Returns whether the state is final.
     pub const fn is_finished(self) -> bool {
         !matches!(self, Self::Queued | Self::Running)
     }

@@ -18,27 +18,27 @@ pub struct TraceParent {
 }
 
 impl TraceParent {
-    /// The same trace with a span of its own, for what happens here.
+    /// Continues the trace with a new span.
     #[must_use]
     pub fn child(self) -> Self {
         let (_, random) = Uuid::new_v4().as_u64_pair();
         Self { span_id: random.max(1), ..self }
     }
 
-    /// The trace, as it is written.
+    /// Returns the trace id in hexadecimal.
     pub fn trace(&self) -> String {
         format!("{:032x}", self.trace_id)
     }
 }
 
-/// What is no trace context.
+/// An error for a header that is no trace context.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NotATrace;
 
 impl FromStr for TraceParent {
     type Err = NotATrace;
 
-    /// Reads the header. A version that is newer may have more behind the flags.
+    /// Parses the header. A newer version may have further fields behind the flags.
     fn from_str(text: &str) -> Result<Self, NotATrace> {
         let is_lower_hex =
             |part: &str| part.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
