@@ -10,10 +10,10 @@ use crate::jobs::{EncodeError, JobFailure, JobId, JobSolver, Outcome, StepResult
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::{RunError, StepReport};
 
-/// Solves a job and catches whatever goes wrong. Never panics.
+/// Solves a job and catches its errors and panics.
 ///
-/// Results of steps go into `steps` as they are finished. The channel is short: the solve waits
-/// until they are written, so that its memory does not grow with the number of steps.
+/// Each finished step goes into the channel `steps`. The channel is short: the solve waits until
+/// the supervisor has written the steps, so that memory does not grow with their number.
 pub(super) fn attempt(
     id: JobId,
     solver: &dyn JobSolver,
@@ -21,8 +21,8 @@ pub(super) fn attempt(
     observer: &mut JobObserver,
     steps: &Sender<StepResult>,
 ) -> Outcome {
-    // Everything the closure touches is thrown away after a panic, save the observer's plain
-    // fields.
+    // After a panic, all data that the closure touched are dropped except the plain fields of the
+    // observer.
     let solved = catch_unwind(AssertUnwindSafe(|| solve(solver, request, observer, steps)));
     solved.unwrap_or_else(|panic| {
         tracing::error!(job = %id, panic = panic_message(panic.as_ref()), "the solver panicked");
@@ -50,11 +50,10 @@ fn solve(
     };
     let mut unusable: Option<EncodeError> = None;
     let mut on_step = |number, report: StepReport| {
-        // A history that begins anew gives up what it has found.
+        // A history that starts again discards its earlier steps.
         unusable = unusable.take().filter(|_| number > 0);
         match StepResult::encode(number, report) {
-            // Nobody receives it where the supervisor is gone, and then nobody receives the
-            // outcome either.
+            // Without a supervisor, the step is lost, and so is the outcome of the attempt.
             Ok(step) if unusable.is_none() => drop(steps.blocking_send(step)),
             Ok(_) => {}
             Err(error) => unusable = unusable.take().or(Some(error)),

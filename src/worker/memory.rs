@@ -1,18 +1,19 @@
-//! What running solves hold by the solver's own count, against what they may hold together.
+//! Accounting of the memory of running solves, by the solver's own count, against their common
+//! limit.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brinell_solver::solver::Held;
 
-/// What all solves of a worker hold \[bytes\].
+/// Memory \[bytes\] of all solves of a worker.
 #[derive(Debug)]
 pub(super) struct WorkerMemory {
     limit: u64,
     held: AtomicU64,
 }
 
-/// What one of them holds \[bytes\].
+/// Memory \[bytes\] of one solve.
 #[derive(Debug)]
 pub(super) struct JobMemory {
     all: Arc<WorkerMemory>,
@@ -22,20 +23,20 @@ pub(super) struct JobMemory {
 }
 
 impl WorkerMemory {
-    /// For solves that may hold so much together.
+    /// Makes an account with a common limit.
     pub(super) fn new(limit: u64) -> Arc<Self> {
         Arc::new(Self { limit, held: AtomicU64::new(0) })
     }
 
-    /// For a job of an estimate.
+    /// Opens the account of a job with the given estimate.
     pub(super) fn of_job(self: &Arc<Self>, estimate: u64) -> JobMemory {
         JobMemory { all: Arc::clone(self), estimate, bodies: 0, increments: 0 }
     }
 }
 
 impl JobMemory {
-    /// Takes note of what a part holds now; what is wrong with it. A job within its estimate never
-    /// fails for what others hold.
+    /// Records the memory of one part of a solve; fails beyond the limit. A job within its
+    /// estimate never fails because of other jobs.
     pub(super) fn hold(&mut self, part: Held, bytes: u64) -> Result<(), String> {
         let held = match part {
             Held::Bodies => &mut self.bodies,

@@ -1,11 +1,11 @@
-//! From a solver thread to its supervisor.
+//! Messages of a solver thread to its supervisor.
 
 use crate::jobs::{IterationRecord, Outcome};
 
-/// What a solver thread tells its supervisor; `Done` is the last word. Iterations are bounded by
-/// the job's own limit, so the channel need not be.
+/// A message of a solver thread to its supervisor; `Done` is the last one. The job's limit of
+/// iterations bounds their number, so the channel is unbounded.
 pub(super) enum Message {
-    /// Iterations were made.
+    /// Further iterations.
     Iterations(Vec<IterationRecord>),
     /// The solve has ended, after these last iterations.
     Done(Vec<IterationRecord>, Outcome),

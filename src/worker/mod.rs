@@ -1,9 +1,9 @@
 //! Solves queued jobs on threads of their own, never on the async runtime's.
 //!
 //! [`Worker`] claims as many jobs as it has free places. Each job has a supervisor, an async task
-//! that forwards progress to the store and the wish to stop to the solver; the solver thread
-//! itself only ever talks to its observer, which owns the job's clock. A panic ends one job. One
-//! task beats the heart of all leases.
+//! that forwards progress to the store and requests to stop to the solver. The solver thread calls
+//! only its observer, which measures the job's time. A panic ends one job. One task sends the
+//! heartbeats of all leases.
 
 mod attempt;
 mod memory;
@@ -26,30 +26,28 @@ use memory::WorkerMemory;
 use running::Running;
 use slots::{Memory, Reservation, Slots};
 
-/// Time for solves to notice that they must stop, once the grace time is over.
+/// Time that solves have to stop once the grace time is over.
 pub const STOP_TIMEOUT: Duration = Duration::from_secs(2);
 
-/// How a worker goes about its work.
+/// Settings of a worker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WorkerSettings {
     /// Jobs solved at the same time.
     pub slots: usize,
-    /// Memory \[bytes\] that large ones may need together, by their estimates.
+    /// Memory \[bytes\] that large jobs may need together, by their estimates.
     pub memory: u64,
-    /// Memory \[bytes\] beside it that each place has of its own.
+    /// Memory \[bytes\] that each place has in addition.
     pub memory_of_place: u64,
     /// Longest time a job may be solved for.
     pub job_timeout: Duration,
-    /// How long a job stays with a worker that gives no sign of life. Hearts beat three times as
-    /// often.
+    /// Duration of a lease without a heartbeat. A worker sends three heartbeats in this time.
     pub lease: Duration,
-    /// Longest time between two looks into the queue; new jobs of this process are announced
-    /// anyway.
+    /// Longest time between two claims; new jobs of this process are announced and claimed at
+    /// once.
     pub poll: Duration,
-    /// How often a job is taken up before it is given up.
+    /// Number of lost workers after which a job fails.
     pub max_attempts: u32,
-    /// Whether to solve what is queued before stopping. A store that outlives the process needs no
-    /// such care.
+    /// Whether to solve all queued jobs before stopping, as a store in memory needs.
     pub empties_queue: bool,
 }
 
@@ -59,7 +57,7 @@ pub struct Worker {
     heartbeat: tokio::task::JoinHandle<()>,
 }
 
-/// What the worker's tasks share.
+/// State that the worker's tasks share.
 pub(crate) struct WorkerState {
     id: WorkerId,
     settings: WorkerSettings,
@@ -75,7 +73,7 @@ pub(crate) struct WorkerState {
 }
 
 impl Worker {
-    /// Begins to claim. Needs a Tokio runtime.
+    /// Starts claiming jobs. Needs a Tokio runtime.
     pub fn start(
         store: Arc<dyn JobStore>,
         notifier: Arc<JobNotifier>,
@@ -103,8 +101,9 @@ impl Worker {
         Self { state, heartbeat }
     }
 
-    /// Finishes what is running, and what is queued if so set, then stops. What is left after
-    /// `grace` is stopped and goes back to the queue. Returns whether everything was finished.
+    /// Finishes the running jobs, and the queued ones if the settings say so, then stops. Jobs
+    /// still running after `grace` are stopped and return to the queue. Returns whether all jobs
+    /// were finished.
     pub async fn drain(self, grace: Duration) -> bool {
         self.state.drain.cancel();
         self.state.tasks.close();
@@ -187,7 +186,7 @@ impl WorkerState {
         }
     }
 
-    /// Gives back what does not stop.
+    /// Returns the jobs to the queue whose solves do not stop.
     async fn release_all(&self) {
         let leases = self.running.leases();
         tracing::warn!(jobs = leases.len(), "solves left running at the end of the grace time");

@@ -1,4 +1,4 @@
-//! The solver's only link to the outside: it owns the job's clock, passes progress on and says
+//! The observer of a solve: it measures the job's time, forwards progress and tells the solver
 //! when to stop.
 
 use std::ops::ControlFlow;
@@ -14,12 +14,12 @@ use super::thread::{LONG, give_way};
 use crate::jobs::{IterationRecord, encode};
 use brinell_solver::solver::{Held, Interrupt, Observer};
 
-/// Shortest time between two messages about progress. Each wakes the supervisor, which costs a
-/// short job as much as some of its iterations; what a job that ends sooner has to tell comes with
-/// its outcome.
+/// Shortest time between two messages about progress. Each message wakes the supervisor, which
+/// costs as much as some iterations of a short job. A job that ends sooner sends its iterations
+/// with its outcome.
 const SEND_INTERVAL: Duration = Duration::from_millis(50);
 
-/// The wish that a solve stop, shared between its supervisor and its thread.
+/// A flag that stops a solve, shared between its supervisor and its thread.
 #[derive(Debug, Clone, Default)]
 pub(super) struct StopFlag(Arc<AtomicBool>);
 
@@ -83,12 +83,12 @@ impl JobObserver {
         }
     }
 
-    /// What the solve was stopped for, if that was its memory.
+    /// Returns the excess of memory that stopped the solve, if one did.
     pub(super) fn out_of_memory(&mut self) -> Option<String> {
         self.out_of_memory.take()
     }
 
-    /// Why the solve was stopped, if it was.
+    /// Returns why the solve was stopped, if it was.
     pub(super) fn interrupt(&self) -> Option<Interrupt> {
         self.interrupt
     }
@@ -96,8 +96,8 @@ impl JobObserver {
 
 impl Observer for JobObserver {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        // Progress is for watching: a record that JSON cannot carry is left out, and the report
-        // will say why.
+        // Progress is informative: a record that JSON cannot represent is left out, and the report
+        // will give the reason.
         if encode(record).is_ok() {
             self.pending.push(record.clone());
         }

@@ -1,4 +1,4 @@
-//! The jobs a worker has in hand, and the heartbeat that keeps them his.
+//! The running jobs of a worker, and the heartbeat that extends their leases.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -9,8 +9,8 @@ use super::WorkerState;
 use super::observer::StopFlag;
 use crate::jobs::{Lease, LeaseStatus};
 
-/// Leases in hand, each with the flag that stops its solve; without it, the solve has ended and
-/// its outcome is being written.
+/// Leases of the running jobs, each with the flag that stops its solve. Without a flag, the solve
+/// has ended and its outcome is being written.
 #[derive(Debug, Default)]
 pub(super) struct Running(Mutex<HashMap<Lease, Option<StopFlag>>>);
 
@@ -23,7 +23,7 @@ impl Running {
         self.lock().remove(lease);
     }
 
-    /// The solve has ended, but the job is still ours.
+    /// Marks a solve as ended; the worker keeps its lease.
     pub(super) fn settle(&self, lease: &Lease) {
         self.lock().insert(*lease, None);
     }
@@ -50,7 +50,8 @@ impl Running {
 }
 
 impl WorkerState {
-    /// Extends all leases again and again; stops the solves that are no longer wanted.
+    /// Extends all leases periodically and stops the solves that were cancelled or whose lease is
+    /// lost.
     pub(super) async fn beat(self: Arc<Self>) {
         loop {
             sleep(self.settings.lease / 3).await;

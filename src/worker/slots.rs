@@ -1,5 +1,6 @@
-//! Places of a worker: one more than it has solvers, so that a key, which holds as many as there
-//! are solvers, leaves one to others. Each has memory of its own; larger jobs share the rest.
+//! Places of a worker, one more than it has solvers: a key may hold as many places as there are
+//! solvers, and leaves one place to other keys. Each place has memory of its own; larger jobs
+//! share the rest.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -13,7 +14,7 @@ pub(super) struct Slots {
     places: Arc<Semaphore>,
     n_places: usize,
     memory: Memory,
-    /// What large jobs take of the memory that they share.
+    /// Shared memory \[bytes\] that large jobs have taken.
     used: Mutex<u64>,
     freed: Notify,
 }
@@ -21,9 +22,9 @@ pub(super) struct Slots {
 /// Memory \[bytes\] of a worker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Memory {
-    /// What large jobs share.
+    /// Memory \[bytes\] that large jobs share.
     pub(super) shared: u64,
-    /// What each place has of its own.
+    /// Memory \[bytes\] of each place.
     pub(super) of_place: u64,
 }
 
@@ -31,7 +32,7 @@ pub(super) struct Memory {
 #[derive(Debug)]
 pub(super) struct Reservation {
     permits: Vec<OwnedSemaphorePermit>,
-    /// These are all there are: nothing runs.
+    /// Whether these are all places: no job runs.
     pub(super) all: bool,
 }
 
@@ -55,7 +56,7 @@ impl Slots {
         }
     }
 
-    /// Waits for a free place and takes all that are free.
+    /// Waits for a free place and takes all free places.
     pub(super) async fn take(&self) -> Reservation {
         let mut permits: Vec<_> =
             Arc::clone(&self.places).acquire_owned().await.into_iter().collect();
@@ -65,7 +66,7 @@ impl Slots {
         Reservation { all: permits.len() == self.n_places, permits }
     }
 
-    /// Waits until nothing runs, and takes all places.
+    /// Waits until no job runs and takes all places.
     pub(super) async fn take_all(&self) -> Reservation {
         let mut permits = Vec::with_capacity(self.n_places);
         while permits.len() < self.n_places {
@@ -74,17 +75,17 @@ impl Slots {
         Reservation { all: true, permits }
     }
 
-    /// Memory \[bytes\] of the whole worker.
+    /// Returns the memory \[bytes\] of the whole worker.
     pub(super) fn memory(&self) -> Memory {
         self.memory
     }
 
-    /// Memory \[bytes\] that large jobs have left.
+    /// Returns the memory \[bytes\] still free for large jobs.
     pub(super) fn free_memory(&self) -> u64 {
         self.memory.shared.saturating_sub(*self.used())
     }
 
-    /// Waits until a job has given its room back.
+    /// Waits until a job releases its places and memory.
     pub(super) async fn freed(&self) {
         self.freed.notified().await;
     }
@@ -95,12 +96,13 @@ impl Slots {
 }
 
 impl Reservation {
-    /// How many places these are.
+    /// Returns the number of reserved places.
     pub(super) fn len(&self) -> usize {
         self.permits.len()
     }
 
-    /// Assigns a place; all of them if the job must be alone. `None` if there is none.
+    /// Assigns a place to a job, or all places if the job must run alone. `None` if no place is
+    /// left.
     pub(super) fn assign(&mut self, slots: &Arc<Slots>, claim: &Claim) -> Option<Slot> {
         let kept = if claim.exclusive { 0 } else { self.permits.len().checked_sub(1)? };
         let permits = self.permits.split_off(kept);

@@ -1,4 +1,4 @@
-//! The async side of one running job.
+//! The supervisor of one running job: an async task.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -23,52 +23,52 @@ use crate::telemetry;
 /// Most messages taken at once.
 const BATCH: usize = 64;
 
-/// Size \[bytes\] from which the result of a step is written at once; a smaller one waits for the
-/// next, or for the end of the job: a job of one step is written once.
+/// Size \[bytes\] above which the results of steps are written at once. Smaller results wait for
+/// further steps or for the end of the job, so that a job of one step is written once.
 const LARGE_STEP: usize = 256 << 10;
 
-/// Wait before the results of steps are written again to a store that did not take them.
+/// Pause before a failed write of results is repeated.
 const STEP_RETRY: Duration = Duration::from_secs(1);
 
-/// Time between two reports of progress. A job that ends sooner is written once, with its result.
+/// Time between two writes of progress. A job that ends sooner is written once, with its result.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 
-/// Waits between tries to write an outcome to a store that does not answer. Together they are
-/// about as long as a lease: after that the job is taken up again.
+/// Pauses between attempts to write an outcome to a store that does not answer. Together they last
+/// about as long as a lease, after which another worker may claim the job.
 const RETRIES_MS: [u64; 8] = [100, 500, 2000, 5000, 5000, 5000, 5000, 5000];
 
-/// What comes from a solver thread.
+/// The channels of a solver thread.
 struct SolveChannels {
     messages: UnboundedReceiver<Message>,
     steps: Receiver<StepResult>,
 }
 
-/// What came of a solve.
+/// The end of a solve.
 struct SolveEnd {
-    /// Results of steps that are still to be written.
+    /// Results of steps not written yet.
     steps: Vec<StepResult>,
-    /// Iterations that are still to be written.
+    /// Iterations not written yet.
     records: Vec<IterationRecord>,
-    /// How many there were in all.
+    /// Number of all iterations.
     iterations: usize,
-    /// How it ended.
+    /// Its outcome.
     outcome: Outcome,
 }
 
-/// Keeps a step until it is written, in place of those that a history has given up.
+/// Adds a step to write, and drops the steps that it replaces.
 fn keep_step(steps: &mut Vec<StepResult>, step: StepResult) {
     steps.retain(|kept| kept.number < step.number);
     steps.push(step);
 }
 
-/// How long a job waited for its first attempt; `None` of a later one.
+/// Returns how long a job waited for its first attempt; `None` for a later attempt.
 fn wait_of(record: &JobRecord) -> Option<Duration> {
     let started = record.started_at.filter(|_| record.attempts == 1)?;
     started.duration_since(record.created_at).try_into().ok()
 }
 
 impl WorkerState {
-    /// Sees one job through.
+    /// Runs one job from its claim to its stored outcome.
     pub(super) async fn supervise(self: Arc<Self>, claim: Claim, slot: Slot) {
         let span = tracing::info_span!("attempt", trace_id = Empty);
         telemetry::adopt(&span, claim.trace);
@@ -131,7 +131,7 @@ impl WorkerState {
         SolveChannels { messages, steps }
     }
 
-    /// Forwards progress to the store and the wish to stop to the solver, until the solve ends.
+    /// Forwards progress to the store and requests to stop to the solver, until the solve ends.
     async fn follow(
         &self,
         lease: &Lease,
@@ -142,7 +142,8 @@ impl WorkerState {
         let SolveChannels { mut messages, steps: mut received } = channels;
         let mut subscription = self.notifier.subscribe(lease.job);
         if let Ok(record) = self.store.get(lease.job).await {
-            // A cancellation between the claim and the subscription was not announced here.
+            // The subscription does not see a cancellation that came between claim and
+            // subscription.
             if record.cancel_requested {
                 stop.raise();
             }
@@ -173,7 +174,7 @@ impl WorkerState {
                             Message::Done(last, outcome) => {
                                 iterations += last.len();
                                 records.extend(last);
-                                // Sent before the last message, though perhaps not received.
+                                // The solver sent these steps before its last message.
                                 while let Ok(step) = received.try_recv() {
                                     keep_step(&mut steps, step);
                                 }
@@ -199,7 +200,7 @@ impl WorkerState {
         }
     }
 
-    /// Writes iterations; those that could not be written are kept for the next time.
+    /// Writes iterations; keeps them for the next write if the store fails.
     async fn write_progress(
         &self,
         lease: &Lease,
@@ -216,11 +217,11 @@ impl WorkerState {
         }
     }
 
-    /// Writes the results of steps; the solve waits meanwhile. What could not be written when the
-    /// solve is to stop is left to the end of the job.
+    /// Writes the results of steps while the solve waits. If the solve must stop first, the steps
+    /// are written with the outcome.
     ///
     /// # Errors
-    /// Why the store does not take them by the job's deadline. The solve is to stop then.
+    /// The error of the store if it fails until the job's deadline; the solve must stop then.
     async fn write_steps(
         &self,
         lease: &Lease,
@@ -247,7 +248,7 @@ impl WorkerState {
         Ok(())
     }
 
-    /// Whether the outcome of this attempt is in the store.
+    /// Returns whether the store holds the outcome of this attempt.
     async fn is_written(&self, lease: &Lease, outcome: &Outcome) -> bool {
         let record = self.store.get(lease.job).await;
         record.is_ok_and(|record| {
@@ -265,7 +266,7 @@ impl WorkerState {
         let mut tried = false;
         for wait in RETRIES_MS.map(Duration::from_millis) {
             match self.store.finish(lease, records, steps, outcome.clone()).await {
-                // The connection can break after the commit and before the answer.
+                // The connection may have broken after the commit and before the acknowledgement.
                 Err(StoreError::LeaseLost) if tried && self.is_written(lease, &outcome).await => {
                     return Ok(());
                 }

@@ -1,4 +1,4 @@
-//! Threads that solve, each one job.
+//! Solver threads, each for one job.
 
 use std::io;
 use std::thread;
@@ -6,14 +6,13 @@ use std::time::Duration;
 
 use crate::jobs::JobId;
 
-/// Elimination trees are walked recursively in places; a solve has room for it.
+/// Stack size \[bytes\] of a solver thread: some walks of elimination trees are recursive.
 const STACK_BYTES: usize = 8 << 20;
 
-/// A job that has run for so long is long.
+/// Running time after which a job counts as long.
 pub(super) const LONG: Duration = Duration::from_secs(2);
 
-/// Scheduling priority (nice value) of long jobs: others beside them get six parts in seven of a
-/// core.
+/// Nice value of long jobs: beside a long job, a short one gets six sevenths of a core.
 #[cfg(target_os = "linux")]
 const LONG_PRIORITY: i32 = 8;
 
@@ -23,8 +22,8 @@ pub(super) fn start(job: JobId, solve: impl FnOnce() + Send + 'static) -> io::Re
     thread::Builder::new().name(name).stack_size(STACK_BYTES).spawn(solve).map(drop)
 }
 
-/// Lowers the priority of this thread for good. Linux knows priorities of threads; elsewhere it
-/// would be that of the process.
+/// Lowers the priority of this thread permanently. Only Linux has a nice value for each thread;
+/// other systems would lower the whole process.
 pub(super) fn give_way() {
     #[cfg(target_os = "linux")]
     if let Err(error) = rustix::process::setpriority_process(None, LONG_PRIORITY) {
