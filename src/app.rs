@@ -1,4 +1,4 @@
-//! Puts the service together, runs it and takes it down in order.
+//! Assembly, run and orderly shutdown of the service.
 
 use std::io;
 use std::net::SocketAddr;
@@ -39,20 +39,19 @@ const CLOSE_TIMEOUT: Duration = Duration::from_secs(3);
 /// Most connections to the port of the metrics.
 const METRICS_CONNECTIONS: usize = 100;
 
-/// Files that may be open beside the connections of clients: those of the store, of metrics and of
-/// calls to others.
+/// Open files besides the connections of clients: store, metrics and outgoing requests.
 const OTHER_FILES: usize = METRICS_CONNECTIONS + 64;
 
 /// Time between two sweeps.
 const SWEEP_INTERVAL: Duration = Duration::from_secs(30);
 
-/// Time between two tidyings of what has been measured.
+/// Time between two aggregations of the metrics.
 const UPKEEP_INTERVAL: Duration = Duration::from_secs(5);
 
-/// Why the service does not run.
+/// An error that keeps the service from running.
 #[derive(Debug, Error)]
 pub enum AppError {
-    /// The address cannot be listened on.
+    /// The service cannot listen on the address.
     #[error("cannot listen on {address}: {source} (set by {setting})")]
     Listen {
         /// The flag and the variable that set it.
@@ -68,13 +67,13 @@ pub enum AppError {
     /// The shared database does not open.
     #[error(transparent)]
     Postgres(#[from] PostgresError),
-    /// Workers apart from the service, but no database between them.
+    /// Separate workers are configured without a shared database.
     #[error(
         "workers in processes of their own need a shared database: --database-url postgres://... \
          (BRINELL_DATABASE_URL)"
     )]
     NotShared,
-    /// No database where one is expected.
+    /// The data directory has no database.
     #[error("there is no database in {}", .0.display())]
     NoStore(PathBuf),
     /// The certificate or its key cannot be used.
@@ -164,19 +163,19 @@ impl Service {
         Ok(Self { listening, address, state, worker, background, grace: config.work.grace })
     }
 
-    /// Where the service listens.
+    /// Returns the address that the service listens on.
     pub const fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// Its address on the web.
+    /// Returns its URL.
     pub fn url(&self) -> String {
         let scheme = if self.listening.tls.is_some() { "https" } else { "http" };
         format!("{scheme}://{}", self.address)
     }
 
-    /// Serves until `stop`, then takes no more jobs, finishes those it has within the grace time
-    /// while still answering questions, and closes its connections.
+    /// Serves until `stop`. Then the service rejects new jobs, finishes its jobs within the grace
+    /// time while it still answers queries, and closes its connections.
     ///
     /// # Errors
     /// Currently none; the signature leaves room for errors of the listener.
@@ -191,7 +190,7 @@ impl Service {
         if let Some(worker) = self.worker {
             drain(worker, time_to_solve(self.grace)).await;
         }
-        // Who still waits is told where the job stands, before connections are closed.
+        // Waiting requests are answered with the state of their jobs before connections close.
         self.state.jobs.end_waits();
         close.cancel();
         if timeout(CLOSE_TIMEOUT, &mut server).await.is_err() {
@@ -231,8 +230,7 @@ pub async fn run_worker(
     Ok(())
 }
 
-/// How many connections there can be at a time, so that files are left for the store and for calls
-/// to others.
+/// Limits the number of connections so that open files remain for the store and outgoing requests.
 fn connections(most: usize) -> usize {
     let files = raise_file_limit().and_then(|files| usize::try_from(files).ok());
     let possible = files.map_or(most, |files| files.saturating_sub(OTHER_FILES).max(1));
@@ -257,7 +255,7 @@ fn tls_identity(config: &TlsConfig) -> Result<Option<Arc<TlsIdentity>>, TlsError
     TlsIdentity::load(certificate, key).map(Some)
 }
 
-/// The key that an environment variable holds.
+/// Reads the key that an environment variable holds.
 fn once_key(variable: &str) -> Result<OnceKey, AppError> {
     let secret = std::env::var(variable).unwrap_or_default();
     OnceKey::new(&secret).ok_or_else(|| AppError::OnceKey(variable.to_owned()))
@@ -276,7 +274,7 @@ fn reload_on_hangup(identity: Arc<TlsIdentity>) -> io::Result<impl Future<Output
     })
 }
 
-/// Begins to announce the ends of jobs, if anybody may be called. Returns who may.
+/// Starts announcing the ends of jobs if any host may be called. Returns the rules for hosts.
 fn announce(
     config: &WebhookConfig,
     store: &Arc<dyn Store>,
@@ -297,7 +295,7 @@ fn announce(
     Ok(rules)
 }
 
-/// Begins to measure, and shows the figures on a port of their own if they have one.
+/// Starts the metrics, and serves them on a port of their own if one is configured.
 async fn start_metrics(
     config: &MetricsConfig,
     store: Arc<dyn JobStore>,
@@ -323,7 +321,7 @@ async fn start_metrics(
     Ok(metrics)
 }
 
-/// Sorts samples into their buckets, whether somebody asks for them or not.
+/// Aggregates samples into their buckets periodically, also if no client scrapes them.
 async fn upkeep(collected: PrometheusHandle) {
     loop {
         sleep(UPKEEP_INTERVAL).await;
@@ -331,8 +329,8 @@ async fn upkeep(collected: PrometheusHandle) {
     }
 }
 
-/// The part of the grace time in which jobs may finish: stopping the others and closing
-/// connections takes the rest.
+/// Returns the part of the grace time in which jobs may finish; the rest is for stopping jobs and
+/// closing connections.
 fn time_to_solve(grace: Duration) -> Duration {
     grace.saturating_sub(STOP_TIMEOUT + CLOSE_TIMEOUT).max(grace / 2)
 }
@@ -357,7 +355,7 @@ async fn open_store(
     })
 }
 
-/// Opens the place where the API keys of a service are, which may be running.
+/// Opens the store of API keys beside a service that may be running.
 ///
 /// # Errors
 /// [`AppError`].
@@ -368,7 +366,7 @@ pub async fn open_keys(config: &StorageConfig) -> Result<Arc<dyn Store>, AppErro
     })
 }
 
-/// Opens a store that exists, to look at it beside the service that owns it.
+/// Opens an existing store for reading, beside the service that owns it.
 ///
 /// # Errors
 /// [`AppError`].
@@ -379,7 +377,7 @@ pub async fn open_existing(config: &StorageConfig) -> Result<Arc<dyn Store>, App
     open_keys(config).await
 }
 
-/// Removes old jobs, for ever.
+/// Removes old jobs periodically.
 async fn sweep(store: Arc<dyn JobStore>, retention: Retention) {
     loop {
         match store.sweep(&retention).await {

@@ -4,13 +4,13 @@
 //! | module | what it is for |
 //! |---|---|
 //! | [`cli`] | `serve`, `worker`, `solve`, `validate`, `demo`, `key`, `openapi`, `healthcheck` |
-//! | [`app`] | puts the service together, runs it, takes it down in order |
+//! | [`app`] | assembly, run and shutdown of the service |
 //! | [`config`], [`telemetry`], `lifecycle` | flags and variables; log and metrics; signals |
 //! | [`http`] | router, one endpoint a file, problems, the OpenAPI document |
-//! | [`webhook`], [`outgoing`] | announcements of the ends of jobs; requests that the service makes itself |
+//! | [`webhook`], [`outgoing`] | announcements of the ends of jobs; the HTTP client |
 //! | [`worker`] | solver threads, their supervisors, leases and heartbeats |
-//! | [`store`] | where jobs are kept |
-//! | [`jobs`] | what a job is once handed in: identity, states, store trait |
+//! | [`store`] | stores of jobs: SQLite, PostgreSQL |
+//! | [`jobs`] | identity and states of a job, trait of the store |
 //!
 //! Imports run downward only.
 pub mod app;

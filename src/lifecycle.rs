@@ -1,4 +1,4 @@
-//! When to stop.
+//! Signals and limits of the process.
 
 use std::io;
 
@@ -7,7 +7,8 @@ use tokio_util::sync::CancellationToken;
 /// Exit code after a second signal: the shell's for an interrupted program.
 const INTERRUPTED: i32 = 130;
 
-/// A token that the first SIGTERM or SIGINT cancels. The second ends the process at once.
+/// Returns a token that the first SIGTERM or SIGINT cancels. A second signal ends the process at
+/// once.
 ///
 /// # Errors
 /// If the signals cannot be listened to. Needs a Tokio runtime.
@@ -27,14 +28,14 @@ pub fn stop_on_signal() -> io::Result<CancellationToken> {
     Ok(stop)
 }
 
-/// Cancels `stop` when standard input is closed, as it is when the process at its other end has
-/// ended, even by SIGKILL.
+/// Cancels `stop` when standard input is closed. The system closes it when the parent process
+/// ends, even by SIGKILL.
 ///
 /// # Errors
-/// If there can be no thread to read it.
+/// If the thread that reads it cannot start.
 pub fn stop_with_stdin(stop: CancellationToken) -> io::Result<()> {
     let read = move || {
-        // Input that cannot be read has ended too.
+        // An error of reading counts as the end of input.
         let _ = io::copy(&mut io::stdin().lock(), &mut io::sink());
         tracing::info!("standard input is closed: stopping");
         stop.cancel();
@@ -43,8 +44,8 @@ pub fn stop_with_stdin(stop: CancellationToken) -> io::Result<()> {
     Ok(())
 }
 
-/// Signal of a write beyond the process's limit on the size of a file (`ulimit -f`), on Linux and
-/// the BSDs.
+/// SIGXFSZ, sent for a write beyond the process's limit on the size of a file (`ulimit -f`), on
+/// Linux and the BSDs.
 #[cfg(unix)]
 const SIGXFSZ: i32 = 25;
 
@@ -68,9 +69,8 @@ fn survive_file_size_limit() -> io::Result<()> {
     Ok(())
 }
 
-/// Raises the number of files that this process may have open to what the system allows, and
-/// returns it; `None` where there is no such bound or it is not told. Connections are files as
-/// well.
+/// Raises the limit on open files to the largest value that the system allows, and returns it;
+/// `None` where the system has or reports no limit. Every connection is an open file.
 #[cfg(unix)]
 pub fn raise_file_limit() -> Option<u64> {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
@@ -128,7 +128,7 @@ pub struct Hangups(tokio::signal::unix::Signal);
 
 #[cfg(unix)]
 impl Hangups {
-    /// Listens to them.
+    /// Starts listening.
     ///
     /// # Errors
     /// If the signal cannot be listened to. Needs a Tokio runtime.
@@ -137,7 +137,7 @@ impl Hangups {
         signal(SignalKind::hangup()).map(Self)
     }
 
-    /// Waits for the next; `false` if there will be none.
+    /// Waits for the next signal; `false` if none can come.
     pub async fn next(&mut self) -> bool {
         self.0.recv().await.is_some()
     }
@@ -155,7 +155,7 @@ pub struct Hangups;
     reason = "listening can fail elsewhere"
 )]
 impl Hangups {
-    /// Listens to none.
+    /// Does nothing.
     pub fn new() -> io::Result<Self> {
         Ok(Self)
     }

@@ -1,4 +1,4 @@
-//! How the service is reached, and whom it calls itself.
+//! Settings of TLS and of announcements.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -74,7 +74,7 @@ impl Default for WebhookConfig {
 }
 
 impl WebhookConfig {
-    /// Who may be called.
+    /// Returns the rules for hosts that may be called.
     pub fn rules(&self) -> CallbackRules {
         CallbackRules::new(&self.webhook_hosts, self.webhook_allow_private)
     }

@@ -1,9 +1,9 @@
-//! What the machine, or the container, has.
+//! Memory of the machine or the container.
 
 use std::fs;
 
-/// Memory \[bytes\] of the machine or of this process's control group, whichever is less; `None`
-/// where the system does not tell.
+/// Returns the memory \[bytes\] of the machine or of this process's control group, whichever is
+/// less; `None` where the system does not report it.
 pub(super) fn machine_memory() -> Option<u64> {
     let groups = fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
     let group = group_limits(&groups).into_iter().filter_map(|path| fs::read_to_string(path).ok());
@@ -12,8 +12,9 @@ pub(super) fn machine_memory() -> Option<u64> {
     group.filter_map(|text| text.trim().parse().ok()).chain(total).min()
 }
 
-/// Files that may hold a limit of the groups in this listing (`id:controllers:path` a line), of
-/// both versions of the interface. A group's limit also binds the groups below it.
+/// Returns the files that may hold a limit of the control groups in a listing (lines
+/// `id:controllers:path`), for both versions of the interface. A group's limit also applies to the
+/// groups below it.
 fn group_limits(listing: &str) -> Vec<String> {
     let mut files = Vec::new();
     for line in listing.lines() {

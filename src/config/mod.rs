@@ -115,7 +115,7 @@ pub struct ServeConfig {
     pub tls: TlsConfig,
 
     #[command(flatten)]
-    /// Who is told of the ends of jobs.
+    /// Settings of announcements.
     pub webhooks: WebhookConfig,
 
     #[command(flatten)]
@@ -162,7 +162,8 @@ impl Default for ServeConfig {
 }
 
 impl ServeConfig {
-    /// Bounds on what is taken in. What no solver here could take is refused, unless others solve.
+    /// Returns the bounds on accepted jobs. A job too large for the solvers of this process is
+    /// refused, unless other processes solve.
     pub fn submission_limits(&self) -> SubmissionLimits {
         let job_bytes = u64::from(self.max_job_memory) << 20;
         let solvable = if self.storage.is_shared() { u64::MAX } else { self.work.job_memory() };
@@ -172,7 +173,8 @@ impl ServeConfig {
         }
     }
 
-    /// Whether requests need an API key: if so set, and wherever others than this machine can ask.
+    /// Returns whether requests need an API key: if so configured, and on any address other than
+    /// loopback.
     pub fn keys_required(&self, address: SocketAddr) -> bool {
         self.require_api_key
             || self.once_key_env.is_some()

@@ -1,4 +1,4 @@
-//! Values of flags.
+//! Parsers of the values of flags.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Where jobs are kept, and for how long.
+//! Settings of the store and of retention.
 
 use std::fmt;
 use std::path::PathBuf;
@@ -11,10 +11,10 @@ use super::parse::hours;
 use crate::jobs::{KeyLimits, Retention};
 use crate::store::StoreLimits;
 
-/// The name of the data directory that stands for this process's memory.
+/// Value of `--data-dir` that stands for this process's memory.
 const MEMORY: &str = ":memory:";
 
-/// Address of a PostgreSQL database. Shown without what may be a password.
+/// URL of a PostgreSQL database; `Debug` hides it, because it may contain a password.
 #[derive(Clone, PartialEq, Eq)]
 pub struct DatabaseUrl(String);
 
@@ -122,22 +122,22 @@ impl Default for StorageConfig {
 }
 
 impl StorageConfig {
-    /// Whether other processes see the same jobs.
+    /// Returns whether other processes share the store.
     pub const fn is_shared(&self) -> bool {
         self.database_url.is_some()
     }
 
-    /// Whether jobs outlive the process.
+    /// Returns whether jobs outlive the process.
     pub fn is_durable(&self) -> bool {
         !self.is_in_memory()
     }
 
-    /// Whether jobs are kept in this process's memory.
+    /// Returns whether the store is in this process's memory.
     pub fn is_in_memory(&self) -> bool {
         self.database_url.is_none() && self.data_dir.as_os_str() == MEMORY
     }
 
-    /// How long finished jobs are kept.
+    /// Returns how long finished jobs are kept.
     pub fn retention(&self) -> Retention {
         Retention {
             succeeded: self.keep_results,
@@ -146,7 +146,7 @@ impl StorageConfig {
         }
     }
 
-    /// Bounds of the store.
+    /// Returns the bounds of the store.
     pub fn limits(&self) -> StoreLimits {
         StoreLimits {
             queue_capacity: self.queue_capacity,

@@ -1,4 +1,4 @@
-//! How jobs are solved.
+//! Settings of the solvers.
 
 use std::num::NonZeroUsize;
 use std::thread::available_parallelism;
@@ -13,16 +13,15 @@ use crate::worker::WorkerSettings;
 /// Part of the machine's memory that jobs may take, in percent.
 const MEMORY_PERCENT: u64 = 70;
 
-/// Memory \[bytes\] assumed where the system does not tell.
+/// Memory \[bytes\] assumed where the system does not report it.
 const UNKNOWN_MEMORY: u64 = 4 << 30;
 
-/// Part of the jobs' memory that what is kept between them may take beside it, and the most it
-/// takes, unless set.
+/// Default size of the cache of bodies and factors: a part of the jobs' memory, and at most so
+/// many bytes.
 const CACHE_PART: u64 = 8;
 const MAX_CACHE: u64 = 512 << 20;
 
-/// Part of the jobs' memory that places have of their own, and the most of it \[bytes\] for each
-/// solver.
+/// Memory of the places: a part of the jobs' memory, and at most so many bytes for each solver.
 const PLACES_PART: u64 = 4;
 const MAX_OF_PLACES: u64 = 320 << 20;
 
@@ -75,7 +74,7 @@ impl Default for WorkConfig {
 }
 
 impl WorkConfig {
-    /// How many jobs are solved at the same time.
+    /// Returns the number of jobs solved at the same time.
     pub fn slots(&self) -> usize {
         self.workers.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get)
     }
@@ -86,7 +85,7 @@ impl WorkConfig {
         self.memory_limit.map_or_else(default, |mebibytes| u64::from(mebibytes) << 20)
     }
 
-    /// The part of [`Self::memory`] \[bytes\] that places have of their own.
+    /// Returns the part of [`Self::memory`] \[bytes\] that belongs to the places.
     fn memory_of_places(&self) -> u64 {
         (self.memory() / PLACES_PART).min(MAX_OF_PLACES * self.slots() as u64)
     }
@@ -96,14 +95,15 @@ impl WorkConfig {
         self.memory() - self.memory_of_places()
     }
 
-    /// Memory \[bytes\] for what is kept from job to job, beside [`Self::memory`].
+    /// Returns the size \[bytes\] of the cache of bodies and factors, in addition to
+    /// [`Self::memory`].
     pub fn factor_cache(&self) -> usize {
         let default = || (self.memory() / CACHE_PART).min(MAX_CACHE);
         let bytes = self.factor_cache.map_or_else(default, |mebibytes| u64::from(mebibytes) << 20);
         usize::try_from(bytes).unwrap_or(usize::MAX)
     }
 
-    /// How a worker works whose store is durable or not.
+    /// Returns the settings of a worker, for a durable store or one in memory.
     pub fn worker(&self, durable: bool) -> WorkerSettings {
         WorkerSettings {
             slots: self.slots(),

@@ -1,9 +1,9 @@
-//! Who asks, and what they may.
+//! Authentication and authorization of requests.
 //!
-//! Where API keys are not required, whoever sends none is an administrator: the service then
-//! belongs on loopback or behind something that guards it. Where they are, every request under
-//! `/v1` carries `Authorization: Bearer TOKEN`; a job is visible to the key it came under and to
-//! those who see all, and does not exist for others.
+//! If API keys are not required, a request without a key has the rights of an administrator: such
+//! a service belongs on loopback or behind a proxy that authenticates. If keys are required, every
+//! request under `/v1` carries `Authorization: Bearer TOKEN`. A key sees the jobs submitted under
+//! it; keys of some scopes see all jobs. Any other job does not exist for the caller.
 
 use std::future::pending;
 
@@ -20,10 +20,10 @@ use super::problem_type::ProblemType;
 use super::written_body::ending;
 use crate::jobs::{JobRecord, KeyId, Scope};
 
-/// Requests that change nothing although their method is POST.
+/// Routes that change nothing although their method is POST.
 pub(super) const HARMLESS: [&str; 3] = ["/v1/validate", "/v1/hertz", "/v1/batch/fetch"];
 
-/// Who asks.
+/// The caller of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Caller {
     key: Option<KeyId>,
@@ -33,17 +33,17 @@ pub(super) struct Caller {
 impl Caller {
     const ANYBODY: Self = Self { key: None, scope: Scope::Admin };
 
-    /// The key that new jobs come under.
+    /// Returns the key that new jobs are submitted under.
     pub(super) const fn key(self) -> Option<KeyId> {
         self.key
     }
 
-    /// The key whose jobs are all that is visible; `None` if everything is.
+    /// Returns the key whose jobs are visible; `None` if all jobs are.
     pub(super) fn confined_to(self) -> Option<KeyId> {
         self.key.filter(|_| !self.scope.sees_all())
     }
 
-    /// Returns once its key is no longer good, within seconds; never without a key.
+    /// Returns within seconds after the caller's key becomes invalid; never without a key.
     pub(super) async fn ends(self, state: &HttpState) {
         match self.key {
             Some(key) => state.jobs.key_ends(key).await,
@@ -51,7 +51,7 @@ impl Caller {
         }
     }
 
-    /// Whether a job exists for this caller.
+    /// Returns whether a job is visible to this caller.
     pub(super) fn sees(self, record: &JobRecord) -> bool {
         self.confined_to().is_none_or(|key| record.submitter == Some(key))
     }
@@ -67,7 +67,8 @@ impl FromRequestParts<HttpState> for Caller {
     }
 }
 
-/// Lets those pass who may. Where keys are not required, one that is sent counts all the same.
+/// The layer that authenticates and authorizes requests. A key that is sent counts even where none
+/// is required.
 pub(super) async fn authenticate(
     State(state): State<HttpState>,
     mut request: Request,
@@ -95,7 +96,7 @@ pub(super) async fn authenticate(
     Ok(ending(response, async move { caller.ends(&state).await }))
 }
 
-/// The token of a request. Other schemes are between the client and a proxy.
+/// Returns the bearer token of a request. Other schemes concern only the client and a proxy.
 fn bearer(headers: &HeaderMap) -> Option<&str> {
     let (scheme, token) = headers.get(AUTHORIZATION)?.to_str().ok()?.split_once(' ')?;
     scheme.eq_ignore_ascii_case("bearer").then(|| token.trim())
@@ -105,7 +106,8 @@ fn no_longer_good() -> Problem {
     Problem::new(ProblemType::Unauthorized, "the API key is not known, or no longer good")
 }
 
-/// Who a token belongs to. Where the process has a key of its own, no other is good.
+/// Returns the caller that a token belongs to. If the process has a key of its own, it accepts no
+/// other.
 async fn identify(state: &HttpState, token: &str) -> Result<Caller, Problem> {
     if let Some(once) = &state.settings.once_key {
         return if once.accepts(token) { Ok(Caller::ANYBODY) } else { Err(no_longer_good()) };

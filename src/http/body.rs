@@ -1,4 +1,4 @@
-//! A job's text as it comes in: declared as JSON, of bounded size, in bounded time.
+//! Bodies of submissions: JSON, of bounded size, received in bounded time.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -17,18 +17,18 @@ use super::problem::Problem;
 use super::problem_type::ProblemType;
 use crate::jobs::{KeyId, Turn, Turns};
 
-/// How long, and how much of, a refused body is read and thrown away, so that a client still
-/// sending sees the answer instead of a broken connection.
+/// Time and bytes for which a refused body is read and discarded: a client that is still sending
+/// then receives the answer instead of a broken connection.
 const DISCARD_TIME: Duration = Duration::from_secs(5);
 const DISCARD_BYTES: usize = 256 << 20;
 
-/// Bodies of one key at a time, from their first byte until their jobs are stored, and the bodies
-/// of the largest size for which there is memory: one key holds a quarter of it. Also results of
-/// one key that are sent at a time.
+/// Bodies of one key that may be in memory at a time, from their first byte until their jobs are
+/// stored; it is also the most results that are sent to one key at a time. All keys together have
+/// memory for four times as many bodies of the largest size.
 pub(super) const BODIES_OF_KEY: usize = 32;
 const BODIES: usize = 4 * BODIES_OF_KEY;
 
-/// Bounds on the bodies that are held.
+/// Bounds on bodies in memory.
 #[derive(Debug, Clone)]
 pub(super) struct Bodies {
     bytes: Arc<Semaphore>,
@@ -36,13 +36,13 @@ pub(super) struct Bodies {
 }
 
 impl Bodies {
-    /// Bodies of so many bytes at most.
+    /// Allows bodies of at most `largest` bytes.
     pub(super) fn new(largest: usize) -> Self {
         let bytes = largest.saturating_mul(BODIES).min(Semaphore::MAX_PERMITS);
         Self { bytes: Arc::new(Semaphore::new(bytes)), keys: Arc::new(Turns::new(BODIES_OF_KEY)) }
     }
 
-    /// A body of which nothing has come.
+    /// Starts a body before its first byte.
     fn open(&self, key: Option<KeyId>) -> Result<HeldBody, Problem> {
         Ok(HeldBody {
             text: Vec::new(),
@@ -68,7 +68,7 @@ fn too_many() -> Problem {
     Problem::new(ProblemType::TooManyBodies, "too many other bodies are held at this moment")
 }
 
-/// A body, or what has come of it. Its room is free again when the last part of it is dropped.
+/// A body, complete or partly received. Its memory counts until its last part is dropped.
 #[derive(Debug)]
 struct HeldBody {
     text: Vec<u8>,
@@ -82,7 +82,7 @@ impl AsRef<[u8]> for HeldBody {
     }
 }
 
-/// The body of a request that carries a job.
+/// The extractor for the body of a submission.
 #[derive(Debug)]
 pub(super) struct JobBody(pub(super) Bytes);
 
@@ -101,7 +101,8 @@ impl FromRequest<HttpState> for JobBody {
         match read.await {
             Ok(text) => Ok(Self(text)),
             Err(problem) => {
-                // A client that asked first is answered instead of being told to go on.
+                // A client that sent `Expect: 100-continue` has not sent its body yet; reading it
+                // would answer 100.
                 if !parts.headers.contains_key(EXPECT) {
                     tokio::spawn(timeout(DISCARD_TIME, discard(body)));
                 }
@@ -125,7 +126,7 @@ fn check_content_type(headers: &HeaderMap) -> Result<(), Problem> {
     Err(Problem::new(ProblemType::UnsupportedMediaType, detail))
 }
 
-/// Nothing is unpacked here: a few compressed bytes can become any number.
+/// Compressed bodies are refused: a few bytes can expand without limit.
 fn check_not_compressed(headers: &HeaderMap) -> Result<(), Problem> {
     let codings = headers.get_all(CONTENT_ENCODING).iter();
     if codings.into_iter().all(|coding| coding.as_bytes().eq_ignore_ascii_case(b"identity")) {
@@ -144,7 +145,7 @@ fn check_declared_length(headers: &HeaderMap, limit: usize) -> Result<(), Proble
     }
 }
 
-/// Reads a body. What has arrived counts towards the bytes that all bodies may take.
+/// Reads a body. Received bytes count towards the limit of all bodies together.
 async fn read(body: &mut Body, state: &HttpState, key: Option<KeyId>) -> Result<Bytes, Problem> {
     let settings = &state.settings;
     let limit = settings.max_body_bytes;

@@ -1,9 +1,9 @@
-//! Which addresses belong to the public internet.
+//! The test for public IP addresses.
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr};
 
-/// Whether an address is a public one: not this machine's, its network's, or one with a meaning of
-/// its own (the registries of special addresses, RFC 6890).
+/// Returns whether an address is public: not of this machine or a private network, and not in the
+/// registries of special-purpose addresses (RFC 6890).
 pub fn is_public(address: IpAddr) -> bool {
     match address.to_canonical() {
         IpAddr::V4(address) => is_public_v4(address),

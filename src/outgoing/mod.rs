@@ -1,9 +1,8 @@
-//! Requests that the service makes itself: one POST, one connection, to an address that has been
-//! checked.
+//! The HTTP client of the service: one POST over one connection to a checked address.
 //!
-//! A name is resolved once, every address that it has is checked, and the connection is made to
-//! one of these: a name that points elsewhere a moment later (DNS rebinding) leads nowhere else.
-//! Redirects are not followed, no proxy is asked, and of the answer only the status is read.
+//! The client resolves a name once, checks all its addresses and connects to one of them. A name
+//! that resolves differently a moment later (DNS rebinding) therefore has no effect. The client
+//! follows no redirects, uses no proxy and reads only the status of the answer.
 
 mod address;
 
@@ -33,19 +32,19 @@ use tokio_rustls::TlsConnector;
 
 pub use address::is_public;
 
-/// Longest address.
+/// Most characters of a URL.
 const MAX_URL: usize = 2000;
 
-/// Longest time a connection to one of several addresses may take.
+/// Longest time to connect to one of several addresses.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 
-/// Most bytes of the head of an answer.
+/// Largest head \[bytes\] of an answer.
 const HEAD_BYTES: usize = 16 << 10;
 
-/// Where a request goes.
+/// The target of a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Destination {
-    /// By TLS.
+    /// Whether to use TLS.
     pub is_secure: bool,
     /// Name or address, in lower case; an IPv6 address without brackets.
     pub host: String,
@@ -57,7 +56,7 @@ pub struct Destination {
     authority: String,
 }
 
-/// Why a text is no address to send requests to.
+/// An error for a text that is no URL to send requests to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error(
     "must be https://host/path, or http://, of at most {MAX_URL} characters and without a user \
@@ -95,42 +94,42 @@ impl FromStr for Destination {
 }
 
 impl Destination {
-    /// Another path at the same host, below this one.
+    /// Returns the URL of a path below this one.
     #[must_use]
     pub fn below(&self, path: &str) -> Self {
         Self { path: format!("{}{path}", self.path.trim_end_matches('/')), ..self.clone() }
     }
 
-    /// Host and port, as a listener has them.
+    /// Returns host and port as a socket address is written.
     pub fn listens(&self) -> String {
         let Self { host, port, .. } = self;
         if host.contains(':') { format!("[{host}]:{port}") } else { format!("{host}:{port}") }
     }
 
-    /// The address as a text.
+    /// Returns the URL as text.
     pub fn url(&self) -> String {
         let scheme = if self.is_secure { "https" } else { "http" };
         format!("{scheme}://{}{}", self.authority, self.path)
     }
 }
 
-/// Why a request had no answer.
+/// An error of a request.
 #[derive(Debug, Error)]
 pub enum OutgoingError {
-    /// The name has no address. Told as [`Self::NotPublic`] is: who names a host does not learn
-    /// whether a private network knows the name.
+    /// The name has no address. The text equals that of [`Self::NotPublic`], so that a client
+    /// cannot find out which names a private network resolves.
     #[error("the host has no address that may be called")]
     Resolve(#[source] io::Error),
-    /// It has an address that is not to be asked.
+    /// The host has an address that may not be called.
     #[error("the host has no address that may be called")]
     NotPublic,
-    /// Nobody answers there.
+    /// The connection failed.
     #[error("no connection: {0}")]
     Connect(#[source] io::Error),
-    /// The host is not who it should be.
+    /// The TLS handshake failed.
     #[error("no secure connection: {0}")]
     Tls(#[source] io::Error),
-    /// What came back is no HTTP.
+    /// The answer is not HTTP.
     #[error("no answer: {0}")]
     Http(#[from] hyper::Error),
     /// The request cannot be written.
@@ -138,7 +137,7 @@ pub enum OutgoingError {
     Request(#[from] axum::http::Error),
 }
 
-/// Why there is no client.
+/// An error of the file of certificates.
 #[derive(Debug, Error)]
 #[error("certificates of {path}: {reason}")]
 pub struct RootsError {
@@ -146,7 +145,7 @@ pub struct RootsError {
     reason: String,
 }
 
-/// Makes requests.
+/// An HTTP client.
 #[derive(Clone)]
 pub struct Client {
     tls: TlsConnector,
@@ -154,8 +153,8 @@ pub struct Client {
 }
 
 impl Client {
-    /// A client that trusts the usual authorities and those in a file (PEM), and asks addresses
-    /// that are not public if so allowed.
+    /// Makes a client that trusts the usual authorities and those of a file (PEM). `allow_private`
+    /// permits addresses that are not public.
     ///
     /// # Errors
     /// [`RootsError`] where the file cannot be used.
@@ -181,7 +180,7 @@ impl Client {
         Ok(Self { tls: TlsConnector::from(Arc::new(config)), allow_private })
     }
 
-    /// POSTs a body and says how it was answered.
+    /// POSTs a body and returns the status of the answer.
     ///
     /// # Errors
     /// [`OutgoingError`].
@@ -206,7 +205,7 @@ impl Client {
         exchange(self.tls.connect(name, stream).await.map_err(OutgoingError::Tls)?, request).await
     }
 
-    /// A connection to one of the addresses of a host, all of which have been checked.
+    /// Connects to one of the addresses of a host after checking all of them.
     async fn connect(&self, to: &Destination) -> Result<TcpStream, OutgoingError> {
         let found =
             lookup_host((to.host.as_str(), to.port)).await.map_err(OutgoingError::Resolve)?;
@@ -225,13 +224,13 @@ impl Client {
         Err(OutgoingError::Connect(failed))
     }
 
-    /// Whether an address is to be asked.
+    /// Returns whether an address may be called.
     pub fn may_ask(&self, address: IpAddr) -> bool {
         self.allow_private || is_public(address)
     }
 }
 
-/// One request and the status of its answer.
+/// Sends one request and returns the status of its answer.
 async fn exchange(
     stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
     request: Request<Full<Bytes>>,
@@ -239,13 +238,13 @@ async fn exchange(
     let mut builder = http1::Builder::new();
     builder.max_buf_size(HEAD_BYTES);
     let (mut sender, connection) = builder.handshake(TokioIo::new(stream)).await?;
-    // Both are dropped with the answer, which nobody reads further.
+    // Connection and answer are dropped here; the body is not read.
     let mut answer = pin!(sender.send_request(request));
     tokio::select! {
         response = &mut answer => return Ok(response?.status()),
         _ = connection => {}
     }
-    // The receiver has closed the connection, perhaps behind its answer.
+    // The receiver closed the connection, perhaps after its answer.
     Ok(answer.await?.status())
 }
 

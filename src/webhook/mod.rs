@@ -1,9 +1,10 @@
 //! Tells receivers that jobs have ended (webhooks).
 //!
-//! What is to be told is in the store, beside its job, from its submission on; it becomes due in
-//! the same step that ends the job. An attempt is claimed for a time: one whose process dies is
-//! made again, so that every announcement is delivered at least once, with the same id. Attempts
-//! that fail are repeated with growing pauses for about a day.
+//! The store keeps each announcement beside its job from the submission on; the transaction that
+//! ends the job makes the announcement due. A process leases an announcement for one attempt. If
+//! the process dies, the lease expires and the attempt is repeated: every announcement is
+//! delivered at least once, always with the same id. Failed attempts are repeated with growing
+//! pauses for about a day.
 
 mod notice;
 mod receivers;
@@ -35,39 +36,40 @@ use signature::signatures;
 /// Attempts by outcome.
 pub const DELIVERIES: &str = "brinell_webhook_deliveries_total";
 
-/// Longest time of an attempt, and how long it is waited for until it is made again.
+/// Longest time of an attempt, and the lease of one.
 const ATTEMPT: Duration = Duration::from_secs(15);
 const LEASE: Duration = Duration::from_mins(1);
 
-/// Time between two looks for what is due: where nothing was, and where there was more than room
-/// for it.
+/// Time between two queries for due announcements: when the last query found none, and when it
+/// found more than there was room for.
 const POLL: Duration = Duration::from_secs(1);
 const POLL_SOON: Duration = Duration::from_millis(100);
 
-/// Pauses behind the attempts, in units of the first one; there is one more attempt than pauses.
+/// Pauses after failed attempts, in units of the first pause; there is one more attempt than
+/// pauses.
 const PAUSES: [u32; 8] = [1, 6, 24, 120, 720, 2160, 5760, 8640];
 
-/// Longest text about an attempt that failed.
+/// Longest description of a failed attempt.
 const ERROR: usize = 200;
 
-/// What is needed to announce ends of jobs.
+/// Everything that announcing needs.
 pub struct Announcer {
     /// Jobs.
     pub jobs: Arc<dyn JobStore>,
-    /// What is to be announced.
+    /// The announcements.
     pub deliveries: Arc<dyn DeliveryStore>,
-    /// Who is called.
+    /// The hosts that may be called.
     pub rules: Arc<CallbackRules>,
-    /// How.
+    /// The HTTP client.
     pub client: Client,
-    /// What announcements are signed with.
+    /// The secrets that sign announcements.
     pub secrets: Vec<WebhookSecret>,
-    /// Pause behind the first attempt.
+    /// Pause after the first failed attempt.
     pub pause: Duration,
 }
 
 impl Announcer {
-    /// Delivers what is due, for ever.
+    /// Delivers due announcements, for ever.
     pub async fn run(self: Arc<Self>) {
         let mut attempts: JoinSet<(Receiver, Duration)> = JoinSet::new();
         let mut receivers = Receivers::default();
@@ -112,7 +114,7 @@ impl Announcer {
         }
     }
 
-    /// What is due, so much of it at most.
+    /// Claims due announcements, at most `limit` of them.
     async fn due(&self, limit: usize) -> Vec<Delivery> {
         self.deliveries.claim_deliveries(limit, LEASE).await.unwrap_or_else(|error| {
             tracing::warn!(
@@ -174,7 +176,7 @@ impl Announcer {
         };
         let record = match self.jobs.get(delivery.job).await {
             Ok(record) => record,
-            // With its job the announcement is gone too.
+            // The announcement was removed together with its job.
             Err(StoreError::NotFound) => return failed(None, "the job was removed".to_owned()),
             Err(_) => return DeliveryEnd::Postponed { retry: POLL },
         };
@@ -209,7 +211,7 @@ impl Announcer {
             ("webhook-timestamp", timestamp.to_string()),
             ("webhook-signature", signature),
         ];
-        // A span that nobody records here has a name all the same.
+        // The span has an id even if no subscriber records it.
         let is_own = trace.map(|trace| trace.span_id) != delivery.trace.map(|trace| trace.span_id);
         let trace = trace.map(|trace| if is_own { trace } else { trace.child() });
         let trace = trace.map(|trace| ("traceparent", trace.to_string()));
@@ -220,8 +222,8 @@ impl Announcer {
     }
 }
 
-/// The pause behind an attempt, counted from 1, up to a fifth longer so that not all come back at
-/// once; `None` behind the last.
+/// Returns the pause after an attempt (counted from 1), lengthened at random by up to a fifth so
+/// that attempts spread out; `None` after the last.
 fn pause_behind(attempt: u32, first: Duration) -> Option<Duration> {
     let index = usize::try_from(attempt.max(1) - 1).ok()?;
     let pause = first * *PAUSES.get(index)?;

@@ -1,4 +1,5 @@
-//! What a receiver is told: that a job has ended and how. The result is fetched where the job is.
+//! The body of an announcement: the job's id and final state. The receiver fetches the result from
+//! the service.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +11,7 @@ use crate::jobs::{JobId, JobRecord, JobState};
 /// The body of an announcement.
 #[derive(Debug, Serialize)]
 pub(super) struct Notice {
-    /// What has happened; there may be more kinds in the future.
+    /// The event; further kinds may follow.
     r#type: &'static str,
     /// When.
     timestamp: Option<Timestamp>,

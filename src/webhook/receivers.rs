@@ -1,4 +1,4 @@
-//! Receivers take turns: one that is slow, or that much is due to, holds up nobody else.
+//! Fair delivery: a receiver that is slow, or has many announcements, does not delay the others.
 
 use std::collections::{HashMap, VecDeque};
 use std::time::Duration;
@@ -13,25 +13,26 @@ const AT_ONCE: usize = 64;
 const TO_ONE: usize = 4;
 const TO_ONE_SLOW: usize = 1;
 
-/// From which duration of its last attempt on a receiver is slow.
+/// Duration of the last attempt above which a receiver counts as slow.
 const SLOW: Duration = Duration::from_secs(2);
 
-/// Announcements held at the same time.
+/// Most announcements in memory.
 const HELD: usize = 256;
 
-/// Shortest time until an announcement that there was no room for is looked at again.
+/// Shortest postponement of an announcement that found no room.
 const SHORTEST_PAUSE: Duration = Duration::from_millis(100);
 
-/// Receivers that are remembered although nothing is due to them.
+/// Receivers that are remembered without announcements.
 const REMEMBERED: usize = 1000;
 
-/// A host, called for one API key: what another key wants from the host does not wait for it.
+/// A receiver: a host and an API key. Announcements of two keys to one host do not wait for each
+/// other.
 pub(super) type Receiver = (String, Option<KeyId>);
 
-/// An announcement that there is no room for now, and for how long.
+/// An announcement that found no room, and the time to postpone it by.
 pub(super) type Postponed = (Delivery, Duration);
 
-/// What is held of announcements, by receiver.
+/// The announcements in memory, by receiver.
 #[derive(Debug, Default)]
 pub(super) struct Receivers {
     queues: HashMap<Receiver, Queue>,
@@ -42,7 +43,7 @@ pub(super) struct Receivers {
 struct Queue {
     waiting: VecDeque<Delivery>,
     running: usize,
-    /// How long the last attempt took.
+    /// Duration of the last attempt.
     took: Duration,
 }
 
@@ -51,7 +52,8 @@ impl Queue {
         if self.took < SLOW { TO_ONE } else { TO_ONE_SLOW }
     }
 
-    /// How many may wait, so that the last is begun, and has ended, while it is leased.
+    /// Returns how many announcements may wait so that the last attempt still ends within its
+    /// lease.
     fn room(&self) -> usize {
         let rounds = (LEASE.as_secs() / ATTEMPT.as_secs()).saturating_sub(1);
         self.at_once() * usize::try_from(rounds).unwrap_or(1)
@@ -67,14 +69,14 @@ impl Queue {
 }
 
 impl Receivers {
-    /// How many announcements there is room for.
+    /// Returns the number of announcements that still fit.
     pub(super) fn room(&self) -> usize {
         HELD.saturating_sub(
             self.running + self.queues.values().map(|queue| queue.waiting.len()).sum::<usize>(),
         )
     }
 
-    /// Takes an announcement in, or gives it back if as many wait for its receiver as may.
+    /// Queues an announcement, or returns it if the queue of its receiver is full.
     pub(super) fn offer(&mut self, receiver: Receiver, delivery: Delivery) -> Option<Postponed> {
         if self.queues.len() >= REMEMBERED {
             self.queues.retain(|_, queue| !queue.is_idle());
@@ -87,7 +89,7 @@ impl Receivers {
         None
     }
 
-    /// An attempt that may begin: of the receiver with the fewest.
+    /// Returns the next attempt: of the receiver with the fewest running attempts.
     pub(super) fn next(&mut self) -> Option<(Receiver, Delivery)> {
         if self.running >= AT_ONCE {
             return None;
@@ -101,8 +103,8 @@ impl Receivers {
         Some((receiver.clone(), delivery))
     }
 
-    /// An attempt has ended, after so long. Returns those that cannot wait for a receiver that
-    /// turned out to be slow.
+    /// Records the end and duration of an attempt. If the receiver proves slow, returns the
+    /// announcements that can no longer be attempted within their leases.
     pub(super) fn ended(&mut self, receiver: &Receiver, took: Duration) -> Vec<Postponed> {
         let Some(queue) = self.queues.get_mut(receiver) else { return Vec::new() };
         queue.running = queue.running.saturating_sub(1);
@@ -129,7 +131,7 @@ mod tests {
         (name.to_owned(), None)
     }
 
-    /// Begins whatever may begin; how many attempts those are.
+    /// Begins all attempts that may begin and returns their number.
     fn begin(receivers: &mut Receivers) -> usize {
         std::iter::from_fn(|| receivers.next()).count()
     }

@@ -1,10 +1,10 @@
-//! Which addresses a submission may name to be called back.
+//! Rules for the `callback_url` of a submission.
 
 use std::net::IpAddr;
 
 use crate::outgoing::{Destination, is_public};
 
-/// The addresses that a service calls.
+/// The addresses that a service may call.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct CallbackRules {
     hosts: Vec<String>,
@@ -18,15 +18,15 @@ impl CallbackRules {
         Self { hosts: hosts.iter().map(|host| host.to_ascii_lowercase()).collect(), allow_private }
     }
 
-    /// Whether anything is called at all.
+    /// Returns whether any host may be called.
     pub fn is_enabled(&self) -> bool {
         !self.hosts.is_empty()
     }
 
-    /// The address of a submission, if it may be called.
+    /// Parses the address of a submission and checks that it may be called.
     ///
     /// # Errors
-    /// What would be right, for a person.
+    /// A sentence that says which addresses are allowed.
     pub fn check(&self, url: &str) -> Result<Destination, String> {
         if !self.is_enabled() {
             return Err("is not available: this service calls nobody (--webhook-host)".to_owned());

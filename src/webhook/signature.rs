@@ -1,5 +1,4 @@
-//! Signatures of announcements, as Standard Webhooks has them: receivers verify them with its
-//! libraries.
+//! Signatures of announcements in the format of Standard Webhooks, whose libraries verify them.
 //!
 //! ```text
 //! webhook-signature: v1,base64(HMAC-SHA256(secret, "{id}.{timestamp}.{body}"))
@@ -20,7 +19,7 @@ const PREFIX: &str = "whsec_";
 /// Lengths \[bytes\] that a secret may have.
 const LENGTHS: std::ops::RangeInclusive<usize> = 24..=64;
 
-/// What service and receivers share.
+/// A secret that service and receivers share.
 #[derive(Clone, PartialEq, Eq)]
 pub struct WebhookSecret(Vec<u8>);
 
@@ -47,8 +46,8 @@ impl fmt::Debug for WebhookSecret {
     }
 }
 
-/// The signatures of a message, one with each secret: while a secret is replaced, receivers have
-/// either.
+/// Signs a message with each secret: while a secret is being replaced, some receivers still use
+/// the old one.
 pub(super) fn signatures(
     secrets: &[WebhookSecret],
     id: &str,

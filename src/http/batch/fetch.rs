@@ -1,4 +1,4 @@
-//! Several jobs with their results, sent as they are read: no two are in memory at the same time.
+//! Several jobs with their results, sent as they are read: memory holds one result at a time.
 
 use axum::body::{Body, Bytes};
 use axum::http::header::CONTENT_TYPE;
@@ -16,11 +16,11 @@ use crate::http::wire::{JobDocument, Prefix};
 use crate::http::written_body::written;
 use crate::jobs::{JobId, StoreError};
 
-/// Bytes of a job that are held back until the whole of it is there, so that one that is removed
-/// meanwhile is answered as such.
+/// Bytes of a job that are held back until the job is complete: if the job is removed meanwhile,
+/// the answer can still say so.
 const HELD: usize = 1 << 20;
 
-/// 200 with the jobs of these ids.
+/// Answers 200 with the jobs of these ids.
 pub(in crate::http) fn fetched(
     state: HttpState,
     caller: Caller,
@@ -71,7 +71,7 @@ impl Fetch {
         Ok(())
     }
 
-    /// Sends one job; a problem where it cannot be sent and nothing of it was.
+    /// Sends one job; returns a problem if it fails before the first byte of the job.
     async fn send(&self, id: JobId) -> Result<Result<(), Problem>, StoreError> {
         let found = async {
             check_seen(&self.state, self.caller, id).await?;
@@ -106,7 +106,7 @@ impl Fetch {
         };
         let (written, held) = tokio::join!(write, self.pass_on(pieces));
         match (written, held) {
-            // Removed meanwhile, by its owner or to make room.
+            // The job was removed meanwhile, by its owner or to free space.
             (Err(error @ StoreError::NotFound), Some(_)) => Ok(Err(error.into())),
             (Ok(Ok(())), Some(held)) => {
                 for piece in held {
@@ -118,8 +118,8 @@ impl Fetch {
         }
     }
 
-    /// Sends the pieces of a job once there are so many that they are not held any longer, and
-    /// returns those of a job of which nothing is sent yet.
+    /// Sends the pieces of a job once they exceed the bytes to hold back; returns the pieces if
+    /// nothing was sent.
     async fn pass_on(&self, mut pieces: Receiver<Bytes>) -> Option<Vec<Bytes>> {
         let mut held = Some(Vec::new());
         let mut bytes = 0;
@@ -136,7 +136,7 @@ impl Fetch {
                 let _ = self.sender.send(piece).await;
             }
             if self.sender.is_closed() {
-                // Nobody reads what is not received here either.
+                // If the channel is closed, the client has gone.
                 break;
             }
         }

@@ -1,5 +1,4 @@
-//! The members of a JSON object as they are written: every one, also those that come twice, each
-//! with its own text.
+//! The members of a JSON object as they are written, each with its own text; duplicates are kept.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Several jobs in one request: each is answered as it would be by itself.
+//! Several jobs in one request, each answered as by a request of its own.
 
 mod fetch;
 mod members;

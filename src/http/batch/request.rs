@@ -1,4 +1,4 @@
-//! What a request for several jobs says, read whole: every member at fault is named at once.
+//! Parser of requests for several jobs; it reports all faulty members at once.
 
 use axum::body::Bytes;
 use brinell_solver::job::{FaultCode, FieldError};
@@ -17,7 +17,7 @@ use crate::http::query::MAX_PRIORITY;
 use crate::jobs::JobId;
 use crate::webhook::CallbackRules;
 
-/// Most faults that are told of one request.
+/// Most faults reported for one request.
 const MAX_FAULTS: usize = 100;
 
 /// Jobs to hand in.
@@ -56,7 +56,7 @@ pub(in crate::http) struct BatchOfIds {
     ids: Vec<JobId>,
 }
 
-/// One of the jobs to hand in, as it was read.
+/// A job to submit, as parsed.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::http) struct ReadJob {
     /// Its text.
@@ -66,7 +66,7 @@ pub(in crate::http) struct ReadJob {
     pub(in crate::http) callback_url: Option<String>,
 }
 
-/// Collects what is wrong with a request.
+/// Collects the faults of a request.
 #[derive(Debug, Default)]
 struct Faults(Vec<FieldError>);
 
@@ -87,7 +87,7 @@ impl Faults {
         Err(Problem::new(ProblemType::InvalidBatch, detail).with_errors(self.0))
     }
 
-    /// The members of an object whose names are known, each once.
+    /// Returns the members of an object with known names; reports unknown and duplicate ones.
     fn members<'a>(
         &mut self,
         pointer: &str,
@@ -116,12 +116,12 @@ impl Faults {
         kept
     }
 
-    /// The one list that a request consists of.
+    /// Returns the single list that a request consists of.
     fn list<'a>(&mut self, text: &'a str, name: &str) -> Vec<&'a RawValue> {
         let members = self.members("", text, &[name]);
         let pointer = format!("/{name}");
         let Some((_, value)) = members.first() else {
-            // An object that is none is told already.
+            // A value that is no object is reported already.
             if self.0.iter().all(|fault| !fault.pointer.is_empty()) {
                 self.add(pointer, FaultCode::Required, "is required");
             }
@@ -139,7 +139,7 @@ impl Faults {
         items
     }
 
-    /// A value of a type that satisfies `accept`, or is told to be `expected`.
+    /// Parses a value that satisfies `accept`; reports `expected` otherwise.
     fn value<T: DeserializeOwned>(
         &mut self,
         pointer: String,
@@ -158,13 +158,13 @@ impl Faults {
     }
 }
 
-/// The text of a body, if it is JSON at all.
+/// Returns the text of a body if it is JSON.
 fn text(body: &[u8]) -> Result<&str, Problem> {
     let whole: Result<&RawValue, _> = serde_json::from_slice(body);
     whole.map(RawValue::get).map_err(|error| Problem::not_json(&error))
 }
 
-/// Reads jobs to hand in. Whether they are jobs is not looked at.
+/// Parses jobs to submit, without checking the jobs themselves.
 ///
 /// # Errors
 /// A problem with every member at fault.
@@ -222,7 +222,7 @@ pub(in crate::http) fn read_jobs(
     faults.finish(jobs)
 }
 
-/// Reads the ids of jobs.
+/// Parses the ids of jobs.
 ///
 /// # Errors
 /// A problem with every member at fault.
