@@ -64,7 +64,7 @@ pub(super) fn backup(args: &BackupArgs) -> Result<ExitCode, Fault> {
     let mut partial = OsString::from(&args.file);
     partial.push(".partial");
     let partial = PathBuf::from(partial);
-    // What an interrupted backup has left.
+    // An interrupted backup may have left this file.
     match fs::remove_file(&partial) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(failed(error)),
         _ => {}
@@ -75,7 +75,7 @@ pub(super) fn backup(args: &BackupArgs) -> Result<ExitCode, Fault> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Gives a file that is complete its name.
+/// Renames a complete file to its final name.
 fn publish(partial: &Path, file: &Path) -> io::Result<()> {
     File::open(partial)?.sync_all()?;
     fs::rename(partial, file)?;
@@ -94,6 +94,7 @@ pub(super) fn restore(args: &RestoreArgs) -> Result<ExitCode, Fault> {
             .await
             .map_err(|error| Fault::App(error.into()))
     })?;
-    tracing::info!(target: AUDIT, file = %args.file.display(), directory = %args.storage.data_dir.display(), "backup restored");
+    let [file, directory] = [&args.file, &args.storage.data_dir].map(|path| path.display());
+    tracing::info!(target: AUDIT, %file, %directory, "backup restored");
     Ok(ExitCode::SUCCESS)
 }

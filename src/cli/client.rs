@@ -1,4 +1,4 @@
-//! A small HTTP client for the program's own questions to a service: one request, one connection.
+//! A small HTTP client for requests of this program to a service: one request, one connection.
 
 use std::net::SocketAddr;
 use std::path::Path;
@@ -23,12 +23,12 @@ use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::TcpStream;
 use tokio_rustls::TlsConnector;
 
-/// Why a request has no answer that one can use.
+/// An error of a request.
 #[derive(Debug, Error)]
 #[error("{0}")]
 pub(super) struct RequestError(String);
 
-/// Talks to one service.
+/// A client of one service.
 #[derive(Clone)]
 pub(super) struct Client {
     pub(super) address: SocketAddr,
@@ -36,12 +36,12 @@ pub(super) struct Client {
 }
 
 impl Client {
-    /// Without TLS.
+    /// Makes a client without TLS.
     pub(super) const fn new(address: SocketAddr) -> Self {
         Self { address, tls: None }
     }
 
-    /// With TLS, to a service that has the first certificate of a file (PEM).
+    /// Makes a client with TLS that trusts only the first certificate of a file (PEM).
     pub(super) fn pinned(address: SocketAddr, certificate: &Path) -> Result<Self, RequestError> {
         let certificate = CertificateDer::from_pem_file(certificate);
         let certificate = certificate.map_err(|error| failed(format!("certificate: {error}")))?;
@@ -58,7 +58,7 @@ impl Client {
         self.send("GET", path, Bytes::new()).await
     }
 
-    /// POSTs JSON and takes the answer.
+    /// POSTs JSON and returns the answer.
     pub(super) async fn post<T: DeserializeOwned>(
         &self,
         path: &str,
@@ -123,7 +123,7 @@ fn failed(error: impl ToString) -> RequestError {
     RequestError(error.to_string())
 }
 
-/// Trusts one certificate: its holder is who is meant, whatever its name and age.
+/// A verifier that trusts one certificate, whatever its host name and age.
 #[derive(Debug)]
 struct Pinned {
     certificate: CertificateDer<'static>,

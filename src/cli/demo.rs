@@ -1,4 +1,4 @@
-//! `brinell demo`: the whole way of a job, shown on the reference problem.
+//! `brinell demo`: a job from submission to result, with the reference problem.
 
 use std::io::{self, IsTerminal};
 use std::process::ExitCode;
@@ -87,7 +87,7 @@ pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
     })
 }
 
-/// Hands the example in, follows it and prints its result.
+/// Submits the example, follows it and prints its result.
 async fn show_a_job(client: &Client) -> Result<(JobId, Report), Fault> {
     let style = Style::of_stdout();
     let job = Job::from_json(EXAMPLE).map_err(|error| Fault::of_job("the example", error))?;

@@ -1,4 +1,4 @@
-//! What can go wrong on the command line, and how it is told.
+//! Errors of the command line and their messages.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -19,7 +19,7 @@ const FAILED: u8 = 1;
 /// Exit code for bad input.
 const BAD_INPUT: u8 = 2;
 
-/// Why a command did not do what it was asked.
+/// An error of a command.
 #[derive(Debug, Error)]
 pub(super) enum Fault {
     /// The job cannot be read.
@@ -37,10 +37,10 @@ pub(super) enum Fault {
     /// The solver failed.
     #[error("the job could not be solved: {0}")]
     Run(RunError),
-    /// The result has numbers that are none.
+    /// The result has numbers that are not finite.
     #[error("the result is not usable: {0}")]
     Encode(#[from] EncodeError),
-    /// The result has no such form.
+    /// The result cannot be written in this format.
     #[error(transparent)]
     Export(#[from] ExportError),
     /// The service does not run.
@@ -89,7 +89,8 @@ impl Fault {
         }
     }
 
-    /// Whether the reader of our output has gone, as in `brinell solve job.json | head`.
+    /// Returns whether the reader of standard output has closed it, as in `brinell solve job.json
+    /// | head`.
     fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Write { source, .. } if source.kind() == io::ErrorKind::BrokenPipe)
     }
@@ -102,7 +103,7 @@ fn with_reason(error: &StoreError) -> String {
     }
 }
 
-/// Tells a fault on standard error, one line for each field.
+/// Prints a fault to standard error, one line for each field.
 pub(super) fn report_fault(fault: &Fault) -> ExitCode {
     if !fault.is_broken_pipe() {
         let style = Style::of_stderr();
@@ -113,7 +114,7 @@ pub(super) fn report_fault(fault: &Fault) -> ExitCode {
                 let _ = writeln!(text, "  {}: {}", style.bold(pointer), error.detail);
             }
         }
-        // Nothing is left to tell it to.
+        // If standard error is closed, the message is lost.
         let _ = io::stderr().write_all(text.as_bytes());
     }
     ExitCode::from(fault.exit_code())

@@ -151,7 +151,8 @@ pub(super) fn key(args: &KeyArgs) -> Result<ExitCode, Fault> {
                 if !keys.limit_key(*id, limits.limits(), limits.expires).await? {
                     return Err(Fault::NoKey(*id));
                 }
-                tracing::info!(target: AUDIT, key = %id, limits = ?limits.limits(), expires = ?limits.expires, "limits of a key set");
+                let (key, expires, limits) = (id, &limits.expires, limits.limits());
+                tracing::info!(target: AUDIT, %key, ?limits, ?expires, "limits of a key set");
                 format!("the limits of {id} are set\n")
             }
             KeyCommand::Rotate { id, overlap, storage } => {

@@ -13,7 +13,7 @@ const DELAY: Duration = Duration::from_secs(1);
 /// Time between two updates.
 const INTERVAL: Duration = Duration::from_millis(100);
 
-/// Shows how far a solve has come, and is its clock.
+/// An observer that prints progress and times the solve.
 pub(super) struct ProgressLine {
     started: Instant,
     shown: Option<Instant>,

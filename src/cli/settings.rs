@@ -39,8 +39,7 @@ fn line(argument: &Arg, matches: &ArgMatches) -> Option<String> {
     Some(text)
 }
 
-/// An address without what may be a password: user and password, and whatever stands behind a
-/// question mark.
+/// Returns a URL without its user, password and query string, which may hold a password.
 fn redacted(text: &str) -> String {
     let Some((scheme, rest)) = text.split_once("://") else {
         return if text.is_empty() { String::new() } else { "***".to_owned() };

@@ -1,9 +1,9 @@
-//! Colour and characters, as far as the reader's terminal has them.
+//! Colours and characters that the terminal supports.
 
 use std::env;
 use std::io::{self, IsTerminal};
 
-/// What the output may be dressed in.
+/// Capabilities of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
     /// ANSI colours.
@@ -13,15 +13,15 @@ pub struct Style {
 }
 
 impl Style {
-    /// Neither colour nor special characters withheld: for files.
+    /// Style of files: Unicode without colours.
     pub const PLAIN: Self = Self { colour: false, unicode: true };
 
-    /// What standard output can show.
+    /// Returns the style of standard output.
     pub fn of_stdout() -> Self {
         Self::of(io::stdout().is_terminal())
     }
 
-    /// What standard error can show.
+    /// Returns the style of standard error.
     pub fn of_stderr() -> Self {
         Self::of(io::stderr().is_terminal())
     }

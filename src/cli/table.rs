@@ -64,7 +64,7 @@ impl Names {
         if self.is_round || self.is_three_dimensional { "r" } else { "|x|" }
     }
 
-    /// Of a plane body for each length of its thickness, which cancels with the length of the way.
+    /// Unit of work: of a plane body per thickness, whose length cancels with the displacement.
     fn work(self) -> String {
         match self.force.strip_suffix(&format!("/{}", self.length)) {
             Some(force) => force.to_owned(),
@@ -105,7 +105,7 @@ struct Page {
     style: Style,
     names: Names,
     text: String,
-    /// Remarks and datums that are written: what holds for every step is said once.
+    /// Remarks and datums already written: a remark that holds for every step appears once.
     said: Vec<String>,
 }
 
@@ -302,7 +302,7 @@ impl Page {
         }
     }
 
-    /// How much of the heights touches, and how much of that has yielded.
+    /// Writes the real contact area and the part of it that has yielded.
     fn rough_contact(&mut self, rough: &RoughContactReport) {
         let stress = self.names.stress;
         self.value("nominal pressure", stress, rough.nominal_pressure, None, "");
@@ -325,8 +325,8 @@ impl Page {
         self.line(&format!("moment about the x axis in its middle: {moment} {force} {length}"));
     }
 
-    /// What a load leaves that has been taken away: the bodies are apart, and Hertz's theory says
-    /// nothing of them.
+    /// Writes the figures after unloading: the bodies are apart, and Hertz's theory does not
+    /// apply.
     fn left_behind(&mut self, step: &StepReport, flow: &FlowReport) {
         let length = self.names.length;
         let both = [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)];
@@ -392,7 +392,7 @@ impl Page {
             Some(hertz) if hertz > 0.0 => format!("{:.3}", value / hertz),
             _ => String::new(),
         };
-        // What is prescribed, or zero without contact, has no error.
+        // A prescribed figure, or zero without contact, has no error.
         let error = error.filter(|error| *error > 0.0);
         let error = error
             .map_or_else(String::new, |error| format!("  ± {} %", significant(100.0 * error, 2)));
@@ -430,8 +430,7 @@ impl Page {
         format!("plastic zone {size}; strain up to {strain} % at {place}, depth {depth} {length}")
     }
 
-    /// How much of its strength a body uses that is not equally strong everywhere, where that is
-    /// most.
+    /// Describes where a body of varying strength uses most of its strength, and how much.
     fn utilization(&mut self, step: &StepReport) {
         for name in ["upper", "lower"] {
             let profiles = step.profiles().filter(|(of, _)| *of == name);
@@ -453,7 +452,7 @@ impl Page {
         }
     }
 
-    /// What flow theory knows: the surfaces, the work, and how the contact unloads.
+    /// Writes the figures of flow theory: surfaces, work and unloading stiffness.
     fn flow(&mut self, flow: &FlowReport, loaded: bool) {
         let names = self.names;
         let surfaces = &flow.surfaces;
@@ -463,7 +462,7 @@ impl Page {
             else {
                 continue;
             };
-            // What a load has left stands above.
+            // The lines after unloading stand above.
             let depth = format!("surface {} {} deep", significant(surface.depth, 4), names.length);
             let pile_up = format!(
                 "pile-up {} {} at {} {}",

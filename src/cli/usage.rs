@@ -1,4 +1,4 @@
-//! Wrong settings, told in one line that names the flag and the variable.
+//! Messages about wrong settings: one line that names the flag and the variable.
 
 use std::error::Error as _;
 use std::io::{self, Write};
@@ -12,15 +12,15 @@ use super::style::Style;
 /// Exit code for wrong usage.
 const USAGE: u8 = 2;
 
-/// Tells what is wrong with the arguments, or whatever else clap has to say (help, version).
+/// Prints a message about the arguments, or clap's help or version.
 pub(super) fn report(error: &Error, command: &Command) -> ExitCode {
     let Some(line) = explain(error, command) else { error.exit() };
-    // Nothing is left to tell it to.
+    // If the output is closed, the message is lost.
     let _ = writeln!(io::stderr(), "{} {line}", Style::of_stderr().red("error:"));
     ExitCode::from(USAGE)
 }
 
-/// A value that cannot be taken; `None` of other errors.
+/// Describes a wrong value; `None` for other errors.
 fn explain(error: &Error, command: &Command) -> Option<String> {
     if !matches!(error.kind(), ErrorKind::ValueValidation | ErrorKind::InvalidValue) {
         return None;
@@ -36,7 +36,7 @@ fn explain(error: &Error, command: &Command) -> Option<String> {
         }
         (None, _) => "not a value it can have".to_owned(),
     };
-    // What may be a secret is not repeated.
+    // A value that may be a secret is not repeated.
     let value = if variable.1 { "what it is".to_owned() } else { format!("{value:?}") };
     Some(format!("{flag} ({}) cannot be {value}: {reason}", variable.0))
 }

@@ -57,7 +57,10 @@ pub struct WebhookConfig {
 
     /// Pause behind the first attempt that fails; the others are 6, 24, 120, 720, 2160, 5760 and
     /// 8640 times as long
-    #[arg(long, env = "BRINELL_WEBHOOK_RETRY", value_name = "SECONDS", default_value = "5", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_WEBHOOK_RETRY", value_name = "SECONDS", default_value = "5",
+        value_parser = seconds,
+    )]
     pub webhook_retry: Duration,
 }
 

@@ -39,11 +39,17 @@ pub struct ServeConfig {
     pub allowed_hosts: Vec<String>,
 
     /// Do not solve here: leave the jobs to `brinell worker` (needs --database-url)
-    #[arg(long, env = "BRINELL_NO_WORKERS", conflicts_with_all = ["workers", "memory_limit", "factor_cache"])]
+    #[arg(
+        long, env = "BRINELL_NO_WORKERS",
+        conflicts_with_all = ["workers", "memory_limit", "factor_cache"],
+    )]
     pub no_workers: bool,
 
     /// Longest time POST /v1/solve waits for its result before it answers 202
-    #[arg(long, env = "BRINELL_SOLVE_LIMIT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_SOLVE_LIMIT", value_name = "SECONDS", default_value = "30",
+        value_parser = seconds,
+    )]
     pub solve_limit: Duration,
 
     /// Largest request body
@@ -51,19 +57,31 @@ pub struct ServeConfig {
     pub max_body: usize,
 
     /// Longest time a request's head may take to arrive, and a connection may idle
-    #[arg(long, env = "BRINELL_HEADER_TIMEOUT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_HEADER_TIMEOUT", value_name = "SECONDS", default_value = "30",
+        value_parser = seconds,
+    )]
     pub header_timeout: Duration,
 
     /// Longest time a request's body may take to arrive
-    #[arg(long, env = "BRINELL_BODY_TIMEOUT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_BODY_TIMEOUT", value_name = "SECONDS", default_value = "30",
+        value_parser = seconds,
+    )]
     pub body_timeout: Duration,
 
     /// Longest time a client may take nothing of its answer
-    #[arg(long, env = "BRINELL_WRITE_TIMEOUT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_WRITE_TIMEOUT", value_name = "SECONDS", default_value = "30",
+        value_parser = seconds,
+    )]
     pub write_timeout: Duration,
 
     /// Most connections at a time; further clients wait
-    #[arg(long, env = "BRINELL_MAX_CONNECTIONS", value_name = "N", default_value = "4000", value_parser = connections)]
+    #[arg(
+        long, env = "BRINELL_MAX_CONNECTIONS", value_name = "N", default_value = "4000",
+        value_parser = connections,
+    )]
     pub max_connections: usize,
 
     /// Most event streams open at a time
@@ -107,7 +125,10 @@ pub struct ServeConfig {
 
     /// Origin whose pages may ask this service, e.g. `https://design.example`; `*` is every
     /// origin. May be repeated
-    #[arg(long, env = "BRINELL_CORS_ORIGIN", value_name = "ORIGIN", value_delimiter = ',', value_parser = origin)]
+    #[arg(
+        long, env = "BRINELL_CORS_ORIGIN", value_name = "ORIGIN", value_delimiter = ',',
+        value_parser = origin,
+    )]
     pub cors_origin: Vec<HeaderValue>,
 
     #[command(flatten)]

@@ -81,11 +81,17 @@ pub struct StorageConfig {
     pub max_priority_per_key: Option<i16>,
 
     /// Time jobs with a result are kept for
-    #[arg(long, env = "BRINELL_KEEP_RESULTS", value_name = "HOURS", default_value = "168", value_parser = hours)]
+    #[arg(
+        long, env = "BRINELL_KEEP_RESULTS", value_name = "HOURS", default_value = "168",
+        value_parser = hours,
+    )]
     pub keep_results: Duration,
 
     /// Time failed, cancelled and timed out jobs are kept for
-    #[arg(long, env = "BRINELL_KEEP_FAILURES", value_name = "HOURS", default_value = "72", value_parser = hours)]
+    #[arg(
+        long, env = "BRINELL_KEEP_FAILURES", value_name = "HOURS", default_value = "72",
+        value_parser = hours,
+    )]
     pub keep_failures: Duration,
 
     /// Room for results above which the jobs that finished first are removed before their time

@@ -43,19 +43,31 @@ pub struct WorkConfig {
     pub factor_cache: Option<u32>,
 
     /// Longest time a job may be solved for
-    #[arg(long, env = "BRINELL_JOB_TIMEOUT", value_name = "SECONDS", default_value = "600", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_JOB_TIMEOUT", value_name = "SECONDS", default_value = "600",
+        value_parser = seconds,
+    )]
     pub job_timeout: Duration,
 
     /// How often the worker of a job may be lost before the job is given up
-    #[arg(long, env = "BRINELL_MAX_ATTEMPTS", value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(
+        long, env = "BRINELL_MAX_ATTEMPTS", value_name = "N", default_value = "3",
+        value_parser = clap::value_parser!(u32).range(1..=100),
+    )]
     pub max_attempts: u32,
 
     /// Time after which a worker without a sign of life is taken for lost
-    #[arg(long, env = "BRINELL_LEASE", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_LEASE", value_name = "SECONDS", default_value = "30",
+        value_parser = seconds,
+    )]
     pub lease: Duration,
 
     /// Time to finish running jobs in after SIGTERM; the others go back to the queue
-    #[arg(long, env = "BRINELL_GRACE", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    #[arg(
+        long, env = "BRINELL_GRACE", value_name = "SECONDS", default_value = "30",
+        value_parser = seconds,
+    )]
     pub grace: Duration,
 }
 

@@ -1,5 +1,5 @@
-//! What holds for every request and every answer: the host that is addressed, the name of the
-//! request, and headers that keep browsers from guessing.
+//! Layers for every request: check of the `Host` header, request id, and security headers of the
+//! answer.
 
 use std::net::SocketAddr;
 
@@ -21,22 +21,22 @@ use super::problem_type::ProblemType;
 /// Longest `x-request-id` that is taken over from a client.
 const REQUEST_ID: usize = 128;
 
-/// Answers are data: nothing in them is to be run, embedded or framed.
+/// Policy of answers with data: a browser must not run, embed or frame them.
 const DATA_POLICY: &str = "default-src 'none'; frame-ancestors 'none'";
 
-/// Names under which a service that listens on loopback is addressed.
+/// Host names of a service that listens on loopback.
 const LOOPBACK: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
 
 /// The hosts that a service answers to.
 ///
-/// A page from elsewhere can have its own name point to this machine (DNS rebinding) and then ask
-/// as if it were from here. The name in `Host` gives it away.
+/// A foreign web page can make its own host name resolve to this machine (DNS rebinding) and then
+/// send requests as if it came from this service. The `Host` header still holds the foreign name.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct AllowedHosts(Option<Vec<String>>);
 
 impl AllowedHosts {
-    /// These names; without any, the names of loopback where the service listens there alone, and
-    /// every name elsewhere, where requests need an API key or anybody may ask anyway.
+    /// Accepts the given names. Without any, accepts the names of loopback if the service listens
+    /// there alone, and every name otherwise: there, requests need an API key or are open to all.
     pub fn new(names: &[String], address: SocketAddr) -> Self {
         let is_loopback = address.ip().to_canonical().is_loopback();
         if names.is_empty() && !is_loopback {
@@ -57,8 +57,7 @@ impl AllowedHosts {
     }
 }
 
-/// Takes over no name of a request that is long or not printable: the request then gets one of the
-/// service's.
+/// Drops an `x-request-id` that is too long or not printable: the service then generates one.
 pub(super) async fn drop_unusable_request_id(mut request: Request, next: Next) -> Response {
     let id = request.headers().get("x-request-id");
     if id
@@ -69,8 +68,7 @@ pub(super) async fn drop_unusable_request_id(mut request: Request, next: Next) -
     next.run(request).await
 }
 
-/// Refuses requests with heads that are too large, and those that do not say, or say wrongly,
-/// which host they are for.
+/// Refuses requests whose head is too large, and requests with a missing or foreign `Host`.
 pub(super) async fn check_host(
     State(state): State<HttpState>,
     request: Request,
@@ -84,7 +82,7 @@ pub(super) async fn check_host(
     let (Some(host), None) = (hosts.next(), hosts.next()) else {
         return Err(Problem::new(ProblemType::InvalidHeader, "Host must come once"));
     };
-    // A client that writes the whole address, as for a proxy, names a host there as well.
+    // A request line with a full URL, as for a proxy, names a host as well.
     let is_allowed = |host: &str| state.hosts.allow(host);
     let addressed = request.uri().authority().map(Authority::as_str);
     if !host.to_str().is_ok_and(is_allowed) || !addressed.is_none_or(is_allowed) {
@@ -99,9 +97,9 @@ pub(super) async fn check_host(
     Ok(next.run(request).await)
 }
 
-/// Whether a request is from no page, from a page of this service or from one that may ask.
-/// Browsers send a page's requests to a service on loopback whatever page it is; what a form or an
-/// image may ask for is not asked for beforehand.
+/// Returns whether a request comes from no web page, from a page of this service or from an
+/// allowed origin. A browser lets every page send requests to loopback, and sends those of forms
+/// and images without a preflight request.
 fn is_from_here(headers: &HeaderMap, host: &HeaderValue, allowed: &[HeaderValue]) -> bool {
     let origin = headers.get(ORIGIN);
     if allowed.iter().any(|allowed| allowed == "*" || Some(allowed) == origin) {
@@ -120,7 +118,7 @@ fn is_from_here(headers: &HeaderMap, host: &HeaderValue, allowed: &[HeaderValue]
     [Some(host), forwarded].into_iter().flatten().any(|host| Some(host.as_bytes()) == authority)
 }
 
-/// Bytes of a head on the wire, about: its address and its lines.
+/// Returns the approximate size \[bytes\] of a head: its URL and its header lines.
 fn head_bytes(request: &Request) -> usize {
     let address = request.uri().path_and_query().map_or(0, |path| path.as_str().len());
     request
@@ -129,7 +127,7 @@ fn head_bytes(request: &Request) -> usize {
         .fold(address, |sum, (name, value)| sum + name.as_str().len() + value.len() + 4)
 }
 
-/// Adds the headers that every answer has, unless it has its own.
+/// Adds the common headers to an answer, except those that it has already.
 pub(super) async fn guard_response(request: Request, next: Next) -> Response {
     let mut response = next.run(request).await;
     let headers = response.headers_mut();
@@ -140,13 +138,13 @@ pub(super) async fn guard_response(request: Request, next: Next) -> Response {
     set(CACHE_CONTROL, "no-store");
     set(CONTENT_SECURITY_POLICY, DATA_POLICY);
     if headers.get(CONTENT_TYPE).is_some_and(|kind| kind.as_bytes() == b"image/svg+xml") {
-        // A figure may be looked at by itself, and has its own styles.
+        // A browser may show a figure by itself; the figure contains its styles.
         headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(FIGURE_POLICY));
     }
     response
 }
 
-/// Figures have styles of their own, and nothing else.
+/// Policy of figures: they may use styles of their own and nothing else.
 const FIGURE_POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'";
 

@@ -1,5 +1,6 @@
-//! Follows one job for one client, at the client's pace: a page of its history is read when the
-//! last one has been taken, so that a client that does not read costs little and holds nobody up.
+//! Events of one job for one client. The stream reads a page of the history only when the client
+//! has taken the last one: a client that does not read occupies little memory and no connection to
+//! the database.
 
 use std::time::Duration;
 
@@ -12,10 +13,10 @@ use super::HttpState;
 use super::wire::{JobDocument, Prefix};
 use crate::jobs::{JobId, JobRecord, JobState, StoreError, Subscription};
 
-/// Longest time between two looks at the store, should an announcement be lost.
+/// Longest time between two queries of the store, in case an announcement is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
-/// Iterations seen, of which attempt.
+/// Number of iterations sent, and their attempt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct EventPosition {
     attempt: u32,
@@ -23,7 +24,7 @@ pub(super) struct EventPosition {
 }
 
 impl EventPosition {
-    /// Reads an event's id; `None` if no event has it.
+    /// Parses an event's id; `None` if it is none.
     pub(super) fn parse(id: &str) -> Option<Self> {
         let mut parts = id.split('-');
         let position =
@@ -41,8 +42,8 @@ impl EventPosition {
     }
 }
 
-/// Sends a job to one client, at the pace of the client: it holds one page of iterations and no
-/// reader of the store meanwhile.
+/// Sends the events of a job to one client. It holds one page of iterations, and no connection to
+/// the database, while it waits for the client.
 pub(super) struct Follower {
     state: HttpState,
     job: JobId,
@@ -66,8 +67,8 @@ impl Follower {
         Self { state, job, subscription, prefix, position, sent_state: None, events }
     }
 
-    /// Follows the job to its end. While the store does not answer, the client waits; where what
-    /// is stored cannot be read, the stream breaks off.
+    /// Follows the job to its end. If the store does not answer, the client waits; if a row is
+    /// damaged, the stream breaks off.
     pub(super) async fn run(mut self) -> Result<(), StoreError> {
         let closing = self.state.closing.clone();
         loop {
@@ -85,7 +86,7 @@ impl Follower {
         Ok(())
     }
 
-    /// Sends what is new; whether that was the end.
+    /// Sends new events; returns whether the job has ended.
     async fn look(&mut self) -> Result<bool, StoreError> {
         loop {
             let record = self.record().await?;
@@ -148,7 +149,7 @@ impl Follower {
         Ok(())
     }
 
-    /// Waits until the client takes an event. When it has gone, this task ends.
+    /// Waits until the client takes an event. The task ends when the client has gone.
     async fn send(&self, event: Option<Event>) {
         if let Some(event) = event {
             let _ = self.events.send(event).await;

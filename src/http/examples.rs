@@ -1,4 +1,4 @@
-//! Jobs to begin with.
+//! Example jobs.
 
 /// Every file in `api/examples`.
 pub(super) const EXAMPLES: [(&str, &str); 11] = [

@@ -1,4 +1,4 @@
-//! Results in the forms that other programs read.
+//! Results as files of other programs.
 
 use std::future::ready;
 
@@ -12,7 +12,7 @@ use super::written_body::written;
 use super::{HttpState, Problem, ProblemType};
 use crate::jobs::{Export, ExportError, ExportFailure, JobId};
 
-/// The result of a job in another form, as a file with a name to keep it under.
+/// Answers with the result of a job as a file with a name.
 pub(super) async fn export_file(
     state: &HttpState,
     caller: Caller,
@@ -20,7 +20,7 @@ pub(super) async fn export_file(
     form: Export,
     step: Option<usize>,
 ) -> Result<Response, Problem> {
-    // What is exported holds a step from here on.
+    // From here on, the export holds a step in memory.
     let turn = state.turn(caller).await;
     let body = match state.jobs.export(id, form, step, caller.key()).await {
         Ok(exported) => Body::from_stream(written(ready(turn), |sender| exported.send(sender))),
@@ -28,7 +28,7 @@ pub(super) async fn export_file(
         Err(ExportFailure::Store(error)) => return Err(error.into()),
         Err(ExportFailure::Export(error)) => return Err(unavailable(&error)),
     };
-    // Figures are looked at, the rest is for other programs.
+    // A browser shows figures and saves all other files.
     let disposition =
         if form.media_type().starts_with("image/") { "inline" } else { "attachment" };
     let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());

@@ -1,4 +1,4 @@
-//! The job an address names.
+//! The job that a URL names.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use super::access::Caller;
 use super::problem::Problem;
 use crate::jobs::{JobId, StoreError};
 
-/// The `{id}` of an address. What is no id, or another's, names no job.
+/// The `{id}` of a URL. A text that is no id, or the id of an invisible job, is answered by 404.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JobPath(pub(super) JobId);
 
@@ -28,7 +28,7 @@ impl FromRequestParts<HttpState> for JobPath {
     }
 }
 
-/// Checks that a job exists for a caller who may not see every job.
+/// Checks that a job is visible to the caller.
 pub(super) async fn check_seen(
     state: &HttpState,
     caller: Caller,

@@ -1,4 +1,4 @@
-//! Takes connections: HTTP/1.1, over TLS if so set, with bounds on heads and on the patience with
+//! Accepts connections: HTTP/1.1, over TLS if configured, with limits on heads and timeouts for
 //! slow clients.
 
 use std::sync::Arc;
@@ -17,36 +17,36 @@ use tokio_io_timeout::TimeoutStream;
 use tokio_rustls::TlsAcceptor;
 use tokio_util::sync::CancellationToken;
 
-/// Most bytes of a head: a longer one is answered by 431, here where it does not fit into the
-/// buffer, which may take somewhat more, or else with a problem.
+/// Largest head \[bytes\]. A longer one is answered by 431: by the HTTP library where it exceeds
+/// its buffer, which is somewhat larger, and otherwise with a problem.
 pub(super) const HEAD_BYTES: usize = 64 << 10;
 
-/// Most headers in it.
+/// Most headers in a head.
 const HEADERS: usize = 100;
 
-/// Pause after a connection could not be taken, as when there are too many.
+/// Pause after a failed accept, as when too many files are open.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// How long slow clients are waited for.
+/// Timeouts of slow clients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConnectionTimeouts {
     /// Longest time a request's head may take to arrive, and a connection may idle between two
     /// requests.
     pub head: Duration,
-    /// Longest time a client may take nothing of what is being sent.
+    /// Longest time for which a client may read nothing of an answer.
     pub write: Duration,
 }
 
-/// Where connections come from.
+/// The listening socket.
 pub struct Listening {
     /// The port.
     pub listener: TcpListener,
-    /// What makes them secure, if anything does.
+    /// The TLS configuration, if any.
     pub tls: Option<TlsAcceptor>,
 }
 
-/// Serves at most `most` connections at a time until `close`, then lets every connection finish
-/// the request it is in.
+/// Serves at most `most` connections at a time until `close`; then every connection finishes its
+/// present request.
 pub async fn serve(
     Listening { listener, tls }: Listening,
     router: Router,
@@ -57,7 +57,7 @@ pub async fn serve(
     let connections = GracefulShutdown::new();
     let places = Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS)));
     loop {
-        // Without a place, further clients wait in the system's own queue.
+        // Above the limit, further clients wait in the backlog of the socket.
         let next = async {
             let place = Arc::clone(&places).acquire_owned().await;
             (listener.accept().await, place)
@@ -96,7 +96,7 @@ async fn attend(
     connections: Watcher,
     place: Option<OwnedSemaphorePermit>,
 ) {
-    // Answers are single writes; waiting to fill a packet would only delay them.
+    // Nagle's algorithm is off: answers are single writes, which it would only delay.
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
     stream.set_write_timeout(Some(timeouts.write));

@@ -1,4 +1,4 @@
-//! What has been measured, for Prometheus.
+//! The metrics in Prometheus's text format.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use crate::jobs::{self, JobStore};
 /// The text of `GET /metrics`, and its media type.
 pub(super) type Exposition = ([(HeaderName, &'static str); 1], String);
 
-/// Where the figures are.
+/// The sources of the metrics.
 #[derive(Clone)]
 pub struct Metrics {
     collected: PrometheusHandle,
@@ -22,12 +22,12 @@ pub struct Metrics {
 }
 
 impl Metrics {
-    /// Figures collected in this process, and the queue of a store.
+    /// Metrics of this process and of the queue of a store.
     pub fn new(collected: PrometheusHandle, store: Arc<dyn JobStore>) -> Self {
         Self { collected, store }
     }
 
-    /// Everything as it is now.
+    /// Renders the present values.
     pub(super) async fn show(&self) -> Exposition {
         let counts = self.store.counts().await;
         if let Err(error) = &counts {

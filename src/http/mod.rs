@@ -1,8 +1,9 @@
-//! The service over HTTP. The routes are listed here; each is one file in `routes`, which also
+//! The HTTP interface. This module lists the routes; one file in `routes` holds each handler and
 //! declares it for [`openapi`].
 //!
-//! Every error, including those of the framework and panics, leaves as `application/problem+json`
-//! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
+//! Every error, including errors of the framework and panics, is answered as
+//! `application/problem+json` ([`Problem`]). Every answer carries an `x-request-id`, the client's
+//! own if it sent one.
 
 mod access;
 mod batch;
@@ -97,19 +98,19 @@ pub struct HttpSettings {
     pub wait_limit: Duration,
     /// Whether requests under `/v1` need an API key.
     pub require_api_key: bool,
-    /// The only key that is good, if there is one; those of the store are not looked at.
+    /// The key of this process, if it has one; the keys of the store are then ignored.
     pub once_key: Option<OnceKey>,
-    /// Jobs an API key may hand in a second.
+    /// Jobs that an API key may submit per second.
     pub jobs_per_second: Option<f64>,
-    /// Origins whose pages may ask; `*` is every one.
+    /// Origins whose pages may send requests (CORS); `*` allows all.
     pub cors_origins: Vec<HeaderValue>,
     /// How long finished jobs are kept.
     pub retention: Retention,
-    /// What this node tells of itself.
+    /// Capacity of this node.
     pub capacity: Capacity,
 }
 
-/// What a node can do.
+/// Capacity of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Capacity {
     /// Jobs solved here at the same time.
@@ -145,19 +146,18 @@ impl Default for HttpSettings {
     }
 }
 
-/// What the handlers share.
+/// State that the handlers share.
 #[derive(Clone)]
 pub struct HttpState {
     /// Operations on jobs.
     pub jobs: Arc<JobService>,
     /// Bounds.
     pub settings: HttpSettings,
-    /// Addresses that may be called when jobs end.
+    /// Rules for `callback_url`.
     pub callbacks: Arc<CallbackRules>,
-    /// Names that the service answers to.
+    /// Accepted host names.
     pub hosts: Arc<AllowedHosts>,
-    /// Cancelled when connections are about to be closed; streams without an end of their own end
-    /// then.
+    /// Cancelled before connections close, to end event streams.
     pub closing: CancellationToken,
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
@@ -167,7 +167,7 @@ pub struct HttpState {
 }
 
 impl HttpState {
-    /// The shared state of the handlers. `metrics` are shown at `/metrics`.
+    /// Makes the shared state of the handlers. `metrics` are served at `/metrics`.
     pub fn new(jobs: Arc<JobService>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
         let rates = Arc::new(Rates::new(settings.jobs_per_second));
         let streams = Arc::new(EventStreamLimit::new(settings.event_streams));
@@ -186,18 +186,19 @@ impl HttpState {
         }
     }
 
-    /// A turn to send a result. Each holds a piece of it until its client has read that.
+    /// Waits for a turn to send a result. Each turn holds a piece of a result in memory until its
+    /// client has read it.
     fn turn(&self, caller: Caller) -> impl Future<Output = Turn> + Send + use<> {
         let sending = Arc::clone(&self.sending);
         async move { sending.take(caller.key()).await }
     }
 }
 
-/// The whole HTTP surface.
+/// Builds the router with all routes and layers.
 pub fn router(state: HttpState) -> Router {
     let keys = from_fn_with_state(state.clone(), authenticate);
     let hosts = from_fn_with_state(state.clone(), check_host);
-    // Noise does not compress.
+    // Binary fields compress badly.
     let compressible = DefaultPredicate::new()
         .and(NotForContentType::const_new("application/octet-stream"))
         .and(|_, _, _: &HeaderMap, about: &Extensions| about.get::<CodingChosen>().is_none());
@@ -215,14 +216,14 @@ pub fn router(state: HttpState) -> Router {
         .layer(hosts)
         .layer(CatchPanicLayer::custom(panicked))
         .layer(from_fn(problem::name_request))
-        // Of ten megabytes of figures the default level saves 8 % more than the fastest, in six
-        // times the time.
+        // On ten megabytes of JSON, the default level saves 8 % more bytes than the fastest one
+        // and takes six times as long.
         .layer(
             CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible),
         )
         .layer(from_fn(settle_coding))
         .layer(from_fn(guard_response));
-    // Without origins OPTIONS is a method like others, which no route knows.
+    // Without allowed origins, OPTIONS is answered as an unknown method.
     let routes = match cors {
         Some(cors) => routes.layer(cors),
         None => routes,
@@ -234,7 +235,7 @@ pub fn router(state: HttpState) -> Router {
         .layer(from_fn(drop_unusable_request_id))
 }
 
-/// What pages of other origins may do: with these origins, everything that a program may, without
+/// The CORS layer: pages of these origins may send the same requests as a program, without
 /// cookies.
 fn cors(origins: &[HeaderValue]) -> Option<CorsLayer> {
     let allowed = if origins.iter().any(|origin| origin == "*") {
@@ -245,19 +246,19 @@ fn cors(origins: &[HeaderValue]) -> Option<CorsLayer> {
     let layer = CorsLayer::new()
         .allow_origin(allowed)
         .allow_methods([Method::GET, Method::POST, Method::DELETE])
-        // `*` would not do for `Authorization`.
+        // `*` does not cover `Authorization`.
         .allow_headers(AllowHeaders::mirror_request())
         .expose_headers(ExposeHeaders::any())
         .max_age(Duration::from_hours(1));
     (!origins.is_empty()).then_some(layer)
 }
 
-/// Everything that is documented.
+/// Routes in the OpenAPI document.
 fn documented_routes() -> OpenApiRouter<HttpState> {
     guarded_routes().merge(open_routes())
 }
 
-/// What needs an API key, where keys are needed.
+/// Routes that need an API key if keys are required.
 fn guarded_routes() -> OpenApiRouter<HttpState> {
     let guarded = OpenApiRouter::default()
         .routes(routes!(list_jobs::list_jobs, post_job::post_job))
@@ -279,7 +280,7 @@ fn guarded_routes() -> OpenApiRouter<HttpState> {
     get_export::exports().fold(guarded, OpenApiRouter::routes)
 }
 
-/// What anybody may ask.
+/// Routes that never need a key.
 fn open_routes() -> OpenApiRouter<HttpState> {
     OpenApiRouter::default()
         .routes(routes!(get_problem::get_problem))

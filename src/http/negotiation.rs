@@ -1,4 +1,4 @@
-//! Which form of an answer a client would have: media type and coding (RFC 9110, section 12.5).
+//! Negotiation of media type and content coding (RFC 9110, section 12.5).
 
 use axum::extract::Request;
 use axum::http::header::{ACCEPT, ACCEPT_ENCODING};
@@ -6,8 +6,7 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue};
 use axum::middleware::Next;
 use axum::response::Response;
 
-/// What a header lists, in lower case, with its weights. A weight that is none counts as 0:
-/// nothing is preferred by mistake.
+/// Parses the items of a header, in lower case, with their weights. An invalid weight counts as 0.
 fn weighted(headers: &HeaderMap, name: HeaderName) -> Vec<(String, f64)> {
     let lines = headers.get_all(name).iter().filter_map(|line| line.to_str().ok());
     let items = lines.flat_map(|line| line.split(','));
@@ -24,9 +23,8 @@ fn weighted(headers: &HeaderMap, name: HeaderName) -> Vec<(String, f64)> {
     items.map(read).collect()
 }
 
-/// The layer that leaves one word of the codings that a client takes, so that all agree on it:
-/// gzip, or none. A client that would take no coding at all has its answer as it is, rather than a
-/// refusal.
+/// The layer that reduces `Accept-Encoding` to gzip or nothing, so that all other layers agree. A
+/// client that refuses every coding receives an uncompressed answer, not an error.
 pub(super) async fn settle_coding(mut request: Request, next: Next) -> Response {
     let takes_gzip = takes_gzip(request.headers());
     request.headers_mut().remove(ACCEPT_ENCODING);
@@ -36,15 +34,15 @@ pub(super) async fn settle_coding(mut request: Request, next: Next) -> Response 
     next.run(request).await
 }
 
-/// Whether a client takes gzip.
+/// Returns whether a client accepts gzip.
 pub(super) fn takes_gzip(headers: &HeaderMap) -> bool {
     let accepted = weighted(headers, ACCEPT_ENCODING);
     let find = |names: &[&str]| accepted.iter().find(|(name, _)| names.contains(&name.as_str()));
     find(&["gzip", "x-gzip"]).or_else(|| find(&["*"])).is_some_and(|(_, weight)| *weight > 0.0)
 }
 
-/// Whether a client would rather have CSV than JSON: it gives it more weight, or names it where
-/// JSON is only among others.
+/// Returns whether a client prefers CSV to JSON: by a larger weight, or by naming CSV while JSON
+/// matches only a wildcard.
 pub(super) fn prefers_csv(headers: &HeaderMap) -> bool {
     let accepted = weighted(headers, ACCEPT);
     let preference = |group: &str, name: &str| {
@@ -52,7 +50,7 @@ pub(super) fn prefers_csv(headers: &HeaderMap) -> bool {
             let exactness = [name, group, "*/*"].iter().position(|one| one == range)?;
             Some((exactness, *weight))
         });
-        // The most exact of them counts, whatever it weighs.
+        // The most specific range counts, whatever its weight.
         let (exactness, weight) =
             fitting.min_by(|a, b| a.0.cmp(&b.0)).unwrap_or((usize::MAX, 0.0));
         (weight, usize::MAX - exactness)

@@ -1,8 +1,8 @@
-//! The web page: the files under `web/`, which a release build carries in itself.
+//! The web page: the files under `web/`, which a release build contains.
 //!
-//! Files keep their names from version to version, so browsers ask each time and are answered 304
-//! by a strong `ETag` of the content. What is sent is compressed once. The page needs nothing from
-//! elsewhere, and its `Content-Security-Policy` holds it to that.
+//! Files keep their names between versions, so browsers revalidate them each time; a strong `ETag`
+//! of the content allows the answer 304. Each file is compressed once. The page loads nothing from
+//! other origins, and its `Content-Security-Policy` forbids it.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -33,7 +33,7 @@ struct Web;
 pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; \
                                  form-action 'self'; frame-ancestors 'none'";
 
-/// What has been compressed, by digest: in a debug build a file changes while the program runs.
+/// Compressed files by digest: in a debug build, files change while the program runs.
 static COMPRESSED: LazyLock<Mutex<HashMap<[u8; 32], Bytes>>> = LazyLock::new(Mutex::default);
 
 /// `GET /`.
@@ -84,7 +84,7 @@ fn media_type(path: &str) -> &'static str {
     }
 }
 
-/// A strong tag names bytes, so the compressed file has one of its own.
+/// A strong tag identifies bytes, so the compressed file has its own tag.
 fn tag(file: &EmbeddedFile, gzip: bool) -> String {
     let digest = file.metadata.sha256_hash().first_chunk().copied().map_or(0, u128::from_be_bytes);
     let coding = if gzip { "-gzip" } else { "" };

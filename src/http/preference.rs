@@ -1,4 +1,4 @@
-//! What a client may ask for in the headers of a submission.
+//! The headers `Prefer` and `Idempotency-Key` of a submission.
 
 use axum::extract::FromRequestParts;
 use axum::http::HeaderMap;
@@ -12,8 +12,8 @@ use super::problem_type::ProblemType;
 /// Longest idempotency key.
 const MAX_KEY: usize = 255;
 
-/// `Prefer: wait=N` (RFC 7240): how many seconds the client would wait for the result. What is not
-/// understood is ignored, as the RFC asks.
+/// Parses `Prefer: wait=N` (RFC 7240): the seconds that the client would wait for the result.
+/// Unknown preferences are ignored, as the RFC requires.
 pub(super) fn preferred_wait(headers: &HeaderMap) -> Option<u64> {
     let lines = headers.get_all("prefer").iter().filter_map(|line| line.to_str().ok());
     let mut preferences = lines.flat_map(|line| line.split(','));
@@ -59,7 +59,7 @@ impl FromRequestParts<HttpState> for IdempotencyKey {
     }
 }
 
-/// Whether a text can be an idempotency key.
+/// Returns whether a text can be an idempotency key.
 pub(super) fn is_idempotency_key(text: &str) -> bool {
     (1..=MAX_KEY).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_graphic())
 }

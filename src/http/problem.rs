@@ -18,7 +18,7 @@ use crate::jobs::{
     FailureKind, FieldError, JobError, JobEstimate, JobFailure, Rejection, StoreError, SubmitError,
 };
 
-/// Seconds after which a refused client may try again: about the time a few ordinary jobs take.
+/// Seconds after which a refused client may try again: the time of a few ordinary jobs.
 const RETRY_AFTER_SECONDS: u16 = 2;
 
 /// An error, ready to be sent.

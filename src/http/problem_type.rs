@@ -3,7 +3,10 @@
 use axum::http::StatusCode;
 
 macro_rules! problem_types {
-    ($($(#[$doc:meta])* $variant:ident, $name:literal, $status:ident, $title:literal, $explanation:literal;)*) => {
+    ($(
+        $(#[$doc:meta])*
+        $variant:ident, $name:literal, $status:ident, $title:literal, $explanation:literal;
+    )*) => {
         /// A kind of error, told apart by its `type` URI `/problems/{name}`.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum ProblemType { $($(#[$doc])* $variant,)* }
@@ -52,7 +55,8 @@ problem_types! {
         "The body is JSON but not a job that can be solved. `errors` lists every field at fault \
          with its JSON pointer (RFC 6901) as a URI fragment.";
     /// A request for several jobs has a wrong form.
-    InvalidBatch, "invalid-batch", UNPROCESSABLE_ENTITY, "The request for several jobs is not valid",
+    InvalidBatch, "invalid-batch", UNPROCESSABLE_ENTITY,
+        "The request for several jobs is not valid",
         "The body is JSON but not a list of jobs or of ids, so that nothing was done. `errors` \
          lists every member at fault with its JSON pointer. Jobs that are at fault themselves are \
          told apart, each in its place in the answer.";
@@ -69,7 +73,8 @@ problem_types! {
     Forbidden, "forbidden", FORBIDDEN, "The API key may not do this",
         "The scope of the API key does not allow this request.";
     /// A name that the service does not answer to.
-    UnknownHost, "unknown-host", MISDIRECTED_REQUEST, "The service does not answer under this \
+    UnknownHost, "unknown-host", MISDIRECTED_REQUEST,
+        "The service does not answer under this \
                                                        name",
         "The `Host` header names another service. One that listens on loopback answers to \
          localhost, 127.0.0.1 and [::1], and to the names given by `--allowed-host`.";
@@ -83,7 +88,8 @@ problem_types! {
     StepNotFound, "step-not-found", NOT_FOUND, "The result has no such step",
         "`?step=` counts the steps of a sweep from 1, and the result has fewer.";
     /// The address exists, the method does not.
-    MethodNotAllowed, "method-not-allowed", METHOD_NOT_ALLOWED, "This address does not know this method",
+    MethodNotAllowed, "method-not-allowed", METHOD_NOT_ALLOWED,
+        "This address does not know this method",
         "The `Allow` header lists the methods this address knows.";
     /// The body did not arrive in time.
     BodyTimeout, "body-timeout", REQUEST_TIMEOUT, "The body did not arrive in time",
@@ -100,16 +106,19 @@ problem_types! {
         "The job was solved without this part of the output. Submit it again with `output.fields` \
          or `output.subsurface` set to true.";
     /// The head is too large.
-    HeadTooLarge, "head-too-large", REQUEST_HEADER_FIELDS_TOO_LARGE, "The head of the request is too large",
+    HeadTooLarge, "head-too-large", REQUEST_HEADER_FIELDS_TOO_LARGE,
+        "The head of the request is too large",
         "The address and the headers of the request are above the limit of this service.";
     /// The body is too large.
     BodyTooLarge, "body-too-large", PAYLOAD_TOO_LARGE, "The body is too large",
         "The request's body is above the limit of this service and was not read.";
     /// The body is not declared as JSON.
-    UnsupportedMediaType, "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The body must be JSON",
+    UnsupportedMediaType, "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE,
+        "The body must be JSON",
         "Send the job with the header `Content-Type: application/json`, and not compressed.";
     /// The idempotency key came with another body.
-    IdempotencyKeyReused, "idempotency-key-reused", UNPROCESSABLE_ENTITY, "The idempotency key was used before",
+    IdempotencyKeyReused, "idempotency-key-reused", UNPROCESSABLE_ENTITY,
+        "The idempotency key was used before",
         "Another body was sent under this Idempotency-Key before. A key names one submission: use \
          a new one.";
     /// The queue is full.
@@ -148,7 +157,8 @@ problem_types! {
          help. `brinell check` lists what is damaged; docs/operations.md tells how to restore a \
          backup.";
     /// The disk is full.
-    InsufficientStorage, "insufficient-storage", INSUFFICIENT_STORAGE, "There is no room for another job",
+    InsufficientStorage, "insufficient-storage", INSUFFICIENT_STORAGE,
+        "There is no room for another job",
         "The disk where jobs are kept is full, or has less room left than is reserved for the \
          jobs that are accepted already. Results can still be fetched. Try again after the \
          seconds in the `Retry-After` header, or remove jobs that are no longer needed.";

@@ -1,5 +1,5 @@
-//! Query strings, read whole: every parameter at fault is named at once. An unknown parameter is a
-//! typing mistake, not an extension.
+//! Parser of query strings; it reports all faulty parameters at once. An unknown parameter is an
+//! error.
 
 use std::fmt;
 use std::str::FromStr;
@@ -19,7 +19,7 @@ use super::problem::{Fault, Problem};
 use super::problem_type::ProblemType;
 use crate::jobs::{JobFilter, JobId, JobState};
 
-/// Jobs on a page, unless asked otherwise, and at most.
+/// Default and largest number of jobs on a page.
 const PAGE: usize = 20;
 const MAX_PAGE: usize = 100;
 
@@ -27,7 +27,7 @@ const MAX_PAGE: usize = 100;
 const MAX_STATES: usize = JobState::ALL.len();
 const MAX_TAGS: usize = 8;
 
-/// What a time is written like.
+/// Description of the format of a time.
 const MOMENT: &str = "a time such as 2027-01-31T12:00:00Z";
 
 /// Bounds of `?priority=`.
@@ -36,10 +36,10 @@ pub(super) const MAX_PRIORITY: i16 = 100;
 /// Fewest points that stresses over depth can be thinned to.
 const MIN_DEPTHS: usize = 2;
 
-/// Most faults that are told of one query string.
+/// Most faults reported for one query string.
 const MAX_FAULTS: usize = 50;
 
-/// A whole number without a sign; one of more digits than can be counted is as large as can be.
+/// Parses a whole number without a sign; a number beyond the type becomes its largest value.
 struct Whole(usize);
 
 impl FromStr for Whole {
@@ -51,19 +51,19 @@ impl FromStr for Whole {
     }
 }
 
-/// What is repeated of a text to whoever sent it.
+/// Shortens a client's text for an error message.
 fn shown(text: &str) -> String {
     text.chars().take(40).collect()
 }
 
-/// The parameters of a query string and what is wrong with them.
+/// The parameters of a query string and their faults.
 struct Reader {
     pairs: Vec<(String, String)>,
     faults: Vec<Fault>,
 }
 
 impl Reader {
-    /// Takes the query string apart and reports every parameter that is not among those known.
+    /// Splits the query string and reports every unknown parameter.
     async fn new(parts: &mut Parts, state: &HttpState, known: &[&str]) -> Self {
         let pairs = Query::<Vec<(String, String)>>::from_request_parts(parts, state).await;
         let (pairs, mut faults) = if let Ok(Query(pairs)) = pairs {
@@ -87,7 +87,7 @@ impl Reader {
         Self { pairs, faults }
     }
 
-    /// The text of a parameter, which may be given once.
+    /// Returns the text of a parameter, which may be given once.
     fn text(&mut self, name: &str) -> Option<String> {
         let mut given =
             self.pairs.iter().filter(|(key, _)| key == name).map(|(_, value)| value.clone());
@@ -98,7 +98,7 @@ impl Reader {
         text
     }
 
-    /// A parameter that `accept`s, or what is `expected`.
+    /// Parses a parameter that satisfies `accept`; reports `expected` otherwise.
     fn value<T: FromStr>(
         &mut self,
         name: &str,
@@ -167,7 +167,7 @@ impl Reader {
         }
     }
 
-    /// What was read, unless something is at fault.
+    /// Returns the parsed value unless there are faults.
     fn finish<T>(self, read: T) -> Result<T, Problem> {
         if self.faults.is_empty() {
             return Ok(read);
@@ -195,16 +195,16 @@ impl Reader {
     }
 }
 
-/// How long a client is made to wait.
+/// A granted wait.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Granted {
-    /// Cut at the service's limit.
+    /// Its duration, at most the service's limit.
     pub(super) timeout: Duration,
-    /// It was asked for by `Prefer`, and `Preference-Applied` says what was granted.
+    /// Whether `Prefer` asked for it; `Preference-Applied` then reports it.
     pub(super) preferred: bool,
 }
 
-/// The parameters that submit and ask after a job alike.
+/// Parameters that submissions and queries of a job share.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
 #[expect(dead_code, reason = "declares what `Reader` reads")]
@@ -253,8 +253,7 @@ pub(super) struct SubmitParameters {
     callback_url: Option<String>,
 }
 
-/// How a job is handed in: `?priority=`, larger goes first, how long to wait for it, and where to
-/// announce its end.
+/// Parameters of a submission: priority, wait for the result, and URL of the announcement.
 #[derive(Debug, Clone)]
 pub(super) struct SubmitQuery {
     pub(super) priority: i16,
@@ -292,11 +291,11 @@ pub(super) struct StepQuery {
     step: Option<usize>,
 }
 
-/// The `?step=` of a result's form: on the wire counted from 1, in here from 0.
+/// The `?step=` of an export: counted from 1 in the URL, from 0 here.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step(pub(super) Option<usize>);
 
-/// A step where none can be chosen.
+/// A step given for an export of all steps.
 pub(super) fn takes_no_step(form: &str) -> Problem {
     let detail = format!("{form} holds every step and takes no step");
     let fault = Fault::parameter("step", FaultCode::UnknownKey, detail.clone());
@@ -410,7 +409,7 @@ impl Selection {
         self.parts.as_ref().is_none_or(|parts| parts.contains(&part))
     }
 
-    /// Whether a step leaves in another form than it is kept in.
+    /// Returns whether a stored step must be rewritten for the answer.
     pub(super) fn edits_steps(&self) -> bool {
         self.depths.is_some() || !StepPart::ALL.iter().all(|part| self.wants(*part))
     }
@@ -504,7 +503,7 @@ pub(super) struct ListQuery {
     cursor: Option<String>,
 }
 
-/// Which jobs to list, as [`ListQuery`] has it.
+/// Parses the parameters of [`ListQuery`].
 #[derive(Debug, Clone)]
 pub(super) struct ListFilter(pub(super) JobFilter);
 
@@ -562,7 +561,7 @@ impl FromRequestParts<HttpState> for ListFilter {
         let order = query.value("sort", "newest or oldest", |_: &Order| true);
         let limit = query.value("limit", &expected, |limit| (1..=MAX_PAGE).contains(limit));
         let cursor = query.value("cursor", "the next_cursor of a page", |_: &JobId| true);
-        // Who asks for some jobs by name has them on one page.
+        // A list of ids is answered on one page.
         let page = if ids.is_empty() { PAGE } else { MAX_PAGE };
         query.finish(Self(JobFilter {
             states: states.into_iter().map(|NamedState(state)| state).collect(),

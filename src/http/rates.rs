@@ -1,4 +1,4 @@
-//! Fair shares: how many jobs one API key may hand in. Questions are never limited.
+//! Rate limits: jobs per second that one API key may submit. Queries are never limited.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
@@ -8,14 +8,14 @@ use super::problem::Problem;
 use super::problem_type::ProblemType;
 use crate::jobs::KeyId;
 
-/// A key that has been quiet may hand in this many seconds' worth at once.
+/// Seconds for which an idle key accumulates jobs that it may submit at once.
 const BURST_SECONDS: f64 = 10.0;
 
-/// Most keys remembered; beyond, those that have been quiet are forgotten, which changes nothing
-/// for them.
+/// Most keys remembered. Above it, keys with full buckets are forgotten, which changes nothing for
+/// them.
 const REMEMBERED: usize = 10_000;
 
-/// A bucket of jobs for each key: it fills at a steady rate and is emptied job by job.
+/// A token bucket for each key: it fills at a steady rate, and each job takes one token.
 #[derive(Debug)]
 pub(super) struct Rates {
     per_second: Option<f64>,
@@ -28,7 +28,7 @@ impl Rates {
         Self { per_second, buckets: Mutex::default() }
     }
 
-    /// Takes one job's worth, or says when to come back.
+    /// Takes one token, or returns the time after which to retry.
     pub(super) fn take(&self, key: Option<KeyId>) -> Result<(), Problem> {
         self.take_at(key, Instant::now()).map_err(|wait| {
             let seconds = u16::try_from(wait.as_secs()).unwrap_or(u16::MAX).saturating_add(1);

@@ -1,5 +1,5 @@
-//! Every request leaves one line in the log and one sample in the metrics: which route, how it
-//! ended, how long it took, under which ids. Never what was in it.
+//! Log and metrics of requests: one line and one sample for each request, with route, status,
+//! duration and ids, never with its content.
 
 use std::convert::Infallible;
 use std::time::Instant;
@@ -16,20 +16,20 @@ use tracing::{Instrument, Span};
 use crate::jobs::{JobId, TraceParent};
 use crate::telemetry;
 
-/// Time \[s\] from a request's head to its answer's, by method, route and status.
+/// Time \[s\] from the head of a request to the head of its answer, by method, route and status.
 pub const REQUEST_DURATION: &str = "http_server_request_duration_seconds";
 
-/// Routes that are asked all the time and mean nothing: logged at level `debug`.
+/// Routes that monitors poll; their requests are logged at level `debug`.
 const PROBES: [&str; 3] = ["/livez", "/readyz", "/metrics"];
 
 /// Longest part of an unknown address that is logged.
 const PATH: usize = 100;
 
-/// Put in an answer's extensions by handlers that make a job.
+/// Id of a new job, which handlers put into the extensions of an answer.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JobIdExtension(pub(super) JobId);
 
-/// The layer.
+/// The layer that logs requests.
 pub(super) async fn log_request(request: Request, next: Next) -> Response {
     let mut request = request;
     let mut log = RequestLog::begin(&request);
@@ -43,8 +43,8 @@ pub(super) async fn log_request(request: Request, next: Next) -> Response {
     response
 }
 
-/// One request, logged when dropped, because the handler of a client that disconnects is dropped
-/// as well.
+/// One request. It is logged when dropped, so that a request whose client disconnects is logged
+/// too.
 struct RequestLog {
     started: Instant,
     span: Span,
@@ -102,7 +102,8 @@ impl RequestLog {
     }
 }
 
-/// The method, if it is one that is known: others could be anything, and any number of them.
+/// Returns the method if it is a standard one: arbitrary methods would create any number of
+/// metrics.
 fn name(method: &Method) -> &'static str {
     match *method {
         Method::GET => "GET",
@@ -120,7 +121,7 @@ impl Drop for RequestLog {
     fn drop(&mut self) {
         let time = self.started.elapsed();
         let route = self.route.clone().unwrap_or_else(|| "none".to_owned());
-        // What others' servers also write for a client that hung up.
+        // 499, as nginx logs a client that hung up.
         let status = self.status.map_or(499, |status| status.as_u16());
         let (method, job, ms) = (self.method, self.job.as_deref(), time.as_secs_f64() * 1e3);
         histogram!(

@@ -1,5 +1,5 @@
-//! Results as they leave: step by step as they are read, so that none is in memory as a whole;
-//! compressed as they are kept; under a tag that says when a client has them already.
+//! Answers with results. Steps are sent as they are read, so that no result is in memory as a
+//! whole. Stored steps are compressed already and sent so. An `ETag` lets a client keep its copy.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -28,14 +28,14 @@ use crate::jobs::{
 };
 use brinell_solver::report::FieldPiece;
 
-/// What stands between two steps.
+/// JSON between two steps.
 const COMMA: &[u8] = b",";
 
-/// The coding of an answer has been chosen; no layer changes it.
+/// Marks an answer whose coding no layer may change.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CodingChosen;
 
-/// Whether a client has what is under this tag.
+/// Returns whether the client has the bytes of this tag already.
 pub(super) fn is_known(tag: &str, headers: &HeaderMap) -> bool {
     let known = headers.get_all(IF_NONE_MATCH).iter().filter_map(|value| value.to_str().ok());
     known.flat_map(|list| list.split(',')).any(|one| {
@@ -44,7 +44,7 @@ pub(super) fn is_known(tag: &str, headers: &HeaderMap) -> bool {
     })
 }
 
-/// The result of a job on its way to a client: all of it, or the parts that are wanted.
+/// The result of a job for a client: all of it, or the requested parts.
 pub(super) struct SentResult {
     pub(super) state: HttpState,
     pub(super) caller: Caller,
@@ -53,14 +53,14 @@ pub(super) struct SentResult {
     pub(super) selection: Selection,
 }
 
-/// What stands before a result and behind it.
+/// JSON before and behind a result.
 type Around = [Bytes; 2];
 
 fn join<const N: usize>(texts: [&Bytes; N]) -> Bytes {
     texts.map(Bytes::as_ref).concat().into()
 }
 
-/// Whether a client is still there for more.
+/// Whether the client is still connected.
 async fn sent(sender: &Sender<Bytes>, piece: Bytes) -> bool {
     sender.send(piece).await.is_ok()
 }
@@ -75,7 +75,7 @@ impl SentResult {
         takes_gzip(headers) && !self.has_fields() && self.head.around_steps().is_some()
     }
 
-    /// The steps that are wanted of those that are kept apart.
+    /// Returns the requested steps.
     fn steps(&self) -> Result<Range<usize>, Problem> {
         match self.selection.step {
             Some(step) if step >= self.head.steps => Err(no_step(self.head.steps)),
@@ -105,8 +105,8 @@ impl SentResult {
         Ok((common, body).into_response())
     }
 
-    /// 200 with the job and the report inside. What the client has of the result does not matter:
-    /// it asked for the job.
+    /// Answers 200 with the job and the report inside, without an `ETag`: the state of the job
+    /// changes.
     pub(super) async fn inside(
         self,
         job: &JobDocument,
@@ -147,8 +147,8 @@ impl SentResult {
         Ok(response)
     }
 
-    /// Sends the report between two other texts, plain; a problem if there is no such report, and
-    /// then nothing of it was sent.
+    /// Sends the report between two texts, uncompressed. Returns a problem, before the first byte,
+    /// if there is no report.
     pub(super) async fn send(
         &self,
         [before, behind]: Around,
@@ -173,7 +173,7 @@ impl SentResult {
         }
     }
 
-    /// A report of the first version, which was kept as a whole.
+    /// Sends a report of version 1, which is stored as a whole.
     async fn whole(&self) -> Result<Bytes, Problem> {
         let (report, selection) = (self.head.report.clone(), self.selection.clone());
         if selection == Selection::default() {
@@ -242,7 +242,7 @@ impl SentResult {
         Ok(())
     }
 
-    /// The text of a step with the parts that are wanted.
+    /// Returns the JSON of a step with the requested parts.
     async fn edited(&self, step: Deflated) -> Result<Bytes, StoreError> {
         let selection = self.selection.clone();
         let edited = move || {
@@ -256,8 +256,8 @@ impl SentResult {
         self.state.jobs.decoders.run(self.caller.key(), edited).await
     }
 
-    /// A step with its fields as its last member; they become JSON piece by piece, as the client
-    /// reads.
+    /// Sends a step with its fields as last member; the fields become JSON piece by piece as the
+    /// client reads.
     async fn with_fields(
         &self,
         number: usize,
@@ -285,10 +285,10 @@ impl SentResult {
     }
 }
 
-/// Fields as they are read for an answer.
+/// A reader of fields for an answer.
 pub(super) type Fields = FieldsReader<Arc<dyn JobStore>>;
 
-/// A piece of another form of fields. Who waits for a slow client holds no decoder.
+/// Decodes a piece of the fields. Waiting for a slow client occupies no decoder thread.
 pub(super) async fn written(
     state: &HttpState,
     key: Option<KeyId>,
@@ -302,7 +302,7 @@ pub(super) async fn written(
     Ok(state.jobs.decoders.run(key, move || Bytes::from(piece.write(&source))).await)
 }
 
-/// Why this job has no report.
+/// Returns the problem of a job without a report.
 pub(super) fn no_result(record: &JobRecord) -> Problem {
     let kind = if record.state.is_finished() {
         ProblemType::NoResult

@@ -1,4 +1,4 @@
-//! The part of a stored result that a client wants.
+//! Selection of the requested parts of a stored result.
 
 use axum::body::Bytes;
 use serde_json::{Value, json};
@@ -8,13 +8,13 @@ use super::problem_type::ProblemType;
 use super::query::{Selection, StepPart};
 use crate::jobs::StoreError;
 
-/// The answer where a step is wanted that the result does not have.
+/// Returns the problem for a step that the result does not have.
 pub(super) fn no_step(count: usize) -> Problem {
     let steps = if count == 1 { "step" } else { "steps" };
     Problem::new(ProblemType::StepNotFound, format!("the result has {count} {steps}"))
 }
 
-/// Keeps what is wanted of a report with its steps in it.
+/// Keeps the requested parts of a report that contains its steps.
 pub(super) fn edit_report(report: &[u8], selection: &Selection) -> Result<Bytes, Problem> {
     let mut report: Value = serde_json::from_slice(report).map_err(StoreError::damaged)?;
     let mut steps = report["steps"].as_array_mut().map(std::mem::take).unwrap_or_default();
@@ -28,7 +28,7 @@ pub(super) fn edit_report(report: &[u8], selection: &Selection) -> Result<Bytes,
     Ok(serde_json::to_vec(&report).map_err(StoreError::unavailable)?.into())
 }
 
-/// Keeps what is wanted of a step.
+/// Keeps the requested parts of a step.
 pub(super) fn edit(step: &[u8], selection: &Selection) -> Result<Bytes, serde_json::Error> {
     let mut step = serde_json::from_slice(step)?;
     edit_step(&mut step, selection);
@@ -38,7 +38,7 @@ pub(super) fn edit(step: &[u8], selection: &Selection) -> Result<Bytes, serde_js
 /// Members of a step with stresses over depth.
 const PROFILES: [&str; 2] = ["subsurface", "subsurface_below_peak"];
 
-/// What the schema requires stays, empty.
+/// Members that the schema requires stay, empty.
 fn edit_step(step: &mut Value, selection: &Selection) {
     if let Some(parts) = &selection.parts {
         keep(step, parts);
@@ -58,7 +58,7 @@ fn remove(object: &mut Value, key: &str) {
     }
 }
 
-/// Leaves these large parts of a step and no others.
+/// Removes all large parts of a step except these.
 fn keep(step: &mut Value, parts: &[StepPart]) {
     let drops = |part| !parts.contains(&part);
     if drops(StepPart::Contact) {
@@ -98,8 +98,8 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
     }
 }
 
-/// Leaves at most so many depths: the first, the last, those of the largest shear and von Mises
-/// stress, and the others evenly among those that the mesh has, which lie closer together towards
+/// Thins the depths to `most`: the first, the last, the depths of the largest shear and von Mises
+/// stress, and others spread evenly over the depths of the mesh, which are closer together near
 /// the surface.
 fn thin(body: &mut Value, most: usize) {
     let Some(count) = body["depth"].as_array().map(Vec::len).filter(|count| *count > most) else {

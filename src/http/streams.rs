@@ -1,5 +1,6 @@
-//! A bound on event streams: each holds a connection for as long as its client likes. A key has a
-//! quarter of them, and all of them together leave readers of the store to other requests.
+//! Limits on event streams, each of which holds a connection for as long as its client likes. One
+//! key may open a quarter of them. Only a few streams read from the store at a time, so that other
+//! requests find a connection to the database.
 
 use std::sync::Arc;
 
@@ -10,7 +11,7 @@ use super::problem::Problem;
 use super::problem_type::ProblemType;
 use crate::jobs::{KeyId, Turn, Turns};
 
-/// Event streams that are open.
+/// Open event streams.
 pub const EVENT_STREAMS: &str = "brinell_event_streams";
 
 /// Streams that read from the store at a time; SQLite has four readers.
@@ -25,7 +26,7 @@ pub(super) struct EventStreamLimit {
 }
 
 impl EventStreamLimit {
-    /// At most so many at a time.
+    /// Allows at most `most` streams at a time.
     pub(super) fn new(most: usize) -> Self {
         let permits = Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS)));
         Self { permits, reading: Semaphore::new(READING), keys: Turns::new(most.div_ceil(4)) }

@@ -1,5 +1,4 @@
-//! TLS for a service that no proxy stands before: its certificate and key, which are read again
-//! when they are renewed.
+//! TLS for a service without a proxy: its certificate and key, which can be reloaded.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError, RwLock};
@@ -28,7 +27,7 @@ impl TlsError {
     }
 }
 
-/// Who this service is: a chain of certificates and the key of the first.
+/// The identity of the service: a chain of certificates and the private key of the first.
 #[derive(Debug)]
 pub struct TlsIdentity {
     certificates: PathBuf,
@@ -46,7 +45,7 @@ impl TlsIdentity {
         Ok(Arc::new(Self { certificates: certificates.to_owned(), key: key.to_owned(), current }))
     }
 
-    /// Reads both files again, for connections from now on. What cannot be used changes nothing.
+    /// Reads both files again for new connections. On an error, the previous identity stays.
     ///
     /// # Errors
     /// As [`TlsIdentity::load`].
@@ -56,7 +55,7 @@ impl TlsIdentity {
         Ok(())
     }
 
-    /// What makes connections secure in this name: TLS 1.2 and 1.3, HTTP/1.1.
+    /// Makes the configuration of connections: TLS 1.2 and 1.3, HTTP/1.1.
     ///
     /// # Errors
     /// [`TlsError`] if the library refuses.

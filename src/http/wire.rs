@@ -1,4 +1,4 @@
-//! What goes over the wire beside results and problems.
+//! Documents of the HTTP interface besides results and problems.
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -25,12 +25,12 @@ use crate::jobs::{
 /// Seconds after which to ask again for a job that is not done.
 const POLL_SECONDS: u16 = 1;
 
-/// The path under which a proxy shows this service: what it sends as `X-Forwarded-Prefix`.
+/// The path under which a proxy serves this service, from `X-Forwarded-Prefix`.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Prefix(String);
 
 impl Prefix {
-    /// Takes the prefix of a header, `/press` for `/press/`; what is no plain path is ignored.
+    /// Parses the header, `/press` for `/press/`; ignores a value that is no plain path.
     fn of(headers: &HeaderMap) -> Self {
         let text = headers
             .get("x-forwarded-prefix")
@@ -39,7 +39,7 @@ impl Prefix {
         let path = text.trim_end_matches('/');
         let is_plain =
             path.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte));
-        // Browsers take `//` for the name of a host, and walk up at dots.
+        // Browsers read `//` as the start of a host name and resolve dot segments.
         let mut segments = path.split('/');
         let is_path = segments.next() == Some("")
             && segments.all(|segment| !["", ".", ".."].contains(&segment))
@@ -115,7 +115,7 @@ impl Links {
         let job = format!("{}/v1/jobs/{}", prefix.0, record.id);
         let below = |name: &str| format!("{job}/{name}");
         let with_result = |name| record.has_report.then(|| below(name));
-        // A job that was stopped has neither stresses nor fields.
+        // A stopped job has neither stresses nor fields.
         let is_whole = matches!(record.state, JobState::Succeeded | JobState::NotConverged);
         let has = |wanted: fn(&Job) -> bool| is_whole && submitted.is_some_and(wanted);
         let over_depth = |name| with_result(name).filter(|_| has(|job| job.output.subsurface));
@@ -148,8 +148,8 @@ impl Links {
     }
 }
 
-/// Whether converged loads of this job are more than one point of force and approach. Flow theory
-/// begins at rest, which is one more.
+/// Returns whether the converged loads give more than one point of force over approach. Flow
+/// theory adds the unloaded state as a point.
 fn has_curve(job: &Job) -> bool {
     fn differ<T: PartialEq>(values: &[T]) -> bool {
         values.windows(2).any(|pair| pair[0] != pair[1])
@@ -241,8 +241,8 @@ impl JobDocument {
         Ok(Self { callback, ..Self::new(record, job.as_ref(), &state.settings.retention, prefix) })
     }
 
-    /// A job that has just been handed in; where the store cannot be asked any more, as it was
-    /// taken in. With an error in its place it would be handed in again.
+    /// Makes the document of a new job. If the store stops answering, it shows the job as it was
+    /// accepted: an error would make the client submit it again.
     pub async fn taken_in(state: &HttpState, record: JobRecord, prefix: &Prefix) -> Self {
         let known = Self::brief(record.clone(), &state.settings.retention, prefix);
         Self::of(state, record, prefix).await.unwrap_or(known)
@@ -272,7 +272,7 @@ impl JobDocument {
 }
 
 impl IntoResponse for JobDocument {
-    /// 200; of a job that is not done with `Retry-After`.
+    /// Answers 200, with `Retry-After` if the job is not done.
     fn into_response(self) -> Response {
         let retry = (!self.done).then_some([(RETRY_AFTER, POLL_SECONDS)]);
         (retry, Extension(JobIdExtension(self.id)), Json(self)).into_response()

@@ -1,6 +1,6 @@
-//! Bodies that a task writes and the connection sends. A body touches nothing but its channel: the
-//! connection of a client that reads nothing polls no body, and whatever a body held then, a
-//! reader of the store above all, would be held for as long.
+//! Bodies that a task writes and the connection sends through a channel. The connection does not
+//! poll the body while its client reads nothing, so the body itself must hold no resource, such as
+//! a connection to the database.
 
 use axum::body::{Body, HttpBody as _};
 use axum::response::Response;
@@ -10,12 +10,12 @@ use tokio_util::task::AbortOnDropHandle;
 
 use crate::jobs::StoreError;
 
-/// Pieces that wait for a client that reads slowly.
+/// Pieces that may wait for a slow client.
 const WAITING_PIECES: usize = 2;
 
-/// What a task writes, piece by piece, in its turn, which lasts until the connection has taken
-/// all. The task ends when the client goes; where it fails, the body breaks off and is not taken
-/// for whole.
+/// Makes a body of the pieces that a task writes. The turn lasts until the connection has taken
+/// all pieces. The task ends when the client hangs up. If the task fails, the connection breaks
+/// off, so that the client sees an incomplete body.
 pub(super) fn written<P, T, W, F>(
     turn: impl Future<Output = P> + Send + 'static,
     write: F,
@@ -55,7 +55,7 @@ where
     .fuse()
 }
 
-/// An answer that breaks off once `end` is there, if its body is still being sent then.
+/// Wraps an answer whose body breaks off when `end` is ready.
 pub(super) fn ending(
     response: Response,
     end: impl Future<Output = ()> + Send + 'static,
@@ -78,8 +78,7 @@ pub(super) fn ending(
     })
 }
 
-/// Leaves a line about an answer that breaks off. That a job was removed while it was read is
-/// nobody's fault.
+/// Logs an answer that breaks off, except when the job was removed meanwhile.
 fn log_broken_off(error: &StoreError) {
     if matches!(error, StoreError::NotFound) {
         tracing::info!("a job was removed while its result was read");

@@ -431,7 +431,10 @@ impl JobService {
         to_its_end(async move {
             let _turn = turn;
             let record = store.cancel(id).await?;
-            tracing::info!(target: AUDIT, job = %id, key = key.map(display), state = %record.state, "asked to stop");
+            let state = record.state;
+            tracing::info!(
+                target: AUDIT, job = %id, key = key.map(display), %state, "asked to stop"
+            );
             Ok(record)
         })
         .await

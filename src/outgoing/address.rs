@@ -18,7 +18,8 @@ fn is_public_v4(address: Ipv4Addr) -> bool {
         // This network, private, loopback, multicast and reserved.
         (0 | 10 | 127 | 224.., ..)
             // Shared by a provider, link-local, private, private, benchmarks.
-            | (100, 64..=127, _) | (169, 254, _) | (172, 16..=31, _) | (192, 168, _) | (198, 18 | 19, _)
+            | (100, 64..=127, _) | (169, 254, _) | (172, 16..=31, _)
+            | (192, 168, _) | (198, 18 | 19, _)
             // Protocols, documentation, relays.
             | (192, 0, 0 | 2) | (192, 88, 99) | (198, 51, 100) | (203, 0, 113)
     );

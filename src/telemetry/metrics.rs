@@ -1,4 +1,4 @@
-//! Collects what is measured and puts it into Prometheus's words.
+//! Collection of metrics and their export to Prometheus.
 
 use std::sync::OnceLock;
 
@@ -18,7 +18,7 @@ const SECONDS: [f64; 16] = [
 /// Upper bounds of the buckets of iteration counts.
 const ITERATIONS: [f64; 9] = [1.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0];
 
-/// Begins to collect, if that has not begun yet. What is returned shows what there is.
+/// Starts the recorder once for the process. The returned handle renders the metrics.
 pub fn collect() -> PrometheusHandle {
     static HANDLE: OnceLock<PrometheusHandle> = OnceLock::new();
     HANDLE.get_or_init(install).clone()

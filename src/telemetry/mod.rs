@@ -1,5 +1,4 @@
-//! What the program tells of itself: its log, to standard error, for a person or as JSON lines;
-//! and its metrics.
+//! The log, written to standard error for a person or as JSON lines, and the metrics.
 
 mod metrics;
 #[cfg(feature = "otlp")]
@@ -18,14 +17,16 @@ pub use metrics::collect;
 pub use otlp::flush;
 pub use trace::adopt;
 
-/// Target of what is logged about changes: who did what.
+/// Target of the audit log: who changed what.
 pub const AUDIT: &str = "brinell::audit";
 
 /// Settings of the log.
 #[derive(Debug, Clone, Args)]
 pub struct LogConfig {
     /// What to log, e.g. `info` or `brinell=debug,warn` [default: info for serve, warn elsewhere]
-    #[arg(long, env = "BRINELL_LOG", value_name = "FILTER", global = true, value_parser = log_filter)]
+    #[arg(
+        long, env = "BRINELL_LOG", value_name = "FILTER", global = true, value_parser = log_filter,
+    )]
     pub log: Option<String>,
 
     /// How to log
@@ -58,8 +59,8 @@ fn log_filter(text: &str) -> Result<String, String> {
     EnvFilter::try_new(text).map(|_| text.to_owned()).map_err(|error| error.to_string())
 }
 
-/// Starts logging; `default` is the filter when none is set. A panic is logged like everything
-/// else. A second call changes nothing.
+/// Starts logging with the filter `default` unless one is set. Panics are logged too. A second
+/// call changes nothing.
 pub fn start(config: &LogConfig, default: &str) {
     let filter = EnvFilter::new(config.log.as_deref().unwrap_or(default));
     let log = fmt::layer().with_writer(io::stderr);

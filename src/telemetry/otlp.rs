@@ -1,5 +1,4 @@
-//! Spans, sent to a collector by OTLP over HTTP (protobuf). They are collected and sent by a
-//! thread of their own.
+//! Export of spans to a collector by OTLP over HTTP (protobuf), on a thread of its own.
 
 use std::fmt;
 use std::sync::OnceLock;
@@ -25,7 +24,7 @@ use tracing_subscriber::registry::LookupSpan;
 use crate::jobs::TraceParent;
 use crate::outgoing::{Client, Destination};
 
-/// Longest time a collector may take.
+/// Timeout of a request to the collector.
 const TIMEOUT: Duration = Duration::from_secs(10);
 
 static PROVIDER: OnceLock<SdkTracerProvider> = OnceLock::new();
@@ -55,7 +54,7 @@ where
     Ok(spans.with_filter(Targets::new().with_target("brinell", tracing::Level::INFO)))
 }
 
-/// Sends what has been collected so far.
+/// Sends the spans collected so far.
 pub fn flush() {
     if let Some(Err(error)) = PROVIDER.get().map(SdkTracerProvider::shutdown) {
         tracing::warn!(%error, "the last spans were not sent");

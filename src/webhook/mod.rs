@@ -136,7 +136,8 @@ impl Announcer {
     }
 
     async fn deliver(&self, delivery: &Delivery) {
-        let span = tracing::info_span!("webhook", job = %delivery.job, delivery = %delivery.id, trace_id = Empty);
+        let Delivery { job, id, .. } = delivery;
+        let span = tracing::info_span!("webhook", %job, delivery = %id, trace_id = Empty);
         let trace = telemetry::adopt(&span, delivery.trace);
         let end = self.attempt(delivery, trace).instrument(span.clone()).await;
         let outcome = match &end {

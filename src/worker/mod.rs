@@ -148,7 +148,10 @@ impl WorkerState {
                 Err(error) => {
                     tracing::error!(error = &error as &dyn std::error::Error, "cannot claim jobs");
                     drop(reservation);
-                    tokio::select! { () = sleep(self.settings.poll) => {}, () = self.drain.cancelled() => return }
+                    tokio::select! {
+                        () = sleep(self.settings.poll) => {}
+                        () = self.drain.cancelled() => return,
+                    }
                 }
             }
         }

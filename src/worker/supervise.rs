@@ -242,7 +242,11 @@ impl WorkerState {
                     "results of steps could not be stored: {error}"
                 )));
             }
-            tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "steps not written yet");
+            tracing::warn!(
+                job = %lease.job,
+                error = &error as &dyn std::error::Error,
+                "steps not written yet"
+            );
             sleep(STEP_RETRY).await;
         }
         Ok(())
@@ -271,7 +275,11 @@ impl WorkerState {
                     return Ok(());
                 }
                 Err(error @ (StoreError::Unavailable(_) | StoreError::DiskFull)) => {
-                    tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "retrying");
+                    tracing::warn!(
+                        job = %lease.job,
+                        error = &error as &dyn std::error::Error,
+                        "retrying"
+                    );
                     drop(error);
                     tried = true;
                     sleep(wait).await;

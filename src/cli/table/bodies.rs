@@ -1,4 +1,4 @@
-//! A body in a few words.
+//! Descriptions of bodies in a few words.
 
 use super::number::{short, significant};
 use brinell_solver::job::fields::{Field, FieldKind, Value};

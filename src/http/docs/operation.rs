@@ -1,4 +1,4 @@
-//! Operations: what goes in, what comes out.
+//! Operations with their parameters, bodies and answers.
 
 use std::fmt::Write as _;
 
@@ -22,7 +22,7 @@ pub(super) fn operations<'a>(
     let tagged = all.filter(move |(_, _, body)| {
         body["tags"].as_array().is_some_and(|tags| tags.iter().any(|one| one == tag))
     });
-    // What most readers come for is first.
+    // The tags that most readers want come first.
     let (first, rest): (Vec<_>, Vec<_>) = tagged.partition(|(_, path, _)| *path == "/v1/solve");
     first.into_iter().chain(rest)
 }
@@ -80,7 +80,7 @@ pub(super) fn operation(
     html.push_str("</dl>\n</article>\n");
 }
 
-/// How the operation is asked from a shell and from Python, with what Python brings along.
+/// Examples of the request in a shell and in Python's standard library.
 fn calls(html: &mut String, method: &str, path: &str, body: &Value) {
     const BASE: &str = "http://127.0.0.1:8080";
     let address = format!("{BASE}{path}");

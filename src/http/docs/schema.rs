@@ -1,4 +1,4 @@
-//! Schemas: their members, and what a value can be in words.
+//! Schemas: their members, and the type of a value in words.
 
 use std::fmt::Write as _;
 
@@ -43,7 +43,7 @@ fn members(html: &mut String, schema: &Value) {
     html.push_str("</dl>\n");
 }
 
-/// One name with what stands behind it.
+/// One member: its name and its description.
 pub(super) fn entry(
     html: &mut String,
     name: &str,
@@ -61,7 +61,7 @@ pub(super) fn entry(
     );
 }
 
-/// What a value can be, in words.
+/// Returns the type of a value in words.
 pub(super) fn kind(schema: &Value) -> String {
     if let Some(name) = schema["$ref"].as_str().and_then(|target| target.strip_prefix(BASE)) {
         let name = escaped(name);

@@ -1,15 +1,14 @@
-//! Derived schemas, completed: units and signs from the doc comments, and members that are left
-//! out.
+//! Completion of derived schemas: units and signs from the doc comments, and optional members.
 //!
-//! A doc comment names what a figure is in brackets, `Half-width a [length >= 0].`: that becomes
-//! the unit in either system and the least value. A member that may be missing is never `null`;
-//! one that may be `null` is never missing.
+//! A doc comment names the quantity of a figure in brackets, `Half-width a [length >= 0].`, which
+//! becomes the unit in either system and the smallest value. An optional member is never `null`; a
+//! nullable member is never missing.
 
 use serde_json::{Map, Value, json};
 
 use super::BASE;
 
-/// What a figure of a result is, and its unit in words.
+/// Quantities of results, and their units in words.
 const UNITS: [(&str, &str); 13] = [
     ("length", "Unit: mm (SI: m)."),
     ("area", "Unit: mm² (SI: m²)."),
@@ -33,8 +32,7 @@ const UNITS: [(&str, &str); 13] = [
     ("1", "Without unit."),
 ];
 
-/// Lists of points and elements, whose length the derivation does not know: schema, member,
-/// length.
+/// Lists of fixed length, which the derivation cannot know: schema, member, length.
 const TUPLES: [(&str, &str, usize); 4] = [
     ("Fields", "nodes", 2),
     ("Fields", "displacement", 2),
@@ -42,7 +40,7 @@ const TUPLES: [(&str, &str, usize); 4] = [
     ("PlasticZone", "outline", 2),
 ];
 
-/// What is asked and not answered: there `null` is the same as leaving a member out.
+/// Schemas of requests, in which `null` equals a missing member.
 const REQUESTS: [&str; 1] = ["BatchedJob"];
 
 /// Completes every schema.
@@ -53,8 +51,8 @@ pub(super) fn complete(schemas: &mut Map<String, Value>) {
     }
 }
 
-/// Gives a name to what the derivation writes out in place: the parts of a value for each body,
-/// and the kinds of load.
+/// Names the schemas that the derivation writes inline: values for each body, and the kinds of
+/// load.
 fn name_parts(schemas: &mut Map<String, Value>) {
     let generic: Vec<_> =
         schemas.keys().filter_map(|name| name.strip_prefix(PER_BODY)).map(str::to_owned).collect();
@@ -91,7 +89,7 @@ fn name_parts(schemas: &mut Map<String, Value>) {
     }
 }
 
-/// What the derivation calls a value for each body.
+/// Name that the derivation gives to a value for each body.
 const PER_BODY: &str = "PerBody_Option_";
 
 fn prescribed(kind: &str) -> String {
@@ -127,7 +125,7 @@ fn complete_object(schema: &mut Value, is_answer: bool) {
     if schema["items"].is_object() {
         complete_object(&mut schema["items"], is_answer);
     }
-    // Looking for a member makes it: what was not there goes again.
+    // Indexing creates a missing member; it is removed again.
     if let Some(members) = schema.as_object_mut() {
         members.retain(|_, member| !member.is_null());
     }

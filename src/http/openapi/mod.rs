@@ -1,9 +1,10 @@
 //! This interface as an OpenAPI 3.1 document.
 //!
 //! Paths, parameters and answers are declared beside each handler and collected by the router that
-//! serves them, so none can be forgotten. The schemas of a job come from the core's tables of
-//! fields, those of a result from its types. Errors follow from what a handler takes in. Tests
-//! hold all of it to the real thing (`tests/openapi`), and `api/openapi.json` to this.
+//! serves them, so none can be forgotten. Schemas of jobs come from the solver's tables of fields,
+//! schemas of results from its types. Errors follow from the inputs of a handler. Tests compare
+//! the document with the running service (`tests/openapi`), and `api/openapi.json` with the
+//! document.
 
 mod derived;
 mod problems;
@@ -22,16 +23,16 @@ use brinell_solver::job::schema::schemas as schema_of_jobs;
 use brinell_solver::report;
 use brinell_solver::solver::SolveStatus;
 
-/// Where the schemas of the document are.
+/// Path of the schemas within the document.
 const BASE: &str = "#/components/schemas/";
 
-/// The document, as it is served.
+/// The document, as JSON.
 pub(super) fn text() -> &'static str {
     static TEXT: LazyLock<String> = LazyLock::new(|| pretty(&document()));
     &TEXT
 }
 
-/// The document as text, the same at every call.
+/// Returns the document as text.
 pub fn pretty(document: &Value) -> String {
     format!("{document:#}\n")
 }
@@ -117,8 +118,7 @@ fn tags_of_operations() -> Value {
     ])
 }
 
-/// Puts the files of `api/examples` beside the bodies that jobs come in, and an example of every
-/// error.
+/// Adds the files of `api/examples` to request bodies, and an example of every error.
 fn show_examples(document: &mut Value) {
     let jobs = super::examples::EXAMPLES.iter().filter_map(|(name, text)| {
         let job: Value = serde_json::from_str(text).ok()?;
@@ -136,7 +136,7 @@ fn show_examples(document: &mut Value) {
     }
 }
 
-/// Takes out the examples that nothing refers to: of errors that belong to no operation.
+/// Removes examples without a reference: those of errors that no operation answers with.
 fn keep_used_examples(document: &mut Value) {
     let text = document["paths"].to_string();
     if let Some(examples) = document["components"]["examples"].as_object_mut() {
@@ -144,7 +144,7 @@ fn keep_used_examples(document: &mut Value) {
     }
 }
 
-/// Says, beside the receipts of jobs, where to go from there.
+/// Adds links to the answers that contain a job.
 fn link_jobs(document: &mut Value) {
     let Some(paths) = document["paths"].as_object() else { return };
     let of_job = paths.iter().filter(|(path, _)| path.contains("{id}"));
@@ -177,8 +177,8 @@ pub(super) fn tags() -> RefOr<Schema> {
     named("Tags")
 }
 
-/// Words of a set that may grow: plain text, so that a client made from this document takes a word
-/// that is newer.
+/// Schema of an extensible enumeration: plain text, so that generated clients accept future
+/// values.
 fn open_set(description: &str, words: &[&str]) -> Value {
     json!({
         "type": "string",

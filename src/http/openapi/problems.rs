@@ -1,5 +1,5 @@
-//! The errors of every operation: those that follow from what it takes in, and those that its
-//! handler names under `x-problems`.
+//! The errors of every operation: some follow from its inputs, others are named by its handler
+//! under `x-problems`.
 
 use serde_json::{Map, Value, json};
 use utoipa::openapi::Paths;
@@ -9,8 +9,7 @@ use crate::http::problem_type::ProblemType;
 
 const METHODS: [&str; 3] = ["get", "post", "delete"];
 
-/// Adds to every operation the errors it can answer with, its security, and the id that every
-/// answer carries.
+/// Adds to every operation its errors, its security and the header with the request id.
 pub(super) fn declare(document: &mut Value, guarded: &Paths) {
     let Some(paths) = document["paths"].as_object_mut() else { return };
     for (path, item) in paths {
@@ -53,7 +52,7 @@ pub(super) fn declare(document: &mut Value, guarded: &Paths) {
     }
 }
 
-/// A parameter that may be left out is still never `null`: there is no way to write it.
+/// An optional parameter is never `null`: a URL cannot express it.
 fn never_null(schema: &mut Value) {
     if let Some([first, _]) = schema["type"].as_array().map(Vec::as_slice) {
         schema["type"] = first.clone();
@@ -67,7 +66,7 @@ fn own(operation: &mut Map<String, Value>) -> Vec<ProblemType> {
     names.filter_map(ProblemType::by_name).collect()
 }
 
-/// The errors of whatever is under this path and takes in what this operation does.
+/// Returns the errors that follow from the path and the inputs of an operation.
 fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<ProblemType> {
     let mut kinds = vec![ProblemType::Internal];
     if method != "get" && !HARMLESS.contains(&path) {
@@ -95,9 +94,10 @@ fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<Prob
 /// Adds one kind of error to the answers of an operation; kinds with the same status share an
 /// answer.
 fn add(responses: &mut Map<String, Value>, kind: ProblemType) {
+    let schema = json!({"$ref": "#/components/schemas/Problem"});
     let response = responses
         .entry(kind.status().as_str())
-        .or_insert_with(|| json!({"content": {"application/problem+json": {"schema": {"$ref": "#/components/schemas/Problem"}}}}));
+        .or_insert_with(|| json!({"content": {"application/problem+json": {"schema": schema}}}));
     let titles = match response["description"].as_str() {
         Some(titles) => format!("{titles}; {}", kind.title()),
         None => kind.title().to_owned(),

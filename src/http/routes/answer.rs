@@ -1,4 +1,4 @@
-//! The answer to a client that waits for a job.
+//! Answers to clients that wait for a job.
 
 use axum::http::header::{CONTENT_LOCATION, LOCATION};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
@@ -14,7 +14,7 @@ use crate::jobs::JobRecord;
 const REPLAYED: HeaderName = HeaderName::from_static("idempotency-replayed");
 const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 
-/// The job with its result inside, if it is done and has one.
+/// Answers with the job, and with its result inside if it has one.
 pub(super) async fn with_result(
     state: &HttpState,
     caller: Caller,
@@ -31,8 +31,7 @@ pub(super) async fn with_result(
     }
 }
 
-/// The job that a client has waited for since it handed it in. One that is done and has no result
-/// is an error.
+/// Answers a submission that waited for its job. A finished job without a result is an error.
 pub(super) async fn finished(
     state: &HttpState,
     caller: Caller,
@@ -49,15 +48,14 @@ pub(super) async fn finished(
     Ok(addressed(with_result(state, caller, job, selection, headers).await?, done, &address))
 }
 
-/// The answer to a client that hands a job in.
+/// Answers a submission.
 pub(super) fn submitted(job: JobDocument) -> Response {
     let (done, address) = (job.done, job.links.job.clone());
     addressed(job.into_response(), done, &address)
 }
 
-/// The answer to a client that has waited for a job; where the store is out of reach before the
-/// job is done, what was known of it as it was taken in. Told to try again, the client would hand
-/// it in twice.
+/// Answers a client that has waited for a job. If the store stops answering, the answer is the job
+/// as it was accepted: an error would make the client submit it twice.
 pub(super) fn unless_out_of_reach(
     answer: Result<Response, Problem>,
     known: JobDocument,
@@ -70,7 +68,7 @@ pub(super) fn unless_out_of_reach(
     }
 }
 
-/// 200 if the job is done, else 202, with its address.
+/// Answers 200 if the job is done, else 202, with its URL.
 fn addressed(mut response: Response, done: bool, address: &str) -> Response {
     let header = if done { CONTENT_LOCATION } else { LOCATION };
     if !done {
@@ -81,14 +79,14 @@ fn addressed(mut response: Response, done: bool, address: &str) -> Response {
     response
 }
 
-/// Tells a client that its job was handed in before.
+/// Marks an answer whose job was submitted before.
 pub(super) fn mark_replayed(response: &mut Response, replayed: bool) {
     if replayed {
         response.headers_mut().insert(REPLAYED, HeaderValue::from_static("true"));
     }
 }
 
-/// Says which wait was granted to a client that prefers one.
+/// Adds the granted wait to an answer.
 pub(super) fn apply_preference(response: &mut Response, wait: Option<Granted>) {
     let Some(wait) = wait.filter(|wait| wait.preferred) else { return };
     let applied = HeaderValue::try_from(format!("wait={}", wait.timeout.as_secs()));

@@ -20,7 +20,10 @@ const AT_ONCE: usize = 8;
 /// Each is stopped and answered as by its own `cancel`.
 #[utoipa::path(
     post, path = "/v1/batch/cancel", tag = "jobs",
-    request_body(content = BatchOfIds, content_type = "application/json", description = "The jobs, 100 at most."),
+    request_body(
+        content = BatchOfIds, content_type = "application/json",
+        description = "The jobs, 100 at most.",
+    ),
     responses((status = OK, description = "Each job as it is now.", body = BatchAnswer)),
     extensions(("x-problems" = json!(["invalid-batch"]))),
 )]

@@ -16,7 +16,10 @@ use crate::http::{HttpState, Problem};
 /// answer is sent job by job as it is read. `GET /v1/jobs?id=` has the same jobs without results.
 #[utoipa::path(
     post, path = "/v1/batch/fetch", tag = "results", params(SelectionQuery),
-    request_body(content = BatchOfIds, content_type = "application/json", description = "The jobs, 100 at most."),
+    request_body(
+        content = BatchOfIds, content_type = "application/json",
+        description = "The jobs, 100 at most.",
+    ),
     responses((status = OK, description = "Each job as it is now.", body = BatchAnswer)),
     extensions(("x-problems" = json!(["invalid-batch"]))),
 )]

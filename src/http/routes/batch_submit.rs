@@ -20,14 +20,20 @@ use crate::jobs::Submission;
 #[utoipa::path(
     post, path = "/v1/batch/submit", tag = "jobs",
     params(
-        ("Idempotency-Key" = Option<String>, Header, description = "The client's name for this submission, in \
-            visible ASCII characters without spaces, bare or in quotes; each job has it with its place in the list. The same \
-            body under the same key is the same job; another body is refused.",
+        ("Idempotency-Key" = Option<String>, Header, description = "The client's name for this \
+            submission, in visible ASCII characters without spaces, bare or in quotes; each job \
+            has it with its place in the list. The same body under the same key is the same job; \
+            another body is refused.",
             pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#, example = "press-7"),
     ),
-    request_body(content = BatchOfJobs, content_type = "application/json", description = "The jobs, 100 at most."),
+    request_body(
+        content = BatchOfJobs, content_type = "application/json",
+        description = "The jobs, 100 at most.",
+    ),
     responses((status = OK, description = "What became of each job.", body = BatchAnswer)),
-    extensions(("x-problems" = json!(["invalid-header", "invalid-batch", "insufficient-storage", "shutting-down"]))),
+    extensions(("x-problems" = json!([
+        "invalid-header", "invalid-batch", "insufficient-storage", "shutting-down"
+    ]))),
 )]
 pub(in crate::http) async fn batch_submit(
     State(state): State<HttpState>,

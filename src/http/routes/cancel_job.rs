@@ -13,7 +13,8 @@ use crate::jobs::JobId;
 /// A queued job is cancelled at once, a running one stops within one iteration and keeps what it
 /// has. Asking twice, or too late, is no error.
 #[utoipa::path(
-    post, path = "/v1/jobs/{id}/cancel", tag = "jobs", params(("id" = JobId, Path, description = "The job's id, as its `Location` has it.")),
+    post, path = "/v1/jobs/{id}/cancel", tag = "jobs",
+    params(("id" = JobId, Path, description = "The job's id, as its `Location` has it.")),
     responses((status = OK, description = "The job as it is now.", body = JobDocument, headers(
         ("Retry-After" = u32, description = "Seconds after which to ask again; until the job is \
                                              done."),

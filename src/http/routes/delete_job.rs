@@ -10,7 +10,8 @@ use crate::jobs::JobId;
 
 /// Remove a finished job and its result
 #[utoipa::path(
-    delete, path = "/v1/jobs/{id}", tag = "jobs", params(("id" = JobId, Path, description = "The job's id, as its `Location` has it.")),
+    delete, path = "/v1/jobs/{id}", tag = "jobs",
+    params(("id" = JobId, Path, description = "The job's id, as its `Location` has it.")),
     responses((status = NO_CONTENT, description = "The job is gone.")),
     extensions(("x-problems" = json!(["job-unfinished"]))),
 )]

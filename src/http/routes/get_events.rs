@@ -39,7 +39,8 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
     get, path = "/v1/jobs/{id}/events", tag = "jobs",
     params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
-        ("Last-Event-ID" = Option<String>, Header, description = "Id of the last event seen: what followed is \
+        ("Last-Event-ID" = Option<String>, Header, description = "Id of the last event seen: \
+            what followed is \
             sent. What is no such id is ignored.", example = "1-12"),
     ),
     responses(

@@ -37,13 +37,19 @@ use brinell_solver::report::NpyFile;
         ArraysQuery,
     ),
     responses(
-        (status = OK, description = "The \
-                                     archive.", body = Vec<u8>, content_type = "application/octet-stream", headers(
-            ("ETag" = String, description = "Name of these bytes, for `If-None-Match`."),
-        )),
+        (
+            status = OK,
+            description = "The archive.",
+            body = Vec<u8>, content_type = "application/octet-stream",
+            headers(
+                ("ETag" = String, description = "Name of these bytes, for `If-None-Match`."),
+            ),
+        ),
         (status = NOT_MODIFIED, description = "The client has these bytes already."),
     ),
-    extensions(("x-problems" = json!(["step-not-found", "job-unfinished", "no-result", "not-in-result"]))),
+    extensions(("x-problems" = json!([
+        "step-not-found", "job-unfinished", "no-result", "not-in-result"
+    ]))),
 )]
 pub(in crate::http) async fn get_fields(
     State(state): State<HttpState>,

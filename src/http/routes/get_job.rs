@@ -22,8 +22,8 @@ use crate::jobs::JobId;
         WaitQuery,
         PreferHeader,
     ),
-    responses((status = OK, description = "The \
-                                           job.", body = JobDocument, content_type = "application/json", headers(
+    responses((status = OK, description = "The job.", body = JobDocument,
+        content_type = "application/json", headers(
         ("Retry-After" = u32, description = "Seconds after which to ask again; until the job is \
                                              done."),
         ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),

@@ -11,8 +11,9 @@ use crate::http::{Problem, ProblemType};
 #[utoipa::path(
     get, path = "/problems/{name}", tag = "service",
     params(("name" = String, Path, description = "Name of the kind.", example = "invalid-job")),
-    responses((status = OK, description = "An \
-                                           explanation.", body = String, content_type = "text/plain")),
+    responses((
+        status = OK, description = "An explanation.", body = String, content_type = "text/plain",
+    )),
     extensions(("x-problems" = json!(["not-found"]))),
 )]
 pub(in crate::http) async fn get_problem(

@@ -13,9 +13,12 @@ use crate::jobs::JobId;
 ///
 /// To the letter, so that it can be looked at, changed and sent again.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/request", tag = "jobs", params(("id" = JobId, Path, description = "The job's id, as its `Location` has it.")),
-    responses((status = OK, description = "The \
-                                           job.", body = ref("#/components/schemas/ContactJob"), content_type = "application/json")),
+    get, path = "/v1/jobs/{id}/request", tag = "jobs",
+    params(("id" = JobId, Path, description = "The job's id, as its `Location` has it.")),
+    responses((
+        status = OK, description = "The job.", body = ref("#/components/schemas/ContactJob"),
+        content_type = "application/json",
+    )),
 )]
 pub(in crate::http) async fn get_request(
     State(state): State<HttpState>,

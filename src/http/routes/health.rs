@@ -22,7 +22,9 @@ pub(in crate::http) async fn livez() -> Json<Health> {
 #[utoipa::path(
     get, path = "/readyz", tag = "service",
     responses((status = OK, description = "`ready`.", body = Health)),
-    extensions(("x-problems" = json!(["shutting-down", "store-unavailable", "damaged-record", "insufficient-storage"]))),
+    extensions(("x-problems" = json!([
+        "shutting-down", "store-unavailable", "damaged-record", "insufficient-storage"
+    ]))),
 )]
 pub(in crate::http) async fn readyz(
     State(state): State<HttpState>,

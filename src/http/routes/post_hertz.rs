@@ -15,7 +15,10 @@ use crate::jobs::ClosedForm;
 /// or forces.
 #[utoipa::path(
     post, path = "/v1/hertz", tag = "theory",
-    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
+    request_body(
+        content = ref("#/components/schemas/ContactJob"), content_type = "application/json",
+        description = "The job.",
+    ),
     responses((status = OK, description = "Hertz's figures.", body = ClosedForm)),
     extensions(("x-problems" = json!(["invalid-job"]))),
 )]

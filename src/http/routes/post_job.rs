@@ -31,25 +31,49 @@ use crate::jobs::Submission;
         PreferHeader,
         IdempotencyHeader,
     ),
-    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
+    request_body(
+        content = ref("#/components/schemas/ContactJob"), content_type = "application/json",
+        description = "The job.",
+    ),
     responses(
-        (status = OK, description = "The job is done: within the time the client would wait, and \
-                                     then its result is inside; or it was submitted \
-                                     before.", body = JobDocument, content_type = "application/json", headers(
-            ("Content-Location" = String, description = "Address of the job."),
-            ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
-            ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
-        )),
-        (status = ACCEPTED, description = "The job is queued, or was \
-                                           before.", body = JobDocument, content_type = "application/json", headers(
-            ("Location" = String, description = "Address of the job."),
-            ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
-            ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
-            ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
-        )),
+        (
+            status = OK,
+            description = "The job is done: within the time the client would wait, and then its \
+                result is inside; or it was submitted before.",
+            body = JobDocument, content_type = "application/json",
+            headers(
+                ("Content-Location" = String, description = "Address of the job."),
+                (
+                    "Preference-Applied" = String,
+                    description = "The wait that was granted, `wait=N`."
+                ),
+                (
+                    "Idempotency-Replayed" = String,
+                    description = "`true` if the job was submitted before."
+                ),
+            ),
+        ),
+        (
+            status = ACCEPTED,
+            description = "The job is queued, or was before.",
+            body = JobDocument, content_type = "application/json",
+            headers(
+                ("Location" = String, description = "Address of the job."),
+                ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
+                (
+                    "Preference-Applied" = String,
+                    description = "The wait that was granted, `wait=N`."
+                ),
+                (
+                    "Idempotency-Replayed" = String,
+                    description = "`true` if the job was submitted before."
+                ),
+            ),
+        ),
     ),
     extensions(("x-problems" = json!([
-        "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused", "queue-full", "quota-exceeded", "too-many-jobs", "insufficient-storage",
+        "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused",
+        "queue-full", "quota-exceeded", "too-many-jobs", "insufficient-storage",
         "shutting-down", "no-result", "solve-failed"
     ]))),
 )]

@@ -2,12 +2,12 @@
 //!
 //! | ending | answer |
 //! |---|---|
-//! | there is a report, converged or not | 200 with the job and its result, its `status` says which |
-//! | past the time limit | 202, as `POST /v1/jobs`; the job goes on |
-//! | the input turned out impossible | 422 |
+//! | a report, converged or not (see its `status`) | 200 with the job and its result |
+//! | the wait is over | 202, as `POST /v1/jobs`; the job goes on |
+//! | the job proved impossible | 422 |
 //! | the solver or the program failed | 500 |
-//! | stopped before there was a report | 409 |
-//! | the client hung up | the job is cancelled, unless it has an `Idempotency-Key` to ask again with |
+//! | the job was stopped before its first report | 409 |
+//! | the client hung up | none; without `Idempotency-Key` the job is cancelled |
 
 use axum::extract::State;
 use axum::http::HeaderMap;
@@ -33,30 +33,58 @@ const URGENT: i16 = 1;
 /// unless it has an `Idempotency-Key` to ask again with.
 #[utoipa::path(
     post, path = "/v1/solve", tag = "jobs",
-    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
+    request_body(
+        content = ref("#/components/schemas/ContactJob"), content_type = "application/json",
+        description = "The job.",
+    ),
     params(
         WaitQuery,
         PreferHeader,
         IdempotencyHeader,
     ),
     responses(
-        (status = OK, description = "The job with its result, converged or not; its `status` says \
-                                     which.", body = JobDocument, content_type = "application/json",
+        (
+            status = OK,
+            description = "The job with its result, converged or not; its `status` says which.",
+            body = JobDocument, content_type = "application/json",
             headers(
-                ("Content-Location" = String, description = "Address of the job. A service that keeps its jobs in memory forgets it at a restart."),
-                ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
-                ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
-            )),
-        (status = ACCEPTED, description = "The time is over; the job goes \
-                                           on.", body = JobDocument, content_type = "application/json", headers(
-            ("Location" = String, description = "Address of the job."),
-            ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
-            ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
-            ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
-        )),
+                (
+                    "Content-Location" = String,
+                    description = "Address of the job. A service that keeps its jobs in \
+                        memory forgets it at a restart."
+                ),
+                (
+                    "Preference-Applied" = String,
+                    description = "The wait that was granted, `wait=N`."
+                ),
+                (
+                    "Idempotency-Replayed" = String,
+                    description = "`true` if the job was submitted before."
+                ),
+            ),
+        ),
+        (
+            status = ACCEPTED,
+            description = "The time is over; the job goes on.",
+            body = JobDocument, content_type = "application/json",
+            headers(
+                ("Location" = String, description = "Address of the job."),
+                ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
+                (
+                    "Preference-Applied" = String,
+                    description = "The wait that was granted, `wait=N`."
+                ),
+                (
+                    "Idempotency-Replayed" = String,
+                    description = "`true` if the job was submitted before."
+                ),
+            ),
+        ),
     ),
     extensions(("x-problems" = json!([
-        "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused", "queue-full", "quota-exceeded", "too-many-jobs", "insufficient-storage", "shutting-down", "no-result", "solve-failed"
+        "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused",
+        "queue-full", "quota-exceeded", "too-many-jobs", "insufficient-storage",
+        "shutting-down", "no-result", "solve-failed"
     ]))),
 )]
 #[expect(clippy::too_many_arguments, reason = "each is taken out of the request by its type")]

@@ -11,7 +11,10 @@ use crate::http::{HttpState, Problem};
 /// Check a job and estimate its cost without solving it
 #[utoipa::path(
     post, path = "/v1/validate", tag = "theory",
-    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
+    request_body(
+        content = ref("#/components/schemas/ContactJob"), content_type = "application/json",
+        description = "The job.",
+    ),
     responses((status = OK, description = "The job is in order.", body = Validation)),
     extensions(("x-problems" = json!(["invalid-job", "job-too-large"]))),
 )]

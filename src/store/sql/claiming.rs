@@ -22,12 +22,14 @@ pub(in crate::store) const NEXT: &str = "
             SELECT q.id FROM jobs q
             WHERE q.account = a.id AND q.state = 'queued' AND q.memory <= $1 AND q.losses < $6
             ORDER BY q.losses DESC, q.priority DESC, q.id LIMIT 1)
-        AND (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id AND r.owner = $2) < $3
+        AND (SELECT count(*) FROM jobs r
+            WHERE r.state = 'running' AND r.account = a.id AND r.owner = $2) < $3
         AND (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id)
             < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = a.id), $4)
     ORDER BY
         (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id),
-        CASE WHEN $5 - a.settled_at < 60000000 THEN a.spent * (60000000 - ($5 - a.settled_at)) / 60000000 ELSE 0 END,
+        CASE WHEN $5 - a.settled_at < 60000000
+            THEN a.spent * (60000000 - ($5 - a.settled_at)) / 60000000 ELSE 0 END,
         j.id
     LIMIT 1";
 
@@ -45,7 +47,8 @@ const LEASE: &str =
 /// minute.
 pub(super) const SETTLE: &str = "UPDATE accounts SET settled_at = $2,
         spent = $2 - (SELECT started_at FROM jobs WHERE id = $1)
-            + CASE WHEN $2 - settled_at < 60000000 THEN spent * (60000000 - ($2 - settled_at)) / 60000000 ELSE 0 END
+            + CASE WHEN $2 - settled_at < 60000000
+                THEN spent * (60000000 - ($2 - settled_at)) / 60000000 ELSE 0 END
     WHERE id = (SELECT account FROM jobs WHERE id = $1)";
 
 const END: &str =
@@ -132,7 +135,8 @@ pub(in crate::store) trait Claiming: Send {
 fn readable_text(id: JobId, packed: Option<Vec<u8>>) -> Bytes {
     let text = packed.map_or_else(|| Err(damaged("no text")), unpack);
     text.unwrap_or_else(|error| {
-        tracing::error!(job = %id, error = &error as &dyn std::error::Error, "the text of a job is damaged");
+        let error = &error as &dyn std::error::Error;
+        tracing::error!(job = %id, error, "the text of a job is damaged");
         Bytes::new()
     })
 }

@@ -80,8 +80,8 @@ macro_rules! deliveries {
     ($database:ty, $connection:ty, $lock:literal) => {
         impl Deliveries for $connection {
             async fn add_callback(&mut self, job: JobId, url: String) -> Result<(), StoreError> {
-                let add = sqlx::query::<$database>(ADD).bind(job.uuid()).bind(Uuid::now_v7()).bind(url);
-                add.execute(self).await?;
+                let add = sqlx::query::<$database>(ADD).bind(job.uuid());
+                add.bind(Uuid::now_v7()).bind(url).execute(self).await?;
                 Ok(())
             }
 
@@ -98,14 +98,16 @@ macro_rules! deliveries {
             ) -> Result<Vec<Delivery>, StoreError> {
                 let claim = sqlx::query_as::<$database, DueRow>(concat!(
                     "UPDATE deliveries SET attempts = attempts + 1, due_at = $2
-                     WHERE job IN (SELECT job FROM deliveries WHERE state = 'pending' AND due_at <= $1
-                         ORDER BY due_at LIMIT $3",
+                     WHERE job IN (SELECT job FROM deliveries
+                         WHERE state = 'pending' AND due_at <= $1 ORDER BY due_at LIMIT $3",
                     $lock,
-                    ") RETURNING job, id, url, attempts, (SELECT submitter FROM jobs WHERE jobs.id = deliveries.job),
+                    ") RETURNING job, id, url, attempts,
+                           (SELECT submitter FROM jobs WHERE jobs.id = deliveries.job),
                            (SELECT traceparent FROM jobs WHERE jobs.id = deliveries.job)"
                 ));
                 let limit = i64::try_from(limit).unwrap_or(i64::MAX);
-                let rows = claim.bind(now).bind(until(now, lease)).bind(limit).fetch_all(self).await?;
+                let claim = claim.bind(now).bind(until(now, lease)).bind(limit);
+                let rows = claim.fetch_all(self).await?;
                 let read = |(job, id, url, attempt, submitter, trace): DueRow| {
                     let (job, submitter) = (JobId::from(job), submitter.map(KeyId::from));
                     let trace = trace.and_then(|text| text.parse().ok());
@@ -123,8 +125,9 @@ macro_rules! deliveries {
                 let attempt = i32::try_from(delivery.attempt).unwrap_or(i32::MAX);
                 let (state, due, status, error) = match end {
                     DeliveryEnd::Postponed { retry } => {
-                        let postpone = sqlx::query::<$database>(POSTPONE).bind(delivery.job.uuid());
-                        postpone.bind(attempt).bind(until(now, *retry)).execute(self).await?;
+                        let postpone = sqlx::query::<$database>(POSTPONE);
+                        let postpone = postpone.bind(delivery.job.uuid()).bind(attempt);
+                        postpone.bind(until(now, *retry)).execute(self).await?;
                         return Ok(());
                     }
                     DeliveryEnd::Failed { status, error, retry: Some(retry) } => {
@@ -133,7 +136,9 @@ macro_rules! deliveries {
                     DeliveryEnd::Failed { status, error, retry: None } => {
                         (CallbackState::Failed, None, *status, Some(error))
                     }
-                    DeliveryEnd::Delivered { status } => (CallbackState::Delivered, None, Some(*status), None),
+                    DeliveryEnd::Delivered { status } => {
+                        (CallbackState::Delivered, None, Some(*status), None)
+                    }
                 };
                 sqlx::query::<$database>(END)
                     .bind(delivery.job.uuid())

@@ -19,15 +19,19 @@ const TAKE_NAME: &str =
     "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
-const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, reserved_bytes, account, traceparent)
+const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at,
+         reserved_bytes, account, traceparent)
      VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9)";
 const ACCOUNT: &str = "INSERT INTO accounts (id) VALUES ($1) ON CONFLICT DO NOTHING";
 /// Selects the number of queued jobs, the number of queued jobs of one submitter, the bytes that
 /// the submitter's results take or will take, and whether the submitter has an account.
 const PLACES: &str = "SELECT (SELECT count(*) FROM jobs WHERE state = 'queued'),
-         CASE WHEN $2 THEN (SELECT count(*) FROM jobs WHERE state = 'queued' AND account = $1) ELSE 0 END,
-         CASE WHEN $3 THEN (SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
-             THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT) FROM jobs WHERE submitter = $1) ELSE 0 END,
+         CASE WHEN $2 THEN (SELECT count(*) FROM jobs WHERE state = 'queued' AND account = $1)
+             ELSE 0 END,
+         CASE WHEN $3 THEN (SELECT CAST(coalesce(sum(
+                 CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
+                     THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT)
+             FROM jobs WHERE submitter = $1) ELSE 0 END,
          EXISTS (SELECT 1 FROM accounts WHERE id = $1)";
 const REQUEST: &str = "INSERT INTO requests (job, body) VALUES ($1, $2)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
@@ -45,7 +49,8 @@ const SWEEP_OLD: &str =
 /// Selects the oldest results of the key whose results take the most bytes, until all results
 /// together fit the limit: a key with few results loses none.
 const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
-         SELECT id, finished_at, sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
+         SELECT id, finished_at,
+             sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
          FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
              SELECT account FROM jobs WHERE finished_at IS NOT NULL
              GROUP BY account ORDER BY sum(stored_bytes) DESC, account LIMIT 1)) AS oldest

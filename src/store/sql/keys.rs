@@ -7,14 +7,15 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 use super::codec::{count, damaged, time};
 use crate::jobs::{ApiKey, KeyId, KeyLimits, PreviousSecret, Scope, StoreError};
 
-const ADD: &str = "INSERT INTO api_keys (id, name, scope, digest, created_at, expires_at, max_queued, max_running, max_stored,
-         max_priority)
+const ADD: &str = "INSERT INTO api_keys (id, name, scope, digest, created_at, expires_at,
+         max_queued, max_running, max_stored, max_priority)
      VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10)";
 const REVOKE: &str = "UPDATE api_keys SET revoked_at = $2 WHERE id = $1 AND revoked_at IS NULL";
 const ROTATE: &str =
     "UPDATE api_keys SET previous_digest = digest, previous_until = $3, digest = $2
      WHERE id = $1 AND revoked_at IS NULL";
-const LIMIT: &str = "UPDATE api_keys SET expires_at = $2, max_queued = $3, max_running = $4, max_stored = $5, max_priority = $6
+const LIMIT: &str = "UPDATE api_keys SET expires_at = $2, max_queued = $3,
+         max_running = $4, max_stored = $5, max_priority = $6
      WHERE id = $1 AND revoked_at IS NULL";
 
 /// Selects the columns of [`KeyRow`] from the table of keys.

@@ -26,14 +26,18 @@ const FINISH: &str = "UPDATE jobs SET state = $4, finished_at = $5, has_report =
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
      RETURNING iterations, $12 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
 const REPORT: &str = "INSERT INTO reports (job, body) VALUES ($1, $2)";
-const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN 'cancelled' ELSE 'queued' END,
+const RELEASE: &str = "UPDATE jobs SET
+         state = CASE WHEN cancel_requested THEN 'cancelled' ELSE 'queued' END,
          finished_at = CASE WHEN cancel_requested THEN $4 END,
-         started_at = CASE WHEN cancel_requested THEN started_at END, owner = NULL, leased_until = NULL,
+         started_at = CASE WHEN cancel_requested THEN started_at END,
+         owner = NULL, leased_until = NULL,
          iterations = CASE WHEN cancel_requested THEN iterations ELSE 0 END,
          latest = CASE WHEN cancel_requested THEN latest END, steps = 0, stored_bytes = 0
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
+     RETURNING cancel_requested";
 const STEPS: &str = "UPDATE jobs SET steps = coalesce($4, steps),
-         stored_bytes = CASE WHEN $6 THEN $5 WHEN $4 <= steps THEN stored_bytes ELSE stored_bytes + $5 END
+         stored_bytes = CASE WHEN $6 THEN $5 WHEN $4 <= steps THEN stored_bytes
+             ELSE stored_bytes + $5 END
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
      RETURNING $6 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
 /// A repeated write, after its acknowledgement was lost, changes nothing.

@@ -14,7 +14,8 @@ use crate::jobs::{
 const FIND: &str = concat!(
     "SELECT ",
     job_columns!(),
-    ", CASE WHEN j.state = 'queued' THEN (SELECT count(*) FROM jobs q WHERE q.state = 'queued' AND q.account = j.account
+    ", CASE WHEN j.state = 'queued' THEN (SELECT count(*) FROM jobs q
+       WHERE q.state = 'queued' AND q.account = j.account
        AND (q.priority > j.priority OR (q.priority = j.priority AND q.id < j.id))) END
      FROM jobs j WHERE j.id = $1"
 );
@@ -29,11 +30,13 @@ const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND 
 const REQUEST: &str =
     "SELECT r.body FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
 const RESULT: &str = "SELECT r.body, j.steps, j.attempts,
-     EXISTS (SELECT 1 FROM field_parts f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
+     EXISTS (SELECT 1 FROM field_parts f WHERE f.job = j.id)
+     FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
 const STEP: &str = "SELECT body FROM result_steps WHERE job = $1 AND step = $2";
-const FIELDS: &str =
-    "SELECT f.first, f.body FROM result_steps s LEFT JOIN field_parts f ON f.job = s.job AND f.step = s.step
-         AND f.first = (SELECT max(p.first) FROM field_parts p WHERE p.job = s.job AND p.step = s.step AND p.first <= $3)
+const FIELDS: &str = "SELECT f.first, f.body FROM result_steps s
+     LEFT JOIN field_parts f ON f.job = s.job AND f.step = s.step
+         AND f.first = (SELECT max(p.first) FROM field_parts p
+             WHERE p.job = s.job AND p.step = s.step AND p.first <= $3)
      WHERE s.job = $1 AND s.step = $2";
 const HEALTH_ROWS: &str = "SELECT count(*) FROM health";
 const WITHOUT_ACCOUNT: &str = "SELECT id FROM jobs WHERE state = 'queued'
