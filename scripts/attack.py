@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Clients that mean harm, many at a time, against `brinell serve` on loopback: what becomes of everybody else.
+"""Attacks `brinell serve` with many hostile clients and measures the waits of another client.
 
 usage: scripts/attack.py [--only NAME ...] [--connections 4500] [--binary target/release/brinell]
-Each attack has a service of its own. While it lasts another client asks `GET /v1/jobs/{id}` two hundred times; printed are the median and
-the 99th percentile of its waits, the memory of the service before and at most, and how long the service takes to end on SIGTERM with
-the attackers still there. The exit code is 1 where somebody else is not answered, the service grows beyond bounds, or does not end by itself.
+
+Each attack has a service of its own. Meanwhile another client requests `GET /v1/jobs/{id}` two
+hundred times. Prints the median and the 99th percentile of its waits, the memory of the service
+before and its largest value, and the time that the service takes to end on SIGTERM with the
+attackers still connected. The exit code is 1 if a request of the other client fails, if the memory
+exceeds its bound, or if the service does not end by itself.
 """
 
 import argparse, http.client, resource, socket, subprocess, sys, threading, time

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""What announcements cost: jobs a second on PostgreSQL without and with a callback, and what the database does for each job.
+"""Measures the cost of announcements: jobs a second on PostgreSQL with and without a callback.
 
 usage: scripts/callbacks.py [--jobs 600] [--rounds 3] [--binary target/release/brinell]
-Takes turns, round by round, with jobs of 4 elements that are queued first and then timed from the first start to the last end.
+
+Also prints the work of the database for each job. Rounds with and without a callback alternate.
+Jobs of 4 elements are queued first and then timed from the first start to the last end.
 """
 
 import argparse, http.server, statistics, subprocess, threading

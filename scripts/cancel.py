@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""How long large jobs go on after they were asked to stop, through the service.
+"""Measures how long large jobs continue after a request to stop, through the service.
 
-usage: scripts/cancel.py [--elements 220] [--times 6] [--course 30] [--binary target/release/brinell]
-Jobs of two different bodies with every output, of each analysis, theory and coupling, are cancelled at moments spread over their course, or
-over so many seconds of it. Prints the longest and the median time from the request to the final state, and fails above 0.5 s.
+usage: scripts/cancel.py [--elements 220] [--times 6] [--course 30] [--binary
+            target/release/brinell]
+
+Jobs of two different bodies with every output, of each analysis, theory and coupling, are
+cancelled at times spread over their duration, or over `--course` seconds of it. Prints the longest
+and the median time from the request to the final state, and fails above 0.5 s.
 """
 
 import argparse, statistics, sys, time

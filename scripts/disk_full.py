@@ -5,12 +5,13 @@ usage: scripts/disk_full.py [--binary target/release/brinell] [--size 12m]
 Mounts a tmpfs in namespaces of its own (`unshare --user --mount`); needs no rights. Each part ends with a line that
 says what was seen, and with exit code 1 if it is not what docs/operations.md promises.
 
-1. A reserve of 0: jobs with fields fill the disk to the last byte. Space is freed by another file's removal; submit,
-   claim and cancel work again within seconds.
+1. A reserve of 0: jobs with fields fill the disk to the last byte. Space is freed by another
+   file's removal; submit, claim and cancel work again within seconds.
 2. A reserve: jobs are refused with 507 before the disk is full, and what was accepted finishes.
 3. `ulimit -f`: a file reaches the largest size the process may write; the process lives.
 4. The disk under the tables of PostgreSQL is filled to the last byte and freed.
-5. The disk under all of PostgreSQL is filled, at which PostgreSQL may end, and freed; then PostgreSQL is started again.
+5. The disk under all of PostgreSQL is filled, at which PostgreSQL may end, and freed; then
+   PostgreSQL is started again.
 """
 
 import argparse, http.client, json, os, resource, shutil, subprocess, sys, tempfile, time
@@ -179,7 +180,7 @@ def file_size_limit():
 
 
 def under_postgres(holds_log):
-    """With its log on the full disk PostgreSQL may end; it is started again once there is space."""
+    """PostgreSQL, its log on the full disk, may end; it is started again once there is space."""
     print(
         f"{5 if holds_log else 4}. under PostgreSQL, {'all of it' if holds_log else 'its tables'}"
     )

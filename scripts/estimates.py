@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""What jobs are estimated to need, and what they take: memory and result, over a table of jobs.
+"""Compares estimates of memory and result size of jobs with measured values.
 
 usage: scripts/estimates.py [--binary target/release/brinell] [--largest 160] [--generated 200]
-With --generated so many jobs of the whole format in place of the table, the same ones each time. Each job is solved by a service of its own, with one worker and nothing kept between jobs; its memory is the process's largest less what it had
-after a small one. Prints a table in Markdown and fails where a job takes more than 1.2 times its estimate.
+
+With `--generated N`, solves N random jobs of the whole format instead of the table, the same ones
+each time. A service with one worker and without a cache solves each job; the memory is the largest
+resident size of the process less its size after a small job. Prints a table in Markdown and fails
+if a job takes more than 1.2 times its estimate.
 """
 
 import argparse, json, random, sqlite3, sys

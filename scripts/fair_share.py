@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""What one API key that floods the service does to another.
+"""Measures the waits of an API key while another key floods the service.
 
-usage: scripts/fair_share.py [--jobs 500] [--store sqlite|postgres] [--solvers 2] [--binary target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
-A key has default jobs solved, half of them through POST /v1/solve and half through the queue at the same time, first alone, then while another key floods
-both ways at priority 100: default jobs, sweeps of 200 loads at 60 elements, histories of 10 000 increments. Prints the waits of each way, alone and beside the flood. Fails
-where the p99 beside it is above one second.
+usage: scripts/fair_share.py [--jobs 500] [--store sqlite|postgres] [--solvers 2] [--binary
+            target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
+
+One key submits default jobs, half of them through POST /v1/solve and half through the queue at the
+same time, first alone, then while another key floods both ways at priority 100 with default jobs,
+sweeps of 200 loads at 60 elements and histories of 10 000 increments. Prints the waits of each
+way, alone and beside the flood. Fails if the p99 beside the flood is above one second.
 """
 
 import argparse, contextlib, http.client, json, statistics, subprocess, sys, threading, time

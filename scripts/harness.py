@@ -1,4 +1,4 @@
-"""What the scripts share: a service on a free port, and PostgreSQL on one of its own."""
+"""Shared by the scripts: a service on a free port, and PostgreSQL on a port of its own."""
 
 import glob, http.client, json, os, re, shutil, socket, subprocess, sys, tempfile
 from pathlib import Path
@@ -15,7 +15,7 @@ def free_port():
 
 
 def load():
-    """What else the machine does; figures are worth what it leaves."""
+    """Load of the machine by all processes, to judge the figures by."""
     return f"load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores"
 
 

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Hands 10 000 jobs to `brinell serve`, waits for all, checks each and reports rates and the server's memory.
+"""Submits 10 000 jobs to `brinell serve`, checks each result and prints rates and memory.
 
-usage: scripts/many_jobs.py [--jobs N] [--large N] [--binary target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
-Needs nothing but Python. Prints one line each for submission, solving and memory (RSS at the start, once all are queued, after each
-tenth of them, and after all results were fetched). With `--large` so many of the jobs, spread over the others, have 200 MB of fields; answers other than
-those expected, 503 among them, end the run.
+usage: scripts/many_jobs.py [--jobs N] [--large N] [--binary target/release/brinell] [-- MORE
+            ARGUMENTS OF SERVE]
+
+Needs only Python. Prints a line each for submission, solving and memory (RSS at the start, once
+all jobs are queued, after each tenth of them, and after all results were fetched). `--large N`
+adds N jobs with 200 MB of fields, spread over the others. An unexpected answer, such as 503, ends
+the run.
 """
 
 import argparse, threading, time

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""What open pages cost: jobs solved a second through POST /v1/solve with and without them, on the same server.
+"""Measures the cost of open pages: jobs a second through POST /v1/solve with and without them.
 
-usage: scripts/open_pages.py [--pages 50] [--rounds 6] [--seconds 5] [--elements 8] [--release target/release]
-Needs wrk and `cargo build --release`. Every page does over the wire what web/ does: it fetches all files, follows a job
-of its own that waits, by server-sent events, asks for its place in the queue every two seconds, and lists the jobs
-every five. Opening them is not measured. Beside the change by the clock, which other work on the machine disturbs,
-stands the processor time that the server takes beyond the cost of its jobs, as a share of all cores.
+usage: scripts/open_pages.py [--pages 50] [--rounds 6] [--seconds 5] [--elements 8] [--release
+            target/release]
+
+Needs wrk and `cargo build --release`. Every page sends the requests of web/: it fetches all files,
+follows a waiting job of its own by server-sent events, queries its place in the queue every two
+seconds, and lists the jobs every five. Opening the pages is not measured. Prints the change of the
+rate, which other work on the machine disturbs, and the processor time of the server beyond the
+cost of its jobs, as a share of all cores.
 """
 
 import argparse, asyncio, json, os, re, statistics, subprocess, tempfile, threading, time

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""What bad receivers of announcements do to a good one.
+"""Measures how bad receivers of announcements delay a good one.
 
 usage: scripts/receivers.py [--jobs 40] [--binary target/release/brinell]
-Seven hosts (127.0.0.2 and on: Linux) are silent, answer byte by byte, without end, with heads without end, elsewhere, with noise, or not at all.
-Prints how long the announcements to an eighth took that were handed in behind theirs, what each was sent, and the memory of the service.
+
+Seven hosts (127.0.0.2 and on: Linux) misbehave: silent, answering byte by byte, without end, with
+heads without end, by redirects, with noise, or not at all. The jobs for the good host are
+submitted behind theirs. Prints the delays of the good announcements, the calls to each host, and
+the memory of the service.
 """
 
 import argparse, base64, os, socket, threading, time

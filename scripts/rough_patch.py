@@ -4,11 +4,11 @@
     cargo build --release -p brinell-halfspace --example rough_patch
     other/bin/python -W ignore scripts/rough_patch.py 512 target/release/examples/rough_patch
 
-Takes cells along a side and the example. Heights are self-affine with a Hurst exponent of 0.8 and
-a root mean square slope of 0.1; their waves are between an eighth of the side and 8 cells. The side
-is 1, E* is 1. All on one thread. Prints area over nominal area, largest pressure, approach from the
-highest point, and what the others differ by. `waves` in place of a number writes the reference of
-`crates/brinell-halfspace/tests/waves.rs`.
+Takes cells along a side and the example. Heights are self-affine with a Hurst exponent of 0.8
+and a root mean square slope of 0.1; their waves are between an eighth of the side and 8 cells.
+The side is 1, E* is 1. All on one thread. Prints area over nominal area, largest pressure,
+approach from the highest point, and what the others differ by. `waves` in place of a number
+writes the reference of `crates/brinell-halfspace/tests/waves.rs`.
 """
 
 import os

@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Kills, freezes and restarts while jobs with small and large results come in, each with an announcement: nothing is lost, nothing is there twice.
+"""Kills, freezes and restarts the service under load; checks that no job is lost or doubled.
 
 usage: scripts/rounds.py [--rounds 9] [--store sqlite|postgres] [--binary target/release/brinell]
-`sqlite` is one service, `postgres` two on a cluster of their own, which is restarted too (needs initdb and pg_ctl). A receiver answers one announcement in
-five with 500. At the end every job that was accepted has succeeded, its result is whole, its announcement was delivered, under one id.
+
+Jobs have small and large results, each with an announcement. `sqlite` is one service, `postgres`
+two on a cluster of their own, which is restarted too (needs initdb and pg_ctl). The receiver
+answers one announcement in five with 500. At the end every accepted job must have succeeded, with
+a complete result and an announcement delivered under one id.
 """
 
-import argparse, collections, http.client, http.server, json, random, shutil, signal, subprocess, sys, tempfile, threading, time
+import argparse, collections, http.client, http.server, json, random, shutil, signal
+import subprocess, sys, tempfile, threading, time
 
 from harness import EXAMPLES, Cluster, free_port
 

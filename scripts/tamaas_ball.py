@@ -1,11 +1,13 @@
-"""A rigid ball on an elasto-plastic half-space by Tamaas, for comparison with Brinell on cells of the same size.
+"""A rigid ball on an elasto-plastic half-space by Tamaas, for comparison with Brinell on cells of
+the same size.
 
     python3 -m venv tamaas && tamaas/bin/pip install tamaas scipy numpy
     tamaas/bin/python -W ignore scripts/tamaas_ball.py 16 3.2
 
-Takes cells over a side, and the length of the periodic box over the half-width of the contact. Radius 10 mm,
-E = 210 GPa, nu = 0.3, yield stress 500 MPa, tangent modulus 0.05 E. Hertz's peak pressure is four yield stresses.
-One step, on one thread. `cargo bench --bench three_dimensions` has the same ball as `deformation`.
+Takes cells over a side, and the length of the periodic box over the half-width of the contact.
+Radius 10 mm, E = 210 GPa, nu = 0.3, yield stress 500 MPa, tangent modulus 0.05 E. Hertz's peak
+pressure is four yield stresses. One step, on one thread. `cargo bench --bench three_dimensions`
+has the same ball as `deformation`.
 """
 
 import os

@@ -3,9 +3,10 @@
 
 usage: scripts/test_times.py [--ignored] [--no-tests] [--remark=TEXT]
 
-Runs every test executable of `cargo test` and takes the time of each test from it (`--ignored`: those of
-`.ci/full` too). Adds the time of each crate's build from the newest report of `cargo build --timings` and of
-each step from the last `.ci/run` and `.ci/full`, as far as these are there.
+Runs every test executable of `cargo test` and takes the time of each test from it (`--ignored`:
+those of `.ci/full` too). Adds the time of each crate's build from the newest report of `cargo
+build --timings` and of each step from the last `.ci/run` and `.ci/full`, as far as these are
+there.
 """
 
 import json

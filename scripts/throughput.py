@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Holds POST /v1/solve under load against the same jobs solved in a loop without a service, on the same cores.
+"""Compares POST /v1/solve under load with the same jobs solved in a loop without a service.
 
-usage: scripts/throughput.py [--elements 5 8] [--rounds 5] [--seconds 5] [-- MORE ARGUMENTS OF SERVE]
-Needs wrk, `cargo build --release` and `cargo build --release -p brinell-tools --features service --bin in_process`. The two are measured in turn,
-round by round; each row is the median of the rounds. Three yield stresses of peak pressure, 64 connections.
+usage: scripts/throughput.py [--elements 5 8] [--rounds 5] [--seconds 5] [-- MORE ARGUMENTS OF
+            SERVE]
 
-Beside the rates by the clock, which other work on the machine disturbs, stand those by processor time: jobs for each
-second of it that the loop took, and that server and wrk took together.
+Needs wrk, `cargo build --release` and `cargo build --release -p brinell-tools --features service
+--bin in_process`. The two are measured in turn, round by round; each row is the median of the
+rounds. Three yield stresses of peak pressure, 64 connections.
+
+Beside the rates by the clock, which other work on the machine disturbs, stand those by processor
+time: jobs for each second of it that the loop took, and that server and wrk took together.
 """
 
 import argparse, json, re, resource, statistics, subprocess, sys, tempfile, time

@@ -1,4 +1,4 @@
-"""What the builders are made of: bodies, materials, jobs."""
+"""The parts of the builders: bodies, materials, jobs."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def checked(
     document: Mapping[str, Any] | None = None,
     at: str = "#",
 ) -> M:
-    """The model with these values, or every fault among them.
+    """Returns the model with these values, or raises all faults in them.
 
     `at` is the pointer of the model itself.
     """
@@ -43,7 +43,7 @@ def checked(
 
 
 def _chosen(errors: list[Any]) -> list[Any]:
-    """The errors of the branches of unions that `law` and `type` choose, not of the others."""
+    """Keeps the errors of the branches of unions that `law` and `type` choose."""
     others = {
         one["loc"][:-1]
         for one in errors
@@ -88,7 +88,8 @@ def build_body(
 
 def build_law(model: type[M], /, **values: Any) -> M:
     """A hardening law."""
-    return checked(model, {"law": str(model.model_fields["law"].annotation.__args__[0]), **values})  # type: ignore[union-attr]
+    law = model.model_fields["law"].annotation.__args__[0]  # type: ignore[union-attr]
+    return checked(model, {"law": str(law), **values})
 
 
 def material(
@@ -135,7 +136,7 @@ def job(
     tags: Mapping[str, str] | None = None,
     solver: Mapping[str, Any] | None = None,
 ) -> models.ContactJob:
-    """Two bodies and what presses them together, in mm, N and MPa.
+    """Makes a job: two bodies and the load that presses them together, in mm, N and MPa.
 
     Args:
         upper: the body above the contact: `cylinder(...)`, `block(...)` and so on.
@@ -145,7 +146,7 @@ def job(
             (a cylinder is a sphere there), "three_dimensional" for `sphere`, `curved` and `flat`.
         force: the force [N/mm of thickness; N in axisymmetry and three dimensions].
         forces: several of them, a step each.
-        approach: how far the supports come together [mm]; the force is an output.
+        approach: how far the supports approach each other [mm]; the force is an output.
         approaches: several of them, a step each.
         history: loads one after the other, `{"force": F}` or `{"approach": a}`; 0 takes the
             load away (theory "flow").
@@ -242,7 +243,7 @@ def _load(name: str, value: Any, document: Mapping[str, Any]) -> BaseModel:
 def _one_of(
     kinds: Mapping[str, type[BaseModel]], value: Any, document: Mapping[str, Any], at: str
 ) -> BaseModel:
-    """The model that the one key of a dict names."""
+    """Returns the model that the single key of a dict names."""
     keys = list(value) if isinstance(value, Mapping) else []
     if len(keys) != 1 or keys[0] not in kinds:
         what = f"a dict with one of {', '.join(kinds)}, got {value!r}"

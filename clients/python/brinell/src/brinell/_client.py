@@ -1,4 +1,4 @@
-"""Clients, which block or await, and the jobs that they have handed in."""
+"""Blocking and asynchronous clients, and the jobs that they have submitted."""
 
 from __future__ import annotations
 
@@ -55,12 +55,12 @@ the values of each.
 
 # Seconds for a connection and for each piece of an answer.
 TIMEOUT = 30.0
-# Jobs that are with the service at a time: enough for it to be busy while results travel.
+# Jobs that are at the service at a time: enough to keep it busy while results travel.
 IN_FLIGHT = 64
 
 
 class _Connection:
-    """Where the service is, and how it is asked."""
+    """Address of the service, and settings of the requests to it."""
 
     def __init__(
         self,
@@ -85,7 +85,7 @@ class _Connection:
 
     def _options(self) -> dict[str, Any]:
         limits = httpx.Limits(max_connections=100, max_keepalive_connections=20)
-        # What the environment says of proxies is for others than a server on loopback.
+        # A server on loopback is reached without the proxies of the environment.
         return {
             "base_url": self.url,
             "headers": self._headers,
@@ -118,13 +118,13 @@ class _Connection:
 
 
 class Client(_Connection):
-    """A service that solves contacts, asked by waiting for its answers.
+    """A blocking client of the service.
 
     Args:
-        url: where it is; `BRINELL_URL` if left out, and without either a server of one's own
+        url: address of the service, by default `BRINELL_URL`; without either, a local server
             is started on this machine
             and ends with this process.
-        api_key: its key; `BRINELL_API_KEY` if left out.
+        api_key: API key, by default `BRINELL_API_KEY`.
         timeout: seconds for a connection and for each piece of an answer; waits for results
             come on top.
         max_retries: how often a request is repeated after a connection error, 408, 429 or 5xx.
@@ -149,14 +149,14 @@ class Client(_Connection):
     # Performing flows.
 
     def _client(self) -> httpx.Client:
-        # A process that was forked has connections of its own.
+        # A forked process opens connections of its own.
         if self._http is None or self._pid != os.getpid():
             self._http = httpx.Client(**self._options())
             self._pid = os.getpid()
         return self._http
 
     def _stream(self, flow: Flow[T], end: list[T] | None = None) -> Generator[Any, None, None]:
-        """The values that a flow emits; what it returns goes to `end`."""
+        """Yields the values that a flow emits; passes its return value to `end`."""
         opened: httpx.Response | None = None
         lines: Iterator[str] = iter(())
         answer: Any = None
@@ -223,7 +223,7 @@ class Client(_Connection):
     # What it is for.
 
     def solve(self, job: JobLike, *, progress: bool | Callable[[Event], object] = False) -> Result:
-        """The result of a job, whether it converged or not. Ctrl-C cancels the job.
+        """Solves a job and returns its result, converged or not. Ctrl-C cancels the job.
 
         Args:
             job: what to solve.
@@ -234,17 +234,17 @@ class Client(_Connection):
         return self._result(report, id)
 
     def submit(self, job: JobLike, *, priority: int = 0) -> Job:
-        """Hands a job in and comes back at once."""
+        """Submits a job and returns at once."""
         return Job(self, self._run(self._core.submit(document_of(job), priority)))
 
     def job(self, id: str) -> Job:
-        """A job that was handed in before, by this or another client."""
+        """Returns a job that this or another client submitted."""
         return Job(self, self._run(self._core.look(id)))
 
     def validate(self, job: JobLike) -> dict[str, Any]:
-        """What the job would cost: `equations`, `bytes`, `result_bytes`.
+        """Checks a job and returns its estimated cost: `equations`, `bytes`, `result_bytes`.
 
-        Raises `InvalidJob` if it is not in order.
+        Raises `InvalidJob` if it has faults.
         """
         answer: dict[str, Any] = self._run(self._core.validate(job))["estimate"]
         return answer
@@ -257,15 +257,15 @@ class Client(_Connection):
         in_flight: int = IN_FLIGHT,
         progress: bool = False,
     ) -> Iterator[tuple[JobLike, Result]]:
-        """Solves many jobs; pairs of job and result, in the order given or as they come.
+        """Solves many jobs and yields pairs of job and result, in order or as they are done.
 
-        A job that did not converge, failed or is not in order is a result too: see its
+        A job that did not converge, failed or is invalid gives a result too: see its
         `converged` and `error`.
 
         Args:
             jobs: the jobs, which are taken from an iterator as they are needed.
             ordered: whether results come in the order of the jobs.
-            in_flight: how many jobs are with the service at a time.
+            in_flight: how many jobs are at the service at a time.
             progress: show a bar (with tqdm).
         """
         flow = self._core.map(jobs, ordered, in_flight, PARTS)
@@ -282,7 +282,7 @@ class Client(_Connection):
         in_flight: int = IN_FLIGHT,
         progress: bool = False,
     ) -> pd.DataFrame:
-        """A table of the figures of a job, a row for each point of a grid.
+        """Solves a job at each point of a grid; returns a table with a row for each point.
 
         Args:
             job: a job, in which the grid sets values by pointer, or a function that makes one
@@ -290,7 +290,7 @@ class Client(_Connection):
             grid: the values by pointer, as in `{"/load/force": [100, 200]}`; a tuple of
                 pointers sets the same value at
                 each of them. For a function, the values by the names of its arguments.
-            in_flight: how many jobs are with the service at a time.
+            in_flight: how many jobs are at the service at a time.
             progress: show a bar (with tqdm).
         """
         points, documents = grid_of(job, grid)
@@ -313,7 +313,7 @@ class Client(_Connection):
         return Result(outcome.report, outcome.id, fetch, outcome.error)
 
     def close(self) -> None:
-        """Ends the connections, and the local server if there is one."""
+        """Closes the connections, and the local server if there is one."""
         if self._http is not None:
             self._http.close()
             self._http = None
@@ -349,7 +349,7 @@ class AsyncResult(Result):
         self._fields: dict[int, Fields] = {}
 
     async def fetch_fields(self, step: int = -1) -> Fields:
-        """Mesh and stresses of a step, as `fields` has them afterwards."""
+        """Fetches mesh and stresses of a step for `fields`."""
         assert self._await is not None
         place = self.steps[step].place
         if place not in self._fields:
@@ -358,7 +358,7 @@ class AsyncResult(Result):
         return self._fields[place]
 
     def fields(self, step: int = -1) -> Fields:
-        """Mesh and stresses of a step, once `fetch_fields` has them."""
+        """Returns mesh and stresses of a step that `fetch_fields` has fetched."""
         try:
             return self._fields[self.steps[step].place]
         except KeyError:
@@ -369,7 +369,7 @@ class AsyncResult(Result):
 
 
 class AsyncClient(_Connection):
-    """As `Client`, for programs that await."""
+    """An asynchronous client with the methods of `Client`."""
 
     def __init__(
         self,
@@ -394,7 +394,7 @@ class AsyncClient(_Connection):
     async def _stream(
         self, flow: Flow[T], end: list[T] | None = None
     ) -> AsyncGenerator[Any, None]:
-        """The values that a flow emits; what it returns goes to `end`."""
+        """Yields the values that a flow emits; passes its return value to `end`."""
         opened: httpx.Response | None = None
         lines: AsyncIterator[str] | None = None
         answer: Any = None
@@ -528,7 +528,7 @@ class AsyncClient(_Connection):
         return AsyncResult(outcome.report, outcome.id, self._fetch, outcome.error)
 
     async def close(self) -> None:
-        """Ends the connections, and the local server if there is one."""
+        """Closes the connections, and the local server if there is one."""
         if self._http is not None:
             await self._http.aclose()
             self._http = None
@@ -571,14 +571,14 @@ class Job(_Job[Client]):
     """A job that has been handed in."""
 
     def refresh(self) -> Job:
-        """Asks the service how it stands, unless it is done."""
+        """Requests the state of the job again, unless it is done."""
         if not self.info["done"]:
             self.info = self._client._run(self._client._core.look(self.id))
         return self
 
     @property
     def status(self) -> str:
-        """How it stands now: `queued`, `running`, `succeeded`, `not_converged`, `failed`,
+        """The present state: `queued`, `running`, `succeeded`, `not_converged`, `failed`,
         `cancelled`, `timed_out`.
         """
         return str(self.refresh().info["status"])
@@ -590,17 +590,17 @@ class Job(_Job[Client]):
 
     @property
     def progress(self) -> dict[str, Any]:
-        """How far it has come: `iterations`, and the `latest` of them."""
+        """Its progress: the number of `iterations`, and the `latest` of them."""
         answer: dict[str, Any] = self.refresh().info["progress"]
         return answer
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Waits for its end, so many seconds at most. Whether it has ended."""
+        """Waits for its end, at most `timeout` seconds. Returns whether it has ended."""
         self.info = self._client._run(self._client._core.wait(self.id, timeout))
         return bool(self.info["done"])
 
     def result(self, timeout: float | None = None) -> Result:
-        """Its result, waited for.
+        """Waits for the result and returns it.
 
         `StillRunning` if it is not there in so many seconds, `JobFailed` if there is none.
         """
@@ -609,7 +609,7 @@ class Job(_Job[Client]):
         )
 
     def cancel(self) -> Job:
-        """Stops it within one iteration; it keeps what it has."""
+        """Stops the job within one iteration; it keeps the results so far."""
         self.info = self._client._run(self._client._core.cancel(self.id))
         return self
 
@@ -623,44 +623,44 @@ class Job(_Job[Client]):
 class AsyncJob(_Job[AsyncClient]):
     """A job that has been handed in.
 
-    `info` is how it stood when the service was last asked; `refresh` asks again.
+    `info` has the state of the job at the last request; `refresh` requests it again.
     """
 
     @property
     def status(self) -> str:
-        """How it stood when the service was last asked."""
+        """The state at the last request."""
         return str(self.info["status"])
 
     @property
     def done(self) -> bool:
-        """Whether it had ended when the service was last asked."""
+        """Whether it had ended at the last request."""
         return bool(self.info["done"])
 
     @property
     def progress(self) -> dict[str, Any]:
-        """How far it had come when the service was last asked."""
+        """The progress at the last request."""
         answer: dict[str, Any] = self.info["progress"]
         return answer
 
     async def refresh(self) -> AsyncJob:
-        """Asks the service how it stands, unless it is done."""
+        """Requests the state of the job again, unless it is done."""
         if not self.info["done"]:
             self.info = await self._client._run(self._client._core.look(self.id))
         return self
 
     async def wait(self, timeout: float | None = None) -> bool:
-        """Waits for its end, so many seconds at most. Whether it has ended."""
+        """Waits for its end, at most `timeout` seconds. Returns whether it has ended."""
         self.info = await self._client._run(self._client._core.wait(self.id, timeout))
         return bool(self.info["done"])
 
     async def result(self, timeout: float | None = None) -> AsyncResult:
-        """Its result, waited for."""
+        """Waits for the result and returns it."""
         return self._client._result(
             await self._client._run(self._client._core.report(self.id, timeout)), self.id
         )
 
     async def cancel(self) -> AsyncJob:
-        """Stops it within one iteration; it keeps what it has."""
+        """Stops the job within one iteration; it keeps the results so far."""
         self.info = await self._client._run(self._client._core.cancel(self.id))
         return self
 
@@ -675,7 +675,7 @@ class AsyncJob(_Job[AsyncClient]):
 def grid_of(
     job: JobLike | Callable[..., JobLike], grid: Grid
 ) -> tuple[list[dict[str, Any]], list[JobLike | InvalidJob]]:
-    """The points of a grid, each with a name for every value, and the job at each of them, or why
+    """The points of a grid with named values, and the job at each point, or why
     there is none.
     """
     axes = {key: _values(key, values) for key, values in grid.items()}
@@ -709,7 +709,7 @@ def _values(key: Any, values: Any) -> list[Any]:
 
 
 def _cell(name: str, value: Any, base: Mapping[str, Any] | None) -> Any:
-    """A value as a table has it: numbers and words by themselves, the rest in words.
+    """Converts a value for a table: numbers and words stay, the rest becomes text.
 
     A quantity is given in the unit of the job, where the name is a pointer into it.
     """
@@ -727,7 +727,7 @@ def table_of(points: Sequence[Mapping[str, Any]], results: Sequence[Result]) -> 
     pandas = need("pandas", "pandas")
     rows = []
     errors = [result.error for result in results]
-    # Where nothing at all is in order, the mistake is in the job and not at a point of the grid.
+    # If every point is invalid, the mistake is in the job and not at a point of the grid.
     if errors and isinstance(errors[0], InvalidJob) and all(errors):
         raise errors[0]
     for point, result in zip(points, results, strict=True):
@@ -736,7 +736,7 @@ def table_of(points: Sequence[Mapping[str, Any]], results: Sequence[Result]) -> 
         )
         error = str(result.error) if result.error is not None else ""
         row = {**point, **figures, "status": result.status, "error": error}
-        # A column that has the name of a figure has the values of the grid, to the last digit.
+        # A column named like a figure has the exact values of the grid.
         rows.append({**row, **point})
     frame: pd.DataFrame = pandas.DataFrame(rows)
     return frame
@@ -746,7 +746,7 @@ def table_of(points: Sequence[Mapping[str, Any]], results: Sequence[Result]) -> 
 
 
 class _Progress:
-    """A bar for one job, or whatever is called with its events; `None` if neither is wanted."""
+    """A progress bar or a callback for the events of one job; `None` without either."""
 
     def __init__(self, wanted: bool | Callable[[Event], object]) -> None:
         self._wanted = wanted

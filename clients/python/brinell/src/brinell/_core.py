@@ -1,7 +1,7 @@
-"""What a client does, apart from how it waits: one text for both kinds of clients.
+"""The operations of a client, shared by the blocking and the asynchronous one.
 
-A flow is a generator. It yields what it wants done (`Send`, `Sleep`, `Open`, `NextLine`, `Emit`)
-and gets the answer, or the exception, back. A client performs flows: one by blocking, the other by
+A flow is a generator. It yields actions (`Send`, `Sleep`, `Open`, `NextLine`, `Emit`)
+and receives the answer or the exception. A client performs flows: one by blocking, the other by
 awaiting.
 """
 
@@ -38,7 +38,7 @@ T = TypeVar("T")
 PARTS = "contact,subsurface,plasticity,history"
 # The smallest of the parts, for those who want figures alone.
 FIGURES = "history"
-# Longest wait in one request, as the service has it, and the shorter one of `map`, which has
+# Longest wait in one request, as the service grants it, and the shorter one of `map`, which has
 # other jobs to look after.
 LONGEST_WAIT = 60.0
 LOOK = 1.0
@@ -82,19 +82,19 @@ class Sleep:
 
 @dataclass(frozen=True)
 class Emit:
-    """A value for the caller, who then comes back for more."""
+    """A value for the caller, who then asks for the next one."""
 
     value: Any
 
 
 class Abandoned(BaseException):
-    """The caller does not come back for more: thrown into a flow where it has emitted a value."""
+    """Thrown into a flow behind `Emit` when the caller wants no further values."""
 
 
 Effect: TypeAlias = Send | Open | NextLine | Sleep | Emit
 Flow: TypeAlias = Generator[Effect, Any, T]
 
-# Ctrl-C and the end of an asynchronous task: a job that nobody waits for is stopped.
+# Ctrl-C, or the end of an asynchronous task: the job is cancelled.
 STOPPED = (KeyboardInterrupt, asyncio.CancelledError, Abandoned)
 
 
@@ -108,7 +108,7 @@ class Event:
 
 
 def retry_after(response: httpx.Response) -> float | None:
-    """What the service says about coming back; `None` if it says nothing."""
+    """The seconds of `Retry-After`; `None` without the header."""
     try:
         return float(response.headers.get("retry-after", ""))
     except ValueError:
@@ -116,7 +116,7 @@ def retry_after(response: httpx.Response) -> float | None:
 
 
 def failure(response: httpx.Response) -> BrinellError:
-    """The exception for an answer."""
+    """Returns the exception for an answer."""
     try:
         problem = response.json()
     except ValueError:
@@ -135,9 +135,9 @@ def call(
     wait: float = 0.0,
     headers: Mapping[str, str] | None = None,
 ) -> Flow[httpx.Response]:
-    """One request, repeated where that may help.
+    """Sends a request; repeats it after temporary errors.
 
-    A POST that comes twice does its work once, by its Idempotency-Key.
+    A repeated POST has the same Idempotency-Key, so the service acts on it once.
     """
     sent = dict(headers or {})
     if method == "POST":
@@ -183,7 +183,7 @@ def pause(attempt: int, after: float | None = None) -> float:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a job: its result, or why there is none."""
+    """The end of a job: its result or its error."""
 
     document: dict[str, Any]
     id: str
@@ -219,7 +219,7 @@ class Core:
         return answer
 
     def look(self, id: str) -> Flow[dict[str, Any]]:
-        """The job as it is now."""
+        """Returns the present state of the job."""
         answer: dict[str, Any] = yield from self.json("GET", f"/v1/jobs/{id}")
         return answer
 
@@ -228,7 +228,7 @@ class Core:
         return answer
 
     def wait(self, id: str, seconds: float | None) -> Flow[dict[str, Any]]:
-        """The job once it is done, or once the time is over."""
+        """Returns the job when it is done or the time is over."""
         left = seconds
         while True:
             patience = LONGEST_WAIT if left is None else min(LONGEST_WAIT, left)
@@ -264,7 +264,7 @@ class Core:
     def solve(self, document: dict[str, Any], events: bool) -> Flow[tuple[str, dict[str, Any]]]:
         """Submits a job and waits for its result.
 
-        A caller who is stopped meanwhile stops the job. Emits its events if asked.
+        If the caller is interrupted, the job is cancelled. Emits the events on request.
         """
         key = str(uuid.uuid4())
         id = ""
@@ -275,7 +275,7 @@ class Core:
             report = yield from self.report(id)
         except STOPPED:
             with contextlib.suppress(httpx.TransportError, BrinellError):
-                # The job may be there although its answer is not.
+                # The service may have accepted the job although the answer was lost.
                 id = id or str((yield from self.submit(document, 0, key))["id"])
                 yield from call(0, "POST", f"/v1/jobs/{id}/cancel")
             raise
@@ -329,7 +329,7 @@ class Core:
     ) -> Flow[None]:
         """Emits the job as given and its `Outcome`, for each job.
 
-        At most `in_flight` are with the service. What is known not to be a job stands among them
+        At most `in_flight` are at the service. An invalid job is emitted with its fault
         as its error.
         """
         if isinstance(jobs, (str, os.PathLike, Mapping, BaseModel)):
@@ -363,7 +363,7 @@ class Core:
                     yield from self._collect(waiting, flying, done, parts)
                     attempt = 0
                 elif after is not None:
-                    # Nothing of this client's own is under way, so that the place must come from
+                    # This client has no running jobs, so that the place must come from
                     # others.
                     yield Sleep(pause(attempt, after))
                     attempt += 1
@@ -392,7 +392,7 @@ class Core:
         done: dict[int, Outcome],
         priority: int,
     ) -> Flow[float | None]:
-        """Hands in what waits.
+        """Submits the waiting jobs.
 
         Those refused for lack of a place wait on. Returns when to come again, if any were
         refused.
@@ -416,7 +416,7 @@ class Core:
                 if len(members) == 1:
                     done[places[0]] = Outcome(waiting[places[0]][1], "", None, refused)
                     return None
-                # Together they are too long for one request: half of them, the rest next time.
+                # The jobs are too large for one request: send half of them, the rest next time.
                 members = members[: len(members) // 2]
                 places = places[: len(members)]
         after = None

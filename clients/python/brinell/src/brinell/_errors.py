@@ -1,4 +1,4 @@
-"""Why something was not done."""
+"""The exceptions of this package."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 
 class BrinellError(Exception):
-    """Everything that this package raises on its own account."""
+    """Base class of all exceptions of this package."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Fault:
 
 
 class InvalidJob(BrinellError, ValueError):
-    """The job is not in order. `errors` has every fault at once."""
+    """The job is invalid. `errors` has all its faults."""
 
     def __init__(self, errors: Sequence[Fault], detail: str = "") -> None:
         self.errors = tuple(errors)
@@ -37,7 +37,7 @@ class InvalidJob(BrinellError, ValueError):
 
 
 class ServiceError(BrinellError):
-    """The service has answered that it did not do what was asked."""
+    """The service answered with an error."""
 
     def __init__(
         self, status: int, problem: dict[str, Any], retry_after: float | None = None
@@ -59,7 +59,7 @@ class ServiceError(BrinellError):
 
 
 class Unauthorized(ServiceError):
-    """The API key is missing, not good, or may not do this."""
+    """The API key is missing, invalid, or may not do this."""
 
 
 class NotFound(ServiceError):
@@ -67,15 +67,15 @@ class NotFound(ServiceError):
 
 
 class QuotaExceeded(ServiceError):
-    """The queue is full, or what the API key may take is used up."""
+    """The queue is full, or a quota of the API key is used up."""
 
 
 class Unavailable(ServiceError):
-    """The service does not answer, or says that it cannot."""
+    """The service does not answer, or is unavailable."""
 
 
 class ServerDied(Unavailable):
-    """The local server has ended. `log` is the file with what it said."""
+    """The local server has ended. `log` is the file with its log."""
 
     def __init__(self, exit_code: int | None, log: Path, last: str = "") -> None:
         self.exit_code = exit_code
@@ -105,7 +105,7 @@ class JobFailed(BrinellError):
 
 
 class StillRunning(BrinellError, TimeoutError):
-    """The job is not done within the time that was allowed; it goes on."""
+    """The job is not done within the given time; it continues."""
 
 
 def faults_of(problem: dict[str, Any]) -> list[Fault]:

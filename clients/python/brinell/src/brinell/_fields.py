@@ -1,6 +1,6 @@
 """Mesh and stresses of a step as arrays.
 
-The one place that knows how the service sends them (docs/results.md).
+docs/results.md describes the archive that the service sends.
 """
 
 from __future__ import annotations
@@ -131,7 +131,7 @@ class Fields:
 
     @property
     def bodies(self) -> list[BodyFields]:
-        """Those that there are."""
+        """The bodies that have fields."""
         return [body for body in (self.upper, self.lower) if body is not None]
 
     def to_pyvista(self) -> pyvista.MultiBlock:

@@ -35,7 +35,7 @@ def _lines(result: Result) -> list[tuple[str, str, str, str, str]]:
     lines = []
     for name, words, units in ROWS:
         value = getattr(result, name)
-        # What is left is asked for once the load is gone, not what it was.
+        # After unloading, the remaining figures matter, not those under load.
         if math.isnan(value) or (value == 0.0 and result.last.unloaded):
             continue
         error = result.relative_error.get(name)

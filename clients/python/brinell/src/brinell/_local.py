@@ -1,4 +1,4 @@
-"""A local server of one's own, which ends with this process however that ends."""
+"""A local server that ends with this process, also after a crash."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ._errors import BrinellError, ServerDied, ServerNotFound
 # Bounds of the store in memory [MiB]: what it may take, and what results may before the oldest
 # are removed.
 KEEP_MEMORY, KEEP_STORED = 1024, 512
-# Time for running jobs when the server ends [s]: nobody is left to take their results.
+# Grace time for running jobs [s]: no client is left to fetch their results.
 GRACE = 0.1
 # Time after which a server that does not end by itself is killed [s].
 PATIENCE = 5.0
@@ -45,7 +45,7 @@ def find_program(program: str | os.PathLike[str] | None = None) -> str:
 
 
 class LocalServer:
-    """`brinell serve` on a free loopback port, with a key that nobody else has."""
+    """`brinell serve` on a free loopback port, with a key of its own."""
 
     def __init__(
         self, program: str | os.PathLike[str] | None = None, workers: int | None = None
@@ -54,7 +54,7 @@ class LocalServer:
         self.key = secrets.token_hex(32)
         handle, name = tempfile.mkstemp(prefix="brinell-", suffix=".log")
         self.log = Path(name)
-        # Settings of another service, meant for another purpose, stay out.
+        # Settings of another service do not apply.
         environment = {k: v for k, v in os.environ.items() if not k.startswith("BRINELL_")}
         environment["BRINELL_ONCE_KEY"] = self.key
         arguments = [
@@ -64,7 +64,7 @@ class LocalServer:
             *(("--workers", str(workers)) if workers else ()),
         ]
         with os.fdopen(handle, "wb") as log:
-            # A session of its own: Ctrl-C is for the caller, who decides what becomes of the job.
+            # A session of its own: Ctrl-C must reach only the caller, which cancels the job.
             self._process = subprocess.Popen(
                 [program, *arguments],
                 stdin=subprocess.PIPE,

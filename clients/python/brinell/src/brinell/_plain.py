@@ -43,7 +43,7 @@ JobLike: TypeAlias = Mapping[str, Any] | BaseModel | str | os.PathLike[str]
 LENGTH, STRESS, FORCE, ANGLE, PURE = "length", "stress", "force", "degree", "dimensionless"
 MOMENT = "moment"
 
-# What the figures under a key are. Pairs have one word for each of their two columns.
+# Quantity of the figures under a key. Pairs have a quantity for each of their two columns.
 _KINDS: dict[str, str | tuple[str, str]] = {
     **dict.fromkeys(
         [
@@ -114,7 +114,7 @@ def unit_of(kind: str, document: Mapping[str, Any]) -> str:
 
 
 def plain(value: Any, document: Mapping[str, Any] | None = None, key: str = "") -> Any:
-    """The value in lists, dicts and numbers of Python's own; what is `None` is left out of dicts.
+    """Converts a value to Python's lists, dicts and numbers; drops `None` from dicts.
 
     Quantities are given in the units of the document, by the key that they stand under.
     """
@@ -177,7 +177,7 @@ def document_of(job: JobLike) -> dict[str, Any]:
         )
     document = plain(job)
     assert isinstance(document, dict)
-    # JSON has no word for these.
+    # JSON cannot represent these.
     faults = [
         Fault(f"#{pointer}", "not_finite", f"{figure} is not a finite number")
         for pointer, figure in _figures(document, "")

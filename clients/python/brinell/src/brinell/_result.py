@@ -34,7 +34,7 @@ class Remark(NamedTuple):
 
 @dataclass(frozen=True)
 class Pressure:
-    """What happens at the pairs of nodes of a contact: over x, in axisymmetry over the radius."""
+    """Values at the pairs of nodes of a contact: over x, in axisymmetry over the radius."""
 
     x: Array
     pressure: Array
@@ -71,7 +71,7 @@ def number(value: Any) -> float:
 
 
 class Step:
-    """One load. What is not known of it is NaN."""
+    """One load. Unknown figures are NaN."""
 
     def __init__(self, data: dict[str, Any], place: int, units: str) -> None:
         self.data = data
@@ -271,7 +271,7 @@ NO_FIGURES: dict[str, Any] = {
 class Result:
     """The answer to a job. Figures are those of its last step; `steps` has all of them.
 
-    A job of `Client.map` without a result has one of these too: `error` says why, and its figures
+    A job of `Client.map` without a result also gives a `Result`: `error` says why, and its figures
     raise it.
     """
 
@@ -482,7 +482,7 @@ class Result:
         return Plot(self)
 
     def __getstate__(self) -> dict[str, Any]:
-        # A copy in another process, or of another day, has no service to ask.
+        # A copy in another process, or a later one, has no service to fetch from.
         return {**self.__dict__, "_fetch": None}
 
     def __repr__(self) -> str:
