@@ -1,4 +1,4 @@
-//! Every change leaves a line in the log that says who made it.
+//! The audit log has a line for every change, with the key that made it.
 
 use std::collections::BTreeSet;
 use std::process::Command;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use crate::curl::curl_with_input;
 use crate::server::{DEADLINE, Scratch, Server, example};
 
-/// Requests that are no GET and change nothing.
+/// Requests with methods other than GET that change nothing.
 const HARMLESS: [&str; 3] = ["/v1/validate", "/v1/hertz", "/v1/batch/fetch"];
 
 struct Audited {

@@ -1,4 +1,4 @@
-//! Input at fault: refused with every field's name, and the service lives on.
+//! Invalid input: the service refuses it, names every faulty field and continues.
 
 use serde_json::{Value, json};
 
@@ -172,7 +172,7 @@ fn a_hundred_megabytes() {
     service.assert_alive();
 }
 
-/// The most memory the process ever had, where the system tells.
+/// The largest resident size of the process, where the system reports it.
 fn peak_memory_kib(server: &Server) -> u64 {
     let status =
         std::fs::read_to_string(format!("/proc/{}/status", server.id())).unwrap_or_default();

@@ -56,7 +56,8 @@ fn each_job_is_answered_as_by_itself() {
     assert_eq!(pointers(problem), ["/lower/colour", "/upper/shape/radius"]);
     assert_eq!(answered[2]["problem"]["errors"][0]["code"], "wrong_type");
 
-    let ids = json!({"ids": [answered[3]["job"]["id"], brinell::jobs::JobId::generate(), answered[0]["job"]["id"]]});
+    let unknown = brinell::jobs::JobId::generate();
+    let ids = json!({"ids": [answered[3]["job"]["id"], unknown, answered[0]["job"]["id"]]});
     let cancelled = items(&service.target.post("/v1/batch/cancel", ids.to_string()));
     assert_eq!(cancelled[1]["problem"]["type"], "/problems/job-not-found");
     assert_eq!((&cancelled[1]["status"], &cancelled[1]["id"]), (&json!(404), &ids["ids"][1]));

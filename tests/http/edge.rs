@@ -1,4 +1,4 @@
-//! What holds for every request and every answer.
+//! Checks and headers of every request and answer.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;

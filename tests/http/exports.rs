@@ -1,4 +1,4 @@
-//! The result in the forms that other programs read.
+//! Exports of results for other programs.
 
 use serde_json::json;
 

@@ -1,4 +1,4 @@
-//! Clients that mean harm, or behave as if: each is turned away, and the service lives on.
+//! Hostile clients: the service refuses each and continues.
 
 use std::fs;
 use std::io::{Read, Write};
@@ -11,29 +11,29 @@ use crate::curl::{Answer, curl, parse};
 use crate::in_process::{InProcess, job};
 use crate::server::{DEADLINE, Server, Target, example};
 
-/// A connection on which anything can be said.
+/// A raw connection.
 fn connect(target: &Target) -> TcpStream {
     let stream = TcpStream::connect(target.url.strip_prefix("http://").unwrap()).unwrap();
     stream.set_read_timeout(Some(DEADLINE)).unwrap();
     stream
 }
 
-/// Says something and listens until the service hangs up.
+/// Sends bytes and reads until the service closes the connection.
 fn say(target: &Target, text: &[u8]) -> String {
     let mut stream = connect(target);
-    // A service that hangs up early need not take the rest.
+    // The service may close the connection before it has read all bytes.
     let _ = stream.write_all(text);
     hear(stream)
 }
 
 fn hear(mut stream: TcpStream) -> String {
     let mut heard = Vec::new();
-    // A connection that is reset has been hung up too.
+    // A reset also closes the connection.
     let _ = stream.read_to_end(&mut heard);
     String::from_utf8_lossy(&heard).into_owned()
 }
 
-/// The statuses of all answers in what was heard.
+/// The statuses of all answers in the received bytes.
 fn statuses(heard: &str) -> Vec<&str> {
     heard.split("HTTP/1.1 ").skip(1).map(|answer| &answer[..3]).collect()
 }

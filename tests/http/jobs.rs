@@ -1,4 +1,4 @@
-//! The way of a job: submit, follow, fetch.
+//! A job from submission to result.
 
 use serde_json::json;
 

@@ -1,4 +1,4 @@
-//! Looking around: lists, examples, closed forms, capacity; and removing jobs.
+//! Lists, examples, closed forms, capacity, and removal of jobs.
 
 use serde_json::{Value, json};
 

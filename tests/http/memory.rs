@@ -95,7 +95,8 @@ fn a_job_that_takes_more_memory_than_there_is_fails_and_says_so() {
     let ball = json!({
         "analysis": "three_dimensional",
         "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
-        "lower": {"shape": {"type": "flat"}, "material": {"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "lower": {"shape": {"type": "flat"}, "material": {
+            "young_modulus": 210_000, "poisson_ratio": 0.3,
             "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 5000}}},
         "load": {"force": 200},
         "mesh": {"elements_per_half_width": 16},

@@ -1,4 +1,4 @@
-//! What HTTP itself asks of a service.
+//! Requirements of HTTP.
 
 use std::process::Command;
 

@@ -1,4 +1,4 @@
-//! The curl examples of the README, executed, and what it shows of their answers.
+//! The curl examples of the README: the test runs them and compares their output.
 //!
 //! Every fenced block whose info string is `sh curl` is run by `sh -eu` in the package's
 //! directory. In it, `http://127.0.0.1:8080`, where `brinell serve` listens by default, stands for

@@ -237,7 +237,8 @@ fn fields_are_an_archive_of_arrays() {
         ["upper/nodes.npy", "upper/von_mises.npy", "lower/nodes.npy", "lower/von_mises.npy"];
     assert_eq!(archive(&some).file_names().map(Result::unwrap).collect::<Vec<_>>(), names);
     assert_ne!(some.header("etag"), answer.header("etag"), "other bytes, another tag");
-    let all = "nodes,elements,displacement,sigma_x,sigma_y,sigma_z,tau_xy,von_mises,equivalent_plastic_strain";
+    let all = "nodes,elements,displacement,sigma_x,sigma_y,sigma_z,tau_xy,von_mises,\
+               equivalent_plastic_strain";
     assert_eq!(solved.get(&format!("/fields/2?arrays={all}"), &[]).body, answer.body);
     for wrong in [
         "arrays=",

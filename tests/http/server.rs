@@ -14,13 +14,13 @@ use crate::curl::{Answer, curl, curl_with_input};
 mod deadline;
 pub use deadline::DEADLINE;
 
-/// The paper's problem, as a document to be spoilt.
+/// The reference problem as a JSON value, for tests to change.
 pub fn example() -> Value {
     serde_json::from_str(include_str!("../../api/examples/two_cylinders.json"))
         .expect("the example is JSON")
 }
 
-/// Where a service is and how to ask it.
+/// The address of a service, with requests to it.
 #[derive(Debug, Clone)]
 pub struct Target {
     pub url: String,

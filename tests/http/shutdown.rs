@@ -1,4 +1,4 @@
-//! Going down in order.
+//! Orderly shutdown.
 
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;

@@ -1,4 +1,4 @@
-//! Room on the disk.
+//! Disk space and files of the store.
 
 use std::process::Command;
 

@@ -1,4 +1,4 @@
-//! Handing jobs in: waiting for the result, repeating a submission, urgency.
+//! Submissions: waiting for the result, idempotency keys, priority.
 
 use crate::curl::{Answer, curl};
 use crate::in_process::{InProcess, job};

@@ -15,7 +15,8 @@ fn ball() -> Value {
     json!({
         "analysis": "three_dimensional",
         "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
-        "lower": {"shape": {"type": "flat"}, "material": {"young_modulus": 210_000, "poisson_ratio": 0.3}},
+        "lower": {"shape": {"type": "flat"},
+            "material": {"young_modulus": 210_000, "poisson_ratio": 0.3}},
         "load": {"force": 100},
     })
 }
@@ -203,9 +204,11 @@ fn any_job(random: &mut Random) -> Value {
             material["plasticity"] = random.one_of(&[
                 json!({"law": "bilinear", "yield_stress": 600, "tangent_modulus": 0}),
                 json!({"law": "bilinear", "yield_stress": 600, "tangent_modulus": 5000,
-                    "over_depth": [[0, 1.5], [0.1, 1]], "backstress": [{"modulus": 30_000, "rate": 60}]}),
+                    "over_depth": [[0, 1.5], [0.1, 1]],
+                    "backstress": [{"modulus": 30_000, "rate": 60}]}),
                 json!({"law": "voce", "yield_stress": 400, "saturation_stress": 700, "rate": 50}),
-                json!({"law": "ramberg_osgood", "reference_stress": 500, "offset": 0.4, "exponent": 6}),
+                json!({"law": "ramberg_osgood", "reference_stress": 500, "offset": 0.4,
+                    "exponent": 6}),
             ]);
         }
         if random.next() < 0.3 {

@@ -1,4 +1,4 @@
-//! Jobs that are slow, stopped, impossible or faulty: one fails, the others do not notice.
+//! Slow, stopped, impossible and faulty jobs: the failure of one does not affect others.
 
 use std::time::{Duration, Instant};
 

@@ -169,7 +169,8 @@ fn every_end_is_announced() {
     let running = submit(&service.target, &job("slow"), &url);
     service.target.wait_for(&running, &["running"]);
     let queued = submit(&service.target, &job("slow"), &url);
-    let body = json!({"jobs": [{"job": job("fail"), "callback_url": url}, {"job": job("quick"), "callback_url": "x"}]});
+    let body = json!({"jobs": [
+        {"job": job("fail"), "callback_url": url}, {"job": job("quick"), "callback_url": "x"}]});
     service.target.post("/v1/batch/submit", body.to_string()).problem(422, "invalid-batch");
     let body = json!({"jobs": [{"job": job("fail"), "callback_url": url}]});
     assert_eq!(service.target.post("/v1/batch/submit", body.to_string()).json()["accepted"], 1);

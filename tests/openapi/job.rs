@@ -17,7 +17,8 @@ proptest! {
     #[ignore = "full"]
     fn whatever_the_format_can_say_is_in_the_schema(job in strategy::job()) {
         let job = serde_json::to_value(job).unwrap();
-        let faults: Vec<_> = validator().iter_errors(&job).map(|fault| fault.to_string()).collect();
+        let validator = validator();
+        let faults: Vec<_> = validator.iter_errors(&job).map(|fault| fault.to_string()).collect();
         prop_assert!(faults.is_empty(), "{faults:?} in {job}");
     }
 }

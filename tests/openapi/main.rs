@@ -149,16 +149,18 @@ fn examples_and_their_results_are_as_documented() {
 #[test]
 fn every_kind_of_result_is_as_documented() {
     let (job_schema, report_schema) = (strict("ContactJob"), strict("Report"));
-    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": {"law": "table",
-        "points": [[0.0, 500.0], [0.01, 600.0]]}});
+    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3,
+        "plasticity": {"law": "table", "points": [[0.0, 500.0], [0.01, 600.0]]}});
     let ball = json!({"shape": {"type": "cylinder", "radius": 20.0}, "material": steel});
-    let block = |material: Value| json!({"shape": {"type": "block", "width": 100.0, "depth": 100.0}, "material": material});
-    let crown = json!({"shape": {"type": "profile", "points": [[-4.0, -0.4], [-0.5, 0.0], [4.0, -0.3]],
-        "interpolation": "smooth", "depth": 20.0},
+    let shape = json!({"type": "block", "width": 100.0, "depth": 100.0});
+    let block = |material: Value| json!({"shape": shape, "material": material});
+    let crown = json!({"shape": {"type": "profile", "depth": 20.0, "interpolation": "smooth",
+            "points": [[-4.0, -0.4], [-0.5, 0.0], [4.0, -0.3]]},
         "material": {"young_modulus": 110_000.0, "poisson_ratio": 0.34}});
     let coarse = |analysis: &str, upper: &Value, lower: &Value, load: Value| {
         json!({"analysis": analysis, "upper": upper, "lower": lower, "load": load,
-            "mesh": {"elements_per_half_width": 6}, "output": {"fields": true}, "tags": {"kind": "test"}})
+            "mesh": {"elements_per_half_width": 6}, "output": {"fields": true},
+            "tags": {"kind": "test"}})
     };
     let rigid = block(json!({"rigid": true}));
     let mut stopped = coarse("plane_strain", &ball, &ball, json!({"force": 600.0}));

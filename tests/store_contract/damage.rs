@@ -1,4 +1,4 @@
-//! What is damaged is told as such, and holds nothing else up.
+//! Damaged rows are reported as damaged and do not affect other jobs.
 
 use brinell::jobs::{FIELDS_PART, JobId, NewJob, StepResult, StoreError, Turn};
 use brinell_solver::report::{FieldsReport, PerBody, encode_fields};

@@ -1,4 +1,4 @@
-//! Clients that ask and do not read: their connections poll no body.
+//! Clients that do not read their answers, so that their connections do not poll the body.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Requests whose client goes before they are answered, at any moment.
+//! Requests that are dropped at any time before they are answered.
 
 use std::sync::Arc;
 use std::time::Duration;

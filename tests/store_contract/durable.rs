@@ -1,4 +1,4 @@
-//! What the stores in databases promise beyond the process.
+//! Durability of the stores in databases beyond the process.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Whose job it is.
+//! Leases of jobs.
 
 use brinell::jobs::{
     ClaimRequest, Deflated, FailureKind, JobId, JobState, Lease, LeaseStatus, StepResult,

@@ -1,4 +1,4 @@
-//! The way of a job from submission to removal.
+//! A job from submission to removal.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What every `JobStore` promises. Each backend runs the whole suite.
+//! The contract of `JobStore`. Each backend runs the whole suite.
 #![expect(
     clippy::unwrap_used,
     clippy::expect_used,

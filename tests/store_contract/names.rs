@@ -1,4 +1,4 @@
-//! Submissions that come twice.
+//! Repeated submissions.
 
 use std::sync::Arc;
 

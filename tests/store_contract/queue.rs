@@ -1,4 +1,4 @@
-//! Who is next.
+//! The order of the queue.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What an API key may take, and no more.
+//! Quotas of API keys.
 
 use std::sync::Arc;
 

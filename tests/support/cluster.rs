@@ -17,9 +17,11 @@ dir=$1 bin=$2 user=$3
 as_user() { if [ -n "$user" ]; then runuser -u "$user" -- "$@"; else "$@"; fi; }
 [ -z "$user" ] || chown "$user" "$dir"
 cd "$dir"
-as_user "$bin/initdb" -D "$dir/data" -U postgres -A trust -E UTF8 --no-sync > "$dir/log" 2>&1 || { cat "$dir/log"; exit 1; }
+as_user "$bin/initdb" -D "$dir/data" -U postgres -A trust -E UTF8 --no-sync \
+    > "$dir/log" 2>&1 || { cat "$dir/log"; exit 1; }
 start() {
-    as_user "$bin/postgres" -D "$dir/data" -k "$dir" -c listen_addresses= -c fsync=off -c max_connections=200 \
+    as_user "$bin/postgres" -D "$dir/data" -k "$dir" -c listen_addresses= \
+        -c fsync=off -c max_connections=200 \
         >> "$dir/log" 2>&1 &
     until as_user "$bin/pg_isready" -q -h "$dir" -U postgres; do
         kill -0 $! 2> /dev/null || { cat "$dir/log"; exit 1; }

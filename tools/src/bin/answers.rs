@@ -1,5 +1,5 @@
-//! Prints the reports of seeded random jobs, one line of JSON for each, without the times they
-//! took: to compare what two versions of the solver answer.
+//! Prints the reports of seeded random jobs, one line of JSON for each, without times, to compare
+//! the answers of two versions of the solver.
 //!
 //! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`; with names of files of
 //! jobs instead of the count those are solved, and the seconds of each are told.

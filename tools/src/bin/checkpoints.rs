@@ -1,5 +1,5 @@
-//! How long a job can go on after it has been told to stop: the longest times between two
-//! questions to its observer.
+//! Measures how long a job continues after a request to stop: the longest times between two calls
+//! of its observer.
 //!
 //! usage: `cargo run --release -p brinell-tools --bin checkpoints -- ELEMENTS [COUPLING]`,
 //! elements over the half-width of the reference problem with two different bodies and all output,
@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 /// Jobs stopped.
 const STOPS: u32 = 12;
 
-/// Notes when it is asked; tells the job to stop from a moment on.
+/// Records the times of its calls; stops the job after a given time.
 struct Watch {
     stop_at: Duration,
     asked: Vec<Duration>,

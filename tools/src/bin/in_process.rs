@@ -1,6 +1,6 @@
-//! How many jobs a second these cores solve without a service around them: `brinell solve` in a
-//! loop, on one thread a core, which share a factor cache as those of the service do.
-//! `scripts/throughput.py` holds the service against it.
+//! Measures how many jobs a second these cores solve without a service: `brinell solve` in a loop,
+//! on one thread for each core, with a shared factor cache as in the service.
+//! `scripts/throughput.py` compares the service with it.
 //!
 //! usage: `cargo run --release -p brinell-tools --features service --bin in_process -- JOB.json
 //! SECONDS`

@@ -1,4 +1,4 @@
-//! Counts the work of random jobs beside that of others of their size.
+//! Compares the work of random jobs with other jobs of their size.
 //!
 //! `cargo run --release -p brinell-tools --bin work -- 300` solves 300 jobs and prints those that
 //! took more than 20 times the median of theirs, with the remarks that say why; a second argument
