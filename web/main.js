@@ -35,12 +35,16 @@ const COLOURS = ['--curve-1', '--curve-2', '--curve-3', '--curve-4', '--curve-5'
 const DASHES = [undefined, [8, 3], [2, 3], [8, 3, 2, 3], [14, 4], [5, 2, 2, 2, 2, 2]];
 /** What this tab keeps of the draft: the job, and the address at which it was changed last. */
 const [KEPT, KEPT_AT] = ['draft', 'draft-at'];
-/** Whether nothing is to move by itself. */
+/** Whether the user prefers reduced motion. */
 const isStill = matchMedia('(prefers-reduced-motion: reduce)');
 const WELCOME =
   'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
-/** @param {string} id @param {import('./types.js').Report} report @returns {FieldSource | LayerSource} */
+/**
+ * @param {string} id
+ * @param {import('./types.js').Report} report
+ * @returns {FieldSource | LayerSource}
+ */
 const sourceOf = (id, report) =>
   report.analysis === 'three_dimensional'
     ? new LayerSource(id, report)
@@ -150,7 +154,7 @@ const list = new JobList({
   deleted: (id) => {
     if (compared.has(id) || chosen.has(id)) compare(id, false);
   },
-  // Another may have deleted the job that is shown.
+  // Another user may have deleted the shown job.
   refreshed: () => watch.look(),
 });
 
@@ -185,12 +189,15 @@ function nothing(text) {
   view.clear(h('div', { class: 'empty' }, h('p', {}, text)));
 }
 
-/** Says beside the button why nothing is solved. @param {string} words */
+/** Shows beside the button why nothing is solved. @param {string} words */
 function refuse(words) {
   byId('solve-state').textContent = words;
 }
 
-/** What is being sent. @type {{job: import('./types.js').Job, controller: AbortController} | undefined} */
+/**
+ * The job that is being sent.
+ * @type {{job: import('./types.js').Job, controller: AbortController} | undefined}
+ */
 let sending;
 /** Another set-up than the one that is being sent may be solved. */
 const showSending = () =>
@@ -208,7 +215,11 @@ let followed = location.hash;
  */
 const isLeft = () => location.hash !== followed;
 
-/** Gives what is shown an address. @param {'pushState' | 'replaceState'} how @param {string} address */
+/**
+ * Sets the address of the shown job.
+ * @param {'pushState' | 'replaceState'} how
+ * @param {string} address
+ */
 function addressed(how, address) {
   history[how](null, '', address);
   followed = location.hash;
@@ -260,7 +271,7 @@ async function solve() {
   }
 }
 
-/** Says so where the form no longer shows the job whose result is seen. */
+/** Marks a result whose job the form no longer shows. */
 function compareWithDraft() {
   byId('stale').hidden = !current || same(draft.job, current.job);
 }
@@ -292,10 +303,14 @@ function keep() {
   tab.set(KEPT_AT, location.hash);
 }
 
-/** The job that was asked for last: answers may overtake each other. */
+/** The job requested last: answers may arrive out of order. */
 let wanted = '';
 
-/** Shows a job that somebody made. @param {string} id @param {boolean} edited whether the draft has been changed since it was shown */
+/**
+ * Shows a job that somebody made.
+ * @param {string} id
+ * @param {boolean} edited whether the draft has been changed since it was shown
+ */
 async function open(id, edited) {
   wanted = id;
   if (current?.id === id) return;
@@ -309,7 +324,7 @@ async function open(id, edited) {
     if (wanted !== id) return;
     const problem = error instanceof Problem ? error : undefined;
     const { status, message } = problem ?? { status: -1, message: String(error) };
-    // What is away altogether is asked for when it is back.
+    // An unreachable service is asked again when it is back.
     if (problem?.passing && status !== 0)
       setTimeout(() => wanted === id && open(id, edited), 1000 * problem.retryAfter);
     leave(
@@ -352,7 +367,7 @@ async function compare(id, on) {
   nameCompared();
 }
 
-/** Writes into the address, and into the list, what is compared. */
+/** Writes the compared jobs into the address and the list. */
 function nameCompared() {
   const others = [...compared.keys()].filter((one) => one !== current?.id);
   if (current?.id && !isLeft()) addressed('replaceState', link.jobFragment(current.id, others));
@@ -360,7 +375,11 @@ function nameCompared() {
   list.show();
 }
 
-/** Fetches a job to be compared. @param {string} id @param {() => boolean} still whether it is wanted when it is here */
+/**
+ * Fetches a job to be compared.
+ * @param {string} id
+ * @param {() => boolean} still whether it is wanted when it is here
+ */
 async function layOver(id, still) {
   try {
     const [report, job] = await Promise.all([fetchResult(id), ask(`v1/jobs/${id}/request`)]);
@@ -375,7 +394,11 @@ async function layOver(id, still) {
   }
 }
 
-/** Lays over the job what the address names, and nothing else. @param {string[]} wanted @param {() => boolean} still whether it names them */
+/**
+ * Compares exactly the jobs that the address names.
+ * @param {string[]} wanted
+ * @param {() => boolean} still whether it names them
+ */
 async function compareOnly(wanted, still) {
   if (!still()) return;
   chosen.clear();
@@ -386,7 +409,10 @@ async function compareOnly(wanted, still) {
   list.show();
 }
 
-/** Does what the address says. @param {boolean} [edited] whether the draft has been changed at this address */
+/**
+ * Shows the state that the address describes.
+ * @param {boolean} [edited] whether the draft has been changed at this address
+ */
 async function applyAddress(edited = false) {
   view.closeReport();
   followed = location.hash;
@@ -418,7 +444,7 @@ async function applyAddress(edited = false) {
   draft.replace(isObject(definition) ? definition : (examples[0]?.job ?? {}), 'link');
 }
 
-/** Jobs to begin with. @type {{title: string, job: import('./types.js').Job}[]} */
+/** Example jobs. @type {{title: string, job: import('./types.js').Job}[]} */
 let examples = [];
 
 async function begin() {

@@ -10,14 +10,16 @@
  * @typedef {import('./wire.js').Subsurface} Profile
  * @typedef {import('./wire.js').PlasticZone} Zone
  *
- * @typedef {'von_mises' | 'equivalent_plastic_strain' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy'} Scalar
+ * @typedef {'von_mises' | 'equivalent_plastic_strain' | 'sigma_x' | 'sigma_y' | 'sigma_z' |
+ *   'tau_xy'} Scalar
  *
  * @typedef {object} Shape of one body
  * @property {Float32Array} nodes
  * @property {Float32Array} displacement
  * @property {Uint32Array} elements four corners of each, counter-clockwise
  *
- * @typedef {Shape & Partial<Record<Scalar, Float32Array>>} Mesh fields of one body, packed by the worker; the scalars that have been fetched
+ * @typedef {Shape & Partial<Record<Scalar, Float32Array>>} Mesh fields of one body, packed by the
+ *   worker; the scalars that have been fetched
  *
  * @typedef {object} Made members of a step that the page makes of those of the wire
  * @property {{force?: number, approach?: number}} load
@@ -26,7 +28,8 @@
  * @typedef {Omit<import('./wire.js').Step, 'load' | 'fields'> & Made} Step
  *
  * @typedef {object} Shaped members of a report that the page makes of those of the wire
- * @property {import('./lib/units.js').Units | import('./lib/units.js').UnitSet} units of the job, or those it is shown in
+ * @property {import('./lib/units.js').Units | import('./lib/units.js').UnitSet} units of the job,
+ *   or those it is shown in
  * @property {Step[]} steps
  *
  * @typedef {Omit<import('./wire.js').Report, 'units' | 'steps'> & Shaped} Report
@@ -38,7 +41,8 @@
  * @property {number[]} [dash] of its curves
  * @property {boolean} [removed] whether the service no longer has it
  * @property {Report} [raw] the report in the units of its job
- * @property {import('./field/source.js').FieldSource | import('./field/layers.js').LayerSource} [fields] of the job, if it asked for them and they are not in the report
+ * @property {import('./field/source.js').FieldSource | import('./field/layers.js').LayerSource}
+ *   [fields] of the job, if it asked for them and they are not in the report
  * @property {Job} job
  * @property {Report} report
  */

@@ -1,14 +1,17 @@
-/** What a question can come to beside an answer, in words for who asked. */
+/** Messages about requests without a usable answer. */
 
-/** Nobody answered: the connection failed, or the time is over. */
+/** No answer: the connection failed, or the time is over. */
 export const NOTHING = 0;
-/** Something answered that is not the service, or an answer that cannot be read. */
+/** An answer that cannot be read, or not of this service. */
 export const UNREADABLE = -1;
 
-/** Answers of which another is expected after a while. */
+/** Statuses after which a retry may succeed. */
 const PASSING = new Set([NOTHING, UNREADABLE, 429, 502, 503, 504]);
 
-/** @param {number} status @returns {boolean} whether the same question may soon have another answer */
+/**
+ * @param {number} status
+ * @returns {boolean} whether the same question may soon have another answer
+ */
 export const isPassing = (status) => PASSING.has(status);
 
 /** @param {number} status of an answer that says nothing more @returns {string} */

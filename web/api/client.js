@@ -1,4 +1,4 @@
-/** Asking the service. Addresses are relative, so the page works behind any path. */
+/** Requests to the service. URLs are relative, so the page works behind any path. */
 
 import { tab } from '../lib/kept.js';
 import { NOTHING, UNREADABLE, isPassing, wordsOf } from './answers.js';
@@ -8,7 +8,8 @@ import { awaited, reportLost } from './connection.js';
 
 /**
  * The faults that a problem names; a pointer comes as the fragment of a URI.
- * @param {{errors?: {pointer?: string, parameter?: string, detail: string, code?: string}[]}} problem
+ * @param {{errors?: {pointer?: string, parameter?: string, detail: string, code?: string}[]}}
+ *   problem
  * @returns {FieldError[]}
  */
 export const faultsOf = ({ errors = [] }) =>
@@ -46,16 +47,22 @@ const [LIMIT, FOR_BYTE] = [10_000, 0.02];
 const KEY = 'api-key';
 const asked = /** @type {Set<(refused: boolean) => void>} */ (new Set());
 
-/** @param {(refused: boolean) => void} listener called when the service wants an API key, or another one */
+/**
+ * @param {(refused: boolean) => void} listener called when the service wants an API key, or
+ *   another one
+ */
 export const onKeyWanted = (listener) => asked.add(listener);
 
-/** Tells that the service has refused a question for want of a key. */
+/** Reports that the service has refused a request without a key. */
 export function keyWanted() {
   const refused = tab.get(KEY) !== null;
   for (const listener of asked) listener(refused);
 }
 
-/** @param {string} key for this tab only @returns {boolean} whether it is kept when the page is loaded anew */
+/**
+ * @param {string} key for this tab only
+ * @returns {boolean} whether it is kept when the page is loaded anew
+ */
 export function useKey(key) {
   if (key) return tab.set(KEY, key);
   tab.remove(KEY);
@@ -74,8 +81,10 @@ export function authorization() {
 /**
  * @template T
  * @param {string} path beginning with `v1/`
- * @param {RequestInit & {json?: unknown, limit?: number}} options `json` is sent as a body; `limit` [ms] until it is answered
- * @param {(response: Response) => T | Promise<T>} read what is wanted of an answer of a good status
+ * @param {RequestInit & {json?: unknown, limit?: number}} options `json` is sent as a body;
+ *   `limit` [ms] until it is answered
+ * @param {(response: Response) => T | Promise<T>} read what is wanted of an answer of a good
+ *   status
  * @returns {Promise<T>}
  * @throws {Problem} and what `fetch` throws where the signal of the options says stop
  */
@@ -112,7 +121,7 @@ export async function request(path, { json, headers, signal, limit = LIMIT, ...o
 async function refusalOf(response) {
   const { status } = response;
   if (status === 401) keyWanted();
-  // A proxy before a service that is not there.
+  // A proxy whose service does not answer.
   if (status === 502 || status === 504) reportLost();
   const body = await response.json().catch(() => ({}));
   // What is too long for the service is no “body” to who sets up two of them.
@@ -133,8 +142,17 @@ async function decoded(response) {
   }
 }
 
-/** @param {string} path @param {RequestInit & {json?: unknown}} [options] @returns {Promise<any>} */
+/**
+ * @param {string} path
+ * @param {RequestInit & {json?: unknown}} [options]
+ * @returns {Promise<any>}
+ */
 export const ask = (path, options = {}) => request(path, options, decoded);
 
-/** @param {string} path @param {unknown} json @param {RequestInit} [options] @returns {Promise<any>} */
+/**
+ * @param {string} path
+ * @param {unknown} json
+ * @param {RequestInit} [options]
+ * @returns {Promise<any>}
+ */
 export const post = (path, json, options) => ask(path, { ...options, method: 'POST', json });

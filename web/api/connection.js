@@ -1,17 +1,17 @@
 /**
- * Whether the service answers. While it does not, it is asked again and again, and who waits is
- * told when it is back. What takes long is said before it counts as lost.
+ * State of the connection. While the service does not answer, the page probes it repeatedly.
+ * Waiting requests continue when it is back. A slow request is shown before it counts as lost.
  */
 
 import { byId } from '../lib/dom.js';
 
-/** Time [ms] between two questions: the first, and the longest. */
+/** Time [ms] between two probes: the first, and the longest. */
 const [SOON, LATE] = [500, 5000];
-/** Time [ms] after which it is said that an answer is awaited. */
+/** Time [ms] after which the page says that it waits for an answer. */
 const SLOW = 2500;
 
 let lost = false;
-/** Questions that wait for long. */
+/** Number of slow requests. */
 let slow = 0;
 const waiting = /** @type {Set<() => void>} */ (new Set());
 const listeners = /** @type {Set<() => void>} */ (new Set());
@@ -25,7 +25,7 @@ function show() {
   place.textContent = lost ? 'Connection lost, retrying…' : 'Waiting for the service…';
 }
 
-/** To be called where a question got no answer. */
+/** Reports a request without an answer. */
 export function reportLost() {
   if (lost) return;
   lost = true;
@@ -33,7 +33,7 @@ export function reportLost() {
   probe(SOON);
 }
 
-/** To be called with a question. @returns {() => void} to be called with its answer */
+/** Reports a request. @returns {() => void} reports its answer */
 export function awaited() {
   let counted = 0;
   const timer = setTimeout(() => {
@@ -52,7 +52,7 @@ export function awaited() {
 export const reconnected = () =>
   lost ? new Promise((resolve) => waiting.add(resolve)) : Promise.resolve();
 
-/** To be called when all that is shown may be asked for again. */
+/** Asks all parts of the page to load their data again. */
 export function announce() {
   for (const listener of listeners) listener();
 }

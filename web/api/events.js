@@ -1,12 +1,12 @@
 /**
- * Server-sent events over fetch, because EventSource sends no Authorization header. Comes back
+ * Server-sent events over fetch, because EventSource sends no Authorization header. Reconnects
  * with Last-Event-ID until the stream has ended or the signal says stop.
  */
 
 import { Problem, request } from './client.js';
 import { reconnected } from './connection.js';
 
-/** Time [ms] before the stream is asked for again. */
+/** Time [ms] before the stream is requested again. */
 const AGAIN = 1000;
 /**
  * Time [ms] without a word, of which the service says one every 15 s, after which it counts as
@@ -18,7 +18,8 @@ const SILENT = 40_000;
  * @param {string} path
  * @param {(event: string, data: any) => boolean} take one event; true ends the stream
  * @param {AbortSignal} signal
- * @param {(problem: Problem) => Promise<boolean>} failed called when the service refuses the stream for now; true ends it
+ * @param {(problem: Problem) => Promise<boolean>} failed called when the service refuses the
+ *   stream for now; true ends it
  */
 export async function follow(path, take, signal, failed) {
   let last = '';

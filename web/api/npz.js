@@ -3,7 +3,10 @@
  * not compressed.
  */
 
-/** @typedef {{upper: any, lower: any}} Arrays as {@link import('../types.js').Mesh}; `null` for a rigid body */
+/**
+ * @typedef {{upper: any, lower: any}} Arrays as {@link import('../types.js').Mesh}; `null` for a
+ *   rigid body
+ */
 
 const END = 0x06054b50;
 const END_BYTES = 22;
@@ -20,7 +23,11 @@ const KINDS = /** @type {Record<string, any>} */ ({
   '|u1': Uint8Array,
 });
 
-/** The files of an archive: names and places. @param {DataView} view @returns {{name: string, at: number, size: number}[]} */
+/**
+ * Lists the files of an archive: names and offsets.
+ * @param {DataView} view
+ * @returns {{name: string, at: number, size: number}[]}
+ */
 function files(view) {
   // The service writes no comment behind the end.
   const end = view.byteLength - END_BYTES;
@@ -39,7 +46,12 @@ function files(view) {
   });
 }
 
-/** The numbers of a file, in memory of their own. @param {DataView<ArrayBuffer>} view @param {number} at @param {number} size */
+/**
+ * Returns the numbers of a file, in memory of their own.
+ * @param {DataView<ArrayBuffer>} view
+ * @param {number} at
+ * @param {number} size
+ */
 function numbers(view, at, size) {
   const data = at + 10 + view.getUint16(at + 8, true);
   const header = new TextDecoder().decode(new Uint8Array(view.buffer, at + 10, data - at - 10));
@@ -65,7 +77,11 @@ export function readGrid(file) {
   );
 }
 
-/** @param {ArrayBuffer} archive @param {ArrayBuffer[]} buffers takes those of the arrays, to be handed over @returns {Arrays} */
+/**
+ * @param {ArrayBuffer} archive
+ * @param {ArrayBuffer[]} buffers takes those of the arrays, to be handed over
+ * @returns {Arrays}
+ */
 export function readFields(archive, buffers) {
   const view = new DataView(archive);
   const fields = /** @type {Arrays} */ ({ upper: null, lower: null });

@@ -15,7 +15,7 @@ const SCALARS = [
   'sigma_z',
   'tau_xy',
 ];
-/** Bytes between two reports of how far it is. */
+/** Bytes between two reports of progress. */
 const REPORTED = 1 << 20;
 
 /** Time [ms] without a byte after which an answer counts as lost. */
@@ -42,7 +42,7 @@ self.addEventListener('message', async ({ data: { number, abort, ...question } }
   }
 });
 
-/** Hangs up when nothing has come for long. */
+/** Aborts a request that receives nothing for long. */
 class Silence {
   broke = false;
   #timer = 0;
@@ -53,7 +53,7 @@ class Silence {
     this.broken();
   }
 
-  /** To be called with every piece that comes. */
+  /** Reports a received piece. */
   broken() {
     this.end();
     this.#timer = Number(
@@ -72,9 +72,15 @@ class Silence {
 /** @typedef {{url: string, options: RequestInit}} Question */
 /** @typedef {{status?: number, problem?: any, answer?: any}} Answer */
 
-/** @param {Question} question @param {number} number @param {Silence} silence @param {ArrayBuffer[]} buffers @returns {Promise<Answer>} */
+/**
+ * @param {Question} question
+ * @param {number} number
+ * @param {Silence} silence
+ * @param {ArrayBuffer[]} buffers
+ * @returns {Promise<Answer>}
+ */
 async function answerOf({ url, options }, number, silence, buffers) {
-  // Whoever solves waits as long as the service does.
+  // A solve waits as long as the service does.
   if (options.method === 'POST') silence.end();
   const response = await fetch(url, { ...options, signal: silence.controller.signal });
   const parts = /** @type {Uint8Array[]} */ ([]);
@@ -83,13 +89,17 @@ async function answerOf({ url, options }, number, silence, buffers) {
   const isArchive = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
   if (response.ok && isArchive) return { answer: readFields(await body.arrayBuffer(), buffers) };
   const text = await body.text();
-  // 202: it takes longer than one waits, and goes on as a job.
+  // 202: the wait is over, and the job continues.
   if (response.status === 202) return { status: 202, problem: {} };
   if (!response.ok) return { status: response.status, problem: problemOf(text) };
   return { answer: report(JSON.parse(text), buffers) };
 }
 
-/** @param {ReadableStream<Uint8Array<ArrayBuffer>>} body @returns {() => Promise<Uint8Array | undefined>} its next piece, for as long as nobody asks again */
+/**
+ * @param {ReadableStream<Uint8Array<ArrayBuffer>>} body
+ * @returns {() => Promise<Uint8Array | undefined>} its next piece, for as long as nobody asks
+ *   again
+ */
 function reading(body) {
   let room = new ArrayBuffer(REPORTED);
   try {
@@ -100,13 +110,19 @@ function reading(body) {
       return done ? undefined : value;
     };
   } catch {
-    // A browser whose answers are not read into a place.
+    // A browser without readers into a given buffer.
     const reader = body.getReader();
     return async () => (await reader.read()).value;
   }
 }
 
-/** Takes an answer as it comes, in the same room again and again, and tells how far it is. @param {Response} response @param {number} number @param {Silence} silence @param {(chunk: Uint8Array) => void} take */
+/**
+ * Reads an answer piece by piece into the same buffer, and reports progress.
+ * @param {Response} response
+ * @param {number} number
+ * @param {Silence} silence
+ * @param {(chunk: Uint8Array) => void} take
+ */
 async function each(response, number, silence, take) {
   const total = Number(response.headers.get('content-length') ?? 0);
   if (!response.body) return;
@@ -134,7 +150,7 @@ function problemOf(text) {
 
 /** @param {any} answer @param {ArrayBuffer[]} buffers */
 function report(answer, buffers) {
-  // A solve answers with its job, which has the result inside.
+  // The answer of a solve is its job with the result inside.
   const parsed = answer.result ?? answer;
   if (answer.result) parsed.solved_as = answer.id;
   for (const step of parsed.steps ?? []) {

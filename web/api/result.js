@@ -1,4 +1,6 @@
-/** Results, fetched and parsed in a worker: that of a fine mesh is tens of megabytes of JSON. */
+/**
+ * Results, fetched and parsed in a worker: the result of a fine mesh is tens of megabytes of JSON.
+ */
 
 import { NOTHING, wordsOf } from './answers.js';
 import { Problem, authorization, keyWanted, request } from './client.js';
@@ -9,7 +11,7 @@ import { reportLost } from './connection.js';
 
 /** @type {Worker | undefined} */
 let worker;
-/** Whether megabytes have passed through it. */
+/** Whether the worker has parsed megabytes. */
 let filled = false;
 let count = 0;
 const waiting =
@@ -24,7 +26,8 @@ const DEPTHS = 120;
  * The figures of a job, without the fields on the mesh: those come by {@link fetchFields}, a step
  * at a time.
  * @param {string} id of a job
- * @param {(received: number, total: number) => void} [progress] in bytes; the total is 0 while it is not known
+ * @param {(received: number, total: number) => void} [progress] in bytes; the total is 0 while it
+ *   is not known
  * @returns {Promise<Report>}
  * @throws {Problem}
  */
@@ -42,7 +45,8 @@ export function fetchResult(id, progress) {
  * @param {string} id of a job
  * @param {number} step counted from 0
  * @param {string[]} arrays by their names
- * @param {{signal?: AbortSignal, progress?: (received: number, total: number) => void}} about progress in bytes
+ * @param {{signal?: AbortSignal, progress?: (received: number, total: number) => void}} about
+ *   progress in bytes
  * @returns {Promise<{upper: Partial<Mesh> | null, lower: Partial<Mesh> | null}>}
  * @throws {Problem}
  */
@@ -66,17 +70,17 @@ export function prepare() {
  * @throws {Problem}
  */
 export async function solveNow(job, signal) {
-  // A job that is given up has no answer that names it: it is found by its tag.
+  // An aborted solve has no answer with an id: its tag finds the job.
   const slider = crypto.getRandomValues(new Uint32Array(2)).join('-');
   const body = JSON.stringify({ ...job, tags: { ...job.tags, slider } });
   signal.addEventListener('abort', () => takeAway(slider), { once: true });
   const { solved_as: id, ...report } = await ask('v1/solve', { method: 'POST', body }, { signal });
-  // The list of jobs is for those that somebody meant to keep.
+  // The list of jobs must not show the jobs of a slider.
   if (id) request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {}).catch(() => {});
   return report;
 }
 
-/** Time [ms] from one look at a job that is given up to the next, and how many. */
+/** Time [ms] between two queries of an abandoned job, and their largest number. */
 const [LOOK, LOOKS] = [500, 20];
 
 /** Removes the job of this tag as soon as it has ended. @param {string} slider */
@@ -146,7 +150,7 @@ function start() {
       new Problem(data.status, data.problem?.detail ?? wordsOf(data.status), data.problem ?? {}),
     );
   });
-  // Its program did not come: the next question starts another.
+  // The worker's script did not load: the next request starts another worker.
   started.addEventListener('error', () => {
     if (worker !== started) return;
     worker = undefined;

@@ -6,7 +6,10 @@
 /** What may be the id of a job; it becomes part of addresses. */
 const ID = /^[\w-]{1,64}$/;
 
-/** @returns {{job?: string, compared: string[], draft?: string, damaged: boolean}} `damaged`: it names a job by what is no id */
+/**
+ * @returns {{job?: string, compared: string[], draft?: string, damaged: boolean}} `damaged`: it
+ *   names a job by what is no id
+ */
 export function read() {
   const fragment = new URLSearchParams(location.hash.slice(1));
   const job = fragment.get('job') ?? undefined;
@@ -53,6 +56,9 @@ export async function unpack(text) {
   return JSON.parse(new TextDecoder().decode(bytes));
 }
 
-/** @param {Uint8Array<ArrayBuffer>} bytes @param {CompressionStream | DecompressionStream} stream */
+/**
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ * @param {CompressionStream | DecompressionStream} stream
+ */
 const through = async (bytes, stream) =>
   new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());

@@ -17,7 +17,7 @@ import { materialNames, pairOf } from './names.js';
 
 const AGAIN = 5000;
 const PAGE = 30;
-/** Jobs that are looked through at once for a word, in pages of a hundred. */
+/** Jobs that one search fetches, in pages of a hundred. */
 const [THROUGH, WIDE] = [1000, 100];
 
 export class JobList {
@@ -27,12 +27,19 @@ export class JobList {
   #next = null;
   /** Jobs beyond the first page stay as they were fetched. */
   #pages = 1;
-  /** Jobs that may be looked through for a word. */
+  /** Most jobs that a search fetches. */
   #through = THROUGH;
-  /** What was asked of each job, which does not change. @type {Map<string, import('../types.js').Job>} */
+  /**
+   * The request of each job, which does not change.
+   * @type {Map<string, import('../types.js').Job>}
+   */
   #requests = new Map();
 
-  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, colourOf: (id: string) => string | undefined, isChosen: (id: string) => boolean, current: () => string | undefined, deleted: (id: string) => void, refreshed: () => void}} on */
+  /**
+   * @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, colourOf:
+   *   (id: string) => string | undefined, isChosen: (id: string) => boolean, current: () => string
+   *   | undefined, deleted: (id: string) => void, refreshed: () => void}} on
+   */
   constructor(on) {
     this.on = on;
     this.search = h('input', {
@@ -81,7 +88,7 @@ export class JobList {
     });
   }
 
-  /** Shows what is fetched, or says why nothing comes. @param {() => Promise<void>} fetched */
+  /** Shows the fetched jobs, or why there are none. @param {() => Promise<void>} fetched */
   async #fill(fetched) {
     try {
       await fetched();
@@ -231,7 +238,7 @@ export class JobList {
     );
   }
 
-  /** Takes a job from the queue or stops it; removes one that has ended. @param {JobDocument} job @param {string} label */
+  /** Cancels a job; removes a finished one. @param {JobDocument} job @param {string} label */
   #ending(job, label) {
     const [word, work] = finished(job)
       ? [`Delete ${label}`, () => this.#askToDelete(job, label)]

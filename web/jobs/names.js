@@ -1,4 +1,4 @@
-/** What jobs differ in, and names for them that say it. */
+/** Differences of jobs, and names of the jobs by them. */
 
 import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, LAWS, allFields, lawOf, shapeLabel } from '../setup/fields.js';
@@ -11,18 +11,27 @@ import { same } from '../lib/pointer.js';
 import { loadWords } from './load.js';
 
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {{pointer: string, label: string, symbol: string, unit: string, values: unknown[], texts: string[]}} Difference `texts`: the values as they are written, whole where they would look alike */
+/**
+ * @typedef {{pointer: string, label: string, symbol: string, unit: string, values: unknown[],
+ *   texts: string[]}} Difference `texts`: the values as they are written, whole where they would
+ *   look alike
+ */
 
 const FIELDS = new Map(
   allFields().map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]),
 );
 const BODIES = /** @type {Record<string, string>} */ ({ upper: 'upper', lower: 'lower' });
-/** What holds where a job says nothing. */
+/** Defaults of members that a job leaves out. */
 const USUAL = /** @type {Record<string, unknown>} */ (DEFAULTS);
-/** Parts that change no answer. */
+/** Members that change no answer. */
 const LEFT = new Set(['tags', 'output', 'units']);
 
-/** Every figure and word of a job. @param {any} part @param {string} pointer @returns {Generator<[string, unknown]>} */
+/**
+ * Lists every figure and word of a job.
+ * @param {any} part
+ * @param {string} pointer
+ * @returns {Generator<[string, unknown]>}
+ */
 function* leaves(part, pointer = '') {
   if (part === null || typeof part !== 'object' || Array.isArray(part)) yield [pointer, part];
   else
@@ -68,7 +77,11 @@ export function pairOf({ analysis, upper, lower }) {
   return `${shapeLabel(above, analysis)} on ${shapeLabel(below, analysis)}`.toLowerCase();
 }
 
-/** What the body is made of: the name of its material, or its hardening. @param {Job} job @param {'upper' | 'lower'} body */
+/**
+ * What the body is made of: the name of its material, or its hardening.
+ * @param {Job} job
+ * @param {'upper' | 'lower'} body
+ */
 export function materialName(job, body) {
   const material = job[body]?.material;
   return (
@@ -83,11 +96,14 @@ export function materialNames(job) {
   return upper === lower ? upper : `${upper} on ${lower}`;
 }
 
-/** How many of them are not the same JSON. @param {unknown[]} values */
+/** Counts the values that differ as JSON. @param {unknown[]} values */
 const distinct = (values) =>
   values.filter((value, k) => values.findIndex((one) => same(one, value)) === k).length;
 
-/** Loads tell most, then what bodies are, their shapes before all; settings of the solver least. @param {string} pointer */
+/**
+ * Loads tell most, then what bodies are, their shapes before all; settings of the solver least.
+ * @param {string} pointer
+ */
 const rank = (pointer) =>
   pointer.startsWith('/load')
     ? 0
@@ -133,7 +149,11 @@ export function writeValue(value) {
 /** Numbers, loads or rows that are written out in a report. */
 const MOST = 60;
 
-/** The same with every number of a list, a history or a table that is not too long for a sheet. @param {unknown} value @returns {string} */
+/**
+ * The same with every number of a list, a history or a table that is not too long for a sheet.
+ * @param {unknown} value
+ * @returns {string}
+ */
 export function writeWhole(value) {
   if (!Array.isArray(value) || isGrid(value)) return writeValue(value);
   if (value.length > MOST)

@@ -1,4 +1,4 @@
-/** Building documents without strings of HTML. */
+/** Construction of elements without strings of HTML. */
 
 /** @typedef {Node | string | number | null | undefined | false} Child */
 
@@ -16,7 +16,7 @@ export function h(name, properties = {}, ...children) {
 }
 
 /**
- * The same for SVG.
+ * Makes an element of SVG.
  * @template {keyof SVGElementTagNameMap} K
  * @param {K} name
  * @param {Record<string, any>} [properties]

@@ -11,11 +11,14 @@ const focusables = (root) =>
     (one) => !(/** @type {HTMLInputElement} */ (one).disabled) && one.checkVisibility(),
   );
 
-/** What stands for the same: of the same field or row, with the same words on it. @param {HTMLElement} one */
+/**
+ * Finds the counterpart of an element: of the same field or row, with the same words.
+ * @param {HTMLElement} one
+ */
 function keyOf(one) {
   const part = /** @type {HTMLElement | null} */ (one.closest('[data-place], [data-key]'));
   const words = one.matches('button, summary, a') && !part?.dataset.key ? one.textContent : '';
-  // The id of an entry of the form is new with the entry.
+  // An entry of the form gets a new id when it is built.
   const own = part?.dataset.place ? one.tagName : one.id || one.tagName;
   return [part?.dataset.place, part?.dataset.key, own, one.getAttribute('aria-label'), words].join(
     '|',

@@ -4,16 +4,22 @@
  * works until it is closed.
  */
 
-/** @typedef {{get: (key: string) => string | null, set: (key: string, value: string) => boolean, remove: (key: string) => void}} Store `set` answers whether it is kept */
+/**
+ * @typedef {{get: (key: string) => string | null, set: (key: string, value: string) => boolean,
+ *   remove: (key: string) => void}} Store `set` answers whether it is kept
+ */
 
 const listeners = /** @type {Set<(keeps: boolean) => void>} */ (new Set());
 
-/** @param {(keeps: boolean) => void} listener called with whether the browser keeps what it is given */
+/**
+ * @param {(keeps: boolean) => void} listener called with whether the browser keeps what it is
+ *   given
+ */
 export const onKept = (listener) => listeners.add(listener);
 
 /** @param {() => Storage} storage which may throw @returns {Store} */
 function store(storage) {
-  /** What the browser did not keep. @type {Map<string, string>} */
+  /** Values that the browser did not store. @type {Map<string, string>} */
   const memory = new Map();
   return {
     get: (key) => memory.get(key) ?? attempt(() => storage().getItem(key)) ?? null,
@@ -40,9 +46,9 @@ function attempt(work) {
   }
 }
 
-/** Kept until it is removed, for all tabs. */
+/** Stored until removed, for all tabs. */
 export const browser = store(() => localStorage);
-/** Kept until the tab is closed. */
+/** Stored until the tab is closed. */
 export const tab = store(() => sessionStorage);
 
 /**

@@ -45,7 +45,11 @@ export function readNumber(text, commas = false) {
   return vanishes ? refuse('is too close to 0 for a number') : { value };
 }
 
-/** What stands before the unit, and the unit, where there is one. @param {string} text @returns {{digits: string, name: string}} */
+/**
+ * Splits a text into digits and unit.
+ * @param {string} text
+ * @returns {{digits: string, name: string}}
+ */
 export function parted(text) {
   const plain = withExponents(text);
   const [, digits = plain.trim(), name = ''] =
@@ -58,7 +62,8 @@ export function parted(text) {
  * @param {string} text
  * @param {Quantity | undefined} quantity
  * @param {Units} units
- * @param {{unit?: string, commas?: boolean}} [given] a unit where none stands behind the number; whether commas are decimal
+ * @param {{unit?: string, commas?: boolean}} [given] a unit where none stands behind the number;
+ *   whether commas are decimal
  * @returns {Reading}
  */
 export function readQuantity(text, quantity, units, { unit = '', commas } = {}) {
@@ -89,7 +94,11 @@ export function readShown(text, quantity, units, times) {
   return 'problem' in reading ? reading : { value: reading.value / times };
 }
 
-/** A figure of a job that is one: what is typed and is no number stands in the job as text. @param {unknown} value @returns {number} */
+/**
+ * A figure of a job that is one: what is typed and is no number stands in the job as text.
+ * @param {unknown} value
+ * @returns {number}
+ */
 export const numberOf = (value) => (typeof value === 'number' ? value : NaN);
 
 /**
@@ -117,16 +126,19 @@ const withExponents = (text) =>
 /** Digits before the decimal sign in groups of three. */
 const GROUPED = /^[+-]?\d{1,3}(?:[\s'’]\d{3})+(?=$|[.,e])/i;
 
-/** Without what groups digits, with a plain minus and an exponent for a power of ten. @param {string} text */
+/**
+ * Removes signs that group digits; writes a plain minus, and a power of ten as exponent.
+ * @param {string} text
+ */
 const tidy = (text) =>
   withExponents(text)
     .trim()
     .replace(GROUPED, (whole) => whole.replace(/[\s'’]/g, ''));
 
-/** Most letters of a text that are repeated in a message, and of one that may be a number. */
+/** Most characters of a text quoted in a message, and of a text that may be a number. */
 const [SAID, LONGEST] = [40, 200];
 
-/** What was typed, for a message that is read. @param {string} text */
+/** Quotes a typed text for a message. @param {string} text */
 export function quoted(text) {
   const plain = text.trim();
   return `“${plain.length > SAID ? `${plain.slice(0, SAID)}…` : plain}”`;

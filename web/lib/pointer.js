@@ -7,7 +7,11 @@ const parts = (pointer) =>
     .slice(1)
     .map((part) => part.replaceAll('~1', '/').replaceAll('~0', '~'));
 
-/** @param {unknown} document @param {string} pointer @returns {any} what is there; `undefined` if nothing is */
+/**
+ * @param {unknown} document
+ * @param {string} pointer
+ * @returns {any} what is there; `undefined` if nothing is
+ */
 export function get(document, pointer) {
   /** @type {any} */
   let place = document;
@@ -40,7 +44,11 @@ export function set(document, pointer, value) {
   else place[last] = value;
 }
 
-/** @param {unknown} a @param {unknown} b @returns {boolean} whether both are the same JSON, whatever the order of keys */
+/**
+ * @param {unknown} a
+ * @param {unknown} b
+ * @returns {boolean} whether both are the same JSON, whatever the order of keys
+ */
 export function same(a, b) {
   if (a === b) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || !a || !b) return false;

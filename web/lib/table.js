@@ -8,7 +8,10 @@ import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
 /** @typedef {import('./units.js').Units} Units */
-/** @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted from 1 */
+/**
+ * @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted
+ *   from 1
+ */
 /** @typedef {{points: number[][], notes: string[]} | {problem: string}} Table */
 
 /** Most lines of figures that the service takes, and letters of a line of two or three of them. */
@@ -34,7 +37,7 @@ export function readTable(text, quantities, units, symbols) {
   const rows = lines
     .map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) }))
     .filter(({ cells }) => cells.length);
-  // Whatever sign stands before a digit, it is no word: a line of figures that cannot be read is
+  // A sign before a digit starts no word: a line of unreadable figures is
   // said to be one.
   const first = rows.findIndex(
     ({ comment, cells }) => !comment && cells.some((one) => /^[^\p{L}\p{N}([]*\d/u.test(one)),
@@ -88,7 +91,11 @@ function separatorOf(lines) {
   return lines.some((line) => /\d,\s+[+-]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
 }
 
-/** The cells of a line; a unit in brackets belongs to the word before it. @param {string} line @param {RegExp} separator */
+/**
+ * Splits a line into cells; a unit in brackets belongs to the word before it.
+ * @param {string} line
+ * @param {RegExp} separator
+ */
 function cellsOf(line, separator) {
   const [sign] = /^\s*(#|%(?!\s*[;,\t])|\/\/)/.exec(line) ?? [''];
   const bare = line.slice(sign.length).trim();
@@ -99,7 +106,10 @@ function cellsOf(line, separator) {
 }
 
 const STRESS = '(residual)?(σ|s|sig|sigma|stress)';
-/** What columns are called, by their symbols; small letters without spaces, dots and dashes. @type {Record<string, RegExp>} */
+/**
+ * Names of columns, by their symbols; lower case without spaces, dots and dashes.
+ * @type {Record<string, RegExp>}
+ */
 const CALLED = {
   x: /^(x|r|position|distance)$/,
   height: /^(h|y|z|height|profile)$/,
@@ -123,7 +133,11 @@ const OTHER_SCALE =
 /** Strain and stress as a tensile test gives them, which a button beside the table converts. */
 const OF_A_TEST = /^(eng|engineering|nominal|total)(?![a-z])|^(engineering|nominal|total)/i;
 
-/** Name and unit of a header: the unit in brackets, or behind the last words. @param {string} header @returns {[name: string, unit: string]} */
+/**
+ * Name and unit of a header: the unit in brackets, or behind the last words.
+ * @param {string} header
+ * @returns {[name: string, unit: string]}
+ */
 function partsOf(header) {
   const [, before, bracketed] = /^(.*?)\s*[[(]\s*([^\])]+?)\s*[\])]$/.exec(header) ?? [];
   if (bracketed) return [before, bracketed];
@@ -140,7 +154,8 @@ const isTitle = (line) =>
 
 /**
  * What the lines above the figures say: for each wanted column the one of the text, and its unit.
- * @param {Row[]} headers @param {Quantity[]} quantities @param {Units} units of the job @param {string[]} symbols
+ * @param {Row[]} headers @param {Quantity[]} quantities @param {Units} units of the job @param
+ *   {string[]} symbols
  * @returns {{order: number[], named: string[]} | {problem: string}}
  */
 function namedBy(headers, quantities, units, symbols) {

@@ -1,14 +1,20 @@
-/** A table of figures in the forms that other programs take. */
+/** Tables of figures in formats of other programs. */
 
-/** @typedef {{title: string, unit?: string, of?: string}} Column `of`: title of the column whose error it has, where it stands by itself */
+/**
+ * @typedef {{title: string, unit?: string, of?: string}} Column `of`: title of the column whose
+ *   error it has, where it stands by itself
+ */
 /** @typedef {string | number | null} Cell numbers go out in full where a program reads them */
-/** @typedef {{columns: Column[], rows: Cell[][], write: (value: Cell, column: number) => string}} Table `write`: as people read it */
+/**
+ * @typedef {{columns: Column[], rows: Cell[][], write: (value: Cell, column: number) => string}}
+ *   Table `write`: as people read it
+ */
 
 /** @param {Column} column */
 const heading = ({ title, unit, of }) =>
   `${of ? `${of} ` : ''}${title}${unit ? ` [${unit}]` : ''}`;
 
-/** What a spreadsheet would take for a formula. */
+/** Texts that a spreadsheet would read as a formula. */
 const FORMULA = /^[=+@-]/;
 
 /** @param {Cell} cell @param {string} separator */
@@ -59,7 +65,7 @@ export function toLatex({ columns, rows, write }) {
 }
 
 const SUPERSCRIPT = '⁻⁰¹²³⁴⁵⁶⁷⁸⁹';
-/** What LaTeX takes for something else, or has no letter for. @type {Record<string, string>} */
+/** Characters that LaTeX interprets or lacks. @type {Record<string, string>} */
 const LATEX = {
   '\\': '\\textbackslash{}',
   '~': '\\textasciitilde{}',
@@ -99,7 +105,11 @@ const GREEK =
 for (const [letter, ...name] of GREEK.split(' ')) LATEX[letter] = `$\\${name.join('')}$`;
 const SUBSCRIPT = '₋₀₁₂₃₄₅₆₇₈₉';
 
-/** Digits that are raised or lowered, on the line. @param {string} text @param {string} signs minus and ten digits */
+/**
+ * Digits that are raised or lowered, on the line.
+ * @param {string} text
+ * @param {string} signs minus and ten digits
+ */
 const levelled = (text, signs) =>
   [...text].map((sign) => '-0123456789'[signs.indexOf(sign)]).join('');
 

@@ -1,4 +1,4 @@
-/** Light and dark: as the system says, or as chosen here. */
+/** Light and dark colours: those of the system, or as chosen here. */
 
 import { byId } from './dom.js';
 import { browser } from './kept.js';
@@ -15,7 +15,10 @@ export const onTheme = (listener) => listeners.add(listener);
 export const colour = (name) =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** @param {string} name of a custom property @returns {string} the colour it has on paper, which is light */
+/**
+ * @param {string} name of a custom property
+ * @returns {string} the colour it has on paper, which is light
+ */
 export const paper = (name) => getComputedStyle(byId('paper')).getPropertyValue(name).trim();
 
 /** @param {keyof typeof NAMES} theme */

@@ -1,8 +1,14 @@
 /** Quantities, their units in both systems, and how figures are written. */
 
-/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'volume' | 'number' | 'hardness' | 'strain' | 'stiffness' | 'line_stiffness' | 'energy' | 'line_energy'} Quantity */
+/**
+ * @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'volume' | 'number' |
+ *   'hardness' | 'strain' | 'stiffness' | 'line_stiffness' | 'energy' | 'line_energy'} Quantity
+ */
 /** @typedef {'mm_N_MPa' | 'SI'} Units of a job */
-/** @typedef {{length: string, per: string, stress: string, force: string}} UnitSet `per`: the length that line loads are counted by */
+/**
+ * @typedef {{length: string, per: string, stress: string, force: string}} UnitSet `per`: the
+ *   length that line loads are counted by
+ */
 
 /** @type {Record<Units, UnitSet>} */
 const SETS = {
@@ -117,7 +123,12 @@ function inSi(quantity, set) {
 /** @param {Units | UnitSet} units @returns {UnitSet} */
 export const setOf = (units) => (typeof units === 'string' ? SETS[units] : units);
 
-/** @param {Quantity} quantity @param {Units | UnitSet} from @param {Units | UnitSet} to @returns {number} */
+/**
+ * @param {Quantity} quantity
+ * @param {Units | UnitSet} from
+ * @param {Units | UnitSet} to
+ * @returns {number}
+ */
 export function factor(quantity, from, to) {
   const [a, b] = [setOf(from), setOf(to)];
   return unit(quantity, a) === unit(quantity, b)
@@ -145,7 +156,10 @@ export function inJobUnits(value, name, quantity, units) {
 /** @param {{units?: unknown}} job @returns {Units} */
 export const unitsOf = (job) => (job.units === 'SI' ? 'SI' : 'mm_N_MPa');
 
-/** Whether a force is that of the whole contact and not of a length of it. @param {{analysis?: unknown}} job */
+/**
+ * Whether a force is a total force rather than a force per length.
+ * @param {{analysis?: unknown}} job
+ */
 const isWhole = ({ analysis }) => analysis === 'axisymmetric' || analysis === 'three_dimensional';
 
 /** @param {{analysis?: unknown}} job @returns {Quantity} of its load */
@@ -250,7 +264,11 @@ export const percent = (ratio, digits = 2) =>
 /** @param {number} bytes */
 export const megabytes = (bytes) => `${figure(bytes / 1e6, bytes < 1e7 ? 2 : 3)} MB`;
 
-/** How much has come. @param {number} received bytes @param {number} total 0 while it is not known */
+/**
+ * Describes the progress of a download.
+ * @param {number} received bytes
+ * @param {number} total 0 while it is not known
+ */
 export const loaded = (received, total) =>
   total > received ? `${Math.round(received / 1e6)} of ${megabytes(total)}` : megabytes(received);
 

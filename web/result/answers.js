@@ -53,7 +53,10 @@ const zerosLast = (answers) => [
 /** Whether the load is taken away. @param {Step} step */
 export const isUnloaded = ({ contact, flow }) => contact.force === 0 && flow !== undefined;
 
-/** In place of the largest plastic strain, where that has no limit. @type {import('./step-figures.js').StepFigure} */
+/**
+ * In place of the largest plastic strain, where that has no limit.
+ * @type {import('./step-figures.js').StepFigure}
+ */
 const MEAN_STRAIN = {
   title: 'mean plastic strain',
   unit: () => '%',
@@ -70,7 +73,7 @@ function contactFigures(report, step) {
   const { contact, hertz } = step;
   const loaded = contact.force > 0;
   const onset = hertz?.yield_onset_force;
-  // Without load there is no contact for Hertz's theory to tell of.
+  // Without load there is no contact and no figure of Hertz's theory.
   const elastic = loaded ? hertz : undefined;
   const { width, mean } = widthWords(contact);
   const undented = isDented(report, report.steps.indexOf(step));
@@ -127,7 +130,12 @@ function contactFigures(report, step) {
   ];
 }
 
-/** What happens at the ends of a roller. @param {Report} report @param {Step} step @returns {Answer[]} */
+/**
+ * Figures of the ends of a roller.
+ * @param {Report} report
+ * @param {Step} step
+ * @returns {Answer[]}
+ */
 function ofRoller(report, { three_dimensional: ellipse, contact }) {
   const roller = ellipse?.roller;
   if (!roller || contact.force === 0) return [];
@@ -162,7 +170,12 @@ function ofRoller(report, { three_dimensional: ellipse, contact }) {
   ];
 }
 
-/** How much of a rough surface touches. @param {Report} report @param {Step} step @returns {Answer[]} */
+/**
+ * Figures of the contact of a rough surface.
+ * @param {Report} report
+ * @param {Step} step
+ * @returns {Answer[]}
+ */
 function ofHeights(report, { three_dimensional: ellipse }) {
   const rough = ellipse?.surface;
   if (!rough) return [];
@@ -208,7 +221,12 @@ const longerAxis = (report, { three_dimensional: ellipse }) =>
       ]
     : [];
 
-/** @param {import('./step-figures.js').StepFigure} one @param {Report} report @param {Step} step @returns {Answer} */
+/**
+ * @param {import('./step-figures.js').StepFigure} one
+ * @param {Report} report
+ * @param {Step} step
+ * @returns {Answer}
+ */
 function described(one, report, step) {
   const title = titleOf(one, report);
   return {
@@ -258,7 +276,12 @@ const firstYield = (job, report, { yield_onset: onset }) =>
       ]
     : [];
 
-/** The pressure up to which the contact shakes down. @param {Report} report @param {Step} step @returns {Answer[]} */
+/**
+ * The pressure up to which the contact shakes down.
+ * @param {Report} report
+ * @param {Step} step
+ * @returns {Answer[]}
+ */
 function shakedown(report, { hertz }) {
   const limit = hertz?.shakedown_pressure;
   return limit
@@ -323,13 +346,25 @@ function utilizations(job, report, step) {
   });
 }
 
-/** Depth of the hardened case of a body. @param {Job} job @param {'upper' | 'lower'} body @param {Report['units']} units shown @returns {number | undefined} */
+/**
+ * Depth of the hardened case of a body.
+ * @param {Job} job
+ * @param {'upper' | 'lower'} body
+ * @param {Report['units']} units shown
+ * @returns {number | undefined}
+ */
 export function caseDepth(job, body, units) {
   const depth = job[body]?.material?.plasticity?.over_depth?.hardness?.case_depth;
   return typeof depth === 'number' ? depth * factor('length', unitsOf(job), units) : undefined;
 }
 
-/** The largest tension along the surface or across the section that is left. @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]} */
+/**
+ * The largest tension along the surface or across the section that is left.
+ * @param {Job} job
+ * @param {Report} report
+ * @param {Step} step
+ * @returns {Answer[]}
+ */
 function residualStress(job, report, step) {
   const found = profilesOf(job, step).flatMap(({ body, profiles }) =>
     profiles.flatMap((profile) =>
@@ -357,7 +392,12 @@ function residualStress(job, report, step) {
   ];
 }
 
-/** Where a profile over depth lies. @param {Step} step @param {Report} report @param {import('../types.js').Profile | null | undefined} profile */
+/**
+ * Where a profile over depth lies.
+ * @param {Step} step
+ * @param {Report} report
+ * @param {import('../types.js').Profile | null | undefined} profile
+ */
 export function belowWords(step, report, profile) {
   const at = profile?.position ?? step.contact.peak_position;
   const name = abscissaOf(step, report.analysis === 'axisymmetric');
@@ -367,7 +407,13 @@ export function belowWords(step, report, profile) {
     : `at ${name} = ${where}${at === 0 ? '' : ` ${unit('length', report.units)}`}`;
 }
 
-/** What a load has left on both surfaces, and of its work. @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]} */
+/**
+ * Figures after unloading: both surfaces and the work.
+ * @param {Job} job
+ * @param {Report} report
+ * @param {Step} step
+ * @returns {Answer[]}
+ */
 export function leftBehind(job, report, step) {
   const { flow, contact } = step;
   if (!flow) return [];
@@ -401,7 +447,10 @@ export function leftBehind(job, report, step) {
   ];
 }
 
-/** What widths and means are of, where that is not a plain half-chord. @param {Step['contact']} contact */
+/**
+ * What widths and means are of, where that is not a plain half-chord.
+ * @param {Step['contact']} contact
+ */
 function widthWords({ half_angle: angle, patches }) {
   if (angle !== undefined)
     return {
@@ -415,7 +464,7 @@ function widthWords({ half_angle: angle, patches }) {
   };
 }
 
-/** For what a force was looked for, and what came of it. @param {Report} report */
+/** The target of a force search and its result. @param {Report} report */
 export function targetWords({ target, units }) {
   if (!target) return '';
   const { label, quantity } = TARGETS[target.figure] ?? {

@@ -23,7 +23,12 @@ export function chartPng(drawing, ratio) {
   return new Promise((resolve) => canvas.toBlob(resolve));
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Element} of whose parts are painted @param {number} width @param {number} height */
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Element} of whose parts are painted
+ * @param {number} width
+ * @param {number} height
+ */
 function paint(context, of, width, height) {
   for (const part of of.children) {
     const text = (/** @type {string} */ name) => part.getAttribute(name) ?? '';
@@ -57,7 +62,11 @@ function paint(context, of, width, height) {
   }
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Element} root @param {string} address of a clip path, as `url(#…)` */
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Element} root
+ * @param {string} address of a clip path, as `url(#…)`
+ */
 function clip(context, root, address) {
   const box = root.querySelector(`[id="${address.slice(5, -1)}"] rect`);
   if (!box) return;

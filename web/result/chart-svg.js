@@ -30,10 +30,21 @@ export function chartSvg(plot, title, width, height, colours = paper) {
   return drawing(plot, title, width, height, colours);
 }
 
-/** The same without title and legend, in the colours of the page: for curves that turn back. @param {Plot} plot @param {number} width @param {number} height */
+/**
+ * The same without title and legend, in the colours of the page: for curves that turn back.
+ * @param {Plot} plot
+ * @param {number} width
+ * @param {number} height
+ */
 export const bareChart = (plot, width, height) => drawing(plot, '', width, height, colour);
 
-/** @param {Plot} plot @param {string} title @param {number} width @param {number} height @param {(name: string) => string} colours by name */
+/**
+ * @param {Plot} plot
+ * @param {string} title
+ * @param {number} width
+ * @param {number} height
+ * @param {(name: string) => string} colours by name
+ */
 function drawing(plot, title, width, height, colours) {
   ink = colours;
   const legend = title ? legendRows(plot.curves, width) : [];
@@ -127,7 +138,11 @@ function drawing(plot, title, width, height, colours) {
 /** Width of a bold letter at 12 px, on average. */
 const BOLD = 7;
 
-/** A line that would leave the drawing is made as long as there is room. @param {string} text @param {number} room */
+/**
+ * A line that would leave the drawing is made as long as there is room.
+ * @param {string} text
+ * @param {number} room
+ */
 const squeezed = (text, room) =>
   BOLD * text.length > room ? { textLength: room, lengthAdjust: 'spacingAndGlyphs' } : {};
 
@@ -135,7 +150,13 @@ const squeezed = (text, room) =>
 export const svgFile = (picture) =>
   new Blob([new XMLSerializer().serializeToString(picture)], { type: 'image/svg+xml' });
 
-/** @param {Plot} plot @param {Axis} x @param {Axis} y @param {Axis} yr @param {{left: number, right: number, top: number, bottom: number}} box */
+/**
+ * @param {Plot} plot
+ * @param {Axis} x
+ * @param {Axis} y
+ * @param {Axis} yr
+ * @param {{left: number, right: number, top: number, bottom: number}} box
+ */
 function grid(plot, x, y, yr, box) {
   const text = (/** @type {Record<string, any>} */ where, /** @type {string} */ words) =>
     svg('text', { fill: ink('--quiet'), ...where }, words);
@@ -217,7 +238,13 @@ const dots = (curve, x, y, box) =>
 /** @param {Curve} curve @returns {number[] | undefined} */
 export const dashOf = (curve) => curve.dash ?? (curve.dashed ? [5, 4] : undefined);
 
-/** @param {Plot} plot @param {Axis} x @param {Axis} y @param {Axis} yr @param {import('./labels.js').Box} box */
+/**
+ * @param {Plot} plot
+ * @param {Axis} x
+ * @param {Axis} y
+ * @param {Axis} yr
+ * @param {import('./labels.js').Box} box
+ */
 function marksOf(plot, x, y, yr, box) {
   const seen = (plot.marks ?? []).flatMap((mark) => {
     const at = mark.across === 'x' ? x.at(mark.at) : y.at(mark.at);
@@ -304,7 +331,13 @@ function extent(values) {
     : [Number.isFinite(low) ? low : 0, (Number.isFinite(low) ? low : 0) + 1];
 }
 
-/** Range of an ordinate, from zero where nothing is negative. @param {(number | null)[]} values @param {boolean | undefined} log @param {number[]} marks @returns {[number, number]} */
+/**
+ * Range of an ordinate, from zero where nothing is negative.
+ * @param {(number | null)[]} values
+ * @param {boolean | undefined} log
+ * @param {number[]} marks
+ * @returns {[number, number]}
+ */
 function grown(values, log, marks) {
   const given = /** @type {number[]} */ (
     values.filter((value) => value !== null && Number.isFinite(value))
@@ -318,7 +351,12 @@ function grown(values, log, marks) {
   return [low < 0 ? low - 0.04 * size : 0, high > 0 ? high + 0.04 * size : 0];
 }
 
-/** @param {[number, number]} range @param {number} many @param {boolean} [log] @returns {number[]} */
+/**
+ * @param {[number, number]} range
+ * @param {number} many
+ * @param {boolean} [log]
+ * @returns {number[]}
+ */
 function ticksOf([from, to], many, log) {
   if (log) {
     const [first, last] = [Math.round(Math.log10(from)), Math.round(Math.log10(to))];
@@ -334,7 +372,13 @@ function ticksOf([from, to], many, log) {
   );
 }
 
-/** @param {[number, number]} range @param {[number, number]} pixels @param {number[]} ticks @param {boolean} [log] @returns {Axis} */
+/**
+ * @param {[number, number]} range
+ * @param {[number, number]} pixels
+ * @param {number[]} ticks
+ * @param {boolean} [log]
+ * @returns {Axis}
+ */
 function axis([from, to], [low, high], ticks, log) {
   const place = log ? Math.log10 : (/** @type {number} */ value) => value;
   const [a, b] = [place(from), place(to)];

@@ -18,7 +18,8 @@ import { placeWords } from './labels.js';
  * @property {number[]} x
  * @property {(number | null)[]} y
  * @property {boolean} [dashed]
- * @property {number[]} [dash] lengths of strokes and gaps, where curves have to be told apart without their colours
+ * @property {number[]} [dash] lengths of strokes and gaps, where curves have to be told apart
+ *   without their colours
  * @property {boolean} [right] on the second ordinate
  * @property {boolean} [points]
  * @property {boolean} [filled]
@@ -49,7 +50,10 @@ const FONT = '11px system-ui, sans-serif';
 export class Chart {
   /** @type {Plot | undefined} */
   #plot;
-  /** What the curves on the page are of: a hidden chart is drawn when it is seen again. @type {Plot | undefined} */
+  /**
+   * What the curves on the page are of: a hidden chart is drawn when it is seen again.
+   * @type {Plot | undefined}
+   */
   #drawn;
   /** @type {uPlot} */
   #uplot;
@@ -89,7 +93,10 @@ export class Chart {
     this.#draw(kept);
   }
 
-  /** @param {string} title @returns {Promise<Blob | null>} a PNG with title and legend, on the page's ground */
+  /**
+   * @param {string} title
+   * @returns {Promise<Blob | null>} a PNG with title and legend, on the page's ground
+   */
   async picture(title) {
     if (this.#plot?.turns)
       return chartPng(
@@ -118,7 +125,10 @@ export class Chart {
     return new Promise((resolve) => copy.toBlob(resolve));
   }
 
-  /** @param {string} title @returns {SVGSVGElement | null} the same as a vector drawing, on paper */
+  /**
+   * @param {string} title
+   * @returns {SVGSVGElement | null} the same as a vector drawing, on paper
+   */
   drawing(title, width = 640, height = this.height) {
     return this.#plot ? chartSvg(this.#plot, title, width, height) : null;
   }
@@ -252,14 +262,20 @@ export class Chart {
     };
   }
 
-  /** The whole abscissa as the curves have it, or a part of it that was dragged up. @type {(u: uPlot, min: number, max: number) => [number, number]} */
+  /**
+   * The whole abscissa as the curves have it, or a part of it that was dragged up.
+   * @type {(u: uPlot, min: number, max: number) => [number, number]}
+   */
   #ranged = (u, min, max) => {
     const all = u.data[0];
     const whole = min <= all[0] && max >= all[all.length - 1];
     return whole && this.#plot ? home(this.#plot) : [min, max];
   };
 
-  /** Reads out the point of a loop that is nearest, where a place on the abscissa has several. @param {PointerEvent} event */
+  /**
+   * Reads out the point of a loop that is nearest, where a place on the abscissa has several.
+   * @param {PointerEvent} event
+   */
   #readPoint({ clientX, clientY }) {
     if (!this.#plot?.turns) return;
     const dots = [...this.canvas.querySelectorAll('circle')].map((dot) => {
@@ -273,13 +289,19 @@ export class Chart {
     );
   }
 
-  /** Writes the legend, with figures if the cursor is somewhere. @param {number | null | undefined} index */
+  /**
+   * Writes the legend, with figures if the cursor is somewhere.
+   * @param {number | null | undefined} index
+   */
   #read(index) {
     const x = index == null ? null : this.#uplot?.data[0][index];
     this.#write(x ?? null, (curve) => (x == null ? null : valueAt(curve, x)));
   }
 
-  /** @param {number | null} x where the cursor is @param {(curve: Curve) => number | null} value of a curve there */
+  /**
+   * @param {number | null} x where the cursor is
+   * @param {(curve: Curve) => number | null} value of a curve there
+   */
   #write(x, value) {
     const { curves, x: across = '', y = '', right = '' } = this.#plot ?? { curves: [] };
     this.legend.replaceChildren(
@@ -297,7 +319,13 @@ export class Chart {
   }
 }
 
-/** Pixels from one figure of the abscissa to the next, so that they do not touch. @param {uPlot} u @param {number} _ @param {number} from @param {number} to */
+/**
+ * Pixels from one figure of the abscissa to the next, so that they do not touch.
+ * @param {uPlot} u
+ * @param {number} _
+ * @param {number} from
+ * @param {number} to
+ */
 function apart(u, _, from, to) {
   const longest = Math.max(...[from, to].map((end) => plain(Number(end.toPrecision(3))).length));
   return Math.max(50, 7 * longest + 14);
@@ -349,7 +377,12 @@ function valueAt(curve, x) {
   return a + t * (b - a);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Curve} curve @param {number} x @param {number} y */
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Curve} curve
+ * @param {number} x
+ * @param {number} y
+ */
 function drawEntry(context, curve, x, y) {
   context.strokeStyle = colour(curve.colour);
   context.lineWidth = curve.width ?? 2;
@@ -361,7 +394,11 @@ function drawEntry(context, curve, x, y) {
   context.fillText(curve.label, x + 30, y);
 }
 
-/** A figure with the unit that the label of its axis has in brackets. @param {number | null} value @param {string} label */
+/**
+ * A figure with the unit that the label of its axis has in brackets.
+ * @param {number | null} value
+ * @param {string} label
+ */
 const measured = (value, label) =>
   [figure(value, 4), value === null ? '' : /\[(.+)\]/.exec(label)?.[1]].filter(Boolean).join(' ');
 

@@ -66,7 +66,11 @@ export class ConvergencePanel {
     );
   }
 
-  /** @param {Iteration[]} history of all steps, one after the other @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {number} tolerance */
+  /**
+   * @param {Iteration[]} history of all steps, one after the other
+   * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units
+   * @param {number} tolerance
+   */
   show(history, units, tolerance) {
     this.panel.show(history.length > 0);
     if (history.length === 0) return;

@@ -8,9 +8,14 @@ import { FIGURES } from '../setup/tables.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
 /** @typedef {import('../lib/units.js').UnitSet} UnitSet */
-/** @typedef {'load' | 'slope' | 'energy'} OfAnalysis quantities whose units depend on the analysis */
+/**
+ * @typedef {'load' | 'slope' | 'energy'} OfAnalysis quantities whose units depend on the analysis
+ */
 
-/** What each figure of a result is. Keys that are not listed have no unit. @type {Record<string, Quantity | OfAnalysis>} */
+/**
+ * What each figure of a result is. Keys that are not listed have no unit.
+ * @type {Record<string, Quantity | OfAnalysis>}
+ */
 export const QUANTITIES = Object.fromEntries(
   Object.entries(FIGURES).flatMap(([quantity, keys]) =>
     keys.map((key) => [key, /** @type {Quantity | OfAnalysis} */ (quantity)]),

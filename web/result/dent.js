@@ -1,4 +1,4 @@
-/** What a load leaves behind: the surface of both bodies, a dent where the force is zero. */
+/** The chart of both surfaces: a dent where the force is zero. */
 
 import { h } from '../lib/dom.js';
 import { figure, percent, unit } from '../lib/units.js';

@@ -15,9 +15,15 @@ import { beside, isDented } from './loads.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
-/** @typedef {'von_mises' | 'tau_max' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'equivalent_plastic_strain' | 'utilization'} Component */
+/**
+ * @typedef {'von_mises' | 'tau_max' | 'sigma_x' | 'sigma_y' | 'sigma_z' |
+ *   'equivalent_plastic_strain' | 'utilization'} Component
+ */
 
-/** `name`: where the field calls it otherwise. @type {Record<Component, {name?: string, colour: string}>} */
+/**
+ * `name`: where the field calls it otherwise.
+ * @type {Record<Component, {name?: string, colour: string}>}
+ */
 const COMPONENTS = {
   von_mises: { name: 'von Mises', colour: '--curve-1' },
   tau_max: { name: 'τmax', colour: '--curve-2' },
@@ -29,7 +35,11 @@ const COMPONENTS = {
 };
 /** Those that are no stresses: of them one has the second ordinate. @type {Component[]} */
 const RIGHT = ['equivalent_plastic_strain', 'utilization'];
-/** What is shown unless one chooses: under a load, where strength varies over depth, and when the load is gone. @type {Record<string, Component[]>} */
+/**
+ * What is shown unless one chooses: under a load, where strength varies over depth, and when the
+ * load is gone.
+ * @type {Record<string, Component[]>}
+ */
 const USUAL = {
   loaded: ['von_mises', 'tau_max', 'equivalent_plastic_strain'],
   graded: ['von_mises', 'tau_max', 'utilization'],
@@ -47,14 +57,21 @@ const nameOf = (component, analysis) =>
   COMPONENTS[component].name ??
   nameOfQuantity(/** @type {import('../field/quantities.js').Quantity} */ (component), analysis);
 
-/** The same with its index below the line. @param {Component} component @param {string} analysis */
+/**
+ * The same with its index below the line.
+ * @param {Component} component
+ * @param {string} analysis
+ */
 const labelOf = (component, analysis) =>
   symbol(nameOf(component, analysis).replace(/^([στ])(\w+)$/u, '$1_$2'));
 
 export class DepthPanel {
   /** @type {'upper' | 'lower'} */
   #body = 'lower';
-  /** Which line is shown where the peak pressure is beside the middle. @type {'subsurface' | 'subsurface_below_peak'} */
+  /**
+   * Which line is shown where the peak pressure is beside the middle.
+   * @type {'subsurface' | 'subsurface_below_peak'}
+   */
   #line = 'subsurface';
   #chosen = new Set(USUAL.loaded);
   /** Whether somebody has chosen the components. */
@@ -233,7 +250,12 @@ export class DepthPanel {
     return common ? distinct.map((one) => ({ ...one, colour: '--yield' })) : distinct;
   }
 
-  /** How deep the case is, and where the strength is used most. @param {Shown} one @param {import('../types.js').Profile | null | undefined} profile @returns {import('./chart.js').Mark[]} */
+  /**
+   * How deep the case is, and where the strength is used most.
+   * @param {Shown} one
+   * @param {import('../types.js').Profile | null | undefined} profile
+   * @returns {import('./chart.js').Mark[]}
+   */
   #case({ job, report }, profile) {
     const [at, used] = [caseDepth(job, this.#body, report.units), profile?.utilization];
     const most = used ? Math.max(...used) : 0;
@@ -253,7 +275,13 @@ export class DepthPanel {
     ];
   }
 
-  /** What the stresses would be without yield. @param {Shown} shown @param {number} at @param {number[]} depths @returns {import('./chart.js').Curve[]} */
+  /**
+   * What the stresses would be without yield.
+   * @param {Shown} shown
+   * @param {number} at
+   * @param {number[]} depths
+   * @returns {import('./chart.js').Curve[]}
+   */
   #elastic({ job, report }, at, depths) {
     const { hertz } = report.steps[at];
     if (!hertz) return [];
@@ -276,7 +304,11 @@ export class DepthPanel {
     );
   }
 
-  /** @param {import('./loads.js').Beside} side @param {boolean} named @returns {import('./chart.js').Curve[]} */
+  /**
+   * @param {import('./loads.js').Beside} side
+   * @param {boolean} named
+   * @returns {import('./chart.js').Curve[]}
+   */
   #curves({ one, at, label }, named) {
     const profile = this.#profile(one.report.steps[at]);
     if (!profile) return [];

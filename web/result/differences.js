@@ -1,4 +1,4 @@
-/** What the compared jobs differ in. */
+/** The differences of the compared jobs. */
 
 import { h } from '../lib/dom.js';
 import { differences } from '../jobs/names.js';

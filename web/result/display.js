@@ -12,7 +12,10 @@ const CHOICES = {
   force: ['N', 'kN', 'mN', 'lbf'],
 };
 
-/** @param {any} given @returns {Partial<Record<'length' | 'stress' | 'force', string>>} those of it that there are */
+/**
+ * @param {any} given
+ * @returns {Partial<Record<'length' | 'stress' | 'force', string>>} those of it that there are
+ */
 const chosen = (given) =>
   Object.fromEntries(
     Object.entries(CHOICES).flatMap(([key, names]) =>
@@ -20,7 +23,7 @@ const chosen = (given) =>
     ),
   );
 
-/** The choice of units: what is not chosen is as in the job. */
+/** The choice of units; by default the units of the job. */
 export class DisplayUnits {
   /** @type {Partial<Record<'length' | 'stress' | 'force', string>>} */
   #chosen = kept(browser, KEPT, chosen) ?? {};
@@ -61,7 +64,10 @@ export class DisplayUnits {
     );
   }
 
-  /** @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units of the job @returns {import('../lib/units.js').UnitSet} */
+  /**
+   * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units of the job
+   * @returns {import('../lib/units.js').UnitSet}
+   */
   set(units) {
     const own = setOf(units);
     const { length = own.length, stress = own.stress, force = own.force } = this.#chosen;

@@ -1,9 +1,9 @@
-/** What can be taken along. Files come by fetch, so that an API key goes with the question. */
+/** Downloads. Files are fetched, so that the request carries the API key. */
 
 import { Problem, request } from '../api/client.js';
 import { h, toast } from '../lib/dom.js';
 
-/** Time [ms] in which a file begins to come: a large one is written first. */
+/** Time [ms] in which a download must start: the service writes a large file first. */
 const LIMIT = 120_000;
 
 /** @param {Blob} blob @param {string} name */
@@ -13,7 +13,10 @@ export function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' | 'layers' | 'flow' | 'curve'][]} */
+/**
+ * @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' |
+ *   'layers' | 'flow' | 'curve'][]}
+ */
 const FILES = [
   ['Result, JSON', 'result', 'result.json', 'nothing'],
   ['Job, JSON', 'request', 'job.json', 'nothing'],
@@ -32,7 +35,12 @@ const FILES = [
 /** Files of one step: those of a sweep are of the step that is shown. */
 const OF_STEP = /^(?!load_approach).*\.(svg|vt[ru])$/;
 
-/** @param {string} id @param {import('../types.js').Report} report @param {boolean} fields whether the job asked for them @param {() => number} shown step, counted from 0 */
+/**
+ * @param {string} id
+ * @param {import('../types.js').Report} report
+ * @param {boolean} fields whether the job asked for them
+ * @param {() => number} shown step, counted from 0
+ */
 export function downloads(id, report, fields, shown) {
   const step = report.steps[0];
   const items = FILES.map(([name, path, file, needs]) => {
@@ -78,7 +86,12 @@ export function downloads(id, report, fields, shown) {
   );
 }
 
-/** @param {string} id @param {string} path @param {string} file @param {number} step counted from 1; 0 for all */
+/**
+ * @param {string} id
+ * @param {string} path
+ * @param {string} file
+ * @param {number} step counted from 1; 0 for all
+ */
 async function take(id, path, file, step) {
   try {
     const response = await request(

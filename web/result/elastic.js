@@ -3,7 +3,10 @@
  * beside an answer.
  */
 
-/** @typedef {{sigma_x: number[], sigma_y: number[], sigma_z: number[], tau_max: number[], von_mises: number[]}} Stresses */
+/**
+ * @typedef {{sigma_x: number[], sigma_y: number[], sigma_z: number[], tau_max: number[],
+ *   von_mises: number[]}} Stresses
+ */
 
 /**
  * Line contact (McEwen; Johnson, Contact Mechanics, 4.45) or circular contact (Johnson 3.45),

@@ -95,7 +95,10 @@ export function takeAlong(table, of, name, whole = table) {
   ];
 }
 
-/** @param {import('../lib/tabular.js').Table} table @param {(row: number) => Record<string, any>} [properties] of its rows */
+/**
+ * @param {import('../lib/tabular.js').Table} table
+ * @param {(row: number) => Record<string, any>} [properties] of its rows
+ */
 export const tableElements = ({ columns, rows, write }, properties = () => ({})) => [
   h(
     'thead',
@@ -128,7 +131,11 @@ export const tableElements = ({ columns, rows, write }, properties = () => ({}))
   ),
 ];
 
-/** A table that scrolls within its panel, and says so where columns are out of sight. @param {HTMLTableElement} table @param {string} id of the panel */
+/**
+ * A table that scrolls within its panel, and says so where columns are out of sight.
+ * @param {HTMLTableElement} table
+ * @param {string} id of the panel
+ */
 export function scrolled(table, id) {
   const region = h(
     'div',
@@ -149,7 +156,10 @@ export class FiguresPanel {
   /** @type {Shown[]} */
   #shown = [];
 
-  /** @param {(step: number) => void} choose called with the step of the first job that is to be shown */
+  /**
+   * @param {(step: number) => void} choose called with the step of the first job that is to be
+   *   shown
+   */
   constructor(choose) {
     this.choose = choose;
     this.table = h('table');

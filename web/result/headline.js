@@ -92,7 +92,11 @@ function known(step) {
   return bars.join(', ');
 }
 
-/** @param {import('../types.js').Job} job @param {import('../types.js').Report} report @param {Step} step */
+/**
+ * @param {import('../types.js').Job} job
+ * @param {import('../types.js').Report} report
+ * @param {Step} step
+ */
 function remarks(job, report, step) {
   const ended = endedEarly(job, report);
   const early = ended

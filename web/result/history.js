@@ -7,7 +7,11 @@ import { scrolled, tableElements, takeAlong } from './figures.js';
 
 /** @typedef {import('../types.js').Iteration} Iteration */
 
-/** @typedef {{title: string, key: import('../types.js').IterationFigure, write: (value: number) => string, quantity?: import('../lib/units.js').Quantity, unit?: string, beyond?: boolean}} Figure `beyond`: in files alone */
+/**
+ * @typedef {{title: string, key: import('../types.js').IterationFigure, write: (value: number) =>
+ *   string, quantity?: import('../lib/units.js').Quantity, unit?: string, beyond?: boolean}}
+ *   Figure `beyond`: in files alone
+ */
 
 const brief = (/** @type {number} */ value) => figure(value, 3);
 const six = (/** @type {number} */ value) => figure(value, 6);
@@ -28,7 +32,12 @@ const FIGURES = [
   { title: 'time', key: 'elapsed_ms', write: duration, unit: 'ms' },
 ];
 
-/** @param {Iteration[]} history @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {boolean} [whole] with what only files have @returns {import('../lib/tabular.js').Table} */
+/**
+ * @param {Iteration[]} history
+ * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units
+ * @param {boolean} [whole] with what only files have
+ * @returns {import('../lib/tabular.js').Table}
+ */
 function tableOf(history, units, whole = false) {
   const figures = FIGURES.filter(({ beyond }) => whole || !beyond);
   return {
@@ -59,7 +68,10 @@ export class HistoryPanel {
     });
   }
 
-  /** @param {Iteration[]} history of one step @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units */
+  /**
+   * @param {Iteration[]} history of one step
+   * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units
+   */
   show(history, units) {
     this.#shown = [history, units];
     this.panel.show(history.length > 0);

@@ -53,7 +53,12 @@ export function placeWords(lines, curves, box, ratio = 1) {
   });
 }
 
-/** @param {Line} line @param {Box} box @param {number} ratio @returns {Place[]} the one that is liked best first */
+/**
+ * @param {Line} line
+ * @param {Box} box
+ * @param {number} ratio
+ * @returns {Place[]} the one that is liked best first
+ */
 function besideLevel({ at, width, left }, box, ratio) {
   const [from, to] = [box.left + 4 * ratio, box.right - 4 * ratio - width];
   const [first, last] = left ? [from, to] : [to, from];
@@ -79,7 +84,11 @@ function besideUpright({ at, width }, box, ratio) {
 const overlap = (a, b) =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
-/** @param {Point[]} curve @param {Box} box @returns {number} pieces of the curve that touch the box */
+/**
+ * @param {Point[]} curve
+ * @param {Box} box
+ * @returns {number} pieces of the curve that touch the box
+ */
 function crossed(curve, box) {
   let count = 0;
   for (let k = 1; k < curve.length; k++) if (touches(curve[k - 1], curve[k], box)) count += 1;

@@ -8,7 +8,10 @@ import { figure, forceOf, unit } from '../lib/units.js';
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Report} Report */
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {{one: Shown, at: number, label: string}} Beside a job, its step that is laid beside the one shown, and the name of both */
+/**
+ * @typedef {{one: Shown, at: number, label: string}} Beside a job, its step that is laid beside
+ *   the one shown, and the name of both
+ */
 
 /** Forces that differ by less are the same load. */
 const SAME = 1e-3;
@@ -19,7 +22,12 @@ export function asked({ load }) {
   return Array.isArray(loads) ? loads.length : 1;
 }
 
-/** How many loads are solved, and which steps are no answers. @param {Job} job @param {Report} report @returns {string} */
+/**
+ * How many loads are solved, and which steps are no answers.
+ * @param {Job} job
+ * @param {Report} report
+ * @returns {string}
+ */
 export function solvedWords(job, { steps }) {
   const failed = steps.flatMap(({ status }, k) => (status === 'converged' ? [] : [k + 1]));
   const many = Math.max(steps.length, asked(job));
@@ -32,7 +40,12 @@ export function solvedWords(job, { steps }) {
   return `${steps.length - failed.length} of ${many} loads are solved${not}`;
 }
 
-/** What is to be said of a job that ended before its last load. @param {Job} job @param {Report} report @returns {string} nothing where it came to its end */
+/**
+ * What is to be said of a job that ended before its last load.
+ * @param {Job} job
+ * @param {Report} report
+ * @returns {string} nothing where it came to its end
+ */
 export const endedEarly = (job, report) =>
   report.steps.length < asked(job)
     ? `The job ended before its last load: ${solvedWords(job, report)}.`

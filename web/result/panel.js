@@ -11,7 +11,8 @@ export class Panel {
    * @param {string} id
    * @param {string} title
    * @param {Node[]} content
-   * @param {{controls?: Node[], picture?: (title: string) => Promise<Blob | null>, drawing?: (title: string) => SVGSVGElement | null}} [options]
+   * @param {{controls?: Node[], picture?: (title: string) => Promise<Blob | null>, drawing?:
+   *   (title: string) => SVGSVGElement | null}} [options]
    */
   constructor(id, title, content, { controls = [], picture, drawing } = {}) {
     this.title = title;

@@ -17,7 +17,12 @@ export class PressurePanel {
     });
   }
 
-  /** Before there is a result. @param {{half_width: number, peak_pressure: number}} hertz @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {boolean} round */
+  /**
+   * Before there is a result.
+   * @param {{half_width: number, peak_pressure: number}} hertz
+   * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units
+   * @param {boolean} round
+   */
   preview(hertz, units, round) {
     this.panel.show(true);
     this.panel.element.classList.add('preview');
@@ -87,17 +92,29 @@ export class PressurePanel {
   }
 }
 
-/** @param {number} at end of a part of the contact @param {string} text @returns {import('./chart.js').Mark} */
+/**
+ * @param {number} at end of a part of the contact
+ * @param {string} text
+ * @returns {import('./chart.js').Mark}
+ */
 const mark = (at, text) => ({ across: 'x', at, text });
 
-/** @param {{half_width: number}} contact @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units */
+/**
+ * @param {{half_width: number}} contact
+ * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units
+ */
 const widthWords = ({ half_width }, units) =>
   `a ${figure(half_width, 4)} ${unit('length', units)}`;
 
 /** @param {{half_width: number}} hertz @returns {import('./extent.js').Extent} */
 const hertzExtent = ({ half_width }) => ({ left: -half_width, right: half_width });
 
-/** p = p_0 √(1 − (x/a)²). @param {{half_width: number, peak_pressure: number}} hertz @param {boolean} round over the radius only @param {string} [label] */
+/**
+ * p = p_0 √(1 − (x/a)²).
+ * @param {{half_width: number, peak_pressure: number}} hertz
+ * @param {boolean} round over the radius only
+ * @param {string} [label]
+ */
 function hertzCurve({ half_width, peak_pressure }, round, label = 'Hertz, elastic') {
   const angles = Array.from({ length: 121 }, (_, k) =>
     round ? (Math.PI * k) / 240 : Math.PI * (k / 120 - 0.5),

@@ -1,4 +1,4 @@
-/** How far a job is that runs, in words. */
+/** The progress of a running job in words. */
 
 import { duration, figure } from '../lib/units.js';
 
@@ -25,7 +25,11 @@ export function progressWords(history, job) {
   return `step ${step} of ${loads.length}${left(begins, last, loads.length)}, ${now}`;
 }
 
-/** @param {Iteration[]} begins of the steps so far @param {Iteration} last @param {number} total */
+/**
+ * @param {Iteration[]} begins of the steps so far
+ * @param {Iteration} last
+ * @param {number} total
+ */
 function left(begins, last, total) {
   const done = begins.length - 1;
   if (done < 1 || done >= total) return '';

@@ -14,7 +14,13 @@ import { inWords } from '../setup/words.js';
  */
 const ABOVE = { line: [[3, 3], [4, 7], [5, 12]], round: [[3, 5], [4, 10], [5, 13]] }; // prettier-ignore
 
-/** @param {Job} job @param {Report} report @param {Step} step @param {{code: string, message: string}} note @returns {string[]} the first sentence, then the others */
+/**
+ * @param {Job} job
+ * @param {Report} report
+ * @param {Step} step
+ * @param {{code: string, message: string}} note
+ * @returns {string[]} the first sentence, then the others
+ */
 export function remarkOf(job, report, step, { code, message }) {
   const sentences = inWords(message).split(/(?<=[a-z)%]\.)\s+(?=\p{Lu})/u);
   if (code !== 'deformation_theory') return sentences;
@@ -25,7 +31,12 @@ export function remarkOf(job, report, step, { code, message }) {
   ];
 }
 
-/** What deformation theory does at this ratio of pressure to strength. @param {Job} job @param {Report} report @param {Step} step */
+/**
+ * What deformation theory does at this ratio of pressure to strength.
+ * @param {Job} job
+ * @param {Report} report
+ * @param {Step} step
+ */
 function deformationWords(job, report, { hertz }) {
   const strengths = [job.upper, job.lower].flatMap((body) => yieldStress(body?.material) ?? []);
   const least = Math.min(...strengths) * factor('stress', unitsOf(job), report.units);

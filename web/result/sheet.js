@@ -247,7 +247,11 @@ const inJob = (length, { raw, report }) =>
     ? (length * raw.steps[0].hertz.half_width) / report.steps[0].hertz.half_width
     : length;
 
-/** @param {Job} job @param {import('../setup/fields.js').Field} load @returns {string} its unit, and that of approaches among forces */
+/**
+ * @param {Job} job
+ * @param {import('../setup/fields.js').Field} load
+ * @returns {string} its unit, and that of approaches among forces
+ */
 function unitOfLoad(job, { quantity = 'number' }) {
   const units = unitsOf(job);
   const own = unit(quantity === 'load' ? forceOf(job) : quantity, units);
@@ -405,7 +409,11 @@ function inputs(job) {
 const heightsWords = ({ heights, spacing_x, spacing_y, detrend }) =>
   `${heights?.length} × ${heights?.[0]?.length}, ${writeValue(spacing_x)} × ${writeValue(spacing_y)} apart${detrend === 'plane' ? ', mean plane taken away' : ''}`;
 
-/** Every step in figures; beside the names of jobs there is no room to say of each that it converged. @param {Shown[]} shown */
+/**
+ * Every step in figures; beside the names of jobs there is no room to say of each that it
+ * converged.
+ * @param {Shown[]} shown
+ */
 function tableOf(shown) {
   const { columns, rows, write } = figuresTable(shown);
   const last = columns.length - 1;
@@ -415,7 +423,12 @@ function tableOf(shown) {
     : { columns, rows, write };
 }
 
-/** The figures of one step, error bar and elastic theory beside them; without load, what is left behind comes first. @param {Shown} shown @param {number} at */
+/**
+ * The figures of one step, error bar and elastic theory beside them; without load, what is left
+ * behind comes first.
+ * @param {Shown} shown
+ * @param {number} at
+ */
 function answers({ job, report }, at) {
   const step = report.steps[at];
   const all = answersOf(job, report, step);

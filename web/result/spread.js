@@ -33,7 +33,11 @@ export class SpreadPanel {
     else if (surface) this.#distribution(shown, at, surface);
   }
 
-  /** @param {Shown[]} shown @param {number} at @param {import('../wire.js').RollerContact} roller */
+  /**
+   * @param {Shown[]} shown
+   * @param {number} at
+   * @param {import('../wire.js').RollerContact} roller
+   */
   #along(shown, at, { end_pressure: ends, middle_pressure: middle, moment, tilt }) {
     const { report } = shown[0];
     const [length, stress] = [unit('length', report.units), unit('stress', report.units)];

@@ -7,7 +7,10 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
-/** @typedef {Exclude<keyof NonNullable<Step['estimated_error']>, 'bodies'>} Barred a figure of the contact whose error the mesh tells */
+/**
+ * @typedef {Exclude<keyof NonNullable<Step['estimated_error']>, 'bodies'>} Barred a figure of the
+ *   contact whose error the mesh tells
+ */
 /**
  * @typedef {object} StepFigure
  * @property {string} title
@@ -27,7 +30,10 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
 export const barOf = ({ status, estimated_error: bars }, name) =>
   (status === 'converged' && bars?.[name]) || undefined;
 
-/** Largest equivalent plastic strain of both bodies; none where one of them does not harden. @param {Step} step */
+/**
+ * Largest equivalent plastic strain of both bodies; none where one of them does not harden.
+ * @param {Step} step
+ */
 export const strainOf = ({ plasticity: { upper, lower } }) =>
   upper?.max_equivalent_plastic_strain === null || lower?.max_equivalent_plastic_strain === null
     ? undefined

@@ -11,7 +11,11 @@ export class Steps {
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #timer;
 
-  /** @param {(step: number) => void} choose @param {() => boolean} ready whether the step that was chosen is shown: the next one waits for it */
+  /**
+   * @param {(step: number) => void} choose
+   * @param {() => boolean} ready whether the step that was chosen is shown: the next one waits for
+   *   it
+   */
   constructor(choose, ready) {
     this.choose = choose;
     this.ready = ready;

@@ -38,7 +38,11 @@ const OVER_LOAD = {
   stiffness: { text: 'dP/dα', of: STEP_FIGURES.stiffness, along: slopesAlong },
 };
 
-/** dP/dα at the increments of a step or at its load, from the curve of all of them. @param {Step} step @param {Report} report */
+/**
+ * dP/dα at the increments of a step or at its load, from the curve of all of them.
+ * @param {Step} step
+ * @param {Report} report
+ */
 function slopesAlong({ flow, approach, contact }, { load_approach: curve }) {
   const ends = flow?.increments ?? { approach: [approach], force: [contact.force] };
   const placeOf = (/** @type {number} */ approach, /** @type {number} */ force) =>
@@ -46,7 +50,12 @@ function slopesAlong({ flow, approach, contact }, { load_approach: curve }) {
   return ends.approach.map((approach, k) => curve?.stiffness[placeOf(approach, ends.force[k])]);
 }
 
-/** A figure of a step or, where it has none of its own, of the curve there. @param {OverLoad} figures @param {Step} step @param {Report} report */
+/**
+ * A figure of a step or, where it has none of its own, of the curve there.
+ * @param {OverLoad} figures
+ * @param {Step} step
+ * @param {Report} report
+ */
 const valueAt = ({ of, along }, step, report) => of.value(step) ?? along?.(step, report)?.at(-1);
 
 export class SweepPanel {
@@ -89,7 +98,10 @@ export class SweepPanel {
   }
 }
 
-/** Whether the load falls again on a body that has yielded: the curve has a way back of its own. @param {Shown} shown */
+/**
+ * Whether the load falls again on a body that has yielded: the curve has a way back of its own.
+ * @param {Shown} shown
+ */
 const turnsBack = ({ job, report: { steps } }) =>
   job.solver?.theory === 'flow' &&
   steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach) &&
@@ -141,7 +153,7 @@ function apart(curve, forces, why = 'straight between solved loads') {
 /** Steps that are answers: others have no place on a curve. @param {Report} report */
 const answered = ({ steps }) => steps.filter(({ status }) => status === 'converged');
 
-/** What is left out of the curves, in words. @param {Shown[]} swept */
+/** Names the steps that the curves leave out. @param {Shown[]} swept */
 const leftOut = (swept) => {
   const many = swept.reduce(
     (sum, { report: { steps } }) =>
@@ -156,7 +168,8 @@ const leftOut = (swept) => {
 /**
  * Where the jobs begin to yield, each once; where that is not the same for all, in the colours of
  * the jobs.
- * @param {Shown[]} swept @param {'x' | 'y'} across @param {string} words of the mark @returns {import('./chart.js').Mark[]}
+ * @param {Shown[]} swept @param {'x' | 'y'} across @param {string} words of the mark @returns
+ *   {import('./chart.js').Mark[]}
  */
 function onsets(swept, across, words) {
   const { report } = swept[0];
@@ -179,7 +192,13 @@ function onsets(swept, across, words) {
   }));
 }
 
-/** Force over approach in the order of the steps, so that a history shows its loops. @param {Shown[]} swept @param {Shown[]} shown @param {number} at @returns {import('./chart.js').Plot} */
+/**
+ * Force over approach in the order of the steps, so that a history shows its loops.
+ * @param {Shown[]} swept
+ * @param {Shown[]} shown
+ * @param {number} at
+ * @returns {import('./chart.js').Plot}
+ */
 function overApproach(swept, shown, at) {
   const [{ report }] = shown;
   const force = unit(forceOf(report), report.units);
@@ -215,7 +234,8 @@ function overApproach(swept, shown, at) {
 /**
  * A figure over the force: of a history at every increment, from the bodies at rest on; else at
  * its loads.
- * @param {Report} report @param {OverLoad} figures @param {boolean} inTurn whether loads have an order
+ * @param {Report} report @param {OverLoad} figures @param {boolean} inTurn whether loads have an
+ *   order
  * @returns {{x: number[], y: number[]}}
  */
 function overForce(report, figures, inTurn) {
@@ -240,7 +260,13 @@ function overForce(report, figures, inTurn) {
   return { x: points.map(({ x }) => x), y: points.map(({ y }) => y) };
 }
 
-/** @param {Shown[]} swept @param {Shown[]} shown @param {number} at @param {OverLoad} figures @returns {import('./chart.js').Plot} */
+/**
+ * @param {Shown[]} swept
+ * @param {Shown[]} shown
+ * @param {number} at
+ * @param {OverLoad} figures
+ * @returns {import('./chart.js').Plot}
+ */
 function overLoad(swept, shown, at, figures) {
   const [{ report }] = shown;
   const { of, along } = figures;

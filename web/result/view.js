@@ -30,9 +30,9 @@ import { SweepPanel } from './sweep.js';
 /** @typedef {import('../types.js').Iteration} Iteration */
 
 export class View {
-  /** As they came. @type {Shown[]} */
+  /** Results in the units of their jobs. @type {Shown[]} */
   #given = [];
-  /** In the units that are shown. @type {Shown[]} */
+  /** Results in the shown units. @type {Shown[]} */
   #shown = [];
   #at = 0;
   /** Whether the field has not shown this job. */
@@ -99,7 +99,7 @@ export class View {
     return this.#at;
   }
 
-  /** Before there is anything. @param {Node} content */
+  /** Shows a message instead of a result. @param {Node} content */
   clear(content) {
     this.#given = this.#shown = [];
     this.tools.hidden = true;
@@ -121,7 +121,11 @@ export class View {
     byId('headline').replaceChildren(content);
   }
 
-  /** Before anything is solved. @param {import('../setup/check.js').Hertz | null} hertz @param {import('../types.js').Job} job */
+  /**
+   * Before anything is solved.
+   * @param {import('../setup/check.js').Hertz | null} hertz
+   * @param {import('../types.js').Job} job
+   */
   preview(hertz, job) {
     const highest = hertz?.steps.reduce((a, b) => (b.force > a.force ? b : a), hertz.steps[0]);
     if (highest) this.pressure.preview(highest, unitsOf(job), job.analysis === 'axisymmetric');

@@ -1,4 +1,4 @@
-/** Follows one job from the queue to its result, and says where it stands. */
+/** Follows one job from the queue to its result, and shows its state. */
 
 import { Problem, ask, post } from '../api/client.js';
 import { reconnected } from '../api/connection.js';
@@ -20,7 +20,7 @@ import { progressWords } from './progress.js';
 /** @param {number} seconds */
 const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
 
-/** Time between two looks at the place in the queue, of which no event tells. */
+/** Time between two queries of the place in the queue, which no event reports. */
 const LOOK = 2000;
 
 /**
@@ -59,7 +59,7 @@ export class Watch {
     return this.place.querySelector('[data-status=queued], [data-status=running]') !== null;
   }
 
-  /** Looks whether the service still has the job that is shown. */
+  /** Checks whether the service still has the shown job. */
   async look() {
     const id = this.#shown;
     if (!id) return;
@@ -93,7 +93,7 @@ export class Watch {
     this.place.replaceChildren(...content);
   }
 
-  /** Says that nothing is known yet of a job. @param {Problem} problem */
+  /** Shows that the state of a job is not known yet. @param {Problem} problem */
   #wait({ message }) {
     if (!this.#bar) {
       this.on.titled('Waiting');
@@ -164,7 +164,12 @@ export class Watch {
     }
   }
 
-  /** @param {string} id @param {AbortSignal} signal @param {(received: number, total: number) => void} progress @returns {Promise<Report | undefined>} nothing if there is no result */
+  /**
+   * @param {string} id
+   * @param {AbortSignal} signal
+   * @param {(received: number, total: number) => void} progress
+   * @returns {Promise<Report | undefined>} nothing if there is no result
+   */
   async #fetch(id, signal, progress) {
     while (!signal.aborted) {
       try {
@@ -183,7 +188,11 @@ export class Watch {
     return undefined;
   }
 
-  /** @param {string} id @param {AbortSignal} signal @returns {Promise<JobDocument | undefined>} as it ended */
+  /**
+   * @param {string} id
+   * @param {AbortSignal} signal
+   * @returns {Promise<JobDocument | undefined>} as it ended
+   */
   async #follow(id, signal) {
     const history = /** @type {Iteration[]} */ ([]);
     /** @type {JobDocument | undefined} */
@@ -235,7 +244,11 @@ export class Watch {
     return last;
   }
 
-  /** @param {JobDocument} document @param {Report} [report] @param {boolean} [loading] whether the result is on its way */
+  /**
+   * @param {JobDocument} document
+   * @param {Report} [report]
+   * @param {boolean} [loading] whether the result is on its way
+   */
   #show(document, report, loading = false) {
     const { id, status } = document;
     const bar = `${id} ${status} ${document.cancel_requested} ${Boolean(report)} ${loading}`;
@@ -309,7 +322,12 @@ export const NAMES = {
   timed_out: 'Out of time',
 };
 
-/** @param {JobDocument} document @param {Report | undefined} report @param {import('../types.js').Job} job @returns {string} */
+/**
+ * @param {JobDocument} document
+ * @param {Report | undefined} report
+ * @param {import('../types.js').Job} job
+ * @returns {string}
+ */
 function words(
   {
     status,
@@ -341,7 +359,11 @@ function words(
   }
 }
 
-/** What the figures of a job are that did not come to its end. @param {Report} report @param {import('../types.js').Job} job */
+/**
+ * What the figures of a job are that did not come to its end.
+ * @param {Report} report
+ * @param {import('../types.js').Job} job
+ */
 function shownOf(report, job) {
   const { steps } = report;
   if (steps.some(({ status }) => status === 'converged') || steps.length > 1)
