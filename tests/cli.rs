@@ -318,7 +318,7 @@ fn all_faults_are_named_at_once() {
 }
 
 #[test]
-fn what_is_not_json_is_located() {
+fn faults_of_json_are_located() {
     let texts =
         [spoilt("/load/force", json!(12.5)).replace("12.5", "NaN"), "{\"upper\": {".to_owned()];
     for text in texts {

@@ -98,7 +98,7 @@ mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn what_is_written_is_sent_and_what_fails_breaks_off() {
+    async fn bodies_are_sent_and_failed_ones_break_off() {
         let write = |end: Result<(), StoreError>| {
             written(ready(()), |sender| async move {
                 for piece in ["a", "b", "c", "d"] {

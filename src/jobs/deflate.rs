@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_compressed_is_read_back() {
+    fn compressed_texts_read_back() {
         for text in texts() {
             let packed = Deflated::compress(&text).unwrap();
             assert_eq!(packed.text().unwrap(), text);

@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn nothing_is_kept_for_jobs_nobody_watches() {
+    async fn jobs_without_subscribers_take_no_memory() {
         let notifier = JobNotifier::new();
         let id = JobId::generate();
         let (first, second) = (notifier.subscribe(id), notifier.subscribe(id));

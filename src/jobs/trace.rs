@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_trace_is_refused() {
+    fn other_texts_are_no_traces() {
         for text in [
             "",
             "00",

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_holds_more_than_estimated_fails_where_there_is_no_more() {
+    fn jobs_beyond_their_estimate_fail_where_memory_ends() {
         let all = WorkerMemory::new(100);
         let (mut honest, mut other) = (all.of_job(60), all.of_job(40));
         assert!(other.hold(Held::Bodies, 30).is_ok());

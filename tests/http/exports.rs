@@ -146,7 +146,7 @@ fn parts_of_a_result_are_selected() {
 }
 
 #[test]
-fn what_is_not_there_is_a_problem() {
+fn missing_exports_are_problems() {
     let server = Server::start();
     let job = solved(&server.target, &json!({"force": 600.0}), &json!({"subsurface": false}));
     let problem = server.target.get(&format!("{job}/field.vtu")).problem(409, "not-in-result");

@@ -154,7 +154,7 @@ fn a_key_has_quotas_and_an_end() {
 }
 
 #[test]
-fn what_goes_on_under_a_key_ends_with_it() {
+fn streams_and_waits_end_with_their_key() {
     let guarded = Guarded::start();
     let token = guarded.key(&["create", "press", "--max-running", "0"]);
     let id = guarded.key(&["list"]).split(' ').next().unwrap().to_owned();

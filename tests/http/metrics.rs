@@ -73,7 +73,7 @@ fn jobs_and_requests_are_measured() {
 }
 
 #[test]
-fn nothing_is_kept_between_jobs_if_so_set() {
+fn no_body_is_cached_if_so_set() {
     let server = Server::start_with(&["--factor-cache", "0"]);
     exercise(&server.target);
     let answer = server.target.get("/metrics");

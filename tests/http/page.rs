@@ -61,7 +61,7 @@ fn it_is_held_to_its_own_origin() {
 }
 
 #[test]
-fn what_has_not_changed_is_not_sent_again() {
+fn unchanged_files_are_not_sent_again() {
     let server = Server::start();
     let plain = ask(&server, "/", &[]);
     let gzip = ask(&server, "/", &["Accept-Encoding: br, gzip;q=0.5"]);
@@ -79,7 +79,7 @@ fn what_has_not_changed_is_not_sent_again() {
 }
 
 #[test]
-fn nothing_else_is_served() {
+fn other_files_are_not_served() {
     let server = Server::start();
     for path in
         ["/web/", "/web/none.js", "/web/..%2fCargo.toml", "/web/%2e%2e/Cargo.toml", "/web/%FF"]

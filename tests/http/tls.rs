@@ -97,7 +97,7 @@ fn a_renewed_certificate_is_taken_up() {
 }
 
 #[test]
-fn what_cannot_be_used_is_named() {
+fn unusable_certificates_are_named() {
     for (cert, key, named) in [
         ("first.cert.pem", "second.key.pem", "second.key.pem"),
         ("first.key.pem", "first.key.pem", "first.key.pem: no certificate in it"),

@@ -90,7 +90,7 @@ pub async fn an_attempt_is_made_again_until_its_end_is_told(subject: &Subject) {
     assert!(due(subject).await.is_empty());
 }
 
-pub async fn what_is_given_up_is_not_due_again(subject: &Subject) {
+pub async fn abandoned_announcements_are_not_due_again(subject: &Subject) {
     let id = enqueue(subject).await;
     subject.store.cancel(id).await.unwrap();
     let delivery = due(subject).await.remove(0);

@@ -89,7 +89,7 @@ pub async fn a_client_that_means_to_come_again_finds_its_job(subject: &Subject) 
     assert!(again.replayed && again.job.id == first.job.id && !again.job.state.is_finished());
 }
 
-pub async fn what_is_changed_is_announced_although_its_client_has_gone(subject: &Subject) {
+pub async fn changes_are_announced_although_their_client_has_gone(subject: &Subject) {
     let jobs = service(subject);
     for polls in 0..POLLS {
         let id = subject.enqueue("x").await;
@@ -138,7 +138,7 @@ pub async fn names_in_any_order_are_taken_in_together(subject: &Subject) {
     }
 }
 
-pub async fn who_waits_for_his_turn_is_told_that_the_service_closes(subject: &Subject) {
+pub async fn waiting_submissions_end_when_the_service_closes(subject: &Subject) {
     let jobs = service(subject);
     let limits = KeyLimits { stored_bytes: Some(1 << 30), ..KeyLimits::default() };
     let submitter = Some(crate::quotas::key(subject, limits).await);

@@ -53,7 +53,7 @@ async fn a_data_directory_has_one_owner() {
 }
 
 #[tokio::test]
-async fn what_one_process_does_another_hears() {
+async fn processes_hear_of_changes_of_others() {
     let here = Subject::postgres().await;
     let there = Subject::again(here.place.clone(), Arc::clone(&here.clock)).await;
     let id = here.enqueue("x").await;

@@ -58,7 +58,7 @@ pub async fn keys_share_by_solver_time_and_not_by_number(subject: &Subject) {
     assert!((3..=5).contains(&served[0]), "{served:?}: as much time for each");
 }
 
-pub async fn what_was_spent_is_forgotten_within_a_minute(subject: &Subject) {
+pub async fn solver_time_is_forgotten_within_a_minute(subject: &Subject) {
     let [busy, idle] = [(); 2].map(|()| KeyId::generate());
     let spend = async || {
         submit(subject, busy, 0).await;

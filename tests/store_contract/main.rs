@@ -40,7 +40,7 @@ macro_rules! contract {
             life old_jobs_are_swept_each_in_its_time;
             queue jobs_are_handed_out_in_order_and_only_once;
             queue a_full_queue_refuses_and_keeps_nothing;
-            queue those_who_come_at_once_do_not_overfill_the_queue;
+            queue simultaneous_submissions_do_not_overfill_the_queue;
             queue pages_are_newest_first_and_filtered;
             queue the_highest_priority_goes_first;
             queue jobs_are_handed_out_within_the_memory;
@@ -62,7 +62,7 @@ macro_rules! contract {
             fair_share a_greedy_key_does_not_hold_up_another;
             fair_share a_key_leaves_a_place_of_a_worker_to_others;
             fair_share keys_share_by_solver_time_and_not_by_number;
-            fair_share what_was_spent_is_forgotten_within_a_minute;
+            fair_share solver_time_is_forgotten_within_a_minute;
             fair_share a_small_job_does_not_wait_for_memory;
             fair_share a_key_has_its_places_in_the_queue_and_no_more;
             quotas a_key_has_as_many_jobs_running_as_it_may;
@@ -78,7 +78,7 @@ macro_rules! contract {
             deliveries an_announcement_is_due_with_the_end_of_its_job;
             deliveries the_end_of_a_lost_job_is_announced;
             deliveries an_attempt_is_made_again_until_its_end_is_told;
-            deliveries what_is_given_up_is_not_due_again;
+            deliveries abandoned_announcements_are_not_due_again;
             deliveries many_at_once_never_get_the_same_announcement;
             deliveries the_trace_of_a_submission_goes_with_its_job;
             names jobs_together_are_taken_in_or_refused_one_by_one;
@@ -87,8 +87,8 @@ macro_rules! contract {
             deaf streams_that_nobody_reads_hold_no_reader;
             dropped a_client_that_goes_leaves_no_job_behind;
             dropped a_client_that_means_to_come_again_finds_its_job;
-            dropped what_is_changed_is_announced_although_its_client_has_gone;
-            dropped who_waits_for_his_turn_is_told_that_the_service_closes;
+            dropped changes_are_announced_although_their_client_has_gone;
+            dropped waiting_submissions_end_when_the_service_closes;
             dropped names_in_any_order_are_taken_in_together;
             quotas a_key_that_has_ended_hands_nothing_in;
         }

@@ -35,7 +35,7 @@ pub async fn a_full_queue_refuses_and_keeps_nothing(subject: &Subject) {
     subject.submit(one_more.clone()).await.unwrap();
 }
 
-pub async fn those_who_come_at_once_do_not_overfill_the_queue(subject: &Subject) {
+pub async fn simultaneous_submissions_do_not_overfill_the_queue(subject: &Subject) {
     let mut keys = vec![None];
     for name in ["one", "other"] {
         let (key, _) = ApiKey::generate(name.to_owned(), Scope::Write, subject.clock.now());

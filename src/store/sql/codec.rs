@@ -169,7 +169,7 @@ mod tests {
         [40, 181, 47, 253, 160, 160, 134, 1, 0, 85, 0, 0, 16, 32, 32, 1, 0, 155, 134, 57, 192, 2];
 
     #[test]
-    fn what_is_packed_is_unpacked() {
+    fn packed_texts_are_unpacked() {
         let long = vec![b' '; 100_000];
         for text in [&b""[..], b"{}", &long] {
             let packed = pack(text).unwrap();
