@@ -6,7 +6,9 @@
 //! Floors are for what scatters with the cells at the edge of the contact: approach and semi-axes,
 //! and all other figures of contacts that yield. Factors and floors are those by which the
 //! prototype's figures on 16 to 64 cells a side are covered, but for semi-axes and plastic strain,
-//! whose floors cover random contacts on 4 to 10 cells over a semi-axis.
+//! whose floors cover random contacts on 4 to 10 cells over a semi-axis. The peak of a tilted roller
+//! lies anywhere between two middles of cells, up to half a cell from one, where an ellipse has
+//! `(h/2b)²/2` less.
 
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
@@ -70,10 +72,12 @@ fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
     let strain = scatter * SCATTER_OF_STRAIN * sizes[0].max(sizes[1]);
     let [x, y] = step.peak_position;
     let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
+    let is_between = step.tilt.abs() > 0.0;
+    let between = if is_between { 0.5 * (0.5 * sizes[1]).powi(2) } else { 0.0 };
     HalfSpaceFigures {
         force,
         approach,
-        peak_pressure: scatter * (SCATTER + SCATTER_OF_RING * from_middle),
+        peak_pressure: scatter * (SCATTER + SCATTER_OF_RING * from_middle) + between,
         semi_axes,
         area: semi_axes.iter().sum(),
         max_plastic_strain: [strain; 2],
