@@ -1,29 +1,30 @@
-//! The force between those that are known to be too small and too large.
+//! The bracket of the wanted force, between forces that are too small and too large.
 
 /// Largest change of a force from one trial to the next, as a logarithm.
 const LARGEST_STEP: f64 = 2.0;
-/// Change where the figure is still zero, from how many forces on it becomes larger, and by which
-/// factor each time.
+/// Change of the logarithm of the force while the figure is zero; the number of zeros after which
+/// the change grows; the factor of this growth.
 const STEP_FROM_NOTHING: f64 = 0.7;
 const PATIENCE: usize = 3;
 const IMPATIENCE: f64 = 1.5;
 /// Least part of a bracket that an interpolated force keeps from its ends.
 const MARGIN: f64 = 0.1;
-/// Distance from the largest force that can be solved at which there is no use in coming nearer.
+/// Distance from the smallest force that could not be solved, as a logarithm, at which the search
+/// ends.
 const AT_LIMIT: f64 = 0.02;
 /// Range of the forces that are tried \[N/mm or N\].
 const FORCES: (f64, f64) = (1e-9, 1e9);
 /// Width of a bracket within which the figure jumps, because the contact gains or loses a node.
 const CLOSED: f64 = 0.01;
-/// Trials up to this far from a force, as a logarithm, tell the slope there, if they are spread as
-/// widely as this.
+/// Largest distance of trials from a force, as a logarithm, in the fit of the slope there; the
+/// second constant is their least spread.
 const SLOPE_RANGE: f64 = 0.7;
 const SLOPE_SPREAD: f64 = 0.08;
 /// Least slope that a force is extrapolated with.
 const LEAST_SLOPE: f64 = 0.05;
 
-/// What has been tried, as logarithms of the force and of the figure over its wanted value; minus
-/// infinity where the figure is still zero.
+/// All trials, as logarithms of the force and of the figure over its wanted value; minus infinity
+/// where the figure is zero.
 #[derive(Debug, Clone)]
 pub struct Bracket {
     /// Last trials with too small and with too large a figure.
@@ -31,15 +32,15 @@ pub struct Bracket {
     above: Option<[f64; 2]>,
     /// The smallest force that could not be solved.
     limit: Option<f64>,
-    /// All with a figure above zero.
+    /// All trials with a figure above zero.
     trials: Vec<[f64; 2]>,
-    /// How many have none.
+    /// Number of trials with a figure of zero.
     zeros: usize,
-    /// What is expected of the slope.
+    /// Expected slope of the logarithms.
     expected_slope: f64,
 }
 
-/// What to do next.
+/// The next move of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Next {
     /// Try this force.
@@ -51,7 +52,8 @@ pub enum Next {
 }
 
 impl Bracket {
-    /// Nothing tried yet; `expected_slope` is what is expected of `d ln figure / d ln force`.
+    /// Makes a bracket without trials; `expected_slope` is the expected `d ln figure / d ln
+    /// force`.
     pub fn new(expected_slope: f64) -> Self {
         Self {
             below: None,
@@ -63,8 +65,8 @@ impl Bracket {
         }
     }
 
-    /// Slope of the logarithms at a force, of the straight line nearest to the trials around it;
-    /// `None` where these are too few or too near each other.
+    /// Returns the slope of the logarithms at a force, by the straight line of least squares
+    /// through the trials around it; `None` where these are too few or too close together.
     pub fn slope_at(&self, force: f64) -> Option<f64> {
         let near = || self.trials.iter().filter(|[x, _]| (x - force.ln()).abs() <= SLOPE_RANGE);
         let count = near().count() as f64;
@@ -78,15 +80,15 @@ impl Bracket {
         (highest - lowest >= SLOPE_SPREAD).then_some(slope)
     }
 
-    /// Whether the figure jumps over its wanted value between two forces that are nearly the same;
-    /// the smaller one.
+    /// Returns the smaller of two nearly equal forces between which the figure jumps over its
+    /// wanted value.
     pub fn jump(&self) -> Option<f64> {
         let (Some([low, _]), Some([high, _])) = (self.below, self.above) else { return None };
         (high - low <= CLOSED).then(|| low.exp())
     }
 
-    /// The largest figure over its wanted value that was found, with its force; of nothing but
-    /// zeros the largest force.
+    /// Returns the largest figure over its wanted value, with its force; if all figures are zero,
+    /// the largest force.
     pub fn largest(&self) -> Option<(f64, f64)> {
         let largest = self.trials.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]));
         largest.or(self.below).map(|[force, ratio]| (force.exp(), ratio.exp()))
@@ -97,7 +99,7 @@ impl Bracket {
         self.trials.iter().map(|[force, _]| force.exp()).reduce(f64::max)
     }
 
-    /// A force was solved; `ratio` is the figure over its wanted value.
+    /// Records a force that was solved; `ratio` is the figure over its wanted value.
     pub fn record(&mut self, force: f64, ratio: f64) {
         let at = [force.ln(), if ratio > 0.0 { ratio.ln() } else { f64::NEG_INFINITY }];
         if at[1].is_finite() {
@@ -107,15 +109,16 @@ impl Bracket {
         }
         if at[1] >= 0.0 {
             self.above = Some(at);
-            // Figures that fall again under larger forces, or only scatter: the answer is the
-            // smallest force.
+            // A figure may fall again under larger forces, or scatter: the answer is the smallest
+            // force.
             self.below = self.below.filter(|below| below[0] < at[0]);
         } else if self.above.is_none_or(|above| at[0] < above[0]) {
             self.below = Some(at);
         }
     }
 
-    /// A force could not be solved, because it is too large. Whether it is the smallest of those.
+    /// Records a force that is too large to be solved. Returns whether it is the smallest one so
+    /// far.
     pub fn limit(&mut self, force: f64) -> bool {
         let is_smallest = self.limit.is_none_or(|limit| force.ln() <= limit);
         if is_smallest {
@@ -124,7 +127,7 @@ impl Bracket {
         is_smallest
     }
 
-    /// The force to try next.
+    /// Returns the next move.
     pub fn next(&self) -> Next {
         let slope = match self.trials[..] {
             [.., [x1, y1], [x2, y2]] if (x2 - x1).abs() >= SLOPE_SPREAD => (y2 - y1) / (x2 - x1),
@@ -168,8 +171,8 @@ impl Bracket {
 mod tests {
     use super::*;
 
-    /// Trials until a figure that is zero up to a force of 2 and cannot be had above a limit comes
-    /// within one per cent.
+    /// Searches a figure that is zero up to a force of 2 and fails above a limit. Returns the last
+    /// move and the number of trials.
     fn search(mut force: f64, wanted: f64, limit: f64) -> (Next, usize) {
         let mut bracket = Bracket::new(1.0);
         for trial in 1..60 {
@@ -202,7 +205,7 @@ mod tests {
         }
     }
 
-    /// Also from a force that is smaller by nine orders of magnitude than one that gives anything.
+    /// The search starts nine orders of magnitude below the first force with a figure.
     #[test]
     fn finds_a_force_from_next_to_nothing() {
         let (end, trials) = search(2e-9, 9.0, 1e7);

@@ -1,4 +1,4 @@
-//! What the alternation of contact and plasticity asks of two bodies.
+//! The interface of two bodies in contact to the alternation of contact and plasticity.
 
 use super::phases::Phase;
 use super::run::Run;
@@ -12,7 +12,7 @@ pub type BlockVector = Vec<Vec<f64>>;
 /// Displacements and contact for a given initial stress.
 #[derive(Debug, Clone)]
 pub struct Response {
-    /// Displacements where plastic flow and contact are evaluated \[mm\].
+    /// Displacements at the equations that enter plastic law and contact \[mm\].
     pub displacement: BlockVector,
     /// The contact: forces of pairs, gaps, approach.
     pub contact: ContactSolution,
@@ -34,27 +34,27 @@ pub struct ContactFigures {
 /// Two bodies and the contact between them.
 ///
 /// `initial_stress` is the paper's P_e: the load that plastic flow puts on the elastic bodies,
-/// nodal forces of finite elements. It is no stress, and another thing than the `initial_stress`
-/// of a job. Couplings call the one that is applied `loads`, and P_e(u) its `image`. Forces of the
-/// contact push the bodies apart, `R >= 0`.
+/// nodal forces of finite elements. It is a force, not the `initial_stress` of a job. Couplings
+/// call the applied vector `loads` and P_e(u) its `image`. Contact forces push the bodies apart,
+/// `R >= 0`.
 ///
-/// Symmetry and equal bodies are the affair of the system: loads and figures are those of the
-/// whole contact.
+/// Loads and figures belong to the whole contact; a system that models half of it, or one of two
+/// equal bodies, converts them.
 pub trait ContactSystem {
-    /// An initial stress, or displacements, of nothing.
+    /// Returns an initial stress, or displacements, of zero.
     fn zeros(&self) -> BlockVector;
 
     /// Initial gap δ0 of each candidate pair along its normal \[mm\].
     fn initial_gap(&self) -> &[f64];
 
-    /// The contact conditions of the candidate pairs under other gaps and a load of the whole
-    /// contact.
+    /// Returns the contact conditions of the candidate pairs at given gaps \[mm\] under a load of
+    /// the whole contact.
     fn contact_problem<'a>(&'a self, gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a>;
 
-    /// `u_p`: by how much an initial stress alone widens the gap at each pair \[mm\].
+    /// Returns `u_p`, the widening of the gap at each pair by the initial stress alone \[mm\].
     fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64>;
 
-    /// The contact alone, at gaps that plastic flow has widened by `gap_opening`.
+    /// Solves the contact alone, at gaps widened by `gap_opening`.
     ///
     /// # Errors
     /// Those of the contact solver.
@@ -75,11 +75,11 @@ pub trait ContactSystem {
         Ok(run.solve_contact(solver, &self.contact_problem(&gap, load), start)?)
     }
 
-    /// The displacements under an initial stress and contact forces.
+    /// Returns the displacements under an initial stress and contact forces.
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector;
 
-    /// Contact and displacements for a given initial stress: [`Self::gap_opening`],
-    /// [`Self::contact`] and [`Self::displacement`] in one.
+    /// Solves contact and displacements for a given initial stress: [`Self::gap_opening`],
+    /// [`Self::contact`] and [`Self::displacement`] in one call.
     ///
     /// # Errors
     /// Those of the contact solver.
@@ -98,18 +98,18 @@ pub trait ContactSystem {
         Ok(Response { displacement, contact })
     }
 
-    /// The initial stress that the plastic law answers displacements with, written over `into`.
-    /// Returns the points beyond yield.
+    /// Writes P_e(u), the initial stress of the plastic law at given displacements, into `into`.
+    /// Returns the number of points beyond yield.
     fn initial_stress(&self, displacement: &BlockVector, into: &mut BlockVector) -> usize;
 
-    /// A norm of displacements or of an initial stress.
+    /// Returns a norm of displacements or of an initial stress.
     fn norm(&self, v: &BlockVector) -> f64;
 
-    /// The same norm of a difference.
+    /// Returns the same norm of `v - w`.
     fn distance(&self, v: &BlockVector, w: &BlockVector) -> f64;
 
-    /// The entries that change from one iteration to the next, in one vector. It may become longer
-    /// from iteration to iteration: the entries to come have been zero.
+    /// Returns the entries that change between iterations in one vector. The vector may grow from
+    /// iteration to iteration; new entries were zero before.
     fn pack(&self, vectors: &BlockVector) -> Vec<f64>;
 
     /// Writes these entries back to where [`Self::pack`] took them from.
@@ -121,24 +121,25 @@ pub trait ContactSystem {
     /// Displacements of the last accepted state, zero at rest.
     fn accepted(&self) -> &BlockVector;
 
-    /// Accepts the state with these displacements: increments of a history go on from it.
+    /// Accepts the state with these displacements as the start of the next increment of a history.
     fn commit(&mut self, displacement: BlockVector);
 
-    /// The same bodies, if their stiffness can take other moduli than the elastic ones.
+    /// Returns the same bodies if their stiffness can be assembled with other than elastic moduli.
     fn linearizable(&mut self) -> Option<&mut dyn Linearize> {
         None
     }
 
-    /// Their stiffness with secant moduli, at first the elastic ones, if there is one.
+    /// Returns a stiffness with secant moduli, initially elastic, if the bodies have an assembled
+    /// stiffness.
     fn secant_stiffness(&self) -> Option<Box<dyn SecantStiffness + '_>> {
         None
     }
 }
 
-/// Bodies whose stiffness can take the moduli of plastic flow.
+/// Bodies whose stiffness can be assembled with the moduli of plastic flow.
 pub trait Linearize: ContactSystem {
-    /// Factorizes with moduli of plastic flow at displacements or, without any, with the elastic
-    /// ones.
+    /// Factorizes the stiffness with the moduli of plastic flow at given displacements; without
+    /// displacements, with the elastic moduli.
     ///
     /// # Errors
     /// Those of a factorization.
@@ -148,19 +149,20 @@ pub trait Linearize: ContactSystem {
         run: &mut Run<'_>,
     ) -> Result<(), Error>;
 
-    /// Factorizations that take.
+    /// Returns the number of factorizations that one linearization takes.
     fn factorizations(&self) -> usize;
 
-    /// Forces on the bodies: those of an initial stress and of the contact.
+    /// Returns the nodal forces of an initial stress and of the contact together.
     fn applied(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector;
 
-    /// The work of forces on displacements of both whole bodies.
+    /// Returns the work of forces on displacements, over both whole bodies.
     fn work(&self, forces: &BlockVector, displacement: &BlockVector) -> f64;
 }
 
 /// A stiffness with the secant moduli of the last state.
 pub trait SecantStiffness {
-    /// Contact and displacements, the latter on all equations, without any initial stress.
+    /// Solves contact and displacements without an initial stress; the displacements cover all
+    /// equations.
     ///
     /// # Errors
     /// Those of the contact solver, and where the observer stops it.
@@ -172,10 +174,10 @@ pub trait SecantStiffness {
         run: &mut Run<'_>,
     ) -> Result<Response, Error>;
 
-    /// What the plastic law says of a state, whose secant moduli it keeps.
+    /// Evaluates the plastic law in a state and keeps its secant moduli.
     ///
     /// # Errors
-    /// Where the observer stops it.
+    /// [`Error::Interrupted`] if the observer stops it.
     fn evaluate(&mut self, response: &Response, run: &mut Run<'_>)
     -> Result<PlasticAnswer, Error>;
 
@@ -186,7 +188,7 @@ pub trait SecantStiffness {
     fn renew(&mut self, run: &mut Run<'_>) -> Result<usize, Error>;
 }
 
-/// What the plastic law says of a state.
+/// The result of the plastic law in a state.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PlasticAnswer {
     /// Points beyond yield.

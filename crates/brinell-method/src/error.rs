@@ -6,19 +6,19 @@ use sparse_cholesky::FactorizationError;
 use crate::force_search::Unreachable;
 use crate::observer::Interrupt;
 
-/// Why the alternation has no answer. Engines have errors of their own, which take these in.
+/// Why the alternation has no answer. The error type of each engine converts from this one.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// No factor.
+    /// The factorization has failed.
     #[error(transparent)]
     Factorization(#[from] FactorizationError),
-    /// No contact solution.
+    /// The contact solve has failed.
     #[error(transparent)]
     Contact(#[from] ContactError),
     /// A history without a load.
     #[error("none of the loads is above zero")]
     NoLoad,
-    /// No force gives the contact what it was to have.
+    /// No force gives the figure of the contact its wanted value.
     #[error("no force gives the contact what the job asks for")]
     Unreachable(Unreachable),
     /// The bodies have no stiffness that could take secant moduli.
@@ -29,7 +29,7 @@ pub enum Error {
     Interrupted(Interrupt),
 }
 
-/// Errors that may be the wish of an observer.
+/// Errors of which an observer's request to stop may be the cause.
 pub trait Interrupted {
     /// Why the observer stopped the solve, if it did.
     fn interrupt(&self) -> Option<Interrupt>;

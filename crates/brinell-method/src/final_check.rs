@@ -1,4 +1,4 @@
-//! The final state, judged by what its engine has computed afresh.
+//! Judges the final state by quantities that its engine has recomputed.
 
 use super::contact_system::ContactSystem;
 use super::couplings::iteration::Outcome;
@@ -12,12 +12,10 @@ const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
 const RESIDUAL_FLOOR: f64 = 1e-9;
 
-/// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of
-/// small strains.
+/// Plastic strain above which a body has collapsed: the theory of small strains no longer holds.
 pub const COLLAPSE_STRAIN: f64 = 1.0;
 
-/// What the checks of a step are relative to, at least: loads before it in a history may have been
-/// much larger.
+/// Least scales of the checks of a step. Earlier loads of a history may have been much larger.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LeastScales {
     /// `‖R‖` \[N/mm\].
@@ -33,14 +31,14 @@ pub struct Evidence {
     pub unloaded_gap: Vec<f64>,
     /// `‖∫Bᵀσ dV - R‖ / ‖R‖`.
     pub equilibrium_residual: f64,
-    /// Whether strains have outgrown the theory of small strains.
+    /// Whether strains exceed the range of the theory of small strains.
     pub has_collapsed: bool,
-    /// Whether the contact is wider than what the system knows of.
+    /// Whether the contact reaches the edge of the candidate pairs.
     pub reaches_edge: bool,
 }
 
 impl Evidence {
-    /// From the last iterate: an iteration that was stopped has nothing else.
+    /// Takes the evidence from the last iterate, for an iteration that was stopped.
     pub fn of_iteration(
         system: &impl ContactSystem,
         outcome: &Outcome,
@@ -62,8 +60,8 @@ impl Evidence {
     }
 }
 
-/// How a solve has ended, and the contact conditions with the gap that the displacements leave,
-/// `δ0 + w_u + w_l - α`.
+/// Returns the status of a solve and the check of the contact conditions at the gap that the
+/// displacements leave, `δ0 + w_u + w_l - α`.
 pub fn judge(
     system: &impl ContactSystem,
     outcome: &Outcome,

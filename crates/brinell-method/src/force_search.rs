@@ -1,12 +1,12 @@
-//! The force under which a figure of the contact has a value.
+//! The search of the force under which a figure of the contact has a wanted value.
 //!
 //! ```text
-//! coarse:   whole solves at a lower density, until a force meets the value nearly
-//! fine:     whole solves as they were asked for, from there on with the slope that the coarse ones have shown
+//! coarse:   whole solves at a lower density until a force nearly gives the value
+//! fine:     whole solves at the requested density, corrected with the slope of the coarse ones
 //! ```
 //!
-//! Figures of contacts follow powers of the force over long ranges, so that both are looked at in
-//! logarithms.
+//! Figures of contacts are powers of the force over long ranges, so that the search works with the
+//! logarithms of both.
 
 use super::bracket::{Bracket, Next};
 use super::observer::SolveStatus;
@@ -14,57 +14,58 @@ use super::run::Run;
 use super::steps::Step;
 use crate::Error;
 
-/// Deviation of the figure that is near enough at the lower density, which is itself off by as
-/// much.
+/// Deviation of the figure that ends the search at the lower density, whose own error is as large.
 const NEAR: f64 = 0.01;
-/// Most solves at the lower density.
+/// Solves at the lower density, at most.
 const MAX_COARSE: usize = 40;
-/// Slope of the logarithms below which the figure does not tell the force.
+/// Slope of the logarithms below which the figure does not determine the force.
 const INSENSITIVE: f64 = 0.02;
-/// Deviation up to which such a figure is looked upon as having the value under any force.
+/// Deviation up to which any force gives the wanted value of a figure that does not determine the
+/// force.
 const FLAT: f64 = 0.03;
-/// Least change of a force, as a logarithm, over which a slope is read off two fine solves.
+/// Least difference of the logarithms of two forces whose fine solves give a slope.
 const SLOPE_SPAN: f64 = 0.02;
-/// Change of a force that shows the slope where the first trial is near already.
+/// Ratio of a second force to the first one, for the slope, where the first force meets the value
+/// already.
 const NEIGHBOUR: f64 = 1.1;
 /// Largest change of the logarithm of the force between fine solves.
 const LARGEST_CORRECTION: f64 = 0.3;
 
-/// How finely a trial is solved.
+/// The density of a trial.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Density {
-    /// As coarsely as looking for a force allows.
+    /// The low density of the search.
     Coarse,
-    /// As it was asked for.
+    /// The requested density.
     Asked,
 }
 
-/// What is asked of a force.
+/// The terms of a search.
 #[derive(Debug, Clone, Copy)]
 pub struct Terms {
-    /// The force to start from \[N/mm or N\].
+    /// First force \[N/mm or N\].
     pub first_force: f64,
-    /// What is expected of `d ln figure / d ln force`.
+    /// Expected slope `d ln figure / d ln force`.
     pub expected_slope: f64,
-    /// Deviation that ends the search, and the most fine solves.
+    /// Deviation of the figure that ends the search.
     pub tolerance: f64,
-    /// The most solves at the density that was asked for.
+    /// Solves at the requested density, at most.
     pub most_fine: usize,
-    /// Deviation from which on the value counts as missed.
+    /// Deviation above which the value counts as missed.
     pub missed: f64,
 }
 
-/// Bodies whose contact has a figure that is sought.
+/// Bodies whose contact has a figure with a wanted value.
 pub trait Sought {
     /// A load as a step.
     type Step: Step;
-    /// Its errors, and those of the search.
+    /// The errors of a solve and of the search.
     type Error: From<Error>;
 
     /// Solves under one force.
     ///
     /// # Errors
-    /// Those of a solve that say nothing of the force.
+    /// Errors of a solve that do not come from too large a force.
     fn trial(
         &self,
         density: Density,
@@ -73,45 +74,45 @@ pub trait Sought {
     ) -> Result<Tried<Self::Step>, Self::Error>;
 }
 
-/// What a force has given.
+/// The result under one force.
 pub struct Trial<S> {
     /// The figure over its wanted value.
     pub ratio: f64,
-    /// Of the force itself and of the loads that follow it.
+    /// Steps of the force and of the loads after it.
     pub steps: Vec<S>,
 }
 
-/// A trial, or why its force is too large to be solved.
+/// A trial, or the reason why its force is too large to be solved.
 pub type Tried<S> = Result<Trial<S>, String>;
 
-/// What a search has found.
+/// The result of a search.
 pub struct ForceFound<S> {
     /// The trial that meets the value.
     pub trial: Trial<S>,
     /// Relative change of the figure over that of the force.
     pub sensitivity: f64,
-    /// The same between the last fine solves.
+    /// The same quotient between the last fine solves.
     pub slope: f64,
 }
 
-/// A force that was sought by what it does and does not exist.
+/// Why the search has failed: no force gives the figure its wanted value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unreachable {
-    /// The nearest figure that was found, over its wanted value; of the onset of yield, the
-    /// highest von Mises stress over the yield stress. Not a number where none was found.
+    /// The nearest figure over its wanted value; for the onset of yield, the highest von Mises
+    /// stress over the yield stress. Not a number where no force was solved.
     pub nearest: f64,
-    /// The force under which it was \[N/mm or N\].
+    /// The force of this nearest figure \[N/mm or N\].
     pub force: f64,
     /// The largest force that was solved \[N/mm or N\].
     pub largest_force: f64,
-    /// Why no other force does.
+    /// The reason.
     pub reason: UnreachableReason,
 }
 
-/// Why no force gives a contact what it was to have.
+/// Why no force gives the figure its wanted value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum UnreachableReason {
-    /// Larger forces cannot be solved, for this reason.
+    /// Larger forces cannot be solved; the text gives the reason.
     Limit(String),
     /// The figure is too small under the largest force.
     LargestForce,
@@ -132,8 +133,7 @@ pub fn find<B: Sought>(
 ) -> Result<ForceFound<B::Step>, B::Error> {
     let (force, sensitivity) = run.silently(|run| coarse(bodies, terms, run))?;
     let mut found = fine(bodies, terms, force, sensitivity, run)?;
-    // Of a figure that rises more steeply than others an equally small change of the force is a
-    // larger one.
+    // The deviation of a steep figure is larger under an equally small change of the force.
     let steepness = (sensitivity / terms.expected_slope).max(1.0);
     let trial = &mut found.trial;
     if trial.is_converged() && trial.deviation() > (steepness * terms.missed).max(terms.tolerance)
@@ -143,7 +143,7 @@ pub fn find<B: Sought>(
     Ok(found)
 }
 
-/// A force that meets the value nearly, and the slope of the logarithms there.
+/// Returns a force that nearly gives the value, and the slope of the logarithms there.
 fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64, f64), B::Error> {
     let mut bracket = Bracket::new(terms.expected_slope);
     let mut force = terms.first_force;
@@ -197,7 +197,7 @@ fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64
     Err(Error::Unreachable(Unreachable { nearest, force, largest_force, reason }).into())
 }
 
-/// From a force that is nearly right to the answer.
+/// Corrects a nearly right force by fine solves.
 fn fine<B: Sought>(
     bodies: &B,
     terms: Terms,
@@ -238,14 +238,14 @@ fn fine<B: Sought>(
     best.map(|trial| ForceFound { trial, sensitivity, slope }).ok_or_else(|| Error::NoLoad.into())
 }
 
-/// The error of a value that no force gives; `nearest` is what the force that was solved gives of
-/// it.
+/// Returns the error of a value that no force gives; `nearest` is the figure under `force` over
+/// that value.
 fn unreachable(force: f64, nearest: f64, reason: UnreachableReason) -> Error {
     Error::Unreachable(Unreachable { nearest, force, largest_force: force, reason })
 }
 
 impl<S: Step> Trial<S> {
-    /// Whether all its steps have converged.
+    /// Whether all steps have converged.
     pub fn is_converged(&self) -> bool {
         self.steps.iter().all(|step| step.status() == SolveStatus::Converged)
     }

@@ -1,16 +1,19 @@
 //! A history of loads on bodies with a memory.
 //!
 //! ```text
-//! coarse:   the whole history, with smaller and smaller increments until their error is small
-//! fine:     as it was asked for, through the whole history with these increments
-//!   each increment   prepare by what the coarse history has found; iterate from the accepted state; accept, or repeat in halves
+//! coarse:   solve the whole history coarsely; halve the increments until their error is small
+//! fine:     solve the whole history at the requested density with these increments
+//!   each increment   prepare the system by the coarse history
+//!                    iterate from the accepted state
+//!                    accept, or repeat in halves
 //! ```
 //!
-//! One system serves for all of a history, because states are never carried from one to another.
+//! A history runs on one system from end to end, because states are never transferred between
+//! systems.
 //!
-//! An increment that comes to no end, or ends with strains that are not small, is repeated in
-//! halves, and these as well, five times at most. A history ends with the increment under which a
-//! body collapses all the same: what is reported of its load is that increment.
+//! An increment that does not converge, or ends with strains that are not small, is halved, at
+//! most five times over. If a body collapses even in the smallest increment, the history ends
+//! there, and the step of this load reports that increment.
 
 use super::contact_system::{BlockVector, ContactSystem as _};
 use super::couplings::Coupling;
@@ -25,47 +28,48 @@ use super::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step, StepReceiver};
 use crate::{Error, Interrupted as _};
 use brinell_contact::ContactLoad;
 
-/// Relative differences of the figures of two divisions that end the search for increments. The
-/// peak pressure scatters with the discrete edge of the contact; the approach that is left without
-/// force is a small part of the approach that was.
+/// Relative differences of the figures of two divisions below which the increments are small
+/// enough. The peak pressure scatters with the discrete edge of the contact. The approach that
+/// remains after unloading is a small part of the largest approach.
 const PEAK_TOLERANCE: f64 = 4e-3;
 const APPROACH_TOLERANCE: f64 = 1.5e-3;
-/// Part of the difference before that a difference may be while it still falls like an error of
-/// first order, with room for scatter. Above it what is left is the discrete edge of the contact,
-/// which no increment makes smaller.
+/// Largest ratio of successive differences that counts as the fall of a first-order error, with
+/// room for scatter. Above this ratio the discrete edge of the contact causes the difference,
+/// which smaller increments do not reduce.
 const FALLING: f64 = 0.7;
 /// Finest level of division that is tried.
 const MAX_LEVEL: u32 = 5;
-/// An increment on the way to a load is iterated to so many times the tolerance, but to no more
-/// than the second figure: what is left of its residual the next increment takes up, and in the
-/// strain path it is far below the error of the increments.
+/// Tolerance of increments before the last of a load, over the tolerance of the job; the second
+/// constant is its upper limit. The next increment takes up the residual, whose effect on the
+/// strain path is far below the error of the increments.
 const WITHIN_LOAD: f64 = 100.0;
 const LARGEST_WITHIN_LOAD: f64 = 1e-4;
 
-/// An engine whose systems go on from accepted states.
+/// An engine whose systems continue from accepted states.
 pub trait HistoryEngine: Engine {
     /// A load as a step.
     type Step: Step;
-    /// What a history leaves behind beside the accepted state: it sizes the next one, and guides
-    /// its increments.
+    /// The record of a history beside the accepted state. It sizes the system of the next history
+    /// and guides its increments.
     type Memory;
 
-    /// What alternates contact and plasticity.
+    /// Returns the coupling of contact and plasticity.
     fn coupling(&self) -> &dyn Coupling;
 
-    /// What increments are iterated with; their load and number are filled in.
+    /// Returns the controls of the iteration; the history fills in load and number of each
+    /// increment.
     fn controls(&self) -> Controls<'_>;
 
-    /// The memory of a history that begins on a system.
+    /// Returns the empty memory of a history on a system.
     fn begin(&self, system: &Self::System) -> Self::Memory;
 
-    /// Bytes that a memory holds.
+    /// Returns the bytes that a memory holds.
     fn bytes(memory: &Self::Memory) -> usize;
 
-    /// The design of the same history once more.
+    /// Returns the design for a repetition of the same history.
     fn design_after(&self, memory: &Self::Memory) -> Self::Design;
 
-    /// How the contact grows on the way to a load.
+    /// Returns the growth of the contact on the way to a load.
     fn growth(&self, load: ContactLoad) -> Growth;
 
     /// Prepares a system for an increment. Returns displacements to start from.
@@ -79,7 +83,7 @@ pub trait HistoryEngine: Engine {
         run: &mut Run<'_>,
     ) -> Result<BlockVector, Self::Error>;
 
-    /// Takes over what an increment has found, before the system accepts it.
+    /// Records the outcome of an increment, before the system accepts it.
     fn remember(
         &self,
         answer: &mut Self::Answer,
@@ -88,7 +92,7 @@ pub trait HistoryEngine: Engine {
         falls: bool,
     );
 
-    /// The end of a load as a step, checked afresh.
+    /// Returns the end of a load as a step, with the final check.
     fn step(
         &self,
         answer: &mut Self::Answer,
@@ -98,21 +102,21 @@ pub trait HistoryEngine: Engine {
         run: &mut Run<'_>,
     ) -> Self::Step;
 
-    /// The end of a load as the last iteration has left it.
+    /// Returns the end of a load as a step, from the last iteration and without the final check.
     fn step_as_iterated(&self, answer: &Self::Answer, load: ContactLoad) -> Self::Step;
 }
 
-/// What an increment is prepared by.
+/// The data for the preparation of an increment.
 pub struct NextIncrement<'a, M> {
     /// Load at the end of the increment.
     pub target: ContactLoad,
-    /// Number of the load plus the part of it that is done at the end.
+    /// Number of the load plus the part of it that is applied at the end of the increment.
     pub time: f64,
     /// The load as a leg of the history.
     pub leg: &'a Leg,
-    /// Where the history is.
+    /// The progress of the history.
     pub progress: &'a Progress,
-    /// What a coarser history has left.
+    /// The memory of the coarser history.
     pub guide: Option<&'a M>,
 }
 
@@ -130,23 +134,23 @@ pub trait TwoDensities {
         run: &mut Run<'_>,
     ) -> Result<EngineAndDesign<Self::Engine>, ErrorOf<Self::Engine>>;
 
-    /// The engine that was asked for, sized by the coarse history.
+    /// The engine of the requested density, sized by the coarse history.
     fn fine(
         &self,
         found: &<Self::Engine as HistoryEngine>::Memory,
     ) -> EngineAndDesign<Self::Engine>;
 }
 
-/// An engine, and how finely and how far it makes its systems.
+/// An engine and the design of its first system.
 pub type EngineAndDesign<E> = (E, <E as Engine>::Design);
 
 type ErrorOf<E> = <E as Engine>::Error;
 
-/// Solves the history; each load becomes a step. Increments of each load are chosen where none are
-/// given.
+/// Solves the history; each load becomes a step. Chooses the increments of each load where the job
+/// gives none.
 ///
-/// Where the observer stops it, loads that are finished keep their steps, the one that is iterated
-/// has its last iteration, and of the others there is what the coarse history has found.
+/// If the observer stops the solve, finished loads keep their steps, the present load reports its
+/// last iteration, and the other loads report the coarse history.
 ///
 /// # Errors
 /// Those of the engines and of a contact solve.
@@ -184,14 +188,14 @@ pub fn run<B: TwoDensities>(
     Ok(Some(keep_preliminary(preliminary, done, interrupt, receiver, run)?))
 }
 
-/// What a history has found.
+/// The result of a history.
 struct Found<M> {
     memory: M,
-    /// At the end of each load.
+    /// Figures at the end of each load.
     figures: Vec<Option<CoarseFigures>>,
     /// Whether a body collapsed, so that the loads after `figures` were not applied.
     has_collapsed: bool,
-    /// Why it ended early.
+    /// Why the history ended early.
     interrupted: Option<Interrupt>,
 }
 
@@ -200,15 +204,15 @@ struct History<'a, E: HistoryEngine> {
     engine: &'a E,
     loads: &'a [ContactLoad],
     division: Division,
-    /// What a coarser history has left.
+    /// The memory of the coarser history.
     guide: Option<&'a E::Memory>,
 }
 
-/// What has been found, the division by which, and what half as large increments change.
+/// The result, its division, and the change of the figures when the increments are halved.
 type Chosen<M> = (Found<M>, Division, Vec<Option<CoarseFigures>>);
 
 impl<E: HistoryEngine> History<'_, E> {
-    /// Halves the increments until that no longer changes the figures at the ends of the loads.
+    /// Halves the increments until the figures at the ends of the loads no longer change.
     ///
     /// Errors fall at least like the increments, so that the difference to increments twice as
     /// large is at least the error.
@@ -227,7 +231,7 @@ impl<E: HistoryEngine> History<'_, E> {
             let history = History { division, guide, ..*self };
             let now = history.solve(design, &mut HistorySteps::Preliminary(preliminary), run)?;
             design = self.engine.design_after(&now.memory);
-            // Finer increments do not help a body that does not bear the load.
+            // Smaller increments do not help a body that cannot bear the load.
             if now.has_collapsed {
                 let errors = last
                     .map_or_else(Vec::new, |before| differences(&before.figures, &now.figures).0);
@@ -237,7 +241,7 @@ impl<E: HistoryEngine> History<'_, E> {
             if let Some(before) = last {
                 let (errors, worst) = differences(&before.figures, &now.figures);
                 match division {
-                    // What was asked for, beside half as large increments.
+                    // The given increments, compared with increments half as large.
                     Division::Fixed(_) => return Ok((before, given, errors)),
                     Division::Level(level)
                         if worst <= 1.0
@@ -254,7 +258,7 @@ impl<E: HistoryEngine> History<'_, E> {
         }
     }
 
-    /// Solves all loads, on one system after another until one serves.
+    /// Solves all loads on one system after another until the contact fits.
     fn solve(
         &self,
         design: E::Design,
@@ -288,7 +292,7 @@ impl<E: HistoryEngine> History<'_, E> {
         self.hold(&found.memory, run)?;
         let mut progress = Progress::at_rest();
         let mut widest: f64 = 0.0;
-        // Of all loads so far: what follows an increment that has not converged inherits its
+        // The worst status so far: a load after an increment that has not converged inherits its
         // error.
         let mut status = SolveStatus::Converged;
         for (number, &load) in self.loads.iter().enumerate() {
@@ -318,8 +322,8 @@ impl<E: HistoryEngine> History<'_, E> {
                     system = answer.into_parts().0;
                     continue;
                 }
-                // A state that another coupling has left without an answer says nothing of the
-                // bodies.
+                // After an increment that has not converged, only a coupling with Newton's method
+                // ends in a state that shows a collapse.
                 let inherits_error = status != SolveStatus::Converged;
                 let is_accelerated = engine.coupling().uses_tangent_moduli();
                 answer.outcome_mut().is_conclusive &= !inherits_error || is_accelerated;
@@ -351,7 +355,7 @@ impl<E: HistoryEngine> History<'_, E> {
                     } else {
                         engine.step_as_iterated(&answer, target)
                     };
-                    // It may be stopped while its fields are formed.
+                    // The observer may stop the solve while the fields are computed.
                     found.interrupted = step.status().interrupt();
                     step.end_load(LoadEnd { load, last_increment, increments, reached });
                     steps.take(number, step, run.observer);
@@ -372,12 +376,12 @@ impl<E: HistoryEngine> History<'_, E> {
         Ok(found)
     }
 
-    /// Tells the observer what this history and the one before hold.
+    /// Tells the observer the memory that this history and the one before hold.
     fn hold(&self, memory: &E::Memory, run: &mut Run<'_>) -> Result<(), Error> {
         run.hold(Held::Increments, E::bytes(memory) + self.guide.map_or(0, E::bytes))
     }
 
-    /// A load as a leg of the history, from where the bodies are.
+    /// Returns a load as a leg of the history from the present state.
     fn leg(&self, load: ContactLoad, progress: &Progress) -> Leg {
         let (from, reached) = match load {
             ContactLoad::Force(_) => (progress.force, progress.reached[0]),
@@ -393,9 +397,9 @@ impl<E: HistoryEngine> History<'_, E> {
         }
     }
 
-    /// Whether smaller increments may come farther: strains are not small, or Newton's method has
-    /// come to no end before it has made as many iterations as the job allows. Couplings without
-    /// it diverge in small increments as well.
+    /// Whether smaller increments may help: strains are not small, or Newton's method has stopped
+    /// before the iteration limit of the job. Couplings without Newton's method diverge in small
+    /// increments too.
     fn fails(&self, answer: &E::Answer) -> bool {
         let Outcome { status, history, .. } = answer.outcome();
         let is_lost = *status == SolveStatus::NotConverged
@@ -404,7 +408,7 @@ impl<E: HistoryEngine> History<'_, E> {
         is_lost || (!status.is_stopped() && answer.has_collapsed())
     }
 
-    /// One increment, from the accepted state.
+    /// Solves one increment from the accepted state.
     fn increment(
         &self,
         on: &OnSystem<'_, E>,
@@ -427,12 +431,11 @@ impl<E: HistoryEngine> History<'_, E> {
     }
 }
 
-/// Part of the largest value of a figure in a history below which its changes are relative to that
-/// part.
+/// Least scale of the changes of a figure, over its largest value in the history.
 const LEAST_FIGURE: f64 = 0.05;
 
-/// Relative differences of figures at the end of each load, and the worst of peak pressure and
-/// approach over its tolerance.
+/// Returns the relative differences of the figures at the end of each load, and the largest ratio
+/// of a difference of peak pressure or approach to its tolerance.
 fn differences(
     before: &[Option<CoarseFigures>],
     now: &[Option<CoarseFigures>],
@@ -463,7 +466,7 @@ fn within_load(tolerance: f64) -> f64 {
     (WITHIN_LOAD * tolerance).min(LARGEST_WITHIN_LOAD.max(tolerance))
 }
 
-/// The less good of two.
+/// Returns the worse of two statuses.
 fn worse(a: SolveStatus, b: SolveStatus) -> SolveStatus {
     if a == SolveStatus::Converged { b } else { a }
 }

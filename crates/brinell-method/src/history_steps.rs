@@ -1,15 +1,15 @@
-//! Where the steps of a history go.
+//! Hands the steps of a history to the receiver.
 //!
-//! A job may be stopped at any time. Loads that are finished at the density that was asked for are
-//! answers, whatever comes of the rest. For the others there is what the coarse system has found,
-//! which is less: no stresses, no error bars.
+//! The observer may stop a job at any time. Loads that are finished at the requested density keep
+//! their answers. The other loads get preliminary steps from the coarse system, without stresses
+//! and error bars.
 
 use super::observer::{Interrupt, Observer};
 use super::run::Run;
 use super::steps::{CoarseFigures, Step, StepReceiver};
 use crate::Error;
 
-/// What the coarse system says of the errors of each step.
+/// Figures of the coarse system, from which the errors of each step are estimated.
 pub(super) struct Estimates<'a> {
     pub coarse: &'a [Option<CoarseFigures>],
     pub increments: &'a [Option<CoarseFigures>],
@@ -17,25 +17,25 @@ pub(super) struct Estimates<'a> {
 
 /// Takes the end of each load of a history on one system.
 pub(super) enum HistorySteps<'a, S> {
-    /// Of the coarse system, by their number; each takes the place of the one that larger
-    /// increments have found.
+    /// Steps of the coarse system by the number of their load; a step replaces its predecessor
+    /// with larger increments.
     Preliminary(&'a mut Vec<S>),
-    /// Of the density that was asked for.
+    /// Steps of the requested density.
     Final {
         estimates: Estimates<'a>,
         receiver: &'a mut dyn StepReceiver<S>,
-        /// How many it has received.
+        /// Number of steps received.
         done: usize,
     },
 }
 
 impl<'a, S: Step> HistorySteps<'a, S> {
-    /// Of the density that was asked for.
+    /// Makes the receiver for steps of the requested density.
     pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver<S>) -> Self {
         Self::Final { estimates, receiver, done: 0 }
     }
 
-    /// How many steps of the density that was asked for have been handed over.
+    /// Returns the number of steps of the requested density that were handed over.
     pub fn done(&self) -> usize {
         match self {
             Self::Preliminary(_) => 0,
@@ -68,14 +68,14 @@ impl<'a, S: Step> HistorySteps<'a, S> {
         }
     }
 
-    /// A body has collapsed under the load of this number: there are no answers from there on.
+    /// Drops the steps from this load on, under which a body has collapsed.
     pub fn end_before(&mut self, number: usize) {
         if let Self::Preliminary(steps) = self {
             steps.truncate(number);
         }
     }
 
-    /// The history begins anew on a wider system.
+    /// Drops all steps, because the history begins again on a wider system.
     pub fn begin_anew(&mut self) {
         if let Self::Final { receiver, done, .. } = self {
             receiver.begin_anew();
@@ -84,11 +84,10 @@ impl<'a, S: Step> HistorySteps<'a, S> {
     }
 }
 
-/// Of a job that is stopped: hands over what the coarse system has found of the loads from the
-/// number `done` on.
+/// Hands over the preliminary steps of a stopped job, from load `done` on.
 ///
 /// # Errors
-/// [`Error::Interrupted`] where there is nothing to keep at all.
+/// [`Error::Interrupted`] where there is no step at all.
 pub(super) fn keep_preliminary<S: Step>(
     steps: Vec<S>,
     done: usize,

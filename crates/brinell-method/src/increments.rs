@@ -1,23 +1,23 @@
-//! How a load of a history is divided into increments.
+//! The division of a load of a history into increments.
 
 use brinell_contact::ContactLoad;
 
-/// By how much the contact grows in one increment of the coarsest division, over what it grows to.
+/// Growth of the contact in one increment of the coarsest division, over its final size.
 const GROWTH: f64 = 0.12;
-/// Part of the load at which plastic flow is taken to begin where nothing is known of it.
+/// Assumed onset of plastic flow over the load, where the onset is unknown.
 const UNKNOWN_ONSET: f64 = 0.05;
 
 /// The division of every load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Division {
-    /// So many equal increments for each load.
+    /// A number of equal increments for each load.
     Fixed(u32),
-    /// By the growth of the contact, which is halved from one level to the next.
+    /// Increments of equal growth of the contact. Each level halves this growth.
     Level(u32),
 }
 
 impl Division {
-    /// The division to compare with, which has half as large increments.
+    /// Returns the division with increments half as large, for comparison.
     #[must_use]
     pub fn finer(self) -> Self {
         match self {
@@ -27,23 +27,23 @@ impl Division {
     }
 }
 
-/// Where the last increment of a history begins, and what it follows.
+/// The last increment of a load.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LastIncrement {
-    /// Where it begins, over the larger of the loads at both ends of the way to this load.
+    /// Its start over the larger load of the two ends of the leg.
     pub from: f64,
-    /// Its size over the same.
+    /// Its size over the same load.
     pub size: f64,
-    /// Whether an increment before it has not converged.
+    /// Whether an earlier increment has not converged.
     pub inherits_error: bool,
 }
 
-/// How a contact grows with its load.
+/// The growth of a contact with its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Growth {
-    /// Measure of the load at which plastic flow begins on the way up from rest, if that is known.
+    /// Load measure at the onset of plastic flow under first loading, if known.
     pub onset: Option<f64>,
-    /// Power of the half-width with which the measure grows.
+    /// Exponent n of the growth `measure ∝ half-widthⁿ`.
     pub exponent: f64,
 }
 
@@ -74,22 +74,22 @@ impl Leg {
         LastIncrement { from: from / whole, size: (to - from).abs() / whole, inherits_error }
     }
 
-    /// The part of it that is done at a measure.
+    /// Returns the part of the leg that is applied at a measure.
     pub fn part(&self, measure: f64) -> f64 {
         let range = self.to - self.from;
         if range.abs() > 0.0 { (measure - self.from) / range } else { 1.0 }
     }
 
-    /// A measure as a load.
+    /// Returns a measure as a load.
     pub fn load(&self, measure: f64) -> ContactLoad {
         if self.is_force { ContactLoad::Force(measure) } else { ContactLoad::Approach(measure) }
     }
 
-    /// The measures at the ends of the increments, the last of them the end of the leg.
+    /// Returns the measures at the ends of the increments; the last one is the end of the leg.
     ///
-    /// A leg that falls, and the part of one that rises to where the history or elasticity has
-    /// been before, is one increment. In the rest the contact grows by about the same width in
-    /// each.
+    /// Unloading is one increment. Loading up to the largest earlier load, or up to the onset of
+    /// plastic flow, is one increment too. In the rest the contact grows by about the same width
+    /// in each increment.
     pub fn ends(&self, division: Division) -> Vec<f64> {
         let n = match division {
             Division::Fixed(n) => {
@@ -122,13 +122,13 @@ impl Leg {
     }
 }
 
-/// How often an increment is halved that comes to no end.
+/// Halvings of an increment that does not converge, at most.
 const MAX_HALVINGS: u32 = 5;
 
-/// The ends of the increments of a leg, which become more where one is divided.
+/// The ends of the increments of a leg. Halving an increment adds an end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IncrementEnds {
-    /// Measures, and how often their increments have been halved.
+    /// Measure at each end and the number of halvings of its increment.
     ends: Vec<(f64, u32)>,
 }
 
@@ -138,7 +138,7 @@ impl IncrementEnds {
         Self { ends: leg.ends(division).into_iter().map(|end| (end, 0)).collect() }
     }
 
-    /// How many there are.
+    /// Returns the number of increments.
     pub fn count(&self) -> usize {
         self.ends.len()
     }
@@ -148,7 +148,7 @@ impl IncrementEnds {
         self.ends[k].0
     }
 
-    /// Divides an increment that begins at a measure in two, if it is not too small for that.
+    /// Halves the increment that begins at the measure `from`, if it is not yet the smallest.
     pub fn halve(&mut self, k: usize, from: f64) -> bool {
         let (to, halvings) = self.ends[k];
         if halvings >= MAX_HALVINGS {

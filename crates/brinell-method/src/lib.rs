@@ -1,7 +1,8 @@
 //! The method: contact and plasticity in alternation, over bodies of any kind.
 //!
-//! [`ContactSystem`](contact_system::ContactSystem) is all that it asks of two bodies. Nothing
-//! here knows a mesh, an element or a job.
+//! [`ContactSystem`](contact_system::ContactSystem) describes the two bodies to it. [`solve`]
+//! holds the outer loop, [`couplings`] the alternation under one load. Nothing here knows a mesh,
+//! an element or a job.
 
 pub mod bracket;
 pub mod contact_system;

@@ -1,4 +1,4 @@
-//! What the outer loop tells the world while it runs, and how the world may stop it.
+//! The observer of a solve: it receives every iteration and may stop the solve.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -24,7 +24,7 @@ pub enum SolveStatus {
 /// Why an observer stops a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interrupt {
-    /// Somebody asked for it.
+    /// The caller asked for it.
     Cancelled,
     /// The deadline passed.
     TimedOut,
@@ -105,8 +105,8 @@ pub struct IncrementNumber {
     pub loads: usize,
 }
 
-/// Sees a solve from outside: follows it, times it and may stop it. The core has no clock and no
-/// threads of its own.
+/// Follows a solve, supplies its clock and may stop it. The solver itself has no clock and no
+/// threads.
 pub trait Observer {
     /// Called after every outer iteration.
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
@@ -132,7 +132,7 @@ pub trait Observer {
     }
 }
 
-/// What a solve holds that may be large.
+/// A part of a solve that may take much memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Held {
     /// The bodies of a system and their factors.
@@ -144,12 +144,12 @@ pub enum Held {
 /// Asks the observer whether to stop.
 ///
 /// # Errors
-/// Its interrupt.
+/// The interrupt that the observer returns.
 pub fn ask(observer: &mut dyn Observer) -> Result<(), Interrupt> {
     observer.on_checkpoint().break_value().map_or(Ok(()), Err)
 }
 
-/// Watches nothing, stops nothing.
+/// An observer that ignores every event and never stops a solve.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unobserved;
 

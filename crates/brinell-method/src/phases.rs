@@ -1,4 +1,4 @@
-//! Where the time of a job goes. The clock belongs to the observer.
+//! The time of a job by kind of work. The observer has the clock.
 
 use std::time::Duration;
 

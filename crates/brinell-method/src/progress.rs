@@ -1,4 +1,4 @@
-//! Where a history is, from one increment to the next.
+//! The progress of a history from one increment to the next.
 
 use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Outcome, Scales, norm};
@@ -7,11 +7,11 @@ use super::observer::IncrementNumber;
 use brinell_contact::ContactLoad;
 use brinell_contact::kkt::{self, ContactScales};
 
-/// Where a history is.
+/// The progress of a history.
 pub struct Progress {
-    /// Displacements one increment before, and the load measure then.
+    /// Displacements and load measure of the increment before.
     pub before: Option<(BlockVector, f64)>,
-    /// Loads that are done, with the part of the one that is applied.
+    /// Number of finished loads plus the applied part of the present load.
     pub time: f64,
     /// The increment.
     pub number: IncrementNumber,
@@ -21,14 +21,14 @@ pub struct Progress {
     pub approach: f64,
     /// Largest force and approach so far.
     pub reached: [f64; 2],
-    /// Sizes that changes and residuals are compared with.
+    /// Scales of changes and residuals.
     pub scales: Scales,
     /// Largest scales of the contact conditions so far.
     pub contact_scales: ContactScales,
 }
 
 impl Progress {
-    /// Before the first load.
+    /// The progress before the first load.
     pub fn at_rest() -> Self {
         Self {
             before: None,
@@ -42,8 +42,8 @@ impl Progress {
         }
     }
 
-    /// Displacements at a load on the straight line through the last two increments of a leg, the
-    /// later of which has left these.
+    /// Extrapolates displacements to a load along the straight line through the last two
+    /// increments of a leg. `accepted` are the displacements of the later one.
     pub fn extrapolated(&self, accepted: BlockVector, load: f64, leg: &Leg) -> BlockVector {
         let Some((before, at)) = &self.before else { return accepted };
         let last = self.reached_measure(leg);
@@ -55,7 +55,7 @@ impl Progress {
         lines.map(|(u, v)| u.iter().zip(v).map(|(u, v)| v + part * (v - u)).collect()).collect()
     }
 
-    /// The measure of a leg up to where the bodies are.
+    /// The measure of a leg, force or approach, in the present state.
     pub fn reached_measure(&self, leg: &Leg) -> f64 {
         if leg.is_force { self.force } else { self.approach }
     }
@@ -66,7 +66,7 @@ impl Progress {
         self.force < force && self.approach < approach
     }
 
-    /// Takes over what an increment has found, before the system accepts it.
+    /// Records the outcome of an increment, before the system accepts it.
     pub fn accept(
         &mut self,
         system: &impl ContactSystem,

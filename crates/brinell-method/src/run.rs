@@ -1,4 +1,4 @@
-//! What every part of a solve is handed: who watches it, and where its time is booked.
+//! The context of a running solve: its observer and the record of its time.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -12,14 +12,14 @@ use brinell_contact::{ContactError, ContactProblem, ContactSolution, ContactSolv
 pub struct Run<'a> {
     /// Time by phase.
     pub phases: &'a mut PhaseTimes,
-    /// Systems made.
+    /// Systems built so far.
     pub passes: &'a mut usize,
-    /// Who watches it and may stop it.
+    /// Follows the solve and may stop it.
     pub observer: &'a mut dyn Observer,
 }
 
 impl<'a> Run<'a> {
-    /// A run whose time and systems are booked there.
+    /// Makes a run that books time and systems in these records.
     pub fn new(
         phases: &'a mut PhaseTimes,
         passes: &'a mut usize,
@@ -28,12 +28,12 @@ impl<'a> Run<'a> {
         Self { phases, passes, observer }
     }
 
-    /// The same run, lent to somebody who keeps it.
+    /// Lends the same run to a function that takes it by value.
     pub fn reborrow(&mut self) -> Run<'_> {
         Run { phases: &mut *self.phases, passes: &mut *self.passes, observer: &mut *self.observer }
     }
 
-    /// Does work of the same run that can be stopped but whose iterations are not shown.
+    /// Runs `work`, whose iterations the observer does not see but can stop.
     pub fn silently<T>(&mut self, work: impl FnOnce(&mut Run<'_>) -> T) -> T {
         let mut silent = SilentObserver { inner: &mut *self.observer };
         work(&mut Run {
@@ -43,7 +43,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// Does work and books its time.
+    /// Runs `work` and books its time.
     pub fn time<T>(&mut self, phase: Phase, work: impl FnOnce() -> T) -> T {
         self.time_observed(phase, |_| work())
     }
@@ -64,7 +64,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// Does work that asks the observer itself, and books its time.
+    /// Runs `work`, which asks the observer itself, and books its time.
     pub fn time_observed<T>(
         &mut self,
         phase: Phase,
@@ -76,7 +76,7 @@ impl<'a> Run<'a> {
         outcome
     }
 
-    /// Asks the observer whether to stop, where there is nothing to report yet.
+    /// Asks the observer whether to stop, before there is an iteration to report.
     ///
     /// # Errors
     /// [`Error::Interrupted`].
@@ -99,7 +99,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Lets a solve be stopped but not seen.
+/// Passes requests to stop on, and no iterations.
 struct SilentObserver<'a> {
     inner: &'a mut dyn Observer,
 }

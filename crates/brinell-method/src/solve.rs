@@ -1,5 +1,5 @@
-//! The one loop: systems until one serves, on each of them loads, under each load contact and
-//! plasticity in alternation.
+//! The outer loop. It builds systems until one fits the contact, solves the loads on each of them,
+//! and alternates contact and plasticity under each load.
 
 use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome};
@@ -10,31 +10,30 @@ use super::steps::{BodyFigures, CoarseFigures};
 use crate::{Error, Interrupted};
 use brinell_contact::ContactLoad;
 
-/// Bodies that become a [`ContactSystem`] once it is said how finely and how far around the
-/// contact.
+/// Builds a [`ContactSystem`] of two bodies from a design and judges the outcomes on it.
 pub trait Engine {
-    /// The bodies in contact.
+    /// The two bodies and their contact.
     type System: ContactSystem;
-    /// How finely, and how far.
+    /// The resolution of the system and its extent around the contact.
     type Design;
-    /// What the engine says of an outcome.
+    /// An outcome with the figures of the engine.
     type Answer: Answer<System = Self::System>;
-    /// Its errors, and those of the alternation.
+    /// The errors of the engine and of the alternation.
     type Error: From<Error> + Interrupted;
 
-    /// Makes a system. Returns it with displacements to start from, if any are known.
+    /// Builds a system. Returns it with initial displacements for the iteration, if any are known.
     ///
-    /// A design that cannot be built may be changed to one that can.
+    /// The engine may change a design that it cannot build.
     ///
     /// # Errors
-    /// Those of a design that cannot be built, or of a factorization.
+    /// A design that cannot be built, or a factorization that fails.
     fn build(
         &self,
         design: &mut Self::Design,
         run: &mut Run<'_>,
     ) -> Result<(Self::System, Option<BlockVector>), Self::Error>;
 
-    /// Prepares a system that another load has left for the loads to come.
+    /// Prepares the system of the loads before for the next loads.
     ///
     /// # Errors
     /// Those of a factorization.
@@ -45,8 +44,8 @@ pub trait Engine {
         run: &mut Run<'_>,
     ) -> Result<(Self::System, Option<BlockVector>), Self::Error>;
 
-    /// What becomes of an outcome under a load, after so many rounds of this load on this system.
-    /// An outcome that was stopped is accepted.
+    /// Judges an outcome: accepts it, continues it on the same system, or asks for another design.
+    /// Accepts an outcome that the observer stopped.
     ///
     /// # Errors
     /// Those of a factorization.
@@ -60,16 +59,16 @@ pub trait Engine {
     ) -> Result<VerdictOf<Self>, Self::Error>;
 }
 
-/// A load, and how often it has been continued on the same system.
+/// A load and the number of its continuations on the same system.
 #[derive(Debug, Clone, Copy)]
 pub struct Round {
     /// The load.
     pub load: ContactLoad,
-    /// How often it has been continued.
+    /// Number of continuations, zero at first.
     pub number: usize,
 }
 
-/// An outcome on a system with all that the engine says of it.
+/// An outcome, its system and the figures that the engine derives from them.
 pub trait Answer {
     /// The bodies in contact.
     type System: ContactSystem;
@@ -80,13 +79,13 @@ pub trait Answer {
     /// How the iteration ended.
     fn outcome(&self) -> &Outcome;
 
-    /// The same, to be changed.
+    /// The outcome, mutably.
     fn outcome_mut(&mut self) -> &mut Outcome;
 
-    /// Both by themselves.
+    /// Takes the answer apart into system and outcome.
     fn into_parts(self) -> (Self::System, Outcome);
 
-    /// Headline figures, those of no contact where nothing touches.
+    /// Headline figures of the contact; zeros without contact.
     fn figures(&self) -> CoarseFigures;
 
     /// Figures of both bodies; by default none.
@@ -98,32 +97,32 @@ pub trait Answer {
     fn has_collapsed(&self) -> bool;
 }
 
-/// What becomes of an outcome.
+/// The judgement of an engine on an outcome.
 pub enum Verdict<S, D, A> {
-    /// It is the answer.
+    /// The outcome is the answer.
     Accept(A),
-    /// Plastic flow has been found where it was not looked for: from here on it is.
+    /// Points outside the plastic region have yielded: the iteration continues on a larger region.
     Continue {
-        /// The same bodies.
+        /// The same system with the larger plastic region.
         system: S,
-        /// Displacements to start from.
+        /// Initial displacements of the continued iteration.
         start: Option<BlockVector>,
-        /// Records so far.
+        /// Records of the iterations so far.
         history: Vec<IterationRecord>,
     },
-    /// The contact does not fit: all loads again, by another design.
+    /// The contact does not fit on the system: all loads are solved again on this design.
     Again(D),
 }
 
-/// As an engine gives it.
+/// The verdict with the types of an engine.
 pub type VerdictOf<E> =
     Verdict<<E as Engine>::System, <E as Engine>::Design, <E as Engine>::Answer>;
 
-/// Why loads are left before their end.
+/// Why the loads on a system end early.
 pub enum Leave<D, E> {
-    /// The contact does not fit: all loads again, by another design.
+    /// The contact does not fit on the system: all loads are solved again on this design.
     Again(Box<D>),
-    /// There is no answer.
+    /// The solve has failed.
     Failed(E),
 }
 
@@ -133,16 +132,16 @@ impl<D, E: From<Error>> From<Error> for Leave<D, E> {
     }
 }
 
-/// As an engine leaves them.
+/// The early end with the types of an engine.
 pub type LeaveOf<E> = Leave<<E as Engine>::Design, <E as Engine>::Error>;
 
-/// Solves loads, on one system after another until one serves for all of them.
+/// Solves loads on one system after another until all of them fit on one.
 ///
-/// `known` is a system that loads before these have left. `loads` is called anew for every system,
-/// with displacements to start from.
+/// `known` is the system of the loads before, if there is one. `loads` runs once on every system
+/// and receives the initial displacements.
 ///
 /// # Errors
-/// Those of the engine, of a contact solve and of `loads`.
+/// Errors of the engine, of a contact solve and of `loads`.
 pub fn solve<E: Engine, T>(
     engine: &E,
     mut design: E::Design,

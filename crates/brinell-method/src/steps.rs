@@ -1,4 +1,4 @@
-//! What a solve hands over, load by load.
+//! The steps of a solution: one for each load.
 
 use super::couplings::iteration::Outcome;
 use super::increments::LastIncrement;
@@ -27,7 +27,7 @@ pub struct CoarseFigures {
 pub struct BodyFigures {
     /// Largest equivalent plastic strain at a point \[1\].
     pub max_plastic_strain: f64,
-    /// Mean equivalent plastic strain over the area that has it \[1\].
+    /// Mean equivalent plastic strain over the plastic area \[1\].
     pub mean_plastic_strain: f64,
     /// Area of the section that has yielded \[mm²\].
     pub plastic_area: f64,
@@ -42,11 +42,10 @@ pub struct BodyFigures {
 }
 
 impl CoarseFigures {
-    /// How many figures there are.
+    /// Number of figures.
     pub const COUNT: usize = 18;
 
-    /// All of them: those of the contact, of the upper, and of the lower body, in the order of the
-    /// members.
+    /// Returns all figures in the order of the members: contact, upper body, lower body.
     pub fn values(&self) -> [f64; Self::COUNT] {
         let Self { peak_pressure, half_width, approach, force, bodies: [upper, lower] } = *self;
         let [a, b, c, d, e, f, g] = upper.values();
@@ -54,7 +53,7 @@ impl CoarseFigures {
         [peak_pressure, half_width, approach, force, a, b, c, d, e, f, g, h, i, j, k, l, m, n]
     }
 
-    /// The inverse of [`values`](Self::values).
+    /// Makes figures of their values, the inverse of [`values`](Self::values).
     pub fn of(values: [f64; Self::COUNT]) -> Self {
         let [peak_pressure, half_width, approach, force, bodies @ ..] = values;
         let [a, b, c, d, e, f, g, lower @ ..] = bodies;
@@ -116,7 +115,7 @@ pub struct IncrementRecord {
     pub iterations: usize,
     /// Points that have yielded so far.
     pub plastic_points: usize,
-    /// How its iteration ended.
+    /// How the iteration ended.
     pub status: SolveStatus,
 }
 
@@ -138,7 +137,7 @@ impl IncrementRecord {
 
 /// The end of a load of a history.
 pub struct LoadEnd {
-    /// What was asked for. Less of it was applied where a body has collapsed.
+    /// The requested load. The applied load is smaller where a body has collapsed.
     pub load: ContactLoad,
     /// The increment that reached it.
     pub last_increment: LastIncrement,
@@ -148,35 +147,36 @@ pub struct LoadEnd {
     pub reached: [f64; 2],
 }
 
-/// What an engine reports of a load.
+/// The result of an engine for one load.
 pub trait Step {
-    /// How it ended.
+    /// Returns the status.
     fn status(&self) -> SolveStatus;
-    /// Changes how it ended.
+    /// Sets the status.
     fn set_status(&mut self, status: SolveStatus);
-    /// Whether the contact is wider than what can be solved.
+    /// Whether the contact reaches the edge of the widest system.
     fn reaches_edge(&self) -> bool;
-    /// Takes over how a history came to this load.
+    /// Stores the increments of a history that led to this load.
     fn end_load(&mut self, end: LoadEnd);
-    /// Takes over what the coarse history says of the errors.
+    /// Stores the figures of the coarse history, from which the errors are estimated.
     fn estimate(&mut self, coarse: Option<CoarseFigures>, increments: Option<CoarseFigures>);
-    /// Marks it as what the coarse history has found.
+    /// Marks the step as a preliminary one of the coarse history.
     fn make_preliminary(&mut self);
-    /// Marks it as one whose figure, over its wanted value, no force brings to 1.
+    /// Marks the step as one that misses the wanted value of its figure under every force. `ratio`
+    /// is the figure over that value.
     fn miss(&mut self, ratio: f64);
 }
 
-/// Takes the steps of a solution, each as soon as it is finished.
+/// Receives each step of a solution as soon as it is finished.
 pub trait StepReceiver<S> {
-    /// Takes the next step.
+    /// Receives the next step.
     fn step(&mut self, step: S, observer: &mut dyn Observer);
 
-    /// Gives up the steps so far: a history begins anew, because its contact has grown beyond the
-    /// system. Loads that do not depend on those before never do.
+    /// Discards the steps so far, because a history begins again: its contact has outgrown the
+    /// system. Independent loads never begin again.
     fn begin_anew(&mut self);
 }
 
-/// Keeps them.
+/// Collects the steps.
 impl<S> StepReceiver<S> for Vec<S> {
     fn step(&mut self, step: S, _: &mut dyn Observer) {
         self.push(step);
@@ -187,14 +187,13 @@ impl<S> StepReceiver<S> for Vec<S> {
     }
 }
 
-/// Solves loads that do not depend on each other, in order; `solve` takes a load and the one after
-/// it.
+/// Solves independent loads in order; `solve` takes a load and the next one.
 ///
-/// Where the observer stops it, the steps that are done are kept, and the interrupt says why the
-/// others are missing.
+/// If the observer stops the solve, finished steps are kept, and the returned interrupt is the
+/// reason for the missing ones.
 ///
 /// # Errors
-/// Those of `solve`, which may be that it was stopped before the first step is done.
+/// Errors of `solve`, also the interrupt before the first step is finished.
 pub fn each_load<S: Step, E: Interrupted>(
     loads: &[ContactLoad],
     receiver: &mut dyn StepReceiver<S>,
@@ -210,7 +209,7 @@ pub fn each_load<S: Step, E: Interrupted>(
                     break;
                 }
             }
-            // The steps that are done are worth keeping.
+            // Finished steps are kept.
             Err(error) if k > 0 => return error.interrupt().ok_or(error).map(Some),
             Err(error) => return Err(error),
         }

@@ -11,7 +11,7 @@ use crate::phases::Phase;
 use crate::run::Run;
 use brinell_contact::{ContactLoad, ContactSolution, ContactSolver};
 
-/// What an iteration is run with.
+/// The settings of an iteration.
 #[derive(Clone, Copy)]
 pub struct Controls<'a> {
     /// Solves the contact conditions.
@@ -22,16 +22,16 @@ pub struct Controls<'a> {
     pub tolerance: f64,
     /// Iterations at most.
     pub max_iterations: usize,
-    /// Whether to stop where another linearization would pay.
+    /// Whether to stop where a renewed stiffness costs less than the iterations left.
     pub renewable: bool,
-    /// What residuals and changes are relative to, at least.
+    /// Least scales of residuals and changes.
     pub scales: Scales,
-    /// The increment of a history that is iterated.
+    /// The increment of a history.
     pub increment: Option<IncrementNumber>,
 }
 
-/// The largest norms of a load history so far. Unloaded bodies have no contact forces that a
-/// residual could be relative to.
+/// The largest norms of a load history so far. After unloading there is no contact force that
+/// could scale a residual.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Scales {
     /// `‖R‖` \[N/mm\].
@@ -40,7 +40,7 @@ pub struct Scales {
     pub displacement: f64,
 }
 
-/// The state an iteration ended in.
+/// The last state of an iteration.
 pub struct State {
     /// Displacements on the active equations and contact forces, in equilibrium with
     /// [`Self::loads`].
@@ -59,14 +59,14 @@ pub struct Outcome {
     pub status: SolveStatus,
     /// One record for each iteration.
     pub history: Vec<IterationRecord>,
-    /// Whether it ended because another linearization would pay.
+    /// Whether the iteration has stalled: a renewed stiffness costs less than the iterations left.
     pub stalled: bool,
-    /// Whether its strains say something of the bodies: it has converged, or no other coupling
-    /// gets farther.
+    /// Whether its strains are meaningful: the iteration has converged, or no other coupling would
+    /// come closer.
     pub is_conclusive: bool,
 }
 
-/// Where an iteration begins.
+/// The initial state of an iteration.
 #[derive(Default)]
 pub struct InitialState {
     /// Displacements to start from.
@@ -79,19 +79,20 @@ pub struct InitialState {
     pub contact: Option<ContactSolution>,
 }
 
-/// Iterations on one linearization before its convergence rate is estimated.
+/// Iterations with one stiffness before its convergence rate is estimated.
 const TRIAL: usize = 8;
-/// Iterations that the rate is taken from.
+/// Iterations from which the rate is computed.
 const RATE_SPAN: usize = 7;
-/// Iterations to go that cost about as much as another linearization.
+/// Iterations that cost about as much as a renewed stiffness.
 const MAX_REMAINING: f64 = 12.0;
 
-/// Iterations over which the best residuals are compared to see whether an iteration without
-/// another linearization gets to its end, and by how much it may miss that.
+/// Window of iterations whose best residuals give the rate of an iteration that keeps its
+/// stiffness; the factor by which the expected number of iterations may exceed the iterations
+/// left.
 const OUTLOOK: usize = 50;
 const OUTLOOK_SLACK: f64 = 4.0;
 
-/// Out-of-balance force over the contact force from which no iteration comes back.
+/// Out-of-balance force over the contact force above which an iteration has diverged.
 const DIVERGED: f64 = 1e8;
 
 /// Work done since the last record.
@@ -106,24 +107,24 @@ struct Counts {
 pub struct Iteration<'a> {
     /// The bodies.
     pub system: &'a dyn ContactSystem,
-    /// What it is iterated with.
+    /// The settings.
     pub controls: Controls<'a>,
-    /// Who watches it.
+    /// The running solve with its observer.
     pub run: Run<'a>,
     counts: Counts,
     history: Vec<IterationRecord>,
-    /// Records from before this iteration, on other moduli or another plastic region.
+    /// Number of records from before this iteration, with other moduli or another plastic region.
     begun: usize,
     /// Displacements to start from.
     start: Option<BlockVector>,
     /// Contact of the last iteration.
     previous: Option<ContactSolution>,
-    /// Whether the last state is so far off that nothing can be told from it.
+    /// Whether the iteration has diverged.
     has_diverged: bool,
 }
 
 impl<'a> Iteration<'a> {
-    /// An iteration from an initial state.
+    /// Begins an iteration from an initial state.
     pub fn new(
         system: &'a dyn ContactSystem,
         controls: Controls<'a>,
@@ -143,8 +144,8 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Displacements to start from, and the initial-stress loads that belong to them: those of a
-    /// previous load on the same mesh, else zero.
+    /// Returns the initial displacements and their initial-stress loads: those of the load before
+    /// on the same system, otherwise zero.
     pub fn initial_state(&mut self) -> (BlockVector, BlockVector) {
         let mut loads = self.system.zeros();
         match self.start.take() {
@@ -234,10 +235,9 @@ impl<'a> Iteration<'a> {
         self.counts.factorizations += count;
     }
 
-    /// Writes down and judges an iteration that went from the displacements `start` to a response
-    /// which the plastic law leaves out of balance by `residual_norm` \[N/mm\]. `Some` is the
-    /// status of an iteration that ends here: it has converged where residual and change of
-    /// displacement are within the tolerance.
+    /// Records an iteration from the displacements `start` to `response`, whose out-of-balance
+    /// force is `residual_norm` \[N/mm\]. Returns the status if the iteration ends here. It has
+    /// converged when the residual and the change of displacement are within the tolerance.
     pub fn record(
         &mut self,
         start: &BlockVector,
@@ -303,13 +303,13 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Whether the last state is so far off that nothing can be told from it.
+    /// Whether the iteration has diverged.
     pub fn has_diverged(&self) -> bool {
         self.has_diverged
     }
 
-    /// Whether, at the present convergence rate, the iterations left cost more than another
-    /// linearization.
+    /// Whether, at the present convergence rate, the iterations left cost more than a renewed
+    /// stiffness.
     pub fn has_stalled(&self) -> bool {
         if self.has_diverged {
             return self.controls.renewable;
@@ -325,10 +325,10 @@ impl<'a> Iteration<'a> {
         remaining >= MAX_REMAINING * rate
     }
 
-    /// Whether the iterations left would have to be many more to get to the end at the rate of the
-    /// last ones.
+    /// Whether, at the rate of the last iterations, convergence needs far more iterations than the
+    /// limit leaves.
     fn is_hopeless(&self, residual: f64) -> bool {
-        // What came before was of another plastic region.
+        // Earlier records belong to another plastic region.
         let records = &self.history[self.begun..];
         let now = records.len() + 1;
         if now < 2 * OUTLOOK {
@@ -344,8 +344,8 @@ impl<'a> Iteration<'a> {
         (lately / self.controls.tolerance).ln() > OUTLOOK_SLACK * left * rate.max(0.0)
     }
 
-    /// Closes the iteration; without a status it is one that has stalled. One that has diverged
-    /// ends in the state without initial-stress loads.
+    /// Ends the iteration. No status means that it has stalled. An iteration that has diverged
+    /// ends in the elastic state, without initial-stress loads.
     ///
     /// # Errors
     /// Those of a contact solve.

@@ -1,7 +1,7 @@
 //! The couplings of contact and plasticity, as algorithms.
 //!
-//! The load `P_e` is what plastic flow puts on the elastic bodies. `Strong` and `Accelerated`
-//! iterate on it, the inner loop of `Weak` on displacements. One step is
+//! The load `P_e` is the initial-stress load of plastic flow on the elastic bodies. `Strong` and
+//! `Accelerated` iterate on `P_e`, the inner loop of `Weak` on displacements. One step is
 //!
 //! ```text
 //! contact:     u_p, by how much K⁻¹ P_e opens the pairs;  R from the gaps δ0 + u_p
@@ -9,10 +9,10 @@
 //! plasticity:  P_e' = Σ ∫ Bᵀ (D_e - D_s(u)) B dV u
 //! ```
 //!
-//! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`. The sign of `P_e` is
-//! not that of the paper's print (docs/theory.md, section 4). With other reference moduli D, as
-//! `Accelerated` takes them, `P_e' = Σ ∫ Bᵀ (D ε - σ) dV`, and K is made of D. Where that stalls,
-//! `newton` takes over.
+//! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`. The printed paper has
+//! the opposite sign of `P_e` (docs/theory.md, section 4). `Accelerated` uses tangent moduli D as
+//! reference: `P_e' = Σ ∫ Bᵀ (D ε - σ) dV`, and K is assembled from D. Where this iteration
+//! stalls, `newton` takes over.
 //!
 //! A coupling is one file with a type that implements [`Coupling`], and a line in
 //! `solver/strategy.rs` of `brinell-solver`.
@@ -36,27 +36,27 @@ use brinell_material::ReferenceModuli;
 
 /// A way to alternate contact and plasticity.
 pub trait Coupling {
-    /// Iterates until the state is in equilibrium, or the iteration says that it ends.
+    /// Iterates until the state is in equilibrium or the iteration ends at a limit.
     ///
     /// # Errors
     /// Those of a contact solve or a factorization.
     fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, Error>;
 
-    /// Whether the stiffness takes the tangent moduli of a known state, and takes them anew where
-    /// the iteration stalls.
+    /// Whether the stiffness has the tangent moduli of a known state and is renewed where the
+    /// iteration stalls.
     fn uses_tangent_moduli(&self) -> bool {
         false
     }
 
-    /// Whether plastic flow has to be evaluated in the whole body, because the iteration cannot go
-    /// on from a state that missed some of it.
+    /// Whether the plastic region has to be the whole body, because the iteration cannot continue
+    /// after the region has grown.
     fn needs_whole_body(&self) -> bool {
         false
     }
 }
 
-/// Iterates. Where a coupling with tangent moduli does not get on the system is linearized anew,
-/// once, and then left to Newton's method.
+/// Iterates under one load. Where a coupling with tangent moduli stalls, the stiffness is renewed
+/// once; where it stalls again, Newton's method takes over.
 ///
 /// # Errors
 /// Those of a contact solve or a factorization.

@@ -1,5 +1,4 @@
-//! Newton's method with a line search, for what the accelerated coupling does not get to the end
-//! of.
+//! Newton's method with a line search, for loads under which the accelerated coupling stalls.
 //!
 //! Deformation theory has a potential. Under a force P the displacements u of both bodies and the
 //! approach α make
@@ -39,15 +38,14 @@ const PROGRESS: f64 = 0.5;
 const MAX_TRIALS: usize = 10;
 /// The farthest a step is extended.
 const LONGEST: f64 = 30.0;
-/// Parts of a step below and above which the moduli were too soft or too stiff.
+/// Steps below the first length show too soft moduli, above the second too stiff ones.
 const SHORT: f64 = 0.2;
 const LONG: f64 = 2.0;
-/// Part of the secant moduli that is left of them in every direction, at the beginning and at
-/// least.
+/// Share of the secant moduli that the moduli keep in every direction, initially and at least.
 const STIFFENING: f64 = 1e-3;
 const LEAST_STIFFENING: f64 = 1e-5;
 
-/// Goes on from where another iteration has ended.
+/// Continues from the last state of another iteration.
 ///
 /// # Errors
 /// Those of a contact solve or a factorization.
@@ -62,7 +60,7 @@ pub fn run(
     let mut stiffening = STIFFENING;
     for _ in 0..MAX_STEPS {
         match linearize(system, &point.displacement, &mut stiffening, run) {
-            // What has been iterated is worth keeping.
+            // The iterations made so far are kept.
             Err(Error::Interrupted(interrupt)) => {
                 return Ok(Outcome { status: interrupt.into(), ..outcome });
             }
@@ -99,8 +97,8 @@ pub fn run(
     Ok(outcome)
 }
 
-/// Factorizes with the moduli of a point, stiffened; more so where rounding makes the stiffness
-/// indefinite.
+/// Factorizes with the moduli of a point plus a share of the secant moduli. The share grows where
+/// rounding makes the stiffness indefinite.
 fn linearize(
     system: &mut dyn Linearize,
     at: &BlockVector,
@@ -148,10 +146,11 @@ impl Point {
         }
     }
 
-    /// Goes towards an answer of the linearized bodies, whose initial-stress load is `image`.
-    /// Returns the part of the way that was gone.
+    /// Moves towards an answer of the linearized bodies, whose initial-stress load is `image`.
+    /// Returns the length of the step over the distance to that answer.
     ///
-    /// All of it where the out-of-balance force has fallen; else to where φ' is about zero.
+    /// Takes the whole step where the out-of-balance force falls; otherwise stops where φ' is
+    /// about zero.
     fn advance(
         &mut self,
         system: &dyn Linearize,
@@ -183,8 +182,8 @@ impl Point {
         let whole = internal(1.0, image);
         let last = slope(&whole);
         let (mut share, mut reached) = (1.0, whole);
-        // Near the end the slopes are differences of nearly equal numbers, and the residual tells
-        // more.
+        // Near convergence the slopes are differences of nearly equal numbers; the residual is
+        // more accurate.
         let gets_on =
             residual_norm <= PROGRESS * std::mem::replace(&mut self.residual_norm, residual_norm);
         let (first, last) = if gets_on || first >= 0.0 { (0.0, 0.0) } else { (first, last) };

@@ -6,7 +6,8 @@ use super::iteration::{Iteration, Outcome, State};
 use crate::Error;
 use crate::phases::Phase;
 
-/// The paper's choice: the next loads are those that the plastic law answers with.
+/// Strong coupling as in the paper: the next loads are the image of the present loads under the
+/// plastic law.
 pub struct Strong;
 
 /// Strong coupling with tangent moduli and Anderson acceleration.
@@ -30,11 +31,11 @@ impl Coupling for Accelerated {
 
 /// Strong coupling: one contact solve, one initial-stress update, repeat.
 ///
-/// Each iteration maps loads `P_e` to those that the plastic law answers with. The paper goes on
-/// from the answer itself; with acceleration the next loads are the combination of past answers
-/// that Anderson's method chooses. The contact is solved inside the map, hence exact in every
-/// iteration. The residual of the map, `P_e' - P_e`, is the true out-of-balance force: Anderson's
-/// method combines it, and it decides convergence.
+/// Each iteration maps loads `P_e` to their image under the plastic law. The paper continues with
+/// the image itself; the accelerated coupling continues with a combination of past images by
+/// Anderson's method. The map contains the contact solve, so that the contact conditions hold in
+/// every iteration. The residual of the map, `P_e' - P_e`, is the true out-of-balance force:
+/// Anderson's method combines it, and it decides convergence.
 fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, Error> {
     let system = iteration.system;
     let (mut start, mut loads) = iteration.initial_state();

@@ -1,9 +1,9 @@
 //! Weak coupling: plasticity is converged at fixed contact forces between contact solves.
 //!
-//! Taken literally this diverges once the elastic peak pressure passes about three yield stresses:
-//! the contact answers a plastic displacement that its own next answer will take back. The
-//! displacement that the contact sees is therefore relaxed, `u_p ← u_p + ω (u_p* - u_p)`, with
-//! Aitken's factor `ω ← -ω rᵀΔr / ‖Δr‖²`, `r = u_p* - u_p`.
+//! Without relaxation this iteration diverges once the elastic peak pressure exceeds about three
+//! yield stresses: the contact overreacts to each plastic displacement, and the next one turns
+//! back. The displacement that the contact sees is therefore relaxed, `u_p ← u_p + ω (u_p* -
+//! u_p)`, with Aitken's factor `ω ← -ω rᵀΔr / ‖Δr‖²`, `r = u_p* - u_p`.
 //!
 //! # Reference
 //! B. M. Irons, R. C. Tuck, *A version of the Aitken accelerator for computer iteration*, Int. J.
@@ -24,14 +24,14 @@ const LARGEST_FACTOR: f64 = 1.0;
 const MAX_UPDATES: usize = 1500;
 /// Initial-stress updates within one alternation at most.
 const MAX_INNER: usize = 200;
-/// Alternations whose plastic iteration may come to no end: the contact forces were more than the
-/// bodies bear.
+/// Alternations whose plastic iteration may fail to converge because the contact forces exceed the
+/// strength of the bodies.
 const MAX_UNSETTLED: usize = 2;
 /// Displacement change that ends the plastic iteration, over the 3/2-th power of that of the
 /// alternation.
 const INNER_ACCURACY: f64 = 0.003;
-/// The same over the tolerance, at least. Contact answers what is left undone several times as
-/// large.
+/// Least value of the same change over the tolerance. The contact amplifies the change that is
+/// left several times.
 const INNER_FLOOR: f64 = 0.01;
 /// Out-of-balance force over the contact force that goes with that change.
 const BALANCE: f64 = 100.0;
@@ -81,23 +81,23 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, Error> {
     }
 }
 
-/// What the plastic law says of a state at fixed contact forces.
+/// The result of the plastic iteration at fixed contact forces.
 #[derive(Default)]
 struct Plasticity {
     /// Points beyond yield.
     plastic_points: usize,
     /// Out-of-balance force \[N/mm\].
     residual_norm: f64,
-    /// Whether it changes no more.
+    /// Whether the plastic iteration has converged.
     is_settled: bool,
 }
 
 /// Initial-stress iteration at fixed contact forces, accelerated like the strong coupling. On
 /// return displacements, forces and loads are in elastic equilibrium.
 ///
-/// `alternation` are the displacements at the start of the alternation. The less the contact has
-/// moved since then, the smaller a part of that may be left undone, so that Aitken's factor
-/// compares converged states.
+/// `alternation` are the displacements at the start of the alternation. The tolerance of this
+/// iteration falls with the movement of the contact since then, so that Aitken's factor compares
+/// converged states.
 fn converge_plasticity(
     iteration: &mut Iteration<'_>,
     alternation: &BlockVector,
@@ -113,7 +113,7 @@ fn converge_plasticity(
     let mut image = system.zeros();
     let mut state = Plasticity::default();
     for _ in 0..MAX_INNER {
-        // Whoever stops the job is heard when the iteration is recorded.
+        // A request to stop takes effect when the iteration is recorded.
         if iteration.run.observer.on_checkpoint().is_break() {
             break;
         }
