@@ -8,11 +8,10 @@
 //! ```
 //!
 //! with the equivalent (von Mises) stress `q` and the plastic strain `ε_p(q)` of the uniaxial
-//! curve. `G_s`, the *secant* shear modulus, is what is left of `G` at that point. The *initial
-//! stress* is what the elastic law says too much, `σ_0 = D_e ε - σ = 2 (G - G_s) e`; it is
-//! deviatoric.
+//! curve. `G_s <= G` is the *secant* shear modulus. The *initial stress* is the excess of the
+//! elastic stress, `σ_0 = D_e ε - σ = 2 (G - G_s) e`; it is deviatoric.
 //!
-//! The theory knows no unloading. It is exact where all stress components grow in proportion.
+//! The theory has no unloading. It is exact where all stress components grow in proportion.
 //!
 //! # Reference
 //! H. Hencky, *Zur Theorie plastischer Deformationen*, ZAMM 4 (1924) 323–334.
@@ -31,19 +30,19 @@ use super::{
 pub struct DeformationPlasticity {
     elastic: ElasticModuli,
     mapping: Option<ReturnMapping>,
-    /// Infinite for a material that cannot yield \[MPa\].
+    /// Yield stress; infinite for a material that cannot yield \[MPa\].
     yield_stress: f64,
     out_of_plane: OutOfPlane,
 }
 
-/// Trials of the secant modulus in plane stress; after the usual number every second one halves
-/// what is known of it.
+/// Trials of the secant modulus in plane stress: the usual number, after which every second trial
+/// bisects the bracket, and the largest.
 const USUAL_TRIALS: u32 = 10;
 const MOST_TRIALS: u32 = 130;
-/// Part of G within which they end.
+/// Accuracy of the secant modulus over G at which the trials end.
 const SECANT_ACCURACY: f64 = 1e-14;
 
-/// How far from elastic a point is.
+/// The secant state of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Secant {
     shear: f64,
@@ -52,7 +51,8 @@ struct Secant {
 }
 
 impl DeformationPlasticity {
-    /// The law of elastic moduli and a hardening curve, if there is one.
+    /// Makes the law of elastic moduli and a hardening curve; without a curve the material cannot
+    /// yield.
     pub fn with_law(
         elastic: ElasticModuli,
         law: Option<Arc<dyn HardeningLaw>>,
@@ -98,12 +98,11 @@ impl DeformationPlasticity {
         }
     }
 
-    /// The ε_zz that leaves σ_zz = 0, and the state with it.
+    /// Returns the ε_zz for which σ_zz = 0, and the state there.
     ///
-    /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`, and the
-    /// equivalent strain is that of [`Self::in_plane_parts`]; the G_s that this strain implies
-    /// falls short of or exceeds the assumed one, and the two are made equal by the secant method
-    /// between 0 and G.
+    /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`, and
+    /// [`Self::in_plane_parts`] gives the equivalent strain. The secant method between 0 and G
+    /// finds the assumed G_s that equals the G_s of this strain.
     #[inline(always)]
     fn in_plane_stress(&self, [x, y, _, shear_angle]: [f64; 4]) -> ([f64; 4], Secant) {
         let ElasticModuli { bulk, shear: whole } = self.elastic;
@@ -223,7 +222,7 @@ impl ConstitutiveModel for DeformationPlasticity {
             return self.initial_stress_point_by_point(strain, states);
         }
         let squares = make_deviatoric(strain);
-        // Comparing squares spares the root where nothing happens.
+        // Squares are compared: elastic points need no root.
         if squares.iter().all(|&square| square <= limit * limit) {
             return None;
         }
@@ -241,7 +240,7 @@ impl ConstitutiveModel for DeformationPlasticity {
     }
 }
 
-/// Takes the mean off the normal strains and returns `ε_q²` at each point.
+/// Subtracts the mean from the normal strains and returns `ε_q²` at each point.
 #[inline(always)]
 pub(super) fn make_deviatoric(strain: &mut [PerPoint; 4]) -> PerPoint {
     let [x, y, z, shear] = strain;

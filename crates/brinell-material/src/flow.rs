@@ -6,19 +6,20 @@
 //! dX_i = 2/3 C_i dε_p - γ_i X_i dp         Armstrong and Frederick; Prager's law where γ_i = 0
 //! ```
 //!
-//! The path from the strain of the last accepted increment to the strain asked for is straight.
-//! Where it leaves the elastic domain the rest of it is divided into equal parts. In each of them
-//! the stress returns along the mean of the normals before and after it (Rice and Tracey), whose
-//! error is of second order in the parts, where a path has one part by backward Euler:
+//! The strain path of an increment is straight. The part of the path outside the elastic domain is
+//! divided into equal parts. In each part the stress returns along the mean of the normals at its
+//! two ends (Rice and Tracey), with an error of second order. A path of one part uses backward
+//! Euler:
 //!
 //! ```text
-//! n = 3/2 m/|m|_eq,   m = s + s_tr - 2 ΣX_i,   by backward Euler m = s_tr - ΣX_i e_i        e_i = exp(-γ_i Δp)
+//! n = 3/2 m/|m|_eq,   m = s + s_tr - 2 ΣX_i     backward Euler: m = s_tr - ΣX_i e_i
+//! e_i = exp(-γ_i Δp)
 //! X_i' = X_i e_i + 2/3 C_i/γ_i (1 - e_i) n,   s' = s_tr - 2G Δp n,   |s' - ΣX_i'|_eq = q(p+Δp)
 //! ```
 //!
-//! With n constant over a part the backstress is thereby integrated exactly, so that a uniaxial
-//! loop has no error at all. From rest such a path keeps its direction, and the first increment is
-//! deformation theory, whatever the number of parts.
+//! For n constant over a part this integrates the backstress exactly, so that a uniaxial loop has
+//! no error. From rest a straight path keeps its direction: the first increment is deformation
+//! theory for any number of parts.
 //!
 //! # Reference
 //! J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), chapter 3; J. R. Rice, D. M.
@@ -37,18 +38,18 @@ use super::{
 /// Parts into which the plastic part of a strain path is divided.
 const SUBSTEPS: u32 = 6;
 
-/// Plastic over elastic strain of a path that needs no parts, and of one that is elastic, on
-/// curves without an elastic domain.
+/// On curves without an elastic domain: plastic over elastic strain below which a path has one
+/// part, and below which it is elastic.
 const SMALL_FLOW: f64 = 1e-4;
 const NO_FLOW: f64 = 1e-10;
 
 /// γ Δp below which six terms of the exponential series are exact.
 const SMALL_RECOVERY: f64 = 1.0 / 128.0;
-/// Newton step, relative to Δp, behind which nothing but rounding is left.
+/// Newton step over Δp below which only rounding is left.
 const LAST_STEP: f64 = 1e-7;
 
-/// Accuracies of ε_zz in plane stress over the strains: of the path in one part and of the whole
-/// one.
+/// Accuracies of ε_zz in plane stress over the strains: for the path in one part and for the
+/// divided path.
 const ROUGH: f64 = 1e-6;
 const FINE: f64 = 1e-14;
 /// Least slope by which σ_zz is extrapolated over ε_zz, over the bulk modulus.
@@ -69,8 +70,8 @@ impl BackstressTerm {
     fn recovery(&self, dp: f64) -> f64 {
         let x = -self.rate * dp;
         if x > -SMALL_RECOVERY {
-            // Taylor's series to rounding, in place of a call that most of the time of a point
-            // would go into.
+            // Taylor's series to rounding: the library call would take most of the time of a
+            // point.
             x * (1.0
                 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0)))))
         } else {
@@ -95,12 +96,12 @@ pub struct FlowPlasticity<const N: usize> {
     substeps: u32,
 }
 
-/// What a point of flow theory remembers.
+/// The memory of a point of flow theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FlowState<const N: usize> {
     /// `[ε_xx, ε_yy, ε_zz, γ_xy]`.
     pub strain: [f64; 4],
-    /// Plastic part of it.
+    /// Plastic part of the strain.
     pub plastic_strain: [f64; 4],
     /// Accumulated equivalent plastic strain p.
     pub accumulated: f64,
@@ -122,7 +123,7 @@ impl<const N: usize> Default for FlowState<N> {
     }
 }
 
-/// The part of a state that plastic flow changes, while it does. Tensors have D components, three
+/// The part of a state that changes during plastic flow. Tensors have D components, the three
 /// normal ones first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flowing<const N: usize, const D: usize> {
@@ -137,7 +138,7 @@ pub struct Flowing<const N: usize, const D: usize> {
 }
 
 impl<const N: usize> FlowPlasticity<N> {
-    /// A hardening law with backstress beside elastic moduli.
+    /// Makes the law of elastic moduli, a hardening curve and backstress.
     pub fn new(
         elastic: ElasticModuli,
         mapping: ReturnMapping,
@@ -147,18 +148,18 @@ impl<const N: usize> FlowPlasticity<N> {
         Self { elastic, mapping, backstress, out_of_plane, substeps: SUBSTEPS }
     }
 
-    /// The same with another number of parts of a strain path.
+    /// Returns the same law with another number of parts of a strain path.
     #[must_use]
     pub fn with_substeps(self, substeps: u32) -> Self {
         Self { substeps: substeps.max(1), ..self }
     }
 
-    /// The curve beside the elastic moduli.
+    /// Returns the hardening curve, prepared for the elastic shear modulus.
     pub fn mapping(&self) -> &ReturnMapping {
         &self.mapping
     }
 
-    /// The energy that backstress stores \[MPa\]: `X = 2/3 C α`, and the energy is `C/3 α:α`.
+    /// Returns the energy that backstress stores, `C/3 α:α` with `X = 2/3 C α` \[MPa\].
     pub fn backstress_energy<const D: usize>(&self, backstress: &[[f64; D]; N]) -> f64 {
         let terms = backstress.iter().zip(&self.backstress).filter(|(_, term)| term.modulus > 0.0);
         terms.map(|(x, term)| 0.75 * product(*x, *x) / term.modulus).sum()
@@ -169,7 +170,7 @@ impl<const N: usize> FlowPlasticity<N> {
         self.substeps
     }
 
-    /// The state at the end of a straight path whose every component is known.
+    /// Returns the state at the end of a straight path, all components of which are given.
     #[inline]
     fn along(&self, strain: [f64; 4], state: &FlowState<N>, parts: u32) -> FlowState<N> {
         let double_shear = 2.0 * self.elastic.shear;
@@ -196,8 +197,8 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// The end of a straight path of the stress deviator, elastic but for what flows on it, in so
-    /// many parts; `None` where nothing does.
+    /// Returns the state at the end of a straight trial path of the stress deviator, divided into
+    /// `parts`; `None` where no plastic flow occurs.
     #[inline]
     pub fn flow_along<const D: usize>(
         &self,
@@ -233,10 +234,10 @@ impl<const N: usize> FlowPlasticity<N> {
         }
         let part = (1.0 - elastic_part) / f64::from(parts);
         let step = step.map(|d| part * d);
-        // A part much larger than the yield surface ends where the path points to, wherever it
-        // began.
+        // A part much larger than the yield surface ends in the direction of the path, whatever
+        // its start.
         let weight = 1.0 / (1.0 + 1.5 * product(step, step) / (radius * radius));
-        // A curve without an elastic domain has no normal to begin with.
+        // A curve without an elastic domain has no normal at the start.
         let weight = if parts > 1 { weight } else { 0.0 };
         for k in 1..=parts {
             if N == 0 && weight > 0.0 {
@@ -250,14 +251,14 @@ impl<const N: usize> FlowPlasticity<N> {
         Some(now)
     }
 
-    /// One step along the mean of the normals before, with this weight, and after, for an elastic
-    /// change of the stress deviator, on the way or the last, from the yield stress before to that
-    /// after it.
+    /// Takes one step along the weighted mean of the normals before and after it; `weight` belongs
+    /// to the normal before. `change` is the elastic change of the stress deviator. Updates the
+    /// yield stress.
     ///
     /// With `c` and `d` the parts of the trial stress along the normal and across it, `(c - 3G
-    /// Δp)² + d² = q²`. Of the root `c - 3G Δp = √(q² - d²)` two terms in d/q count, with q before
-    /// the step: what that leaves is below the error of the step, and the next step begins from
-    /// it.
+    /// Δp)² + d² = q²`. The root `c - 3G Δp = √(q² - d²)` is expanded to two terms in d/q, with q
+    /// before the step. The remainder is below the error of the step, and the next step starts
+    /// from it.
     #[inline]
     fn flow_along_mean_normal<const D: usize>(
         &self,
@@ -293,9 +294,10 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// One step for an elastic change of the stress deviator, from the yield stress before to that
-    /// after it, by backward Euler or, with backstress, along the mean of the normals before, with
-    /// this weight, and after. About as much flow is expected.
+    /// Takes one step for an elastic `change` of the stress deviator and updates the yield stress.
+    /// Without backstress the step is backward Euler; with backstress it follows the weighted mean
+    /// of the normals before and after it, and `weight` belongs to the normal before. `expected`
+    /// is an estimate of Δp.
     #[inline]
     fn flow<const D: usize>(
         &self,
@@ -365,12 +367,12 @@ impl<const N: usize> FlowPlasticity<N> {
         now.accumulated += dp;
     }
 
-    /// Δp, zero if the trial lies within the yield stress that is given; then that stress after
-    /// it. The return is along a direction or, without one, by backward Euler.
+    /// Returns Δp, zero if the trial lies within the given yield stress, and the yield stress
+    /// after it. The return is along a direction or, without one, by backward Euler.
     ///
-    /// Newton's method from the expected Δp, in a bracket that begins as `[0, ∞)`. With `ξ =
-    /// s_tr - ΣX_i e_i`, whose `|ξ|_eq²` is a quadratic form of the `e_i` with coefficients that
-    /// are known beforehand, and with `c` its part along the direction,
+    /// Newton's method starts from the expected Δp in the bracket `[0, ∞)`. With `ξ = s_tr - ΣX_i
+    /// e_i`, whose `|ξ|_eq²` is a quadratic form of the `e_i` with coefficients that are known
+    /// beforehand, and with `c` its part along the direction,
     ///
     /// ```text
     /// backward Euler   |ξ|_eq = 3G Δp + Σ C_i/γ_i (1 - e_i) + q
@@ -409,7 +411,8 @@ impl<const N: usize> FlowPlasticity<N> {
         }
         let law = self.mapping.law();
         let (mut low, mut high) = (0.0, f64::INFINITY);
-        // That of a backstress that does not recover and of perfect plasticity is too large.
+        // This estimate is too large with backstress that does not recover, and with perfect
+        // plasticity.
         let mut dp = if expected > 0.0 {
             expected
         } else {
@@ -481,8 +484,8 @@ impl<const N: usize> FlowPlasticity<N> {
         self.backstress.iter().map(|term| term.modulus).sum()
     }
 
-    /// Δp of a trial of this size, in the direction of the relative stress, if the backstress
-    /// stays; with backstress that is too much.
+    /// Returns Δp of a trial of this size along the relative stress for constant backstress, an
+    /// upper bound with backstress.
     fn isotropic_flow(&self, size: f64, accumulated: f64) -> f64 {
         let triple_shear = 3.0 * self.elastic.shear;
         let strain = size / triple_shear + accumulated;
@@ -509,8 +512,8 @@ impl<const N: usize> FlowPlasticity<N> {
         dp
     }
 
-    /// The state at the end of a straight path; in plane stress the one whose ε_zz leaves `σ_zz =
-    /// 0`.
+    /// Returns the state at the end of a straight path; in plane stress the state with the ε_zz
+    /// for which `σ_zz = 0`.
     fn state_after(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
         match self.out_of_plane {
             OutOfPlane::Strained => self.along(strain, state, self.substeps),
@@ -518,8 +521,8 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// The state that leaves σ_zz = 0. A path in one part finds most of ε_zz, at a small part of
-    /// the cost of the whole one.
+    /// Returns the state with σ_zz = 0. A path in one part gives a good estimate of ε_zz at a
+    /// small part of the cost of the divided path.
     fn in_plane_stress(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
         let lame = self.elastic.lame();
         let change = strain[0] - state.strain[0] + strain[1] - state.strain[1];
@@ -573,7 +576,7 @@ impl<const N: usize> FlowPlasticity<N> {
             } else {
                 low = zz;
             }
-            // Towards the other sign, so that it leaves a bracket of two ends only.
+            // The point moves towards the other sign, until the bracket has two ends.
             let secant = zz - stress / slope;
             let next = if secant > low && secant < high { secant } else { 0.5 * (low + high) };
             if !next.is_finite() || next.to_bits() == zz.to_bits() {
@@ -682,7 +685,7 @@ fn equivalent_stress<const D: usize>(deviator: [f64; D]) -> f64 {
     (1.5 * product(deviator, deviator)).sqrt()
 }
 
-/// The part of a stress deviator along another, as an equivalent stress.
+/// Returns the component of a stress deviator along another one, as an equivalent stress.
 #[inline(always)]
 fn equivalent_along<const D: usize>(stress: [f64; D], direction: [f64; D], size: f64) -> f64 {
     1.5 * product(stress, direction) / size
@@ -698,8 +701,8 @@ fn sum<const N: usize, const D: usize>(terms: &[[f64; D]; N]) -> [f64; D] {
     total
 }
 
-/// The part of a step from a point in or on the sphere `|a|_eq <= radius` that stays in it; `None`
-/// if all of it does.
+/// Returns the part of a step that stays in the sphere `|a|_eq <= radius`, from a point in or on
+/// it; `None` if the whole step stays in it.
 #[inline(always)]
 fn elastic_part<const D: usize>(from: [f64; D], step: [f64; D], radius: f64) -> Option<f64> {
     let a = 1.5 * product(step, step);

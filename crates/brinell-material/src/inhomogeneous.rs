@@ -1,18 +1,18 @@
-//! Bodies that are not the same everywhere: strength that varies with depth, and stress before any
-//! load.
+//! Inhomogeneous bodies: strength that varies over depth, and residual stress of the unloaded
+//! body.
 //!
 //! ```text
-//! q = s(z) q_0(ε_p)              s: factor over the depth z below the undeformed surface, along its normal
-//! σ = M(ε + D⁻¹ σ_r)             M: a model of the usual kind, σ_r: stress of the unloaded body
+//! q = s(z) q_0(ε_p)     s: factor; z: depth below the undeformed surface along its normal
+//! σ = M(ε + D⁻¹ σ_r)    M: a homogeneous model; σ_r: residual stress of the unloaded body
 //! ```
 //!
-//! Elastic constants are the same everywhere, so that stiffness and flexibility know nothing of
-//! either. σ_r is in equilibrium without load, so that its nodal forces vanish and only the
-//! plastic part of M's initial stresses loads the body.
+//! The elastic constants are uniform, so that stiffness and flexibility depend on neither. σ_r is
+//! in equilibrium without load, so that its nodal forces vanish and only the plastic part of M's
+//! initial stresses loads the body.
 //!
-//! Factors are rounded to layers, each with a model of its own: the smallest, the largest, and so
-//! many between them that neighbours differ by no more than [`LAYER_RATIO`]. So a layer's curve is
-//! prepared once ([`ReturnMapping`](super::ReturnMapping)), and any model can be graded.
+//! Factors are rounded to layers in geometric sequence from the smallest to the largest;
+//! neighbours differ by no more than [`LAYER_RATIO`]. Each layer has its own model, whose curve is
+//! prepared once ([`ReturnMapping`](super::ReturnMapping)). This works for any model.
 
 use std::sync::Arc;
 
@@ -22,7 +22,8 @@ use super::{
 };
 use crate::DepthStrength;
 
-/// Strengths of neighbouring layers differ by this part at most; rounding is half of it.
+/// Largest relative difference of the strengths of neighbouring layers; the rounding error is half
+/// of it.
 const LAYER_RATIO: f64 = 1e-3;
 
 /// A model for each layer of strength.
@@ -31,11 +32,11 @@ pub struct Inhomogeneous<M> {
     /// The hardening law where the factor is 1.
     law: Option<Arc<dyn HardeningLaw>>,
     strength: Option<DepthStrength>,
-    /// With factors that rise in geometric sequence; at least one.
+    /// One model for each layer, at least one; factors rise in geometric sequence.
     layers: Vec<M>,
 }
 
-/// What a point remembers, its layer, and the elastic strain of its initial stress.
+/// The memory of a point, its layer, and the elastic strain of its residual stress.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct InhomogeneousState<S> {
     layer: u16,
@@ -44,7 +45,7 @@ pub struct InhomogeneousState<S> {
 }
 
 impl<M: ConstitutiveModel> Inhomogeneous<M> {
-    /// Layers of what `model` makes of the scaled hardening law.
+    /// Makes one layer for each factor; `model` makes a model of a scaled hardening law.
     pub fn new(
         law: Option<Arc<dyn HardeningLaw>>,
         strength: Option<DepthStrength>,
@@ -158,7 +159,7 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
         if layers.iter().all(|layer| *layer == layers[0]) {
             return self.layer(&states[0]).initial_stress(strain, &inner);
         }
-        // Where the weakest layer does not yield, none does.
+        // If the weakest layer does not yield, no layer does.
         let all = *strain;
         let weakest = layers.iter().fold(layers[0], |a, b| a.min(*b));
         self.layers[usize::from(weakest)].initial_stress(&mut strain.clone(), &inner)?;
@@ -179,7 +180,7 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
     }
 }
 
-/// A hardening law with its stresses multiplied by a factor.
+/// Returns a hardening law with its stresses multiplied by a factor.
 pub fn scaled(law: &Arc<dyn HardeningLaw>, factor: f64) -> Arc<dyn HardeningLaw> {
     let law = Arc::clone(law);
     if factor.to_bits() == 1f64.to_bits() { law } else { Arc::new(Scaled { law, factor }) }

@@ -1,11 +1,10 @@
-//! A smooth function of a positive argument, prepared so that a value costs a polynomial.
+//! A smooth function of a positive argument as a table of polynomials.
 //!
-//! Each octave, the arguments from a power of two to the next, is divided evenly into sixteen
-//! cells, and on each of them the function is interpolated at the Chebyshev points of degree
-//! seven, or on halves, quarters, … of a cell. What is left is about the last coefficient of the
-//! Chebyshev series over the factor by which one is smaller than the one before; a cell has as
-//! many pieces as it takes for that to be rounding. The binary digits of an argument tell its
-//! cell, its piece and its place there.
+//! An octave is the range from a power of two to the next. It has sixteen equal cells; a cell has
+//! 1, 2, 4, … equal pieces. On each piece a polynomial of degree seven interpolates the function
+//! at the Chebyshev points. The error is about the last coefficient of the Chebyshev series over
+//! the ratio of successive coefficients; the number of pieces makes this error rounding. The
+//! binary digits of an argument give its cell, its piece and its position on the piece.
 //!
 //! # Reference
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM 2013), theorem 8.2.
@@ -25,7 +24,7 @@ const OCTAVES: usize = 36;
 const CELLS_LOG2: u32 = 4;
 const MOST_PIECES_LOG2: u32 = 6;
 
-/// Last Chebyshev coefficient, relative to the function, of a piece that is fine enough.
+/// Last Chebyshev coefficient over the function below which a piece is small enough.
 const LAST_COEFFICIENT: f64 = 1e-14;
 
 /// Digits of an argument behind those that tell its cell.
@@ -73,7 +72,7 @@ impl Cell {
         let (points, coefficients) = &*CHEBYSHEV;
         let mut polynomial = |start: f64, width: f64| {
             let values = points.map(|s| f(start + width * 0.5 * (1.0 + s)));
-            // Of the differences no digits are lost.
+            // The differences lose no digits.
             let middle = 0.5 * (values[DEGREE / 2] + values[DEGREE / 2 + 1]);
             let mut polynomial = Polynomial((coefficients * values.add_scalar(-middle)).into());
             polynomial.0[0] += middle;
@@ -94,8 +93,8 @@ impl Cell {
     }
 }
 
-/// The function, of which cells are prepared when they are asked for, and room for them by
-/// octaves: a body whose strength varies has thousands of these.
+/// The table. Cells are computed at their first use and stored by octaves, because a body whose
+/// strength varies has thousands of tables.
 #[derive(Debug, Clone)]
 pub(super) struct Interpolant {
     octaves: Vec<OnceLock<Box<[OnceLock<Cell>]>>>,
@@ -106,9 +105,9 @@ impl Interpolant {
         Self { octaves: vec![OnceLock::new(); OCTAVES] }
     }
 
-    /// The value of the function f, which has to be the same one each time; `None` where the
-    /// argument is too small or too large. To prepare a cell `function()` is asked for values at
-    /// arguments that rise, mostly.
+    /// Returns the value of the function; `None` where the argument is too small or too large.
+    /// `function()` returns the same function in every call. It is evaluated at mostly rising
+    /// arguments when a cell is computed.
     #[inline]
     pub fn at<F: FnMut(f64) -> f64>(&self, x: f64, function: impl FnOnce() -> F) -> Option<f64> {
         let bits = x.to_bits();

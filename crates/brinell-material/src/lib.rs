@@ -1,15 +1,16 @@
-//! Elasto-plastic materials: stress from strain and from what a point has been through, and closed
-//! forms of contact mechanics.
+//! Elasto-plastic materials: stress from strain and from the history of a point. Closed forms of
+//! contact mechanics.
 //!
-//! - [`ConstitutiveModel`] is what the solver asks: a stress update, a tangent, and the state that
-//!   goes with them;
+//! - [`ConstitutiveModel`] is the interface to the solver: stress update, tangent and state of a
+//!   point;
 //! - [`HardeningLaw`] is a uniaxial curve, one file each in [`hardening`];
 //! - [`ReturnMapping`] combines a curve with elasticity;
-//! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing;
+//! - [`DeformationPlasticity`] is the model of the paper, without a memory;
 //! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening;
-//! - [`Inhomogeneous`] makes another model out of one of these: with a strength that varies over
-//!   depth, and a stress that is there before any load;
-//! - [`analytical`]: Hertz, McEwen, Hill, Prandtl, Persson and others, to compare with.
+//! - [`Inhomogeneous`] gives one of these models a strength that varies over depth, and a residual
+//!   stress of the unloaded body;
+//! - [`analytical`]: closed forms of Hertz, McEwen, Hill, Prandtl, Persson and others, for
+//!   comparison.
 
 pub mod analytical;
 mod deformation;
@@ -40,7 +41,7 @@ pub fn equivalent_strain(deviator: [f64; 4]) -> f64 {
     (2.0 / 3.0 * (x * x + y * y + z * z + 0.5 * g * g)).sqrt()
 }
 
-/// Deviator of a strain or stress.
+/// Returns the deviator of a strain or stress.
 #[inline(always)]
 pub(crate) fn deviator(tensor: [f64; 4]) -> [f64; 4] {
     let [x, y, z, g] = tensor;

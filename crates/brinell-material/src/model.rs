@@ -1,4 +1,4 @@
-//! The seam between the solver and the laws of its materials.
+//! The interface between the solver and the laws of its materials.
 
 use std::fmt::Debug;
 
@@ -9,16 +9,16 @@ use super::moduli::{ElasticModuli, ModuliReduction, OutOfPlane, ReferenceModuli}
 /// vectorize.
 pub type PerPoint = [f64; 4];
 
-/// What is known of a point before any load.
+/// A material point of the unloaded body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PointOrigin {
     /// `[x, y]` in the frame of the undeformed body \[mm\].
     pub position: [f64; 2],
-    /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` that the unloaded body is in equilibrium with \[MPa\].
+    /// Residual stress `[σ_xx, σ_yy, σ_zz, τ_xy]` of the unloaded body, in equilibrium \[MPa\].
     pub initial_stress: [f64; 4],
 }
 
-/// The answer of a material point to a strain.
+/// The response of a material point to a strain.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PointResponse {
     /// `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\], tensile positive.
@@ -31,59 +31,57 @@ pub struct PointResponse {
     pub yielded: bool,
     /// `∫σ:dε_p` over the history \[MPa\]; zero for a law without a memory.
     pub plastic_work: f64,
-    /// The part of it that the backstress stores \[MPa\].
+    /// The part of this work that the backstress stores \[MPa\].
     pub backstress_energy: f64,
 }
 
-/// Stress as a function of strain and of what the point has been through.
+/// Stress as a function of strain and of the history of the point.
 ///
-/// The state is that of the last accepted increment. Every iterate of an increment starts from it,
-/// and it is replaced once, when the increment is accepted; so an iteration cannot drift, and one
-/// that fails leaves nothing behind.
+/// The state belongs to the last accepted increment. Every iterate of an increment starts from
+/// this state, which changes only when the increment is accepted. So an iteration cannot drift,
+/// and a failed iteration leaves the state unchanged.
 pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
-    /// What a point remembers; the default is a point that has seen nothing and is like every
-    /// other.
+    /// The memory of a point; the default is a point without a history in a homogeneous body.
     type State: Copy + Default + Debug + Send + Sync + 'static;
 
-    /// Elastic moduli.
+    /// Returns the elastic moduli.
     fn elastic(&self) -> ElasticModuli;
 
-    /// What is known of the out-of-plane direction.
+    /// Returns the condition of the out-of-plane direction.
     fn out_of_plane(&self) -> OutOfPlane;
 
-    /// The isotropic hardening law; `None` for a material that cannot yield.
+    /// Returns the isotropic hardening law; `None` for a material that cannot yield.
     fn hardening(&self) -> Option<&dyn HardeningLaw>;
 
-    /// The state of a point before any load.
+    /// Returns the state of a point before any load.
     fn at_rest(&self, origin: &PointOrigin) -> Self::State {
         let _ = origin;
         Self::State::default()
     }
 
-    /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body
-    /// \[mm\].
+    /// Returns the factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the
+    /// undeformed body \[mm\].
     fn strength(&self, position: [f64; 2]) -> f64 {
         let _ = position;
         1.0
     }
 
-    /// Whether [`Self::strength`] is not the same everywhere.
+    /// Whether [`Self::strength`] varies over the body.
     fn varies_in_strength(&self) -> bool {
         false
     }
 
-    /// Whether the answer depends on the way there, so that loads are a history.
+    /// Whether the stress depends on the strain path, so that loads are a history.
     fn has_memory(&self) -> bool {
         false
     }
 
-    /// Stress and new state at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`, from the state of the last
-    /// accepted increment. In plane stress ε_zz is not looked at.
+    /// Returns stress and new state at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`, from the state of the
+    /// last accepted increment. Ignores ε_zz in plane stress.
     fn update(&self, strain: [f64; 4], state: &Self::State) -> (PointResponse, Self::State);
 
-    /// Moduli near `dσ/dε`, for the stiffness that an iteration refers to, as what they fall short
-    /// of the elastic ones; `None` where they are elastic. They decide how fast an iteration ends,
-    /// not where.
+    /// Returns reference moduli near `dσ/dε` as their reduction from the elastic ones; `None`
+    /// where they are elastic. They change the rate of convergence, not the solution.
     fn tangent(
         &self,
         strain: [f64; 4],
@@ -95,12 +93,11 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
     }
 
     /// Turns the strains of the points of an element into initial stresses `D_e ε - σ` \[MPa\],
-    /// but for a stress that the unloaded body has already, whose nodal forces are zero; returns
-    /// the points that count as yielded, or `None` where all initial stresses are zero (the
-    /// strains are then left in any state).
+    /// without the residual stress of the unloaded body, whose nodal forces are zero. Returns the
+    /// number of yielded points, or `None` where all initial stresses are zero; the strains are
+    /// then undefined.
     ///
-    /// For a given ε_zz initial stresses are deviatoric, so that the dilatation of the strains
-    /// does not matter.
+    /// For a given ε_zz initial stresses are deviatoric and do not depend on the dilatation.
     #[inline(always)]
     fn initial_stress(
         &self,
@@ -110,7 +107,7 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
         self.initial_stress_point_by_point(strain, states)
     }
 
-    /// The same by [`Self::update`], for models without a faster way.
+    /// The default calls [`Self::update`]; models override it with a faster method.
     #[inline(always)]
     fn initial_stress_point_by_point(
         &self,

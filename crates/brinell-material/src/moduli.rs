@@ -1,21 +1,21 @@
-//! Elastic moduli, and those that the stiffness of an iteration refers to.
+//! Elastic moduli, and reference moduli for the stiffness of an iteration.
 
 use nalgebra::{Matrix4, Vector4};
 
 /// A symmetric matrix over `[ε_xx, ε_yy, ε_zz, γ_xy]` \[MPa\].
 pub type Moduli = Matrix4<f64>;
 
-/// By how much the moduli of reference of one point fall short of the elastic ones.
+/// The reduction of the reference moduli of one point from the elastic ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModuliReduction {
     /// `D_e - D` \[MPa\]. Positive semidefinite. The part over the mean strain is zero, except in
     /// plane stress, where ε_zz has been eliminated and its row and column are zero instead.
     pub moduli: Moduli,
-    /// Whether the point is beyond yield, and not only near it.
+    /// Whether the point is beyond yield, not only near it.
     pub is_beyond_yield: bool,
 }
 
-/// What is known of the out-of-plane direction.
+/// The condition of the out-of-plane direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutOfPlane {
     /// The strain ε_zz is given (zero in plane strain, hoop strain in axisymmetry).
@@ -55,8 +55,8 @@ impl ElasticModuli {
         [along(x), along(y), along(z), t / self.shear]
     }
 
-    /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; in plane stress ε_zz is not
-    /// looked at.
+    /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; ignores ε_zz in plane
+    /// stress.
     pub fn stress(&self, strain: [f64; 4], out_of_plane: OutOfPlane) -> [f64; 4] {
         let [x, y, z, g] = strain;
         let (lame, double_shear) = (self.lame(), 2.0 * self.shear);
@@ -78,10 +78,10 @@ impl ElasticModuli {
     }
 }
 
-/// The moduli that an iteration refers to.
+/// The reference moduli of an iteration.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum ReferenceModuli {
-    /// As near to the tangent as errors in the strain allow.
+    /// Moduli as near to the tangent as errors in the strain allow.
     #[default]
     Tangent,
     /// The tangent at the strain itself, less this part of κ, with a secant modulus of at least as

@@ -1,15 +1,14 @@
-//! The radial return: where a trial state ends on the hardening curve.
+//! The radial return of a trial state to the hardening curve.
 //!
 //! ```text
 //! q + 3G ε_p = 3G ε,   q = q(ε_p)        ε = q_tr / (3G) + ε_p,n
 //! ```
 //!
-//! with the equivalent trial stress `q_tr` and the plastic strain `ε_p,n` before. Loaded from
-//! rest, ε is the equivalent strain, and the answer that of deformation theory.
+//! with the equivalent trial stress `q_tr` and the plastic strain `ε_p,n` before. From rest, ε is
+//! the equivalent strain, and the result is deformation theory.
 //!
-//! Piecewise linear laws have a closed form. The others are solved for beforehand, at strains from
-//! which they are known everywhere to rounding ([`Interpolant`]). So an evaluation costs one
-//! polynomial, whatever the law.
+//! Piecewise linear laws have a closed form. Other laws are solved in advance at the nodes of an
+//! [`Interpolant`], which is exact to rounding. An evaluation costs one polynomial for any law.
 
 use std::sync::Arc;
 
@@ -29,13 +28,13 @@ pub struct ReturnMapping {
 enum Form {
     /// One slope `dq/dε` \[MPa\] beyond yield.
     Line(f64),
-    /// Corners `[ε, q]`, the last of them the end of hardening.
+    /// Corners `[ε, q]`; the last one is the end of hardening.
     Polyline(Vec<[f64; 2]>),
-    /// Anything else: q over `ε - σ_y/(3G)`.
+    /// Any other law: q over `ε - σ_y/(3G)`.
     Curve(Interpolant),
 }
 
-/// Newton step, relative to the unknown, behind which nothing but rounding is left.
+/// Newton step over the unknown below which only rounding is left.
 const LAST_STEP: f64 = 1e-9;
 
 impl ReturnMapping {
@@ -65,7 +64,7 @@ impl ReturnMapping {
     #[inline]
     pub fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
         match self.form {
-            // Innermost loops ask this; a law with a yield point needs no call.
+            // Innermost loops call this; a law with a yield point needs no virtual call.
             Form::Line(_) => plastic_strain > 0.0,
             _ => self.law.has_yielded(stress, plastic_strain),
         }
@@ -133,7 +132,7 @@ impl ReturnMapping {
     /// `f(p) = q(p) + 3G p - 3G ε` is concave and rising. Newton's method in the bracket `[0, (3G
     /// ε - σ_y)/3G]`; a step that leaves it (an infinite slope at zero) is replaced by bisection.
     fn solve_for_strain(&self, trial: f64, near: Option<f64>) -> f64 {
-        // A steep curve bears all of it with a plastic strain below rounding.
+        // On a steep curve the plastic strain is below rounding.
         if self.law.stress(f64::EPSILON * trial / self.triple_shear) >= trial {
             return trial;
         }
@@ -195,7 +194,7 @@ impl ReturnMapping {
     }
 }
 
-/// On the segment in which a strain lies, found by bisection; constant beyond the last corner.
+/// Interpolates on the segment of a strain, found by bisection; constant beyond the last corner.
 fn along(corners: &[[f64; 2]], strain: f64) -> f64 {
     let beyond = corners.partition_point(|corner| corner[0] <= strain);
     let from = beyond.checked_sub(1).map_or([0.0, 0.0], |k| corners[k]);

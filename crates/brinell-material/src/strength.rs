@@ -3,8 +3,8 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// Factors of the hardening curve over depth: straight between points, constant before the first
-/// and beyond the last.
+/// Factors of the hardening curve over depth: linear between points, constant before the first and
+/// beyond the last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StrengthProfile {
     points: Vec<[f64; 2]>,
@@ -33,8 +33,8 @@ impl StrengthProfile {
     }
 }
 
-/// Straight lines between points in order of depth, constant beyond the ends; `None` without
-/// points.
+/// Interpolates linearly between points in order of depth, constant beyond the ends; `None`
+/// without points.
 pub fn interpolate(points: &[[f64; 2]], depth: f64) -> Option<f64> {
     let right = points.partition_point(|point| point[0] <= depth);
     match (right.checked_sub(1).and_then(|k| points.get(k)), points.get(right)) {

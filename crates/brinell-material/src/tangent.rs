@@ -1,15 +1,15 @@
-//! Tangent moduli of deformation theory, for the stiffness that an iteration refers to.
+//! Tangent moduli of deformation theory, for the reference stiffness of an iteration.
 //!
 //! ```text
 //! dσ = D dε,   D = K 1⊗1 + 2 G_s dev - κ s'⊗s',   κ = 4/9 (3 G_s - H) / ε_q²
 //! s' = [e_xx, e_yy, e_zz, γ_xy/2],   H = dq/dε_q
 //! ```
 //!
-//! The stiffness is a reference only: whatever D is, the iteration ends in the same state. It ends
-//! sooner the closer D is to the tangent of that state, and it must not be much softer, or errors
-//! there grow instead of falling. At the yield point the tangent jumps from 3G to a fraction of
-//! it, and which side a point is on is known no better than the state that D is taken from. So H
-//! and G_s are means over a range of strains, and a part of κ is left out.
+//! D is a reference only: the solution does not depend on D. Convergence is faster the closer D is
+//! to the tangent at the solution. D must not be much softer than this tangent, or errors grow. At
+//! the yield point the tangent jumps from 3G to a fraction of it, and the present iterate may lie
+//! on the wrong side of the jump. So H and G_s are means over a range of strains, and a part of κ
+//! is left out.
 
 use nalgebra::Vector4;
 

@@ -1,6 +1,7 @@
 //! Uniaxial hardening laws: stress against plastic strain, one file each.
 //!
-//! A law knows nothing of shear: [`crate::ReturnMapping`] combines the two.
+//! A law does not contain the shear modulus: [`crate::ReturnMapping`] combines curve and
+//! elasticity.
 
 mod ludwik;
 mod poly_line;
@@ -20,45 +21,45 @@ pub use voce::Voce;
 
 /// A uniaxial curve `q(ε_p)` of stress \[MPa\] against plastic strain, rising and concave.
 pub trait HardeningLaw: Debug + Send + Sync {
-    /// Stress up to which the response is elastic \[MPa\]; 0 where plastic strain begins at once.
+    /// Returns the elastic limit \[MPa\]; 0 where plastic strain begins at once.
     fn yield_stress(&self) -> f64;
 
-    /// q at a plastic strain `>= 0` \[MPa\].
+    /// Returns q at a plastic strain `>= 0` \[MPa\].
     fn stress(&self, plastic_strain: f64) -> f64;
 
-    /// `dq/dε_p` \[MPa\]; may be infinite at zero.
+    /// Returns `dq/dε_p` \[MPa\]; may be infinite at zero.
     fn slope(&self, plastic_strain: f64) -> f64;
 
-    /// Both at once, for laws that share work between them.
+    /// Returns stress and slope, for laws that share work between them.
     fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
         (self.stress(plastic_strain), self.slope(plastic_strain))
     }
 
-    /// `ε_p(q)` for a law that is given that way round; `None` for all others.
+    /// Returns `ε_p(q)` for a law that is defined by this inverse; `None` for all others.
     fn inverse(&self, _stress: f64) -> Option<Inverse> {
         None
     }
 
-    /// The corners `[ε_p, q]` of a piecewise linear law, the first at zero plastic strain; beyond
-    /// the last it has the slope there. `None` for a curved law.
+    /// Returns the corners `[ε_p, q]` of a piecewise linear law, the first at zero plastic strain;
+    /// beyond the last corner the slope there continues. `None` for a curved law.
     fn polyline(&self) -> Option<Vec<[f64; 2]>> {
         None
     }
 
-    /// Stress above which a point counts as yielded \[MPa\]: the yield stress or, for a curve
-    /// without an elastic limit, what convention says.
+    /// Returns the stress above which a point counts as yielded \[MPa\]: the yield stress or, for
+    /// a curve without an elastic limit, a conventional proof stress.
     fn nominal_yield_stress(&self) -> f64 {
         self.yield_stress()
     }
 
-    /// A stress at which the material flows noticeably \[MPa\]; contacts are sized by it before
-    /// anything is solved.
+    /// Returns a stress at which the material flows noticeably \[MPa\], for an estimate of the
+    /// contact size before the first solve.
     fn flow_stress(&self) -> f64 {
         1.2 * self.yield_stress()
     }
 
-    /// Whether a point in this state counts as yielded: where plastic strain has begun or, for a
-    /// curve without an elastic limit, above the nominal yield stress.
+    /// Whether a point in this state counts as yielded: if it has plastic strain or, for a curve
+    /// without an elastic limit, if its stress exceeds the nominal yield stress.
     fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
         plastic_strain > 0.0 && (self.yield_stress() > 0.0 || stress > self.nominal_yield_stress())
     }
