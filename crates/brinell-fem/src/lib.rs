@@ -1,4 +1,5 @@
-//! Finite elements: meshes, the quadrilateral with mean dilatation, and what is assembled from it.
+//! Finite elements: meshes, the quadrilateral with mean dilatation, and the assembly of equations
+//! and stresses.
 
 pub mod assembly;
 pub mod element;

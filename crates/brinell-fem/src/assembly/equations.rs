@@ -8,7 +8,7 @@
 use crate::mesh::Mesh;
 use sparse_cholesky::{EliminationOrder, Graph, SymmetricPattern};
 
-/// How the far boundary of a body is held.
+/// The support of the far boundary of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Support {
     /// Both components of its displacement are zero.
@@ -17,7 +17,7 @@ pub enum Support {
     Roller,
 }
 
-/// Which displacement components of each node are held at zero, `[x, y]`.
+/// The displacement components `[x, y]` of each node that are held at zero.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Restraint {
     held: Vec<[bool; 2]>,
@@ -34,7 +34,7 @@ impl Restraint {
     /// Holds the support and, on a half model, the tangential component along the symmetry axis.
     ///
     /// A roller support of a full model leaves the body free to slide; its node nearest the middle
-    /// is held tangentially, which takes up no force.
+    /// is held tangentially, with a reaction of zero.
     pub fn new(mesh: &Mesh, support: Support) -> Self {
         let mut held = vec![[false; 2]; mesh.nodes.len()];
         for &node in &mesh.support_nodes {
@@ -58,8 +58,8 @@ impl Restraint {
 /// Equation number of every free displacement component, in elimination order.
 ///
 /// The components of the contact nodes along y come last, in order of x, and before them those
-/// along x, so that the flexibility of the contact is of the trailing block of the inverse
-/// stiffness.
+/// along x, so that the trailing block of the inverse stiffness gives the flexibility of the
+/// contact.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Equations {
     /// `[x, y]` for each node; held components have the number one past the last equation.
@@ -99,7 +99,7 @@ impl Equations {
         self.origin.len()
     }
 
-    /// Whether everything is held.
+    /// Whether all components are held.
     pub fn is_empty(&self) -> bool {
         self.origin.is_empty()
     }
@@ -116,7 +116,7 @@ impl Equations {
         self.origin[equation as usize]
     }
 
-    /// Equations of the nodes for which `wanted` says so, in ascending order.
+    /// Returns the equations of the nodes for which `wanted` is true, in ascending order.
     pub fn of_nodes(&self, wanted: &[bool]) -> Vec<u32> {
         (0u32..)
             .zip(&self.origin)

@@ -16,7 +16,7 @@ pub use relaxation::{given_stress, initial_force, relaxed_stress};
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
 
-/// What the stress state tells of the out-of-plane direction.
+/// Returns the out-of-plane condition of a stress state.
 pub fn out_of_plane(stress_state: StressState) -> OutOfPlane {
     match stress_state {
         StressState::PlaneStrain | StressState::Axisymmetric => OutOfPlane::Strained,

@@ -1,4 +1,4 @@
-//! Moduli by which the reference stiffness of an element falls short of the elastic one.
+//! The reduction of the reference moduli of an element from the elastic ones.
 
 use crate::element::{ElementStiffness, QUADRATURE_POINTS, Quad};
 use brinell_material::{Moduli, PerPoint};
@@ -41,7 +41,7 @@ impl ElementReduction {
         stress
     }
 
-    /// What the reduction adds to the stiffness of its element, `-∫ Bᵀ C B dV`.
+    /// Returns the change of the element stiffness, `-∫ Bᵀ C B dV`.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "i and j address a block and its mirror image")]
     pub fn stiffness(&self, quad: &Quad) -> ElementStiffness {

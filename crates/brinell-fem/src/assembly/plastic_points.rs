@@ -1,21 +1,20 @@
-//! The part of a body that may yield, and the initial-stress load of its plastic flow.
+//! The plastic region, the part of a body that may yield, and the initial-stress load of its
+//! plastic flow.
 //!
 //! ```text
 //! P_e = Σ_elements ∫ Bᵀ σ_0 dV,   σ_0 = D_e ε - σ = 2 (G - G_s) e,   K_e u = R + P_e
 //! ```
 //!
-//! The paper prints its eq. (2.1) with a minus sign; with its own (2.3) only the plus satisfies
+//! The paper prints eq. (2.1) with a minus sign; with its eq. (2.3), only the plus sign satisfies
 //! equilibrium.
 //!
-//! The stiffness need not be the elastic one. With any moduli `D = D_e - C` in its place the same
-//! holds for the load
+//! The reference stiffness need not be elastic. With moduli `D = D_e - C` the load is
 //!
 //! ```text
 //! P = Σ ∫ Bᵀ (D ε - σ) dV = P_e - Σ ∫ Bᵀ C ε dV,   K u = R + P
 //! ```
 //!
-//! and the closer D is to the tangent of the law at the answer, the less P changes on the way
-//! there.
+//! and P changes the less between iterations, the closer D is to the tangent at the solution.
 //!
 //! # Reference
 //! Jiang Jinqing, Shang Shiying, *A total initial-stress method for elasto-plastic contact
@@ -33,26 +32,26 @@ use brinell_material::{
 };
 use dense_cholesky::simd_dispatch;
 
-/// A constitutive model of any state, as bodies hold it: built once, and asked for the regions of
-/// its meshes.
+/// A constitutive model with its state type erased. A body holds one and makes a plastic region
+/// for each of its meshes.
 pub trait MaterialModel: Debug + Send + Sync {
-    /// Elastic moduli.
+    /// Returns the elastic moduli.
     fn elastic(&self) -> ElasticModuli;
 
     /// The isotropic hardening law; `None` for a material that cannot yield.
     fn hardening(&self) -> Option<&dyn HardeningLaw>;
 
-    /// Whether the answer depends on the way there, so that loads are a history.
+    /// Whether the stress depends on the strain path, so that loads are a history.
     fn has_memory(&self) -> bool;
 
     /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body
     /// \[mm\].
     fn strength(&self, position: [f64; 2]) -> f64;
 
-    /// Whether [`Self::strength`] is not the same everywhere.
+    /// Whether [`Self::strength`] varies over the body.
     fn varies_in_strength(&self) -> bool;
 
-    /// The elements of a mesh that are `inside`, at rest.
+    /// Makes the plastic region of the elements of a mesh that are `inside`, at rest.
     fn points(
         self: Arc<Self>,
         unloaded: &Unloaded<'_>,
@@ -60,7 +59,8 @@ pub trait MaterialModel: Debug + Send + Sync {
         inside: &[bool],
     ) -> Box<dyn PlasticPoints>;
 
-    /// Stresses at nodal displacements `[u_x, u_y]` \[mm\] that were reached from rest.
+    /// Returns the stresses at nodal displacements `[u_x, u_y]` \[mm\] after a straight path from
+    /// rest.
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
 }
 
@@ -70,11 +70,11 @@ pub type PointStresses = Vec<[[f64; 4]; QUADRATURE_POINTS]>;
 /// A meshed body before any load.
 #[derive(Debug, Clone, Copy)]
 pub struct Unloaded<'a> {
-    /// Its mesh.
+    /// The mesh.
     pub mesh: &'a Mesh,
-    /// Third direction.
+    /// The condition of the third direction.
     pub stress_state: StressState,
-    /// The stress that it is in equilibrium with; `None` where there is none.
+    /// The residual stress in equilibrium; `None` if there is none.
     pub initial_stress: Option<&'a PointStresses>,
 }
 
@@ -137,13 +137,12 @@ impl<M: ConstitutiveModel> MaterialModel for M {
     }
 }
 
-/// The Gauss points of a body that may yield: their geometry, their law, and the states of the
-/// last accepted increment.
+/// A plastic region: Gauss points with their geometry, law, and states of the last accepted
+/// increment.
 pub trait PlasticPoints: Debug + Send + Sync {
-    /// Refers the load to a stiffness with the tangent moduli at the strains `[ε_xx, ε_yy, ε_zz,
-    /// γ_xy]` that `strain` gives for the points of each element of the region, from its index in
-    /// the mesh and its quadrilateral; to the elastic stiffness where none of these strains is
-    /// beyond yield.
+    /// Refers the load to a stiffness with the moduli at the strains `[ε_xx, ε_yy, ε_zz, γ_xy]`.
+    /// `strain` gives these for the points of an element, from its index in the mesh and its
+    /// quadrilateral. The stiffness is elastic where no point is beyond yield.
     fn linearize(
         &mut self,
         reference: ReferenceModuli,
@@ -156,8 +155,8 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// Whether the load refers to the elastic stiffness.
     fn refers_to_elastic(&self) -> bool;
 
-    /// Shows the elements whose stiffness is reduced, by their index in the mesh, and what that
-    /// adds to it.
+    /// Calls a function for each element with a reduced stiffness, with its index in the mesh and
+    /// the change of its stiffness.
     fn reduced_elements(&self, visit: &mut dyn FnMut(usize, &ElementStiffness));
 
     /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both
@@ -165,13 +164,12 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// held components; that entry of `load` is left zero. Returns the Gauss points beyond yield.
     fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize;
 
-    /// Accepts an increment that ends at the displacements `u` \[mm\], by equation: its states are
-    /// from now on those that everything else begins from.
+    /// Accepts an increment that ends at the displacements `u` \[mm\], by equation. Its states
+    /// become the initial states of the next increment.
     fn commit(&mut self, u: &[f64]);
 
-    /// Takes in the elements that are `inside` and not in the region yet. They have been elastic
-    /// so far, on the straight way to the displacements `u` of the last accepted increment; empty
-    /// before the first one.
+    /// Adds the elements that are `inside` to the region. Their states follow a straight path to
+    /// the displacements `u` of the last accepted increment; `u` is empty before the first one.
     fn extend(
         &mut self,
         unloaded: &Unloaded<'_>,
@@ -180,8 +178,8 @@ pub trait PlasticPoints: Debug + Send + Sync {
         u: &[f64],
     );
 
-    /// Stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\] that are reached from
-    /// the last accepted increment; elements outside of the region are taken from rest.
+    /// Returns the stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\], from the
+    /// states of the last accepted increment; elements outside the region start from rest.
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
 }
 
@@ -202,7 +200,7 @@ struct RegionElement {
     equations: [[u32; 2]; 4],
     /// Index in the mesh.
     index: usize,
-    /// Where the moduli are by which its reference stiffness is reduced, if it is.
+    /// Index of its moduli reduction, if its reference stiffness is reduced.
     reduction: Option<usize>,
 }
 

@@ -1,20 +1,21 @@
-//! Stress of an unloaded body, from one that is given and need not be in equilibrium.
+//! The residual stress of an unloaded body, from a given stress σ_g that need not be in
+//! equilibrium.
 //!
 //! ```text
 //! K u_0 = -∫ Bᵀ σ_g dV,   σ_r = σ_g + D ε(u_0)        ∫ Bᵀ σ_r dV = 0
 //! ```
 //!
-//! The displacements u_0 are not kept: the outline of a job is that of the body with its stress in
-//! it. A stress that depends on the depth below a plane alone is in equilibrium as it is, and is
-//! not relaxed: its tractions on the side walls are what the body beyond them would exert.
+//! The displacements u_0 are not kept: the outline of a job describes the stressed body. A stress
+//! that depends only on the depth below a plane is in equilibrium and is not relaxed: the
+//! continuation of the body would exert its tractions on the side walls.
 
 use super::{Equations, PointStresses};
 use crate::element::{QUADRATURE_POINTS, Quad, StressState};
 use crate::mesh::Mesh;
 use brinell_material::{ElasticModuli, OutOfPlane, PerPoint};
 
-/// A stress that is given from place to place, at the points of a mesh. As in every element the
-/// mean pressure is taken, which the plain strain matrix and that of B-bar do the same work with.
+/// Evaluates a given stress field at the points of a mesh. Each element takes the mean pressure,
+/// for which the plain strain matrix and B-bar give the same nodal forces.
 pub fn given_stress(
     mesh: &Mesh,
     stress_state: StressState,

@@ -10,16 +10,15 @@ use dense_cholesky::simd_dispatch;
 pub struct GaussPoint {
     /// `[x, y]` \[mm\].
     pub position: [f64; 2],
-    /// Area times thickness that the point stands for.
+    /// Area times thickness of the point.
     pub weight: f64,
-    /// Area of the section that the point stands for \[mm²\].
+    /// Area of the section of the point \[mm²\].
     pub area: f64,
     /// `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\], tensile positive.
     pub stress: [f64; 4],
     /// Equivalent plastic strain.
     pub equivalent_plastic_strain: f64,
-    /// Equivalent strain `√(2/3 e:e)` of the total strain, in plane stress as if its volume were
-    /// kept.
+    /// Equivalent strain `√(2/3 e:e)` of the total strain, in plane stress for constant volume.
     pub equivalent_strain: f64,
     /// Secant shear modulus G_s \[MPa\].
     pub secant_shear: f64,
@@ -31,7 +30,7 @@ pub struct GaussPoint {
     pub largest_von_mises: f64,
     /// `∫σ:dε_p` over the history \[MPa\].
     pub plastic_work: f64,
-    /// The part of it that the backstress stores \[MPa\].
+    /// The part of this work that the backstress stores \[MPa\].
     pub backstress_energy: f64,
 }
 

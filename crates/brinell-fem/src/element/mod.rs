@@ -1,8 +1,8 @@
 //! The 4-node quadrilateral with mean dilatation (B-bar).
 //!
-//! Plastic flow keeps volume, and a plain Q4 cannot: four independent volumetric constraints an
-//! element lock it. B-bar replaces the dilatation at each Gauss point by its mean over the
-//! element, one constraint an element, and leaves the deviator alone:
+//! Plastic flow keeps the volume constant. A plain Q4 then locks: it has four volumetric
+//! constraints in each element. B-bar replaces the dilatation at each Gauss point by its mean over
+//! the element, a single constraint, and keeps the deviator:
 //!
 //! ```text
 //! ε̄ = dev(B u) + ⅓ (1/V ∫ tr(B u) dV) 1

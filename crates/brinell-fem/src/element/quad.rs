@@ -6,7 +6,7 @@ use brinell_material::PerPoint;
 /// Gauss points of an element.
 pub const QUADRATURE_POINTS: usize = 4;
 
-/// What the third direction does.
+/// The condition of the third direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StressState {
     /// ε_zz = 0, unit thickness.
@@ -185,8 +185,8 @@ impl Quad {
 
     /// Nodal forces `∫ Bᵀ σ dV` of stresses `[σ_xx, σ_yy, σ_zz, τ_xy][g]`.
     ///
-    /// `B` is the plain strain matrix. For a deviatoric stress it gives what B-bar would, because
-    /// the two differ in the dilatation alone; likewise for a pressure that is constant over the
+    /// `B` is the plain strain matrix. B-bar would give the same forces for a deviatoric stress,
+    /// because the two differ only in the dilatation, and for a pressure that is constant over the
     /// element.
     #[inline(always)]
     pub fn nodal_forces(&self, stress: &[PerPoint; 4]) -> [[f64; 2]; 4] {

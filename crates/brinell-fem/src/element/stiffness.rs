@@ -10,12 +10,12 @@ pub type ElementStiffness = [[[[f64; 2]; 2]; 4]; 4];
 /// to point (the secant stiffness of deformation theory) \[MPa\].
 ///
 /// ```text
-/// plane strain, axisymmetry   ∫ 2G dev(ε):dev(ε) dV + V K (b̄ u)²        B-bar, b̄ the mean divergence
-/// plane stress                ∫ 2G ε:ε + λ' (ε_xx + ε_yy)² dV            λ' = 2Gλ/(λ + 2G), λ = K - 2G/3
+/// plane strain, axisymmetry   ∫ 2G dev(ε):dev(ε) dV + V K (b̄ u)²   B-bar, b̄: mean divergence
+/// plane stress                ∫ 2G ε:ε + λ' (ε_xx + ε_yy)² dV      λ' = 2Gλ/(λ + 2G), λ = K - 2G/3
 /// ```
 ///
-/// In plane stress the thickness is free to change, so that nothing can lock and no mean is taken.
-/// The matrix is symmetric; all sixteen node blocks are filled.
+/// In plane stress the thickness is free to change, so that the element cannot lock and B is the
+/// plain strain matrix. The matrix is symmetric; all sixteen node blocks are filled.
 pub fn element_stiffness(
     quad: &Quad,
     bulk_modulus: f64,

@@ -1,6 +1,6 @@
 //! Places along and below the surface of a body.
 
-/// How a body's surface runs where the contact is described: positions along it, depths below it.
+/// Coordinates of the contact on a body: position along the surface and depth below it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SurfaceFrame {
     /// Along x, depth along y: surfaces close to their tangent.

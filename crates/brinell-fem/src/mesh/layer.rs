@@ -1,9 +1,9 @@
-//! The grid of a layer, a body that is thin beside the contact or beside its own width: columns
-//! through its whole depth.
+//! The grid of a layer: columns through the whole depth of a body that is thin compared with the
+//! contact or with its own width.
 //!
-//! Rings about the middle of the contact would be flat there and fold. Columns are those of the
-//! contact zone and grow geometrically from there to both ends of the body; rows are about as
-//! thick as the columns of the zone are wide, and grow below.
+//! Rings about the middle of the contact would be flat in a layer and fold. The columns have the
+//! width of the contact zone's columns there and grow geometrically to both ends of the body. Rows
+//! are about as thick as these columns are wide, and grow below.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -21,25 +21,25 @@ const THIN: f64 = 0.25;
 /// Rows at least: stresses in a layer vary over its depth like a polynomial of low degree.
 const LEAST_ROWS: usize = 4;
 
-/// Depth of the ends of a layer over that of its middle at least: shallower ones end in wedges.
+/// Least depth of the ends of a layer over the depth of its middle; shallower layers end in
+/// wedges.
 const LEAST_WALL: f64 = 0.05;
 
 /// Depth over the width of a body up to which rings may fold below a contact of any size.
 const FLAT: f64 = 0.1;
 
-/// Whether a body is thin beside the contact.
+/// Whether a body is thin compared with the contact.
 pub(super) fn is_layer(outline: &Outline, zone: &ContactZone) -> bool {
     thickness(outline, zone) < THIN * zone.half_width() && has_walls(outline)
 }
 
-/// Whether it is thin beside its own width.
+/// Whether a body is thin compared with its own width.
 pub(super) fn is_flat(outline: &Outline) -> bool {
     let (left, right) = outline.span();
     outline.depth() < FLAT * (right - left) && has_walls(outline)
 }
 
-/// Whether columns at its ends are no wedges, so that it may be meshed in columns where rings
-/// fold.
+/// Whether the ends of a body are walls, not wedges, so that columns can replace folded rings.
 pub(super) fn has_walls(outline: &Outline) -> bool {
     let depth = outline.depth();
     [1.0, -1.0].into_iter().all(|sign| outline.end(sign)[1] + depth > LEAST_WALL * depth)
@@ -94,7 +94,7 @@ fn columns(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> (Ve
     (abscissae, left.len())
 }
 
-/// How many nodes [`generate`] makes.
+/// Returns the number of nodes of [`generate`].
 pub(super) fn estimated_nodes(
     outline: &Outline,
     zone: &ContactZone,

@@ -1,4 +1,4 @@
-//! Where in a mesh a point lies: what carries a field from one mesh to another.
+//! The location of points in a mesh, for the transfer of fields between meshes.
 
 use std::collections::HashMap;
 
@@ -37,7 +37,7 @@ impl Place {
     }
 }
 
-/// Steps after which a walk goes in circles.
+/// Steps after which a walk counts as a cycle.
 const MAX_STEPS: usize = 10_000;
 
 impl<'a> Locator<'a> {
@@ -61,7 +61,8 @@ impl<'a> Locator<'a> {
         Self { mesh, neighbours, last: 0 }
     }
 
-    /// Where a point `[x, y]` lies. A point a little outside the mesh is moved to its border.
+    /// Returns the place of a point `[x, y]`. A point slightly outside the mesh is moved to its
+    /// boundary.
     pub fn locate(&mut self, point: [f64; 2]) -> Place {
         let mut element = self.last;
         for _ in 0..MAX_STEPS {

@@ -3,7 +3,7 @@
 //!
 //! Each body is meshed in its own frame: the contact starts at the origin, `x` is tangential, `y`
 //! points out of the body, so the material lies at `y <= surface(x)`. The upper body of a job is
-//! this picture mirrored, which is why two equal bodies need only one mesh.
+//! the mirror image, so that two equal bodies share one mesh.
 //!
 //! ```text
 //!   y ^   contact zone: columns of width h, the same abscissae on both bodies
@@ -39,7 +39,7 @@ use thiserror::Error;
 
 use sparse_cholesky::LatticePoint;
 
-/// Why no mesh could be made.
+/// Why mesh generation has failed.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MeshError {
     /// The contact zone does not fit on the body.
@@ -53,16 +53,16 @@ pub enum MeshError {
         /// Largest half-width that the surface offers \[mm\].
         available: f64,
     },
-    /// A surface given by points that is too steep for the mesh to follow.
+    /// A surface given by points is too steep for the mesh.
     #[error(
         "the face has a slope of {slope:.2} at x = {x:.6} mm; a body that deforms is meshed up to \
          slopes of about {MESHED_SLOPE}, and contact theory with small displacements is not meant \
          for steeper ones"
     )]
     TooSteep {
-        /// Where \[mm\].
+        /// Abscissa \[mm\].
         x: f64,
-        /// Largest slope there.
+        /// Slope there.
         slope: f64,
     },
     /// The interpolation folded over itself.
@@ -76,7 +76,7 @@ pub enum MeshError {
     },
 }
 
-/// About how many nodes a mesh will have.
+/// Estimates the number of nodes of a mesh.
 pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> usize {
     if let Some(ring) = outline.ring() {
         return polar::estimated_nodes(ring, zone, refinement);
@@ -89,8 +89,8 @@ pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refine
     if layer::is_flat(outline) { in_rings.max(in_columns()) } else { in_rings }
 }
 
-/// Relative difference of two lengths that is rounding: other units give the same numbers of rows
-/// and columns.
+/// Relative difference of two lengths that counts as rounding, so that the numbers of rows and
+/// columns do not depend on units.
 pub const ROUNDING: f64 = 1e-9;
 
 /// Powers with which the shape of the free surface fades into the body; the first one that gives a
@@ -142,8 +142,8 @@ impl Mesh {
             let mesh = layer::generate(outline, zone, refinement)?;
             return quality::require_positive_jacobians(&mesh).map(|()| mesh);
         }
-        // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far
-        // into the body folds the rings there; a steeper fade keeps it near the surface.
+        // Beside an off-centre zone on a narrow body the curved surface can fold the rings. A
+        // steeper fade keeps its influence near the surface.
         let centre = [zone.centre(), outline.height(zone.centre())];
         let mut outcome = Err(MeshError::Inverted { element: 0 });
         for unfold in [false, true] {

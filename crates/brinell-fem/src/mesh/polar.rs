@@ -80,7 +80,7 @@ pub(super) fn generate(
     Ok(mesh)
 }
 
-/// About how many nodes [`generate`] makes: exactly so many.
+/// Returns the number of nodes of [`generate`].
 pub(super) fn estimated_nodes(ring: &Ring, zone: &ContactZone, refinement: Refinement) -> usize {
     ray_angles(ring, zone, refinement).len() * row_parts(ring, zone, refinement).len()
 }

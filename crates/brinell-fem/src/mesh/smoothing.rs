@@ -1,4 +1,4 @@
-//! Rings that folded are smoothed.
+//! The smoothing of folded rings.
 //!
 //! Where the zone takes up most of a narrow body, or lies far from its middle, interpolation
 //! between block and boundary can fold rings over. Then the nodes around the folded elements are
@@ -11,8 +11,8 @@
 //!
 //! A harmonic map onto a convex domain, here a rectangle, is one-to-one, so that nothing folds. It
 //! is solved for `X = (ln r, φ)`, a conformal image of the place, in which growing rings are even
-//! steps and the equation is the same. Only as many nodes are moved as it takes, because the map
-//! itself folds once more at the corners of the block when its steps are finite.
+//! steps and the equation is the same. Only the nodes around folded elements move, because on
+//! finite steps the map itself folds at the corners of the block.
 //!
 //! # Reference
 //! A. M. Winslow, *Numerical solution of the quasilinear Poisson equation in a nonuniform triangle
@@ -99,7 +99,7 @@ pub(super) fn unfold(mesh: &mut Mesh, centre: [f64; 2]) {
     }
 }
 
-/// Where a node has to be between its neighbours; the steps of η to those may differ.
+/// Returns the position of a node between its neighbours, whose steps of η may differ.
 fn winslow(place: &[Vec<[f64; 2]>], k: usize, s: usize, below: f64, above: f64) -> [f64; 2] {
     let component = |c: usize| {
         let (left, right) = (place[k][s - 1][c], place[k][s + 1][c]);

@@ -1,4 +1,4 @@
-//! Where the bodies may touch: the abscissae of the candidate pairs.
+//! The contact zone: the abscissae of the candidate pairs.
 
 use std::sync::Arc;
 
@@ -6,19 +6,18 @@ use super::{Outline, ROUNDING};
 
 /// Largest part of the body's surface that the zone may take.
 const MAX_ZONE_SPAN: f64 = 0.8;
-/// Nodes that two corners must be apart to be nodes both, as a part of the element size.
+/// Least distance of two corners that both become nodes, over the element size.
 const MIN_COLUMN: f64 = 0.3;
-/// Opening slope beyond which a corner is an edge, where pressure grows without bound and columns
-/// are graded; and by how much steeper the surface falls on one side than on the other. Both but
-/// for rounding.
+/// Least opening slope of an edge, a corner at which pressure is unbounded and columns are graded;
+/// least ratio of the slopes on its two sides. Both allow for rounding.
 const EDGE: f64 = 0.25 * (1.0 - ROUNDING);
 const STEEPER: f64 = 2.0 * (1.0 + ROUNDING);
 /// Times that the column beside an edge is halved towards it.
 const GRADING_LEVELS: i32 = 3;
 
-/// By how much the outermost pair stands inside of an edge, as a part of the element size. Pairs
-/// in contact up to the edge itself act like a punch that is wider by this: with 20 elements the
-/// elastic approach is 0.25 % low and the limit load of a flat punch 0.34 % high.
+/// Distance of the outermost pair from an edge, over the element size. A pair at the edge itself
+/// acts like a punch that is wider by this distance: with 20 elements the elastic approach is 0.25
+/// % low and the limit load of a flat punch 0.34 % high.
 const EDGE_INSET: f64 = 0.1;
 
 /// A corner of a surface.
@@ -28,18 +27,18 @@ pub struct Corner {
     pub x: f64,
     /// Slopes of the surface's height to the left and to the right.
     pub slopes: [f64; 2],
-    /// Whether a smooth curve rounds it off, so that only a mesh takes it for one.
+    /// Whether the surface is smooth there and the corner exists only in the mesh.
     pub is_rounded: bool,
 }
 
 impl Corner {
-    /// By how much the slope falls; positive where the corner sticks out.
+    /// Decrease of the slope; positive at a convex corner.
     pub fn opening(&self) -> f64 {
         self.slopes[0] - self.slopes[1]
     }
 
-    /// On which side a contact ends here, +1 for the right, because the surface falls off there
-    /// abruptly and much more than on the other; 0 where it does not.
+    /// Side on which a contact ends at an edge: +1 for the right, -1 for the left, where the
+    /// surface falls off much more steeply than on the other side; 0 without an edge.
     pub fn edge(&self) -> f64 {
         let [left, right] = self.slopes;
         if self.opening() < EDGE {
@@ -164,8 +163,7 @@ impl ContactZone {
         self.corner(k).is_some()
     }
 
-    /// Whether it is one that nothing rounds off, or an edge, beside which a curve through points
-    /// falls off too steeply to matter.
+    /// Whether candidate node `k` is a sharp corner or an edge.
     pub fn is_sharp_corner(&self, k: usize) -> bool {
         self.corner(k).is_some_and(|corner| !corner.is_rounded || corner.edge() != 0.0)
     }
@@ -175,8 +173,8 @@ impl ContactZone {
         self.corners.get(place).map(|(_, corner)| corner)
     }
 
-    /// Where the edge is that candidate node `k` stands for, if it does \[mm\]; the node lies a
-    /// little inside of it.
+    /// Returns the abscissa of the edge beside candidate node `k`, if there is one \[mm\]; the
+    /// node lies slightly inside the edge.
     pub fn edge(&self, k: usize) -> Option<f64> {
         self.corner(k).filter(|corner| corner.edge() != 0.0).map(|corner| corner.x)
     }
