@@ -11,7 +11,7 @@ use super::{
 /// Steps after which the simplex takes over. Contact problems need one to ten.
 const STEP_LIMIT: usize = 60;
 
-/// Guesses which pairs touch, solves, corrects the guess, until it repeats.
+/// Guesses the pairs in contact, solves, and corrects the guess until it repeats.
 ///
 /// With A the guess, one step solves the bordered system with `δ_A = 0` and `R = 0` elsewhere and
 /// takes
@@ -19,14 +19,14 @@ const STEP_LIMIT: usize = 60;
 /// A' = { k in A : R_k > 0 }  ∪  { k not in A : δ_k < 0 }
 /// ```
 /// which is a semismooth Newton step for `min(R, δ) = 0`. `δ_k < 0` is compared with the rounding
-/// error of its own terms, so pairs that just touch stay outside and cannot flicker. A step
-/// costs |A|³/6 + n |A| multiply-adds; started from the neighbouring iteration's set it takes one
-/// or two, from nothing five to ten.
+/// error of its own terms, so that pairs that just touch stay outside the set and do not
+/// alternate. A step costs |A|³/6 + n |A| multiply-adds; from the set of the iteration before it
+/// takes one or two steps, without a start five to ten.
 ///
 /// # Termination
-/// The method has no proof for every positive definite F: it may run in a circle. A set that comes
-/// back, an F that fails on an intermediate set, or 60 steps hand the problem to
-/// [`SimplexSolver`], which cannot cycle.
+/// The method is not proven to end for every positive definite F: it may cycle. [`SimplexSolver`],
+/// which cannot cycle, takes over after a repeated set, after an F that fails on an intermediate
+/// set, or after 60 steps.
 ///
 /// # Reference
 /// M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth

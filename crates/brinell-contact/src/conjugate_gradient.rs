@@ -7,12 +7,11 @@
 //! α = mᵀw / Σm,   w = g + F R,   r = w - α,   z = M r - (Σ M r / Σ m) m
 //! ```
 //! so that α is the best approach in the norm of M and `Σ z = 0`. The inner iteration ends at a
-//! fiftieth of its first residual: the set matters more than the forces until it has settled. The
-//! next set keeps cells with R > 0 and takes in cells that penetrate, by more than the tolerance,
-//! since the inner iteration knows no better.
+//! fiftieth of its first residual, because accurate forces are useless before the set has settled.
+//! The next set keeps cells with R > 0 and adds cells that penetrate by more than the accuracy of
+//! the inner iteration.
 //!
-//! The set is not proven to settle. Sets that go on changing hand over to projected conjugate
-//! gradients.
+//! The set is not proven to settle. If it does not, projected conjugate gradients take over.
 //!
 //! # Reference
 //! M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth
@@ -41,7 +40,7 @@ pub struct ConjugateGradientSolver {
 }
 
 impl ConjugateGradientSolver {
-    /// A solver that goes on until the independent check passes `tolerance`.
+    /// Makes a solver that iterates until the independent check passes `tolerance`.
     pub const fn new(tolerance: f64) -> Self {
         Self { tolerance }
     }
@@ -178,7 +177,8 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Takes the forces' own set, without the tension, at the prescribed force.
+    /// Takes the pairs with positive forces as the set, drops tension, and scales to the
+    /// prescribed force.
     fn adopt(&mut self, force: &mut [f64]) {
         for (k, inside) in self.active.iter().enumerate() {
             self.indicator[k] = f64::from(u8::from(*inside));
@@ -199,7 +199,8 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// The next set: without tension, with what penetrates. Whether it is another one.
+    /// Updates the set: drops pairs in tension, adds pairs that penetrate. Returns whether the set
+    /// has changed.
     fn next_set(&mut self, force: &[f64], inner: &Inner) -> bool {
         let mut changed = false;
         for (k, inside) in self.active.iter_mut().enumerate() {
@@ -214,7 +215,8 @@ impl<'a> Iteration<'a> {
         changed
     }
 
-    /// Set after set until the check passes; the fallback where they do not settle.
+    /// Solves on one set after another until the check passes; falls back where the sets do not
+    /// settle.
     fn run(
         mut self,
         mut solution: ContactSolution,

@@ -16,7 +16,7 @@ pub enum ContactError {
         /// Entries of the other list.
         found: usize,
     },
-    /// A flexibility that can only be applied, and a solver that needs its entries.
+    /// The solver needs the entries of the flexibility, which has none.
     #[error("this contact solver needs the entries of the flexibility")]
     NoEntries,
     /// An approach that does not close a pair.
@@ -50,13 +50,13 @@ pub enum ContactError {
         /// Pivots made.
         pivots: usize,
     },
-    /// More pivots than any contact has been seen to need.
+    /// The pivots exceed a limit far above the need of any known contact.
     #[error("the simplex did not finish within {limit} pivots")]
     PivotLimit {
         /// The limit.
         limit: usize,
     },
-    /// Rounding led to a set of pairs on which the conditions do not hold.
+    /// Rounding led to an active set that violates the conditions.
     #[error(
         "the flexibility is too ill-conditioned: gaps are violated by {violation:e} of their scale"
     )]

@@ -1,4 +1,4 @@
-//! What a contact needs to know of two elastic bodies.
+//! The flexibility of two elastic bodies in contact.
 
 use dense_cholesky::SymmetricMatrix;
 
@@ -25,7 +25,7 @@ pub trait Flexibility {
         force.copy_from_slice(displacement);
     }
 
-    /// The entries of F row by row, where they are at hand.
+    /// Returns the entries of F row by row, if they are stored.
     fn dense(&self) -> Option<&[f64]> {
         None
     }

@@ -1,7 +1,7 @@
 //! Independent check: does a set of forces solve a contact problem?
 //!
-//! Kept apart from all solvers on purpose: it recomputes `δ = g + F R - α e` from the data by its
-//! own loops and trusts nothing but the forces and the approach it is handed.
+//! The check shares no code with the solvers: it recomputes `δ = g + F R - α e` from the data, the
+//! forces and the approach by its own loops.
 
 use super::{ContactLoad, ContactProblem};
 
@@ -9,8 +9,7 @@ use super::{ContactLoad, ContactProblem};
 /// contact, that a converged state may have. Rounding leaves about 1e-12.
 const SOUND: f64 = 1e-8;
 
-/// How far forces and approach are from satisfying the contact conditions; every figure is
-/// dimensionless.
+/// Violations of the contact conditions by forces and approach; all dimensionless.
 ///
 /// Scales: `R° = max |R_k|` for forces and `u° = max |(F R)_k|`, the elastic displacement they
 /// cause, for gaps. Where nothing touches, `u° = max(|α|, max |g_k|)`.
@@ -34,7 +33,7 @@ impl KktReport {
             .fold(0.0, worse)
     }
 
-    /// Whether they are as small as in a state that counts as converged.
+    /// Whether the violations are as small as a converged state requires.
     pub fn is_sound(&self) -> bool {
         self.passes(SOUND)
     }
@@ -45,7 +44,7 @@ impl KktReport {
     }
 }
 
-/// What the conditions are relative to.
+/// The scales of the conditions.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ContactScales {
     /// `R°` \[N/mm\].
@@ -65,7 +64,7 @@ impl ContactScales {
     }
 }
 
-/// The scales of some forces.
+/// Returns the scales of contact forces.
 pub fn scales(problem: &ContactProblem<'_>, force: &[f64]) -> ContactScales {
     let displacement = displacement(problem, force);
     ContactScales {
@@ -81,16 +80,16 @@ fn displacement(problem: &ContactProblem<'_>, force: &[f64]) -> Vec<f64> {
     displacement
 }
 
-/// Judges forces and approach.
+/// Checks forces and approach.
 ///
-/// Lists of different lengths give infinities, figures that are not finite give NaN; neither
-/// passes.
+/// Lists of different lengths give infinite violations, figures that are not finite give NaN;
+/// neither passes.
 pub fn check(problem: &ContactProblem, force: &[f64], approach: f64) -> KktReport {
     check_beside(problem, force, approach, ContactScales::default())
 }
 
-/// The same with scales at least as large as those of earlier loads: what these have left in the
-/// bodies has the rounding error of them.
+/// Checks with scales at least as large as those of earlier loads, because the plastic
+/// displacements of these loads have rounding errors of that size.
 pub fn check_beside(
     problem: &ContactProblem,
     force: &[f64],
@@ -110,7 +109,7 @@ pub fn check_beside(
     judge(problem, force, &displacement(problem, force), approach, least)
 }
 
-/// The same where the displacements `F R` are known afresh.
+/// Checks with given displacements `F R`.
 pub(crate) fn judge(
     problem: &ContactProblem<'_>,
     force: &[f64],
@@ -168,7 +167,7 @@ fn negative_part(value: f64) -> f64 {
     worse(-value, 0.0)
 }
 
-/// A quotient in which nothing out of nothing is nothing, not NaN.
+/// Returns a quotient, where 0/0 is 0 and not NaN.
 fn ratio(value: f64, scale: f64) -> f64 {
     if value == 0.0 && scale == 0.0 { 0.0 } else { value / scale }
 }

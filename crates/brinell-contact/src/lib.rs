@@ -15,8 +15,8 @@
 //! is unique.
 //!
 //! F is a [`Flexibility`]. Two solvers need its entries, two apply it:
-//! - [`ActiveSetSolver`], Newton's method on the conditions: a few steps, from the pairs of
-//!   another answer one or two;
+//! - [`ActiveSetSolver`], Newton's method on the conditions: a few steps, or one or two from the
+//!   pairs of a similar answer;
 //! - [`SimplexSolver`], the simplex with restricted basis entry: finite, needs no start, O(n²) a
 //!   pivot;
 //! - [`ConjugateGradientSolver`], the active set outside, preconditioned conjugate gradients
@@ -25,8 +25,8 @@
 //!
 //! [`kkt::check`] recomputes every condition from the data and shares no code with any of them.
 //!
-//! An answer that has not converged is an answer with that [`ContactStatus`], not an error. Forces
-//! are per unit thickness in plane problems. Nothing here knows a mesh.
+//! A solve that does not converge returns an answer with that [`ContactStatus`], not an error.
+//! Forces are per unit thickness in plane problems. Nothing here knows a mesh.
 
 mod active_set;
 mod bordered;
@@ -56,8 +56,8 @@ pub use polonsky_keer::PolonskyKeerSolver;
 pub use problem::{ContactLoad, ContactProblem, ContactSolution, ContactStatus};
 pub use simplex::SimplexSolver;
 
-/// Asked once per iteration of conjugate gradients; `Break` ends the solve with
-/// [`ContactStatus::Stopped`]. Direct solvers are too short to ask.
+/// A hook that runs once per iteration of conjugate gradients; `Break` ends the solve with
+/// [`ContactStatus::Stopped`]. Direct solvers are too short for it.
 pub type StopHook<'a> = dyn FnMut() -> ControlFlow<()> + 'a;
 
 /// A hook that never stops.
@@ -69,12 +69,13 @@ pub fn never() -> ControlFlow<()> {
 pub trait ContactSolver {
     /// Finds forces, gaps and approach.
     ///
-    /// `start` is where to start, usually the answer of the iteration before: active sets start
-    /// from its pairs, conjugate gradients from its forces. It may be any answer, even one of
-    /// other pairs: it changes the number of steps, never the answer.
+    /// `start` is an initial guess, usually the answer of the iteration before: active sets start
+    /// from its pairs, conjugate gradients from its forces. Any answer is allowed, even with other
+    /// pairs: it changes the number of steps, not the result.
     ///
     /// # Errors
-    /// [`ContactError`]: data that are no contact problem, or a flexibility that is not positive definite.
+    /// [`ContactError`]: data that are no contact problem, or a flexibility that is not positive
+    /// definite.
     fn solve(
         &self,
         problem: &ContactProblem<'_>,

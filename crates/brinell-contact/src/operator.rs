@@ -1,8 +1,8 @@
-//! What the solvers share that apply the flexibility: normals inclined to the approach, a start,
-//! and the check at the end.
+//! The common part of the solvers that apply the flexibility: normals inclined to the approach,
+//! the initial guess, and the final check.
 //!
 //! With `R' = e R`, `u' = u / e`, `g' = g / e` and `δ' = δ / e` the conditions are those of
-//! normals along the approach. The check is of the problem as it was given.
+//! normals along the approach. The check applies to the original problem.
 
 use super::kkt::{self, ContactScales, KktReport};
 use super::{

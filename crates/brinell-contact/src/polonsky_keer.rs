@@ -2,9 +2,9 @@
 //! preconditioner.
 //!
 //! A step along the conjugate direction of the cells with R > 0 is cut off at R = 0; cells that
-//! penetrate are loaded by the same step length, and conjugacy starts anew. The forces are scaled
-//! to the load after *every* step: scaled at the end alone, the answer satisfies the contact
-//! conditions of another load.
+//! penetrate are loaded by the same step length, and the conjugate directions restart. The forces
+//! are scaled to the load after *every* step; forces that are scaled only at the end satisfy the
+//! contact conditions of another load.
 //!
 //! # Reference
 //! I. A. Polonsky, L. M. Keer, *A numerical method for solving rough contact problems based on the
@@ -28,7 +28,7 @@ pub struct PolonskyKeerSolver {
 }
 
 impl PolonskyKeerSolver {
-    /// A solver that goes on until the independent check passes `tolerance`.
+    /// Makes a solver that iterates until the independent check passes `tolerance`.
     pub const fn new(tolerance: f64) -> Self {
         Self { tolerance }
     }
@@ -64,7 +64,7 @@ fn scale_to_load(problem: &ContactProblem<'_>, force: &mut [f64]) {
     }
 }
 
-/// Goes on from the forces of `solution`, with normals along the approach.
+/// Continues from the forces of `solution`, with normals along the approach.
 pub(crate) fn run(
     problem: &ContactProblem<'_>,
     mut solution: ContactSolution,
@@ -114,8 +114,7 @@ pub(crate) fn run(
         for ((t, w), r) in direction.iter_mut().zip(&opening).zip(&solution.force) {
             *t = match () {
                 () if *r > 0.0 => w + conjugate * *t,
-                // Where the cells in contact are at rest, those that penetrate are all that is
-                // left to move.
+                // If the cells in contact are in equilibrium, only the penetrating cells remain.
                 () if product == 0.0 => w.min(0.0),
                 () => 0.0,
             };

@@ -1,9 +1,9 @@
-//! What goes into a contact solve and what comes out.
+//! The input and output of a contact solve.
 
 use super::entries::Entries;
 use super::{ActiveSet, ContactError, Flexibility};
 
-/// What is prescribed.
+/// The prescribed load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ContactLoad {
     /// Resultant of the contact forces P >= 0 \[N\]; the approach is an output.
@@ -13,7 +13,7 @@ pub enum ContactLoad {
 }
 
 impl ContactLoad {
-    /// The figure that is prescribed.
+    /// Returns the prescribed force or approach.
     pub const fn magnitude(self) -> f64 {
         match self {
             Self::Force(value) | Self::Approach(value) => value,
@@ -30,10 +30,10 @@ pub struct ContactProblem<'a> {
     /// Equivalent initial gap `g = δ0 + u_p` along the pair's normal \[mm\]; plastic flow may make
     /// entries negative.
     pub initial_gap: &'a [f64],
-    /// e: by how much an approach of 1 closes each gap, the cosine of the angle between the pair's
+    /// e: the closing of each gap by an approach of 1, the cosine of the angle between the pair's
     /// normal and the direction of the approach, in `(0, 1]`.
     pub closing: &'a [f64],
-    /// What is prescribed.
+    /// The prescribed load.
     pub load: ContactLoad,
 }
 
@@ -54,8 +54,8 @@ pub enum ContactStatus {
 pub struct ContactSolution {
     /// Contact force R of each pair \[N\], compressive, >= 0.
     pub force: Vec<f64>,
-    /// Gap δ of each pair after loading \[mm\]. Of direct solvers >= 0 and exactly 0 on the active
-    /// set, of conjugate gradients as the forces make it.
+    /// Gap δ of each pair after loading \[mm\]. Direct solvers give gaps >= 0, exactly 0 on the
+    /// active set; conjugate gradients give the gaps of their forces.
     pub gap: Vec<f64>,
     /// Approach α of the supports \[mm\].
     pub approach: f64,
@@ -67,9 +67,9 @@ pub struct ContactSolution {
     pub active_set: ActiveSet,
     /// How the solve ended.
     pub status: ContactStatus,
-    /// Changes of the active set: pivots of the simplex, or sets that were tried.
+    /// Changes of the active set: pivots of the simplex, or active sets tried.
     pub pivots: usize,
-    /// Applications of the flexibility, those of the check included; 0 of direct solvers.
+    /// Applications of the flexibility, including the check; 0 for direct solvers.
     pub applications: usize,
 }
 
@@ -104,7 +104,7 @@ impl ContactProblem<'_> {
         Entries::of(self.flexibility).ok_or(ContactError::NoEntries)
     }
 
-    /// Refuses data that are no contact problem.
+    /// Checks that the data form a contact problem.
     pub(crate) fn validate(&self) -> Result<(), ContactError> {
         let (expected, found) = (self.flexibility.len(), self.initial_gap.len());
         if expected != found {
@@ -139,8 +139,8 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// The answer without contact forces, if the load asks for none: the bodies at the prescribed
-    /// approach, or just touching under `P = 0`.
+    /// Returns the answer without contact forces, if the load needs none: the bodies at the
+    /// prescribed approach, or just touching under `P = 0`.
     pub(crate) fn without_force(&self) -> Option<ContactSolution> {
         let first = self.first_touch();
         let approach = match self.load {

@@ -1,10 +1,10 @@
-//! Where a solve starts from when it has no forces of an earlier one.
+//! The initial guess of the forces, for a solve without an earlier answer.
 //!
 //! Forces proportional to the depth below a level ℓ, `R_j = P d_j / Σd`, `d = max(ℓ - g, 0)`, lift
 //! the cell k that is deepest by `u_k = Σ_j F_kj R_j`. With the pairs in order of their gaps,
-//! running sums of `F_kj` and `F_kj g_j` give u_k for every ℓ from one column of F. The level is
-//! where `g_k + u_k = ℓ`: the contact of a smooth body is then found a little too wide, and pairs
-//! leave an active set faster than they enter it.
+//! running sums of `F_kj` and `F_kj g_j` give u_k for every ℓ from one column of F. The level
+//! satisfies `g_k + u_k = ℓ`. For a smooth body this contact is slightly too wide, which costs few
+//! steps, because pairs leave an active set faster than they enter it.
 
 use super::{ContactLoad, ContactProblem};
 
