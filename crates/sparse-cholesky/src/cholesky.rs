@@ -1,7 +1,7 @@
 //! Sparse Cholesky factorization and solves over parts of the factor.
 //!
-//! The matrix comes already numbered in elimination order ([`super::EliminationOrder`]), so
-//! positions in a vector are positions in the factor and no permutation happens here.
+//! The matrix is numbered in elimination order ([`super::EliminationOrder`]): positions in a
+//! vector are positions in the factor, without a permutation.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ pub enum FactorizationError {
         /// Position in elimination order.
         equation: usize,
     },
-    /// The caller wanted no more of it.
+    /// The caller stopped the factorization.
     #[error("the factorization was stopped")]
     Stopped,
     /// The factor has more entries than can be indexed, or memory is short.
@@ -37,7 +37,7 @@ pub enum FactorizationError {
 pub struct Cholesky {
     symbolic: Arc<SymbolicCholesky>,
     values: Vec<f64>,
-    /// Lower-triangle values of the matrix that this is the factor of; empty if of none.
+    /// Lower-triangle values of the factorized matrix; empty without a matrix.
     matrix: Vec<f64>,
 }
 
@@ -55,16 +55,16 @@ impl Cholesky {
         Ok(factor)
     }
 
-    /// The factor of no matrix yet.
+    /// Makes an empty factor, without a matrix.
     pub fn empty(symbolic: &Arc<SymbolicCholesky>) -> Self {
         Self { symbolic: Arc::clone(symbolic), values: Vec::new(), matrix: Vec::new() }
     }
 
-    /// Becomes the factor of another matrix of the same pattern. Asks `checkpoint` every few
-    /// milliseconds whether to go on. After an error it is the factor of no matrix.
+    /// Factorizes another matrix of the same pattern. Asks `checkpoint` every few milliseconds
+    /// whether to continue. After an error the factor is empty.
     ///
-    /// A supernode is computed again only if an entry of the matrix has changed in its columns or
-    /// in a descendant's in the elimination tree. The values are bit for bit those of
+    /// A supernode is recomputed only if an entry of the matrix has changed in its columns or in
+    /// the columns of a descendant in the elimination tree. The values are bit for bit those of
     /// [`Self::factor`].
     ///
     /// # Errors
@@ -89,7 +89,7 @@ impl Cholesky {
         Ok(())
     }
 
-    /// Makes it the factor of no matrix, so that the next one is factorized completely.
+    /// Empties the factor, so that the next matrix is factorized completely.
     pub fn invalidate(&mut self) {
         self.matrix.clear();
     }
@@ -112,8 +112,8 @@ impl Cholesky {
     /// Solves `A x = b` in place for right-hand sides and wanted entries that both lie in the
     /// reach.
     ///
-    /// Entries outside the reach are left as they were. What it writes is bit for bit what a full
-    /// solve would.
+    /// Entries outside the reach stay unchanged. The entries on the reach are bit for bit those of
+    /// a full solve.
     pub fn solve_restricted(&self, reach: &Reach, x: &mut [f64]) {
         self.forward(reach, x);
         self.backward(reach, x);
@@ -131,8 +131,8 @@ impl Cholesky {
 
     /// Overwrites `x` by `L⁻ᵀ x` on the reach.
     ///
-    /// The panels come from last to first, which memory is slow at. So they are taken in groups
-    /// that fit the cache, and each group is read once forward before it is used.
+    /// Back substitution visits the panels from last to first, a slow order for memory. So each
+    /// group of panels that fits the cache is read once forward before its use.
     pub fn backward(&self, reach: &Reach, x: &mut [f64]) {
         let mut below = Vec::new();
         let mut rest = reach.supernodes();
@@ -187,8 +187,8 @@ impl Cholesky {
     }
 }
 
-/// Forward substitution with one panel. What its columns take off the rows below is summed in
-/// `below` first and scattered once.
+/// Forward substitution with one panel. The contributions of its columns to the rows below are
+/// summed in `below` and scattered once.
 #[inline(always)]
 fn forward_panel((node, panel): (Supernode<'_>, &[f64]), x: &mut [f64], below: &mut Vec<f64>) {
     below.clear();

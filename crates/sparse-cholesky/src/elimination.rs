@@ -16,16 +16,15 @@ pub struct EliminationOrder {
 }
 
 impl EliminationOrder {
-    /// Orders the nodes of a graph by nested dissection, but for the trailing nodes, which come
-    /// last in the order given.
+    /// Orders the nodes of a graph by nested dissection, except the trailing nodes, which come
+    /// last in the given order.
     ///
     /// Afterwards the order is replaced by a postorder of its elimination tree, which changes no
     /// fill but puts the columns of each supernode side by side.
     ///
     /// # Invariants
-    /// Eliminating everything before them joins the trailing nodes all, so that they form a chain
-    /// at the root of the tree and keep their order, provided that the rest of the graph is
-    /// connected.
+    /// If the rest of the graph is connected, its elimination couples all trailing nodes: they
+    /// form a chain at the root of the tree and keep their order.
     pub fn new(graph: &Graph, lattice: &[LatticePoint], trailing: &[u32]) -> Self {
         let mut is_trailing = vec![false; graph.len()];
         for &node in trailing {

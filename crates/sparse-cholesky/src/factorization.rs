@@ -25,10 +25,9 @@ const NONE: u32 = u32::MAX;
 
 /// Factorizes the matrix with the given lower-triangle values into `factor`.
 ///
-/// Of a `factor` that is complete, only the supernodes that are `outdated` are computed; an empty
-/// one grows panel by panel. Entries above the diagonal of a panel's diagonal block have no
-/// meaning. After every [`WORK_BETWEEN_CHECKPOINTS`] multiplications `checkpoint` says whether to
-/// go on.
+/// In a complete `factor` only the `outdated` supernodes are computed; an empty one grows panel by
+/// panel. Entries above the diagonal of a panel's diagonal block have no meaning. After every
+/// [`WORK_BETWEEN_CHECKPOINTS`] multiplications `checkpoint` decides whether to continue.
 pub(super) fn factorize(
     symbolic: &SymbolicCholesky,
     matrix: &[f64],
@@ -54,10 +53,10 @@ pub(super) fn factorize(
         let node = symbolic.supernode(s);
         let is_outdated = outdated.is_none_or(|outdated| outdated[s]);
         if factor.len() < node.values.end {
-            // Zeros for this panel alone, so that they are still in the cache when it is filled.
+            // Only this panel is zeroed, so that it is still in the cache when it is filled.
             factor.resize(node.values.end, 0.0);
         } else if is_outdated {
-            // In one go, because memory that has not been touched is mapped fastest in order.
+            // The whole vector at once: untouched memory is mapped fastest in order.
             factor[node.values.clone()].fill(0.0);
         }
         let (done, rest) = factor.split_at_mut(node.values.start);
@@ -89,8 +88,8 @@ pub(super) fn factorize(
     Ok(())
 }
 
-/// Whether the values of each supernode change from one matrix to another: if one of its entries
-/// does, or a descendant's.
+/// Returns for each supernode whether its values change from one matrix to another: if an entry
+/// changes in its columns or in the columns of a descendant.
 pub(super) fn outdated_supernodes(
     symbolic: &SymbolicCholesky,
     old: &[f64],
@@ -108,7 +107,7 @@ pub(super) fn outdated_supernodes(
     outdated
 }
 
-/// What a finished supernode has still to subtract from later ones: the rows after the first
+/// The pending update of a finished supernode to later ones: the rows after the first
 /// `rows_applied`.
 #[derive(Clone, Copy)]
 struct PendingUpdate {

@@ -104,8 +104,8 @@ impl SymbolicCholesky {
         self.structure.len_val()
     }
 
-    /// The supernodes that a solve touches when its right-hand side and its wanted entries both
-    /// lie in `equations`: theirs and all ancestors of those.
+    /// Returns the supernodes that a solve visits if its right-hand side and its wanted entries
+    /// lie in `equations`: the supernodes of these equations and all their ancestors.
     pub fn reach(&self, equations: &[u32]) -> Reach {
         let mut touched = vec![false; self.parent.len()];
         for &equation in equations {
