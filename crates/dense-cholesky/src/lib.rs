@@ -1,8 +1,8 @@
 //! Dense symmetric matrices with their Cholesky factorization, and plain loops for the vector
 //! units of the machine.
 //!
-//! The arithmetic of factorizations is faer's. Sums run in a fixed order: the same numbers come
-//! out on every processor.
+//! The arithmetic of factorizations is faer's. Sums run in a fixed order: results are the same on
+//! every processor.
 
 mod simd;
 mod symmetric;

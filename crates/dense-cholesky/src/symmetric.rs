@@ -13,13 +13,13 @@ use faer::linalg::triangular_solve::{
 use faer::{MatMut, MatRef, Par, Spec};
 use thiserror::Error;
 
-/// Two sizes that had to be equal are not.
+/// Two sizes differ that must be equal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error("expected {expected} entries, found {found}")]
 pub struct SizeMismatch {
-    /// What was needed.
+    /// The required size.
     pub expected: usize,
-    /// What was there.
+    /// The given size.
     pub found: usize,
 }
 
