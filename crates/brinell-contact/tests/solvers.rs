@@ -63,7 +63,8 @@ proptest! {
             prop_assert!((solution.total_force / force - 1.0).abs() < 1e-12);
 
             // The same contact, with its approach given.
-            let approached = ContactProblem { load: ContactLoad::Approach(solution.approach), ..problem };
+            let load = ContactLoad::Approach(solution.approach);
+            let approached = ContactProblem { load, ..problem };
             let other = solve(solver.as_ref(), &approached);
             prop_assert_eq!(other.status, ContactStatus::Converged);
             prop_assert!((other.total_force / force - 1.0).abs() < 1e-6);

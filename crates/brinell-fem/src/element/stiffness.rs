@@ -11,7 +11,7 @@ pub type ElementStiffness = [[[[f64; 2]; 2]; 4]; 4];
 ///
 /// ```text
 /// plane strain, axisymmetry   ∫ 2G dev(ε):dev(ε) dV + V K (b̄ u)²   B-bar, b̄: mean divergence
-/// plane stress                ∫ 2G ε:ε + λ' (ε_xx + ε_yy)² dV      λ' = 2Gλ/(λ + 2G), λ = K - 2G/3
+/// plane stress                ∫ 2G ε:ε + λ' (ε_xx + ε_yy)² dV   λ' = 2Gλ/(λ + 2G), λ = K - 2G/3
 /// ```
 ///
 /// In plane stress the thickness is free to change, so that the element cannot lock and B is the

@@ -32,7 +32,8 @@ impl SurfaceFrame {
     /// Whether a point lies in the inner fifth of a pin, whose rigid core disturbs the stresses
     /// there.
     pub fn is_near_core(self, position: [f64; 2]) -> bool {
-        matches!(self, Self::Circle { radius } if radius > 0.0 && self.place(position)[1] > 0.8 * radius)
+        let depth = self.place(position)[1];
+        matches!(self, Self::Circle { radius } if radius > 0.0 && depth > 0.8 * radius)
     }
 
     /// Unit vector along the outward normal through a point `[x, y]` \[mm\].

@@ -161,8 +161,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn never_overshoots(heights in prop::collection::vec(-1.0..1.0f64, 2..12), t in 0.0..1.0f64) {
-            let points: Vec<[f64; 2]> = (0u32..).zip(&heights).map(|(k, y)| [f64::from(k), *y]).collect();
+        fn never_overshoots(
+            heights in prop::collection::vec(-1.0..1.0f64, 2..12), t in 0.0..1.0f64
+        ) {
+            let points: Vec<[f64; 2]> =
+                (0u32..).zip(&heights).map(|(k, y)| [f64::from(k), *y]).collect();
             let curve = MonotoneCubic::new(points.clone());
             for pair in points.windows(2) {
                 let y = curve.value(pair[0][0] + t);

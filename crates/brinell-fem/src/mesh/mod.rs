@@ -261,7 +261,11 @@ mod tests {
         #[test]
         #[ignore = "full"]
         fn every_zone_that_fits_is_meshed(
-            outline in outlines(), part in 0.001..1.0f64, shift in -1.0..1.0f64, columns in 4..64usize, symmetric: bool
+            outline in outlines(),
+            part in 0.001..1.0f64,
+            shift in -1.0..1.0f64,
+            columns in 4..64usize,
+            symmetric: bool
         ) {
             let zone = zone(&outline, part, shift, columns, symmetric);
             let refinement = Refinement { growth: 1.0 + 2.0 / columns as f64 };

@@ -60,8 +60,10 @@ impl HertzEllipse {
     /// orthogonal shear stress of a contact that rolls along its shorter semi-axis.
     ///
     /// ```text
-    /// V = (π a b p0/2) ∫_λ^∞ (1 - x²/(a² + w) - y²/(b² + w) - z²/w) dw/Δ,    Δ² = (a² + w)(b² + w) w,    τ_xz = -(z/2π) V_xz
-    /// a = 1, y = 0, u = z²/λ:    |τ_xz|/p0 = b z √((1 + λ)(1 - u)) / (Δ(λ) (1 + λ) ((1 - u)/(1 + λ) + u/λ)) z/λ
+    /// V = (π a b p0/2) ∫_λ^∞ (1 - x²/(a² + w) - y²/(b² + w) - z²/w) dw/Δ
+    /// Δ² = (a² + w)(b² + w) w,   τ_xz = -(z/2π) V_xz
+    /// a = 1, y = 0, u = z²/λ:
+    /// |τ_xz|/p0 = b z √((1 + λ)(1 - u)) / (Δ(λ) (1 + λ) ((1 - u)/(1 + λ) + u/λ)) z/λ
     /// ```
     ///
     /// V is the potential of the pressure; λ, above 0, is where its integrand is 0. At each depth

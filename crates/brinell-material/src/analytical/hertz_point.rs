@@ -83,7 +83,8 @@ impl HertzPoint {
     /// Stress on the axis at `depth [mm]`; radial and hoop stress are equal there.
     ///
     /// ```text
-    /// σ_r = σ_θ = -p0 { (1 + ν) [1 - (d/a) atan(a/d)] - ½ / (1 + d²/a²) }      σ_y = -p0 / (1 + d²/a²)
+    /// σ_r = σ_θ = -p0 { (1 + ν) [1 - (d/a) atan(a/d)] - ½ / (1 + d²/a²) }
+    /// σ_y = -p0 / (1 + d²/a²)
     /// ```
     /// `σ_x` and `σ_z` of the result are the radial and the hoop stress.
     ///

@@ -113,7 +113,7 @@ impl DepthLimit {
     /// its shorter semi-axis; `half_width` is that semi-axis at a unit peak pressure \[mm/MPa\].
     ///
     /// ```text
-    /// p0 max_x |τ_xz(x, 0, z)|/p0 <= k(z)        4.000 k of a line, 4.675 k of a circle where k is constant
+    /// p0 max_x |τ_xz(x, 0, z)|/p0 <= k(z)     constant k: 4.000 k of a line, 4.675 k of a circle
     /// ```
     ///
     /// A place below the track has this shear stress in one direction and then in the other, with

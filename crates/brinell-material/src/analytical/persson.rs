@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 /// ```text
 /// b = tan(ε/2)
 /// E₁* ΔR/Q = (2 - ln(1 + b²) - 2b⁴)/(π b² (1 + b²))
-/// p R/Q = 2/π √(b² - t²)/(√(1 + b²) (1 + t²)) + 1/(2π b² (1 + b²)) ln (√(1 + b²) + √(b² - t²))/(√(1 + b²) - √(b² - t²))
+/// p R/Q = 2/π √(b² - t²)/(√(1 + b²) (1 + t²))
+///         + 1/(2π b² (1 + b²)) ln (√(1 + b²) + √(b² - t²))/(√(1 + b²) - √(b² - t²))
 /// ```
 /// `ε = half_angle [rad]`, `t = tan(θ/2)`, `Q = force [N/mm]`, `ΔR = clearance [mm]`, the
 /// difference of the radii, `p = pressure [MPa]`, `E₁* = E/(1 - ν²)` of one of the two equal

@@ -16,7 +16,8 @@ const PEAK: f64 = 1.200;
 /// pressure `dK/√s` at the distance s from its end, under which the surface beside it falls away
 /// by `4 dK √s/E*`. With the slope `x/ρ` of the arc Abel's equation gives
 /// ```text
-/// dK/dt = E* √t / (π ρ),   K = 2 E* d^(3/2) / (3 π ρ),   p(x) = E*/(π ρ) ∫ √t / √(t - x) dt from max(0, x) to d
+/// dK/dt = E* √t / (π ρ),   K = 2 E* d^(3/2) / (3 π ρ)
+/// p(x) = E*/(π ρ) ∫ √t / √(t - x) dt from max(0, x) to d
 /// ```
 /// `ρ = radius [mm]`, `d = width [mm]` of the contact on the arc, `K = intensity [MPa √mm]` of the
 /// sharp punch's pressure.

@@ -4,7 +4,8 @@
 //! it is; the upper one is its own picture mirrored in the contact plane:
 //!
 //! ```text
-//! y → -y - g,  u_y → -u_y,  τ_xy → -τ_xy,  element corners in reverse order (still counter-clockwise)
+//! y → -y - g,  u_y → -u_y,  τ_xy → -τ_xy
+//! element corners in reverse order (still counter-clockwise)
 //! ```
 //!
 //! with `g` the smallest gap between the outlines as the job gives them, so that the bodies just

@@ -1,7 +1,8 @@
 //! The outline of the plastic zone.
 //!
 //! ```text
-//! f = q + 3G ε_p - σ_y        q = von_mises, ε_p = equivalent_plastic_strain, σ_y = yield_stress [MPa]
+//! f = q + 3G ε_p - σ_y [MPa]
+//! q = von_mises, ε_p = equivalent_plastic_strain, σ_y = yield_stress
 //! ```
 //!
 //! The zone is where `f >= 0`. Because deformation theory has `q = 3G (ε_q - ε_p)`, f is the

@@ -2,7 +2,8 @@
 //! written piece by piece: nobody has to hold all of it.
 //!
 //! ```text
-//! image of a half model:  x → -x,  u_x → -u_x,  τ_xy → -τ_xy,  corners in reverse order (still counter-clockwise)
+//! image of a half model:  x → -x,  u_x → -u_x,  τ_xy → -τ_xy
+//!                         corners in reverse order (still counter-clockwise)
 //! upper body:             u_y → u_y - α, so that the support of the lower body is at rest
 //! ```
 //!
