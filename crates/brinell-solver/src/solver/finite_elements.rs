@@ -1,4 +1,4 @@
-//! Finite elements as an engine of the method: which mesh, and what becomes of an outcome on it.
+//! Finite elements as an engine of the method: builds the meshes and judges the outcomes on them.
 
 use crate::fem::mesh::{ContactZone, MeshError};
 use crate::material::ReferenceModuli;
@@ -16,19 +16,18 @@ use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf};
 use crate::solver::problem::Problem;
 use crate::solver::strategy::coupling;
 
-/// Narrowings of a zone around which no mesh can be made.
+/// Narrowings of a zone that cannot be meshed, at most.
 const MAX_NARROWINGS: usize = 12;
-/// Enlargements after which the contact is taken to be wider than the body.
+/// Enlargements of a zone after which the contact counts as wider than the body.
 const MAX_ENLARGEMENTS: usize = 12;
-/// How much farther than it was found plastic flow is looked for when it had not been expected
-/// there.
+/// Growth of the plastic region, over the extent of plastic flow, where plastic flow has left it.
 const WIDENING: f64 = 1.3;
 
-/// Two bodies that are meshed as a request says.
+/// Two bodies and the request for their meshes.
 pub(crate) struct FiniteElements<'a> {
     pub problem: &'a Problem,
     pub request: &'a MeshSolveRequest<'a>,
-    /// Whether loads are increments of a history, from whose states the material goes on.
+    /// Whether loads are increments of a history, with states of the material.
     pub is_history: bool,
 }
 
@@ -37,11 +36,11 @@ pub(crate) struct FiniteElements<'a> {
 pub(crate) struct MeshDesign {
     zone: ContactZone,
     search_region: PlasticSearchRegion,
-    /// Columns that the zone may have after it has become wider.
+    /// Columns of a widened zone, at most.
     most_columns: usize,
     enlargements: usize,
     narrowings: usize,
-    /// How often more of the bodies had to be searched for plastic flow.
+    /// Number of enlargements of the plastic region.
     widenings: usize,
 }
 
@@ -53,8 +52,8 @@ impl MeshDesign {
 }
 
 impl FiniteElements<'_> {
-    /// Takes the tangent moduli of a state, or the elastic ones without any, if the coupling wants
-    /// it.
+    /// Factorizes with the tangent moduli of a state, or the elastic moduli without one, if the
+    /// coupling uses tangent moduli.
     fn linearize(
         &self,
         system: &mut System,
@@ -67,7 +66,7 @@ impl FiniteElements<'_> {
         Ok(())
     }
 
-    /// Looks for plastic flow in a larger part of the bodies, from the same state on.
+    /// Enlarges the plastic region and continues from the same state.
     fn widen(
         &self,
         mut solve: MeshSolve,
@@ -93,8 +92,8 @@ impl FiniteElements<'_> {
         Ok(Verdict::Continue { system, start, history })
     }
 
-    /// The design with a wider zone, if the contact reaches the edge of the present one and there
-    /// is room.
+    /// Returns the design with a wider zone, if the contact reaches the edge of the present zone
+    /// and the bodies have room.
     fn wider(&self, design: &MeshDesign, solve: &MeshSolve, under: Round) -> Option<MeshDesign> {
         // A contact that reaches the edge of a narrowed zone is reported.
         let may_enlarge = design.enlargements < MAX_ENLARGEMENTS && design.narrowings == 0;
@@ -103,7 +102,7 @@ impl FiniteElements<'_> {
         }
         let zone = enlarged(self.problem, &solve.system.zone, solve.meets, design.most_columns)?;
         let enlargements = design.enlargements + 1;
-        // A history begins anew where nothing has yielded.
+        // A history begins again at rest, where nothing has yielded.
         if self.is_history {
             return Some(MeshDesign { zone, enlargements, ..design.clone() });
         }
@@ -140,8 +139,8 @@ impl Engine for FiniteElements<'_> {
         }
     }
 
-    /// From the straight line through the last two states, or from an answer on another mesh if
-    /// the request has one.
+    /// Starts from the straight line through the last two states, or from an answer on another
+    /// mesh if the request has one.
     fn resume(
         &self,
         design: &MeshDesign,

@@ -3,28 +3,28 @@
 use crate::contact::ContactLoad;
 use crate::job::{HistoryLoad, Load, Target};
 
-/// How much finer than asked a mesh is made where the loads that follow are smaller.
+/// Margin of the factor by which a mesh is finer than requested because smaller loads follow.
 const FALLING_RESERVE: f64 = 1.2;
 
-/// What a job says of its loads.
+/// The loads of a job.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Loads {
     /// The loads in order.
     Given(Vec<ContactLoad>),
-    /// A force, by what it does.
+    /// A force that is sought for its effect.
     Sought(Sought),
 }
 
-/// By what a force is sought.
+/// The effect that defines a force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Sought {
-    /// The elastic bodies come up to the yield stress at one place.
+    /// The elastic bodies just reach the yield stress at one point.
     Onset,
     /// A figure of the contact has a value.
     Target(Target),
 }
 
-/// What a job says of its loads.
+/// Returns the loads of a job.
 pub(crate) fn loads(load: &Load) -> Loads {
     match load {
         Load::Forces(forces) => {

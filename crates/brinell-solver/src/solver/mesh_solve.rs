@@ -1,4 +1,4 @@
-//! One load on finite elements: what is asked, what is found, and which zone comes next.
+//! One mesh solve: its request, its result, and the contact zone of the next one.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -30,7 +30,7 @@ use crate::solver::solution::BodySolution;
 use crate::solver::strategy::coupling;
 use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, final_check};
 
-/// What a mesh solve is asked to do.
+/// The request for a mesh solve.
 #[derive(Clone)]
 pub(crate) struct MeshSolveRequest<'a> {
     pub contact: &'a dyn ContactSolver,
@@ -40,18 +40,18 @@ pub(crate) struct MeshSolveRequest<'a> {
     /// Load of both sides of the axis together.
     pub load: ContactLoad,
     pub solver: SolverSettings,
-    /// An answer on another mesh to start from, one field for each model.
+    /// The answer on another mesh as initial state, one field for each model.
     pub previous: Option<&'a [NodalField<'a>]>,
-    /// What other jobs have left.
+    /// Bodies and factors of earlier jobs.
     pub cache: Option<&'a Arc<FactorCache>>,
-    /// What residuals are relative to, at least.
+    /// Least scales of residuals.
     pub scales: Scales,
-    /// The increment of a history that is solved.
+    /// The increment of a history.
     pub increment: Option<IncrementNumber>,
 }
 
 impl MeshSolveRequest<'_> {
-    /// What the iteration is run with.
+    /// Returns the settings of the iteration.
     pub fn controls(&self) -> Controls<'_> {
         Controls {
             contact: self.contact,
@@ -74,7 +74,7 @@ pub(crate) struct ModelField {
     pub stress: StressField,
 }
 
-/// What came of a mesh solve.
+/// The result of a mesh solve.
 pub(crate) struct MeshSolve {
     pub system: System,
     pub outcome: Outcome,
@@ -82,16 +82,16 @@ pub(crate) struct MeshSolve {
     pub fields: Vec<ModelField>,
     /// `None` where nothing touches.
     pub patch: Option<ContactPatch>,
-    /// Whether the contact reaches the edge of the zone all the same.
+    /// Whether the contact still reaches the edge of the zone.
     pub reaches_edge: bool,
-    /// From where to where the surfaces have moved into each other beyond the zone \[mm\].
+    /// Interval beyond the zone on which the surfaces penetrate each other \[mm\].
     pub meets: Option<(f64, f64)>,
-    /// Times the zone was widened.
+    /// Number of enlargements of the zone.
     pub enlargements: usize,
 }
 
 impl MeshSolve {
-    /// Puts together what an iteration found.
+    /// Assembles the result of an iteration.
     pub fn of(
         problem: &Problem,
         system: System,
@@ -103,7 +103,7 @@ impl MeshSolve {
         Self { system, outcome, fields, patch, reaches_edge, meets, enlargements: 0 }
     }
 
-    /// Where material yields.
+    /// Returns the extent of plastic flow.
     pub fn yielded_envelope(&self) -> RadialEnvelope {
         let points = self.fields.iter().flat_map(|field| field.stress.points.iter().flatten());
         let yielded = points.filter(|point| point.yielded).map(|point| point.position);
@@ -124,7 +124,7 @@ impl MeshSolve {
         bodies.any(|(body, field)| body.yields_outside_region(&field.stress))
     }
 
-    /// The answer, to start from on another mesh.
+    /// Returns the answer as the initial state on another mesh.
     pub fn nodal_fields(&self) -> Vec<NodalField<'_>> {
         let fields = self.system.bodies.iter().zip(&self.fields);
         fields
@@ -155,7 +155,7 @@ impl MeshSolve {
         ContactPatch::parts(&x, &pressures)
     }
 
-    /// The system, which remembers what a load has left.
+    /// Takes the system, with the displacements of this load.
     pub fn into_system(self, load: ContactLoad) -> System {
         let displacement = self.fields.into_iter().map(|field| field.displacement).collect();
         let mut system = self.system;
@@ -213,15 +213,15 @@ impl Answer for MeshSolve {
     }
 }
 
-/// How much wider a zone becomes when the contact reaches its edge.
+/// Growth of a zone whose edge the contact reaches.
 pub(crate) const ENLARGEMENT: f64 = 1.5;
-/// Columns of a zone that becomes wider over those that it was made with; beyond that its elements
-/// become larger. So much finer than the whole width asks for are parts of a contact resolved at
-/// most, and what grows by more was sized for something smaller.
+/// Largest number of columns of a widened zone over its first number of columns; a wider zone has
+/// larger elements. The parts of a contact are resolved finer than its whole width by this ratio
+/// at most, and a contact that grows more was sized for a smaller one.
 const MOST_COLUMNS: usize = 6;
-/// By how much a zone goes beyond where the surfaces meet, as a part of its half-width.
+/// Margin of a zone beyond the place where the surfaces meet, over its half-width.
 const BEYOND_MEETING: f64 = 0.1;
-/// How much narrower it becomes when the rings around it cannot be meshed.
+/// Factor of the width of a zone when the rings around it cannot be meshed.
 const NARROWING: f64 = 0.9;
 /// Solves one load, on `known` bodies if there are any.
 ///
@@ -241,8 +241,8 @@ pub(crate) fn run(
     })
 }
 
-/// Forms the full displacement field of each model once and evaluates the material law everywhere;
-/// nothing for an iteration that was stopped or is stopped here.
+/// Computes the full displacement field of each model and evaluates the material law everywhere;
+/// returns nothing if the observer stops the solve.
 pub(crate) fn fields(
     system: &System,
     outcome: &mut Outcome,
@@ -276,14 +276,14 @@ pub(crate) fn fields(
     })
 }
 
-/// Columns that a zone made like this may have after it has become wider.
+/// Returns the largest number of columns of this zone after widening.
 pub(crate) fn most_columns(zone: &ContactZone) -> usize {
     MOST_COLUMNS * zone.columns()
 }
 
-/// A wider zone, as far as the surfaces `meet` beyond it; where they have no room for it on one
-/// side, it grows on the other. Elements stay as they are while their columns are no more than
-/// `most`. `None` where there is no room for a wider one.
+/// Returns a wider zone, as far as the surfaces `meet` beyond the present one; a zone without room
+/// on one side grows on the other. The element size stays the same up to `most` columns. `None` if
+/// there is no room.
 pub(crate) fn enlarged(
     problem: &Problem,
     zone: &ContactZone,
@@ -326,13 +326,13 @@ pub(crate) fn narrow(problem: &Problem, zone: &ContactZone) -> ContactZone {
     resized(problem, zone, NARROWING)
 }
 
-/// A zone so many times as wide, with elements of the same size.
+/// Returns a zone wider by a factor, with elements of the same size.
 fn resized(problem: &Problem, zone: &ContactZone, factor: f64) -> ContactZone {
     let (centre, mut half) = (zone.centre(), factor * zone.half_width());
     let mut columns =
         ((zone.x_max() - zone.x_min()) / zone.spacing() * factor + ROUNDING).round() as usize;
     if problem.conforming.is_some() && half > problem.span().1 {
-        // All there is of a pin in a hole.
+        // The whole circumference of a pin in a hole.
         half = problem.span().1;
         columns = (half / zone.spacing() - ROUNDING).ceil() as usize;
     }
@@ -345,7 +345,7 @@ pub(crate) fn fits(problem: &Problem, zone: &ContactZone) -> bool {
     problem.bodies.iter().all(|body| zone.fits(&body.outline))
 }
 
-/// Where the contact is, and whether it goes beyond the zone.
+/// The ends of the contact, and whether the contact extends beyond the zone.
 struct Found {
     patch: Option<ContactPatch>,
     reaches_edge: bool,
@@ -368,7 +368,7 @@ fn find_contact(
 }
 
 /// Whether one of the outermost two pairs of an open end of the zone carries force; only the
-/// outermost one counts where a zone is all there is of a pin in a hole.
+/// outermost pair counts where the zone is the whole circumference of a pin in a hole.
 fn reaches_edge(problem: &Problem, system: &System, outcome: &Outcome) -> bool {
     let active = &outcome.state.response.contact.active_set;
     let last = system.zone.columns();
@@ -378,7 +378,7 @@ fn reaches_edge(problem: &Problem, system: &System, outcome: &Outcome) -> bool {
     right || left
 }
 
-/// From where to where the free surfaces beside the zone have moved into each other.
+/// Returns the interval beside the zone on which the free surfaces penetrate each other.
 ///
 /// The gap there is `δ0 + w_u + w_l - α` with the inward displacements w of both surfaces, each
 /// interpolated between its own nodes.
@@ -413,8 +413,8 @@ fn meets_beyond_zone(
     })
 }
 
-/// Piecewise linear through `[x, value]` in order of x; constant beyond the ends, zero where there
-/// is nothing.
+/// Interpolates `[x, value]`, in order of x, linearly; constant beyond the ends, zero without
+/// points.
 fn interpolate(points: &[[f64; 2]], x: f64) -> f64 {
     let right = points.partition_point(|p| p[0] < x);
     match (right.checked_sub(1).map(|k| points[k]), points.get(right)) {

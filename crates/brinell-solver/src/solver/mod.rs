@@ -1,9 +1,9 @@
 //! The alternation of contact and plasticity.
 //!
 //! ```text
-//! size:      a small mesh finds out how wide the contact is and how far plastic flow reaches
-//! coarse:    a mesh of half the density, sized by that answer
-//! fine:      the mesh that was asked for, sized by the coarse one
+//! size:      a small mesh gives the contact size and the extent of plastic flow
+//! coarse:    a mesh of half the density, sized by the small mesh
+//! fine:      the mesh of the requested density, sized by the coarse one
 //!   factorize  K = L Lᵀ of each body, once; contact flexibility F from the last block of L
 //!   repeat     contact (R, α) → displacements → plastic law → initial-stress load
 //! check:     full displacement fields; contact conditions and equilibrium from scratch

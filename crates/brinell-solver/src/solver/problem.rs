@@ -1,4 +1,4 @@
-//! The job as mechanics sees it: two outlines with materials and supports.
+//! The mechanical problem of a job: two outlines with materials and supports.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -21,13 +21,13 @@ pub(crate) struct Problem {
     pub stress_state: StressState,
     /// Upper and lower body.
     pub bodies: [ProblemBody; 2],
-    /// Whether symmetry is made use of where there is one.
+    /// Whether an existing symmetry is used.
     pub use_symmetry: bool,
     /// Abscissa of the smallest gap \[mm\].
     pub first_contact_x: f64,
     /// The smallest gap as the outlines are given \[mm\]; gaps are counted from it.
     pub smallest_gap: f64,
-    /// Where the gap may not be as smooth as in between \[mm\], ascending.
+    /// Knots, the abscissae where the gap may not be smooth \[mm\], ascending.
     knots: Vec<f64>,
     /// Corners of both surfaces, ascending.
     corners: Vec<Corner>,
@@ -44,7 +44,7 @@ pub(crate) struct ProblemBody {
     /// Its stress before any load.
     pub initial_stress: Option<Arc<GivenStress>>,
     pub support: Support,
-    /// Whether it is a profile of which nothing says what lies between its points.
+    /// Whether it is a profile whose job does not give the interpolation between its points.
     interpolation_is_open: bool,
 }
 
@@ -374,7 +374,7 @@ impl Problem {
         self.bodies.iter().all(|body| body.outline.is_arc())
     }
 
-    /// By how much the surfaces open, both sides together, at the distance a from where they touch
+    /// Opening of the surfaces, both sides together, at the distance a from where they touch
     /// \[mm\]. At an edge a contact grows to one side only, which stands for both.
     pub fn opening(&self, touch: f64, a: f64) -> f64 {
         let at_touch = |corner: &&Corner| {
@@ -513,7 +513,7 @@ impl Problem {
         (room[0].0.max(room[1].0), room[0].1.min(room[1].1))
     }
 
-    /// A pressure that a fully plastic contact of the softer body bears \[MPa\]; infinite for
+    /// Returns the pressure of a fully plastic contact of the softer body \[MPa\]; infinite for
     /// elastic bodies.
     pub fn hardness(&self) -> f64 {
         // Of the strongest depth: a contact that is too narrow for it is widened, one too wide is

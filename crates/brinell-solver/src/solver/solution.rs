@@ -37,12 +37,11 @@ pub struct Solution {
     pub steps: Vec<StepSolution>,
     /// Time by phase.
     pub phases: PhaseTimes,
-    /// Mesh passes made.
+    /// Mesh solves made.
     pub passes: usize,
-    /// Why loads at the end are missing, or have but what a coarser mesh has found of them.
+    /// Why loads at the end are missing, or have only the figures of a coarser mesh.
     pub interrupted: Option<Interrupt>,
-    /// Of a force that was sought: relative change of the figure by which it was, over that of the
-    /// force.
+    /// For a sought force: relative change of its figure over the relative change of the force.
     pub sensitivity: Option<f64>,
 }
 
@@ -95,9 +94,10 @@ pub struct StepSolution {
     pub loaded_corners: Vec<f64>,
     /// Whether the contact still reaches the edge of the candidate zone.
     pub reaches_edge: bool,
-    /// Whether plastic strain is so large that the load is at or beyond what the bodies bear.
+    /// Whether plastic strain is so large that the load reaches or exceeds the limit load of the
+    /// bodies.
     pub has_collapsed: bool,
-    /// On which mesh it was found.
+    /// The mesh of the step.
     pub mesh: StepMesh,
     /// The last increment of a history.
     pub last_increment: LastIncrement,
@@ -143,10 +143,10 @@ pub struct StepSolution {
 /// The mesh that a step was found on.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum StepMesh {
-    /// The one that was asked for.
+    /// The mesh of the requested density.
     #[default]
     Asked,
-    /// The coarser one of a history that was stopped before the other one came so far.
+    /// The coarse mesh of a history that was stopped before the fine mesh reached this load.
     Coarse,
 }
 
@@ -181,12 +181,12 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// Work of the contact force: what is stored and what is dissipated.
+    /// Returns the work of the contact force, stored and dissipated energy together.
     pub fn work(&self) -> f64 {
         self.elastic + self.plastic_work
     }
 
-    /// What is lost.
+    /// Returns the dissipated energy: plastic work less the energy stored by backstress.
     pub fn dissipated(&self) -> f64 {
         self.plastic_work - self.backstress
     }
@@ -228,8 +228,7 @@ pub struct BodySolution {
 }
 
 impl StepSolution {
-    /// Whether it is what a coarser mesh has found of a load that the mesh that was asked for did
-    /// not come to.
+    /// Whether the step is a preliminary one, from the coarse mesh of a stopped history.
     pub fn is_preliminary(&self) -> bool {
         self.mesh == StepMesh::Coarse
     }

@@ -5,7 +5,8 @@
 //! ```text
 //! σ_n = -p                 contact pressure, 0 beside the contact and before the load
 //! ε_t = Δu·t / Δs          strain along the surface; in a body of revolution ε_θ = u_r / r
-//! ε_p                      plastic strain, extended from the means over the elements below; 0 in an elastic skin
+//! ε_p                      plastic strain, extended from the means over the elements below;
+//!                          0 in an elastic skin
 //! ```
 //! Hooke's law of `ε - ε_p` gives the other components. A mean is extended by half of the lesser
 //! of the two slopes below it, and never beyond zero, so that no kink of plastic strain is carried

@@ -1,5 +1,4 @@
-//! A deformable body: factorized, condensed to its contact, and searched for plastic flow where it
-//! may yield.
+//! A deformable body: its factor, its contact flexibility and its plastic region.
 
 use std::sync::Arc;
 
@@ -20,7 +19,7 @@ use crate::solver::problem::GivenStress;
 use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, Reach};
 
-/// Everything about one body that outlives an iteration.
+/// The data of one body that persist between iterations.
 pub(crate) struct BodyModel {
     pub elastic: Arc<ElasticBody>,
     pub model: Arc<dyn MaterialModel>,
@@ -31,13 +30,13 @@ pub(crate) struct BodyModel {
     /// Inward normal displacement of the contact nodes under unit forces that press on them
     /// \[mm/N\].
     pub flexibility: SymmetricMatrix,
-    /// Whether that stiffness is softer than the elastic one.
+    /// Whether the present stiffness is softer than the elastic one.
     is_softened: bool,
     /// Stress of the unloaded body.
     pub initial_stress: Option<Arc<InitialState>>,
 }
 
-/// The stress of a body before any load, after it has relaxed.
+/// The residual stress of a body before any load, after relaxation to equilibrium.
 #[derive(Debug)]
 pub(crate) struct InitialState {
     /// At the points of each element \[MPa\].
@@ -47,32 +46,30 @@ pub(crate) struct InitialState {
     force: Vec<f64>,
 }
 
-/// What a body is made of, and in what state.
+/// The material of a body and its state.
 #[derive(Clone, Copy)]
 pub(crate) struct BodyMaterial<'a> {
     pub model: &'a Arc<dyn MaterialModel>,
     pub initial_stress: Option<&'a GivenStress>,
 }
 
-/// The part of a body where plastic flow is taken into account.
+/// The plastic region of a body.
 pub(crate) struct PlasticRegion {
     /// Whether each element belongs to it.
     elements: Vec<bool>,
-    /// Whether an iteration loads or reads each node: those of these elements and the contact
-    /// nodes.
+    /// Whether each node is active: a node of the region's elements or a contact node.
     nodes: Vec<bool>,
-    /// The equations of these nodes.
+    /// The equations of the active nodes.
     pub active_equations: Vec<u32>,
     /// Supernodes of the active equations.
     pub reach: Reach,
-    /// The Gauss points of these elements; `None` for a body that cannot yield.
+    /// The Gauss points of the region; `None` for a body that cannot yield.
     pub points: Option<Box<dyn PlasticPoints>>,
 }
 
 impl BodyModel {
-    /// Factorizes, in place of what the factor was of, the elastic stiffness or, given a previous
-    /// field, the one with the tangent moduli there; also returns the previous displacements,
-    /// transferred to the active equations.
+    /// Factorizes the elastic stiffness or, given a previous field, the stiffness with the tangent
+    /// moduli there. Also returns the previous displacements, transferred to the active equations.
     pub fn new(
         elastic: Arc<ElasticBody>,
         mut factor: PooledFactor,
@@ -124,8 +121,8 @@ impl BodyModel {
         );
     }
 
-    /// Factorizes anew, with moduli of plastic flow at displacements or, without any, the elastic
-    /// ones.
+    /// Factorizes again, with the moduli of plastic flow at given displacements; without
+    /// displacements, with the elastic moduli.
     pub fn linearize(
         &mut self,
         at: Option<(&[f64], ReferenceModuli)>,
@@ -143,8 +140,8 @@ impl BodyModel {
         self.factorize(run)
     }
 
-    /// Factorizes anew, with the tangent moduli of an answer on another mesh; returns its
-    /// displacements, transferred to the active equations.
+    /// Factorizes again, with the tangent moduli of an answer on another mesh. Returns the
+    /// displacements of this answer, transferred to the active equations.
     pub fn linearize_by(
         &mut self,
         previous: NodalField<'_>,
@@ -157,8 +154,8 @@ impl BodyModel {
         Ok(transferred)
     }
 
-    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on
-    /// another mesh; returns the displacements after it.
+    /// Factorizes again, with the tangent moduli after a change of displacement that is known on
+    /// another mesh. Returns the displacements after this change.
     pub fn linearize_after(
         &mut self,
         from: &[f64],
@@ -172,7 +169,7 @@ impl BodyModel {
         Ok(after)
     }
 
-    /// Takes more elements into the plastic region.
+    /// Enlarges the plastic region.
     pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion, accepted: &[f64]) {
         let Self { elastic, model, plastic_region, initial_stress, .. } = self;
         plastic_region.extend(
@@ -224,9 +221,9 @@ impl BodyModel {
         rest[..equations.len()].iter().map(|r| r * r).sum::<f64>().sqrt()
     }
 
-    /// `∫ σ_r : ε dV`, what the stress before the load does on displacements of all nodes \[N mm\]
-    /// or \[N\]: nothing where it is in equilibrium by itself, and under a plane the work of what
-    /// holds the cut-out part at its side walls.
+    /// Returns `∫ σ_r : ε dV`, the work of the residual stress on displacements of all nodes \[N
+    /// mm\] or \[N\]. It is zero for a stress in equilibrium. Below a plane it is the work of the
+    /// tractions on the side walls of the cut-out part.
     pub fn work_of_initial_stress(&self, nodal: &[[f64; 2]]) -> f64 {
         let Some(initial) = &self.initial_stress else { return 0.0 };
         let free = self.elastic.equations.len();
@@ -309,7 +306,7 @@ impl PlasticRegion {
         after
     }
 
-    /// Takes in more elements.
+    /// Adds elements to the region.
     fn extend(
         &mut self,
         elastic: &ElasticBody,
@@ -337,7 +334,7 @@ impl PlasticRegion {
 }
 
 impl InitialState {
-    /// Relaxes a stress that is given, with the elastic factor of the body.
+    /// Relaxes a given stress with the elastic factor of the body.
     fn relaxed(
         elastic: &ElasticBody,
         factor: &Cholesky,
@@ -369,8 +366,8 @@ fn unloaded<'a>(elastic: &'a ElasticBody, initial: Option<&'a InitialState>) -> 
     }
 }
 
-/// The elements of a search region; all of them where some plastic strain is everywhere, none
-/// where there is none.
+/// Returns the elements of a plastic region; all elements for a material without an elastic
+/// domain, none for an elastic one.
 fn searched_elements(
     mesh: &Mesh,
     model: &dyn MaterialModel,
@@ -383,7 +380,7 @@ fn searched_elements(
     }
 }
 
-/// The nodes of these elements and those that contact forces and supports act on.
+/// Returns the nodes of these elements and the nodes with contact forces and supports.
 fn active_nodes(elastic: &ElasticBody, elements: &[bool]) -> Vec<bool> {
     let mesh = &elastic.mesh;
     if elastic.has_spread_support() {

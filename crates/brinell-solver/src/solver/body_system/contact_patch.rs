@@ -1,4 +1,4 @@
-//! Where the contact begins and ends.
+//! The ends of the contact.
 
 /// The loaded part of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,7 +51,7 @@ impl ContactPatch {
         parts
     }
 
-    /// The part of it between two walls.
+    /// Returns the part of the contact between two walls.
     #[must_use]
     pub fn within(self, [left, right]: [f64; 2]) -> Self {
         Self { left: self.left.max(left), right: self.right.min(right) }

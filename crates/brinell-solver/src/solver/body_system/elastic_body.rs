@@ -1,5 +1,5 @@
-//! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not
-//! change.
+//! The elastic part of a body, which load and hardening do not change: mesh, equations, elastic
+//! stiffness.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::solver::{Observer, SolveError, method};
 use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
 
-/// What an elastic body is made of: of equal keys come equal bodies.
+/// The key of an elastic body: equal keys give equal bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BodyKey {
     pub outline: Outline,
@@ -28,7 +28,7 @@ pub(crate) struct BodyKey {
     pub support: Support,
 }
 
-/// What depends on mesh, elastic constants and supports alone.
+/// An elastic body: all data that depend only on mesh, elastic constants and supports.
 #[derive(Debug)]
 pub(crate) struct ElasticBody {
     pub key: BodyKey,
@@ -38,8 +38,8 @@ pub(crate) struct ElasticBody {
     /// Supernodes of the equations that contact forces act on.
     pub contact_reach: Reach,
     restraint: Restraint,
-    /// How a pin is held: by equation, forces along the outward direction of the approach that are
-    /// spread evenly over its section, of resultant 1. None of a body that is held at its
+    /// The support of a pin: forces by equation along the outward direction of the approach,
+    /// spread evenly over its section, of resultant 1. `None` for a body with a support at its
     /// boundary.
     spread_support: Option<Vec<f64>>,
     bulk_modulus: f64,
@@ -49,8 +49,8 @@ pub(crate) struct ElasticBody {
 }
 
 impl ElasticBody {
-    /// Meshes a body; orders and analyses its equations, unless there is another that has the
-    /// same; assembles its stiffness.
+    /// Meshes a body, orders and analyses its equations unless another body has the same ones, and
+    /// assembles its stiffness.
     pub fn new(
         key: BodyKey,
         like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
@@ -126,8 +126,8 @@ impl ElasticBody {
         self.assembler().assemble(|element, quad| element_stiffness(quad, bulk, &shear(element)))
     }
 
-    /// Factorizes the elastic stiffness, softened where plastic points say so, in place of what
-    /// the factor was of. Returns the contact flexibility that belongs to it.
+    /// Factorizes the elastic stiffness, reduced at plastic points. Returns the contact
+    /// flexibility of this stiffness.
     pub fn factorize(
         &self,
         factor: &mut Cholesky,
@@ -151,7 +151,7 @@ impl ElasticBody {
             return inverse;
         }
         let start = equations.len() - count;
-        // What is held has no entry.
+        // Held components have no entry.
         let entries = |k: usize| -> Vec<(usize, f64)> {
             let components = self.normal_components(k).into_iter().filter(|(_, n)| *n != 0.0);
             components.map(|(equation, n)| (equation - start, n)).collect()
@@ -227,13 +227,13 @@ impl ElasticBody {
             .collect()
     }
 
-    /// Whether forces that are spread over the whole body hold it.
+    /// Whether forces spread over the whole body support it.
     pub fn has_spread_support(&self) -> bool {
         self.spread_support.is_some()
     }
 
-    /// Adds contact forces that press on the body to a load vector, and what holds a pin against
-    /// them.
+    /// Adds contact forces that press on the body to a load vector, and the supporting forces of a
+    /// pin.
     pub fn add_contact_forces(&self, force: &[f64], load: &mut [f64]) {
         if let Some(spread) = &self.spread_support {
             let total: f64 =

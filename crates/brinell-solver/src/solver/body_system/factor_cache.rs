@@ -9,11 +9,11 @@ use sparse_cholesky::Cholesky;
 
 /// Elastic bodies by their key, each with the factors that earlier jobs returned.
 ///
-/// A job whose bodies are here already is neither meshed nor ordered nor analysed again, and of
-/// its stiffness only what differs from the one that the factor is of is factorized. No answer
-/// depends on what is kept: it is bit for bit the one of a job alone.
+/// A job whose bodies are in the cache needs no new mesh, ordering and analysis, and refactorizes
+/// only the changed part of its stiffness. The cache does not change an answer: it is bit for bit
+/// that of a job without a cache.
 ///
-/// Holds at most so many bytes; the least recently used entry is evicted first. Factors that jobs
+/// The bytes held are limited; the least recently used entry is evicted first. Factors that jobs
 /// are using do not count.
 #[derive(Debug)]
 pub struct FactorCache {
@@ -21,12 +21,12 @@ pub struct FactorCache {
     state: Mutex<CacheState>,
 }
 
-/// What a cache has done and holds.
+/// Statistics of a cache.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct FactorCacheStats {
-    /// Bodies that were there when a job needed them.
+    /// Bodies found in the cache.
     pub hits: u64,
-    /// Bodies that had to be made.
+    /// Bodies made anew.
     pub misses: u64,
     /// Bytes held.
     pub bytes: usize,
@@ -34,7 +34,7 @@ pub struct FactorCacheStats {
 
 #[derive(Debug, Default)]
 struct CacheState {
-    /// What has not been used for longest comes first.
+    /// The least recently used entry comes first.
     entries: Vec<Entry>,
     stats: FactorCacheStats,
 }
@@ -53,17 +53,17 @@ impl Entry {
 }
 
 impl FactorCache {
-    /// An empty cache for so many bytes.
+    /// Makes an empty cache with a limit in bytes.
     pub fn new(limit: usize) -> Self {
         Self { limit, state: Mutex::default() }
     }
 
-    /// What it has done and holds.
+    /// Returns the statistics.
     pub fn stats(&self) -> FactorCacheStats {
         self.state().stats
     }
 
-    /// The body of a key, if it is here.
+    /// Returns the body of a key, if it is in the cache.
     pub(crate) fn find(&self, key: &BodyKey) -> Option<Arc<ElasticBody>> {
         let mut state = self.state();
         let found = state.entries.iter().rposition(|entry| entry.body.key == *key);
@@ -85,7 +85,7 @@ impl FactorCache {
         bodies.into_iter().rfind(|body| serves(body))
     }
 
-    /// Keeps a body, unless one of the same key is here or it is too large.
+    /// Stores a body, unless its key is present or the body is too large.
     pub(crate) fn keep(&self, body: &Arc<ElasticBody>) {
         self.change(|state| {
             let is_new = state.entries.iter().all(|entry| entry.body.key != body.key);
@@ -105,7 +105,7 @@ impl FactorCache {
         PooledFactor { factor, owner: Some((Arc::clone(self), Arc::clone(body))) }
     }
 
-    /// Keeps a factor while its body is here, unless it is too large.
+    /// Stores a factor if its body is in the cache, unless the factor is too large.
     fn release(&self, body: &Arc<ElasticBody>, factor: Cholesky) {
         let surplus = self.change(|state| {
             let entry = state.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));

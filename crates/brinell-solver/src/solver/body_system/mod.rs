@@ -1,5 +1,4 @@
-//! The discretized pair of bodies: meshes, factors, the part that may yield, the contact between
-//! them.
+//! The discretized pair of bodies: meshes, factors, plastic regions, and the contact between them.
 
 pub(crate) mod axis;
 pub(crate) mod body;

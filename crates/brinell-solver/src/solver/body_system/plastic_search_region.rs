@@ -1,4 +1,4 @@
-//! How far plastic flow reaches: the part of a body that an iteration watches.
+//! The extent of plastic flow, and the plastic region of a body around it.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ pub(crate) struct RadialEnvelope {
 }
 
 impl RadialEnvelope {
-    /// Nothing yields.
+    /// The outline of an elastic body.
     pub const NONE: Self = Self { radius: [0.0; DIRECTIONS] };
 
     /// An outline that holds points `[x, y]` around `[centre, 0]`.
@@ -60,16 +60,16 @@ fn direction(x: f64, y: f64) -> (usize, f64) {
     (before, position - before as f64)
 }
 
-/// Where plastic flow is looked for.
+/// The choice of the plastic region.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum PlasticSearchRegion {
-    /// Within this outline, and a little beyond.
+    /// The elements within this outline, and a margin.
     Within(RadialEnvelope),
-    /// Anywhere.
+    /// The whole body.
     WholeBody,
 }
 
-/// Layers of elements around the expected plastic zone that are kept ready for it to grow into.
+/// Layers of elements around the expected plastic zone, as a margin for its growth.
 const SPARE_LAYERS: usize = 3;
 
 impl PlasticSearchRegion {

@@ -1,5 +1,4 @@
-//! Where the elastic bodies of a job come from: the other body of the job, the cache, or a new
-//! mesh.
+//! The source of the elastic bodies of a job: the other body of the job, the cache, or a new mesh.
 
 use std::sync::Arc;
 

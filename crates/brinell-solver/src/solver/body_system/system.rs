@@ -31,7 +31,7 @@ use sparse_cholesky::Cholesky;
 /// same contact forces they are mirror images of each other in every iteration.
 pub(crate) struct System {
     pub bodies: Vec<BodyModel>,
-    /// How many of the two bodies each model stands for.
+    /// Number of bodies, 1 or 2, that each model represents.
     pub bodies_represented: Vec<usize>,
     /// Model of the upper and the lower body; `None` for a rigid one.
     pub model_of: [Option<usize>; 2],
@@ -47,9 +47,9 @@ pub(crate) struct System {
     pub closing: Vec<f64>,
     /// Flexibility of both bodies together \[mm/N\].
     pub flexibility: SymmetricMatrix,
-    /// Where plastic flow is looked for.
+    /// The choice of the plastic regions.
     pub search_region: PlasticSearchRegion,
-    /// Where the material of a history is.
+    /// The last accepted increment of a history.
     pub accepted: Accepted,
     /// Load and displacements of the whole models, the latest last; at most two.
     states: Vec<(f64, BlockVector)>,
@@ -61,11 +61,11 @@ pub(crate) struct Accepted {
     pub displacement: BlockVector,
     /// Displacements on all equations; empty at rest.
     pub whole: BlockVector,
-    /// Where material has yielded so far.
+    /// Extent of plastic flow so far.
     pub plastic: RadialEnvelope,
 }
 
-/// What a mesh is to be like.
+/// The requirements on a mesh.
 #[derive(Clone, Copy)]
 pub(crate) struct Design<'a> {
     pub zone: &'a ContactZone,
@@ -218,8 +218,8 @@ impl System {
         }
     }
 
-    /// Takes more elements into the plastic region of each body, whose states are kept: they have
-    /// been elastic up to the last accepted increment.
+    /// Enlarges the plastic region of each body. States in the region are kept; added elements
+    /// have been elastic up to the last accepted increment.
     pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion) {
         let Self { bodies, accepted, .. } = self;
         for (k, body) in bodies.iter_mut().enumerate() {
@@ -237,8 +237,8 @@ impl System {
         };
     }
 
-    /// Looks for plastic flow in another part of each body. The factors have to be made anew
-    /// before the next iteration with tangent moduli.
+    /// Chooses another plastic region of each body. The factors have to be renewed before the next
+    /// iteration with tangent moduli.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
         for body in &mut self.bodies {
             body.set_plastic_region(search_region);
@@ -253,9 +253,9 @@ impl System {
             total_flexibility(self.zone.columns() + 1, &parts, &self.bodies_represented);
     }
 
-    /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in
-    /// axisymmetry, with the shape function `N_k` of the surface. So a uniform pressure is found
-    /// exactly.
+    /// Returns the tributary length of pair `k`, `∫ N_k dx` \[mm\], or its area, `∫ N_k 2πx dx`
+    /// \[mm²\] in axisymmetry, with the shape function `N_k` of the surface. A uniform pressure is
+    /// thereby exact.
     pub fn tributary(&self, k: usize) -> f64 {
         self.tributary_within(k, self.zone.abscissae())
     }
@@ -345,7 +345,7 @@ impl System {
         if self.zone.is_symmetric() && is_plane { 2 } else { 1 }
     }
 
-    /// How many times a model makes up both whole bodies.
+    /// Returns how often a model counts in sums over both whole bodies.
     pub fn copies(&self, model: usize) -> usize {
         self.bodies_represented[model] * self.sides()
     }
@@ -444,7 +444,7 @@ impl ContactSystem for System {
         self.bodies.iter().zip(loads).map(solve).collect()
     }
 
-    /// With both halves of a solve, so that nothing is done twice.
+    /// Both halves of a solve share the forward substitution.
     fn equilibrium(
         &self,
         loads: &BlockVector,

@@ -1,4 +1,4 @@
-//! A previous answer on another mesh of the same body: where to start from on this one.
+//! The transfer of an answer to another mesh of the same body, as the initial state there.
 
 use crate::fem::assembly::Equations;
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState};
@@ -21,7 +21,7 @@ pub(crate) struct TransferredField {
 }
 
 impl TransferredField {
-    /// Carries a field to the nodes of a mesh that are wanted; zero at the others.
+    /// Transfers a field to the wanted nodes of a mesh; zero at other nodes.
     pub fn new(
         field: NodalField<'_>,
         stress_state: StressState,

@@ -2,7 +2,8 @@
 //! nature or because the load falls.
 //!
 //! ```text
-//! dP/dα = eᵀ F⁻¹ e      over the pairs in contact: F their flexibility, e their cosines to the approach
+//! dP/dα = eᵀ F⁻¹ e      over the pairs in contact: F their flexibility,
+//!                       e their cosines to the approach
 //! ```
 
 use crate::solver::ContactPatch;

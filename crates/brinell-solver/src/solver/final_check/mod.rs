@@ -1,5 +1,5 @@
-//! The final state, checked afresh by the full displacement fields and the material law
-//! everywhere.
+//! The final check: it judges the last state by full displacement fields and the material law in
+//! the whole bodies.
 
 mod contact_stiffness;
 mod edge_contact;
@@ -55,8 +55,8 @@ pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
     })
 }
 
-/// Judges the final state by the full displacement fields and the material law everywhere: nothing
-/// that the iteration computed is reused. Takes stresses and nodal displacements out of the pass.
+/// Judges the final state by full displacement fields and the material law in the whole bodies,
+/// without results of the iteration. Takes stresses and nodal displacements out of the mesh solve.
 pub(crate) fn finish(
     problem: &Problem,
     pass: &mut MeshSolve,
@@ -86,7 +86,7 @@ pub(crate) fn finish(
     })
 }
 
-/// The rounded edge of a punch on which elements are too large for the contact.
+/// Returns the rounded edge of a punch, if the elements are too large for the contact on it.
 fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<NarrowEdge> {
     let edge = EdgeContact::of(problem, step.patch?, step.spacing, step.force())?;
     let EdgeContact { elastic, flat } = edge;
@@ -94,7 +94,7 @@ fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<NarrowEdge>
         .then(|| NarrowEdge { elastic, half_width: flat + elastic.width() })
 }
 
-/// The tip in the middle of the contact that is too narrow for the elements.
+/// Returns the tip in the middle of the contact, if it is too narrow for the elements.
 fn unresolved_tip(problem: &Problem, step: &StepSolution) -> Option<RoundedTip> {
     let (arc, half_width) = (problem.tip_arc(), step.half_width());
     let patch = step.patch.filter(|patch| patch.left <= 0.0)?;
@@ -123,7 +123,7 @@ fn pointed_pressure(step: &StepSolution, exponent: f64) -> f64 {
     }
 }
 
-/// The last iteration as it is, without stresses and stiffness.
+/// Returns the state of the last iteration, without stresses and stiffness.
 pub(crate) fn as_iterated(pass: &MeshSolve, load: ContactLoad, tolerance: f64) -> StepSolution {
     let (evidence, bodies) = from_iteration(pass);
     let judged =
@@ -149,7 +149,7 @@ fn unyielding_stiffness(
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is,
 /// so that it is that of the elastic bodies with these pairs in contact \[N/mm per mm\].
 pub(crate) fn unloading_stiffness(pass: &mut MeshSolve, run: &mut Run<'_>) -> Option<f64> {
-    // Whoever stops a job here has its last increment all the same.
+    // A job that is stopped here still returns its last increment.
     stiffness_of_elastic_bodies(pass, pass.patch, run).unwrap_or(None)
 }
 
@@ -180,7 +180,7 @@ fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> O
             let pressure = (stress[0] + stress[1] + stress[2]) / 3.0;
             von_mises(stress).powi(2) / (6.0 * shear) + pressure * pressure / (2.0 * bulk)
         };
-        // What was stored before the load is no work of it.
+        // The energy stored before the load is not work of the load.
         if let Some(initial) = &body.initial_stress {
             for (point, stress) in
                 body.stress.points.iter().flatten().zip(initial.iter().flatten())
@@ -212,7 +212,7 @@ fn from_fields(
     if pass.outcome.status.is_stopped() {
         return Ok(from_iteration(pass));
     }
-    // Before the stresses are handed over.
+    // This precedes the move of the stresses.
     let has_collapsed = has_collapsed(pass);
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
@@ -240,7 +240,7 @@ fn from_fields(
     Ok((Evidence { unloaded_gap, equilibrium_residual, has_collapsed, reaches_edge }, bodies))
 }
 
-/// From the last iterate: an iteration that was stopped has no fields.
+/// Takes the step from the last iterate, because a stopped iteration has no fields.
 fn from_iteration(pass: &MeshSolve) -> (Evidence, Bodies) {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let without_fields =
