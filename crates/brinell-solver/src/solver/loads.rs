@@ -3,7 +3,7 @@
 use crate::contact::ContactLoad;
 use crate::job::{HistoryLoad, Load, Target};
 
-/// Margin of the factor by which a mesh is finer than requested because smaller loads follow.
+/// Factor by which a mesh is finer than requested if a smaller load follows.
 const FALLING_RESERVE: f64 = 1.2;
 
 /// The loads of a job.
@@ -45,7 +45,7 @@ pub(crate) fn loads(load: &Load) -> Loads {
     }
 }
 
-/// The largest force and the largest approach, those above zero.
+/// Returns the largest force and the largest approach, if they are above zero.
 pub(crate) fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
     let largest =
         |of: fn(&ContactLoad) -> Option<f64>| loads.iter().filter_map(of).fold(0.0, f64::max);
@@ -63,8 +63,8 @@ pub(crate) fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
     found
 }
 
-/// How much finer than asked a mesh is made, so that it serves for the next load too. A larger
-/// contact finds room enough as it is, in the zone that is made wider than the contact anyway.
+/// Returns the factor by which a mesh is finer than requested, so that it serves for a smaller
+/// next load. A larger contact fits into the margin of the zone.
 pub(crate) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -> f64 {
     match next {
         Some(next) if next.magnitude() < load.magnitude() => FALLING_RESERVE,
