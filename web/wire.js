@@ -58,7 +58,7 @@
  *
  * @typedef {object} EllipseErrors
  * @property {number} area
- * @property {number} b
+ * @property {number | null} b
  * @property {BodyErrorsOfBodies} bodies
  *
  * @typedef {object} EllipticHertz

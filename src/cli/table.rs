@@ -242,7 +242,7 @@ impl Page {
         if let Some(whole) = &step.three_dimensional {
             let errors = whole.estimated_error.as_ref();
             let longer = whole.hertz.map(|hertz| hertz.b);
-            let error = errors.map(|errors| errors.b);
+            let error = errors.and_then(|errors| errors.b);
             self.figure(("semi-axis b, along y", names.length), whole.b, longer, error);
         }
         if let Some(roller) =

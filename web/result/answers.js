@@ -214,7 +214,7 @@ const longerAxis = (report, { three_dimensional: ellipse }) =>
           name: 'Longer semi-axis',
           value: ellipse.b,
           unit: unit('length', report.units),
-          error: ellipse.estimated_error?.b,
+          error: ellipse.estimated_error?.b ?? undefined,
           elastic: ellipse.hertz?.b,
           note: '',
         },

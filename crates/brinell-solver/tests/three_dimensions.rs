@@ -344,7 +344,7 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
     let mut found = vec![
         ("peak pressure", step.contact.peak_pressure, errors.peak_pressure.unwrap()),
         ("a", whole.a, errors.half_width.unwrap()),
-        ("b", whole.b, ellipse.b),
+        ("b", whole.b, ellipse.b.unwrap()),
         ("area", whole.area, ellipse.area),
         ("approach", step.approach, errors.approach.unwrap()),
     ];

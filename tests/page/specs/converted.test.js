@@ -23,7 +23,7 @@ const SAID = [
   [/Unit: N \(SI: N\) of thickness, force times length/, 'energy'],
   // By the name of the figure that was looked for.
   [/Unit: that of the figure/, undefined],
-  [/Unit: degree|Unit: ms|Without unit/, undefined],
+  [/Unit: degree|Unit: mrad|Unit: ms|Without unit/, undefined],
 ];
 
 /**

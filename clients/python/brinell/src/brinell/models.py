@@ -506,7 +506,11 @@ class EllipseErrors(BaseModel):
 
     area: Annotated[float, Field(description='Of the area. Without unit.', ge=0.0)]
     b: Annotated[
-        float, Field(description='Of the longer semi-axis. Without unit.', ge=0.0)
+        float | None,
+        Field(
+            description='Of the longer semi-axis; `null` of heights, whose outermost cells in contact tell it. Without unit.',
+            ge=0.0,
+        ),
     ]
     bodies: Annotated[
         BodyErrorsOfBodies, Field(description='Of each body; `null` of a rigid one.')

@@ -138,8 +138,10 @@ pub struct MapsReport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct EllipseErrors {
-    /// Of the longer semi-axis \[1 >= 0\].
-    pub b: f64,
+    /// Of the longer semi-axis; `null` of heights, whose outermost cells in contact tell it
+    /// \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub b: Option<f64>,
     /// Of the area \[1 >= 0\].
     pub area: f64,
     /// Of each body; `null` of a rigid one.

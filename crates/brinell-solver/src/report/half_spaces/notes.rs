@@ -37,7 +37,6 @@ pub(super) fn notes(
     if let Some((code, message)) = status_remark(job, step) {
         note(code, message);
     }
-    let [a, _] = step.figures.semi_axes;
     if let Some((size, radius)) = widest(job, problem.orientation(), step.figures.semi_axes) {
         note(
             "wide_contact",
@@ -52,17 +51,8 @@ pub(super) fn notes(
     if step.reaches_edge {
         note("contact_at_edge", AT_EDGE.to_owned());
     }
-    let has_heights = problem.heights.is_some();
-    if a > 0.0 && a < COARSE_GRID * step.surface.grid.hx() && !step.is_preliminary && !has_heights
-    {
-        note(
-            "coarse_mesh",
-            format!(
-                "The shorter semi-axis has only {:.1} cells; ask for at least 8 \
-                 (`mesh.elements_per_half_width`).",
-                a / step.surface.grid.hx()
-            ),
-        );
+    if let Some(message) = coarse_grid(problem, step) {
+        note("coarse_mesh", message);
     }
     let strain = step.figures.max_plastic_strain.into_iter().fold(0.0, f64::max);
     let is_history = job.solver.theory == Theory::Flow;
@@ -109,6 +99,21 @@ pub(super) fn notes(
     notes
 }
 
+/// The remark on a contact of few cells.
+fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<String> {
+    let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes);
+    let cells = (a / grid.hx()).min(b / grid.hy());
+    if step.is_preliminary || cells <= 0.0 || cells >= COARSE_GRID {
+        return None;
+    }
+    let advice = if problem.heights.is_some() {
+        "finer heights tell more"
+    } else {
+        "ask for more (`mesh.elements_per_half_width`)"
+    };
+    Some(format!("A semi-axis of the contact has only {cells:.1} cells; {advice}."))
+}
+
 /// The remarks on what the surfaces are: heights, rollers, half-spaces.
 fn of_shapes(
     problem: &HalfSpaceProblem,
@@ -116,7 +121,7 @@ fn of_shapes(
     write: UnitConverter,
     mut note: impl FnMut(&str, String),
 ) {
-    if problem.heights.is_some() && reaches_rim(&step.surface) {
+    if ends_at_rim(problem, step) {
         note(
             "surface_end",
             "The contact comes to the end of the heights, beyond which nothing touches: at the \
@@ -242,6 +247,11 @@ fn coarse_case(
     ("coarse_case", message)
 }
 
+/// Whether a contact of heights comes to their end.
+fn ends_at_rim(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> bool {
+    problem.heights.is_some() && reaches_rim(&step.surface)
+}
+
 /// Whether a cell of the rim is in contact.
 fn reaches_rim(map: &SurfaceMap) -> bool {
     let (nx, ny) = (map.grid.nx(), map.grid.ny());
@@ -259,7 +269,7 @@ pub(super) fn is_peak_unknown(
     step: &HalfSpaceStep,
     write: UnitConverter,
 ) -> bool {
-    has_kinks(problem) || roller_end(problem, step, write).is_some()
+    has_kinks(problem) || ends_at_rim(problem, step) || roller_end(problem, step, write).is_some()
 }
 
 fn has_kinks(problem: &HalfSpaceProblem) -> bool {

@@ -173,7 +173,7 @@ impl StepWriter<'_> {
                 gap: lengths(&map.gap),
                 dent: dent(step).map(|dent| lengths(&dent)),
             }),
-            estimated_error: ellipse_errors(step),
+            estimated_error: self.ellipse_errors(step),
         }
     }
 
@@ -349,12 +349,11 @@ impl StepWriter<'_> {
             (None, Some(_)) => Some(contact_stiffness::ERROR),
             (None, None) => None,
         };
-        let is_peak_known = !is_peak_unknown(self.problem, step, self.write);
-        let peak =
-            Some(relative(errors.peak_pressure, figures.peak_pressure)).filter(|_| is_peak_known);
+        let peak = Some(relative(errors.peak_pressure, figures.peak_pressure))
+            .filter(|_| !is_peak_unknown(self.problem, step, self.write));
         Some(ErrorEstimate {
             peak_pressure: peak,
-            half_width: Some(relative(errors.semi_axes[0], figures.semi_axes[0])),
+            half_width: self.semi_axis_error(step, 0),
             approach: Some(relative(errors.approach, figures.approach)),
             // The stress that yields first goes with the third root of the force.
             force: match self.job.load {
@@ -364,6 +363,41 @@ impl StepWriter<'_> {
             },
             contact_stiffness: of_stiffness,
             bodies: None,
+        })
+    }
+
+    /// The relative error of a semi-axis; `None` of heights, whose contact ends with single
+    /// asperities.
+    fn semi_axis_error(&self, step: &HalfSpaceStep, axis: usize) -> Option<f64> {
+        let error = step.errors.as_ref()?.semi_axes[axis];
+        let has_heights = self.problem.heights.is_some();
+        (!has_heights).then(|| relative(error, step.figures.semi_axes[axis]))
+    }
+
+    fn ellipse_errors(&self, step: &HalfSpaceStep) -> Option<EllipseErrors> {
+        let (figures, errors) = (&step.figures, step.errors.as_ref()?);
+        let is_strain_known = !is_peak_unknown(self.problem, step, self.write);
+        let of = |side: usize| {
+            let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| {
+                Some(relative(of(errors)[side], of(figures)[side]))
+            };
+            step.bodies[side].as_ref().map(|_| BodyErrors {
+                max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain)
+                    .filter(|_| is_strain_known),
+                mean_equivalent_plastic_strain: None,
+                area: None,
+                depth: part(|figures| figures.dent),
+                pile_up: part(|figures| figures.pile_up),
+                least_stress: (figures.force <= 0.0)
+                    .then(|| part(|figures| figures.least_stress))
+                    .flatten(),
+                utilization: None,
+            })
+        };
+        Some(EllipseErrors {
+            b: self.semi_axis_error(step, 1),
+            area: relative(errors.area, figures.area),
+            bodies: PerBody { upper: of(0), lower: of(1) },
         })
     }
 }
@@ -411,31 +445,6 @@ pub(super) fn of_bodies<T: Clone>(
 
 fn relative(error: f64, figure: f64) -> f64 {
     if figure == 0.0 { 0.0 } else { (error / figure).abs() }
-}
-
-fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
-    let (figures, errors) = (&step.figures, step.errors.as_ref()?);
-    let of = |side: usize| {
-        let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| {
-            Some(relative(of(errors)[side], of(figures)[side]))
-        };
-        step.bodies[side].as_ref().map(|_| BodyErrors {
-            max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain),
-            mean_equivalent_plastic_strain: None,
-            area: None,
-            depth: part(|figures| figures.dent),
-            pile_up: part(|figures| figures.pile_up),
-            least_stress: (figures.force <= 0.0)
-                .then(|| part(|figures| figures.least_stress))
-                .flatten(),
-            utilization: None,
-        })
-    };
-    Some(EllipseErrors {
-        b: relative(errors.semi_axes[1], figures.semi_axes[1]),
-        area: relative(errors.area, figures.area),
-        bodies: PerBody { upper: of(0), lower: of(1) },
-    })
 }
 
 /// Displacement of both surfaces by plastic strain in every cell \[mm\]; `None` where no body can
