@@ -358,3 +358,55 @@ fn an_undercut_is_a_step_of_points() {
     assert!((first + 5.0).abs() < cell && (last - 4.0).abs() < cell, "{first} {last}");
     assert!(step.moment < 0.0);
 }
+
+/// From a moment that hardly tilts to one that only the last row of cells bears; crowned rollers
+/// whose contact moves along, and straight ones that are pressed at an end.
+#[test]
+fn every_moment_of_a_grid_is_found() {
+    for (shape, cells) in [
+        (json!({"profile": "crowned", "crown_radius": 40}), 5),
+        (json!({"profile": "crowned", "crown_radius": 40}), 8),
+        (json!({}), 5),
+        (json!({}), 8),
+    ] {
+        for part in [0.1, 0.5, 0.8, 0.92] {
+            let few = json!({"mesh": {"elements_per_half_width": cells}, "load": {"force": 400},
+                "output": {"subsurface": false}});
+            let job = balanced(roller(8.0, &shape, &few), part * 1600.0);
+            let report = report::run(&Job::from_value(&job).unwrap(), &mut Unobserved).unwrap();
+            assert_eq!(report.status, SolveStatus::Converged, "{part} of {shape} on {cells}");
+            near(along(&report.steps[0]).moment, part * 1600.0, 1e-6);
+        }
+    }
+}
+
+/// The last row of cells is in its middle nearer to the middle of the roller than its end.
+#[test]
+fn a_moment_beyond_that_of_the_last_row_is_named() {
+    let few = json!({"mesh": {"elements_per_half_width": 4}, "output": {"subsurface": false}});
+    let job = balanced(roller(8.0, &json!({}), &few), 0.999_999 * 16_000.0);
+    let report = report::run(&Job::from_value(&job).unwrap(), &mut Unobserved).unwrap();
+    assert_eq!(report.status, SolveStatus::NotConverged);
+    let notes = &report.steps[0].validity;
+    let note = notes.iter().find(|note| note.code == "not_converged").unwrap();
+    assert!(note.message.contains("moment"), "{}", note.message);
+}
+
+/// Where nothing touches the tilt is that of the last contact, under one increment or more.
+#[test]
+fn a_roller_keeps_its_tilt_where_it_is_unloaded() {
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 600, "tangent_modulus": 10_500}});
+    for increments in [json!(null), json!(1)] {
+        let mut changes = json!({"lower": {"shape": {"type": "flat"}, "material": steel},
+            "load": {"history": [{"force": 2000}, {"force": 0}, {"force": 1600}]},
+            "solver": {"theory": "flow"}, "mesh": {"elements_per_half_width": 4}});
+        if !increments.is_null() {
+            changes["solver"]["increments"] = increments;
+        }
+        let report = solve(&roller(8.0, &json!({"moment": 5000}), &changes));
+        let tilts: Vec<f64> = report.steps.iter().map(|step| along(step).tilt).collect();
+        assert!(tilts[1] > 0.2 * tilts[0], "{tilts:?}");
+        near(along(&report.steps[2]).moment, 5000.0, 1e-6);
+    }
+}

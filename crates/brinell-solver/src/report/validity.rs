@@ -677,7 +677,7 @@ pub(super) fn not_converged(step: &Unfinished<'_>, settings: SolverSettings) -> 
 }
 
 /// A part of a whole in percent, to two digits.
-fn share(part: f64) -> String {
+pub(super) fn share(part: f64) -> String {
     let digits = format!("{:.1e}", 100.0 * part);
     match digits.parse::<f64>() {
         Ok(percent) if percent == 0.0 || (1e-3..1e4).contains(&percent) => format!("{percent} %"),

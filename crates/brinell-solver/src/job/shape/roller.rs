@@ -1,5 +1,7 @@
 //! The roller: a cylinder of finite length on a half-space. Only in three dimensions.
 
+use std::ops::RangeInclusive;
+
 use crate::job::fields::{Field, Figure, Known, record, unless};
 use crate::job::{FieldError, Named, PositiveF64, Quantity};
 
@@ -37,7 +39,7 @@ record! {
         /// Misalignment in the plane of axis and normal, in mrad: positive brings the end at
         /// positive y closer to the other body; 0 if it is left out. The approach is that of the
         /// middle.
-        pub tilt: Option<f64> = Field::pure(-50.0..=50.0).label("Tilt", "ϑ"),
+        pub tilt: Option<f64> = Field::pure(Roller::tilts()).label("Tilt", "ϑ"),
         /// Moment about its x axis through the middle, in place of `tilt`, which is found then:
         /// positive presses the end at positive y. It is whole from the smallest force of the job
         /// on and in proportion to the force below. Only with forces.
@@ -86,6 +88,11 @@ impl RollerProfile {
 impl Roller {
     /// Most points of a profile.
     pub const MAX_POINTS: usize = 10_000;
+
+    /// Tilts that may be given \[mrad\].
+    pub const fn tilts() -> RangeInclusive<f64> {
+        -50.0..=50.0
+    }
 
     /// Curvatures along its x and its y, positive where it is convex \[1/mm\].
     pub(super) fn curvatures(&self) -> [f64; 2] {

@@ -2,14 +2,14 @@
 //! said in the same words.
 
 use super::step::largest_strain;
-use crate::job::{Body, Deformable, Job, Material, MeshSettings, Theory};
+use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
 use crate::report::ValidityNote;
 use crate::report::plastic_strain::{UNBOUNDED, bilinear_curve};
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness};
 use crate::report::units::{UnitConverter, rounded};
 use crate::report::validity::{
     AT_EDGE, SUSPICIOUS_UNITS, Unfinished, WIDE_CONTACT, history_remark, looks_like_millimetres,
-    not_converged, stopped, strain_remark,
+    not_converged, share, stopped, strain_remark,
 };
 use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
@@ -47,6 +47,9 @@ pub(super) fn notes(
                 write.length_text(radius)
             ),
         );
+    }
+    if let Some((code, message)) = problem.half_length().and_then(|_| wide_tilt(step)) {
+        note(code, message);
     }
     if step.reaches_edge {
         note("contact_at_edge", AT_EDGE.to_owned());
@@ -171,6 +174,9 @@ fn status_remark(job: &Job, step: &HalfSpaceStep) -> Option<(&'static str, Strin
     };
     match step.status {
         SolveStatus::Converged => None,
+        SolveStatus::NotConverged if misses_moment(step) => {
+            Some(("not_converged", missed_moment(step)))
+        }
         SolveStatus::NotConverged => {
             Some(("not_converged", not_converged(&unfinished, job.solver)))
         }
@@ -181,6 +187,32 @@ fn status_remark(job: &Job, step: &HalfSpaceStep) -> Option<(&'static str, Strin
             Some(("timed_out", stopped("The deadline passed", step.is_preliminary)))
         }
     }
+}
+
+/// Whether the moment of a roller is what a contact violates most.
+fn misses_moment(step: &HalfSpaceStep) -> bool {
+    !step.contact_check.is_sound() && step.missing_moment >= step.contact_check.worst()
+}
+
+fn missed_moment(step: &HalfSpaceStep) -> String {
+    format!(
+        "The moment is missed by {} of the force times half the length of the roller: no tilt \
+         that was tried has it. The cells next to the end bear at most the force times the \
+         distance of their middles. Give a smaller moment, or more elements \
+         (`mesh.elements_per_half_width`).",
+        share(step.missing_moment)
+    )
+}
+
+/// What is said of a tilt that is found and could not be given.
+fn wide_tilt(step: &HalfSpaceStep) -> Option<(&'static str, String)> {
+    let (tilt, most) = (1e3 * step.tilt, *Roller::tilts().end());
+    let message = format!(
+        "The moment tilts the roller by {} mrad. Beyond {most} mrad, up to which a tilt may be \
+         given, rollers and half-spaces are no model of the contact: give a smaller moment.",
+        rounded(tilt)
+    );
+    (tilt.abs() > most).then_some(("wide_contact", message))
 }
 
 const fn deformable(body: &Body) -> Option<&Deformable> {

@@ -53,11 +53,7 @@ impl Answer {
         let evidence = self.evidence(&measured.bodies, least.residual);
         let (status, mut check) =
             judge(&self.system, &self.outcome, &evidence, load, engine.tolerance, least.contact);
-        let contact = &self.outcome.state.response.contact;
-        let missing = self.system.moment.map_or(0.0, |moment| {
-            moment.missing(self.system.moment_of(&contact.force), contact.total_force).abs()
-        });
-        check.equilibrium = check.equilibrium.max(missing);
+        check.equilibrium = check.equilibrium.max(self.missing_moment());
         let status = match status {
             SolveStatus::Converged if !check.is_sound() => SolveStatus::NotConverged,
             status => status,
@@ -77,6 +73,14 @@ impl Answer {
         let judged = judge(&self.system, &self.outcome, &evidence, load, engine.tolerance, least);
         let measured = measure(&self.system, &self.outcome, last_peak, None);
         self.reported(engine, load, measured, &evidence, judged)
+    }
+
+    /// What is missing of a prescribed moment, over force and half the length.
+    fn missing_moment(&self) -> f64 {
+        let contact = &self.outcome.state.response.contact;
+        self.system.moment.map_or(0.0, |moment| {
+            moment.missing(self.system.moment_of(&contact.force), contact.total_force).abs()
+        })
     }
 
     fn evidence(&self, bodies: &[Option<Arc<HalfSpaceBody>>; 2], least_residual: f64) -> Evidence {
@@ -132,6 +136,7 @@ impl Answer {
             bodies,
             history: self.outcome.history.clone(),
             contact_check,
+            missing_moment: self.missing_moment(),
             plastic_residual: evidence.equilibrium_residual,
             increments: Vec::new(),
             last_increment: LastIncrement::default(),

@@ -348,6 +348,7 @@ impl HalfSpaceEngine<'_> {
             surface: SurfaceFlexibility::new(grid, problem.effective_modulus()),
             closing: vec![1.0; initial_gap.len()],
             moment: problem.moment(),
+            last_tilt: 0.0.into(),
             accepted: bodies.iter().map(|body: &YieldingBody| vec![0.0; body.len()]).collect(),
             initial_gap,
             elastic,

@@ -6,7 +6,8 @@
 //! ```
 //! with the tilt ϑ as one more unknown. `E(ϑ) = min ½ RᵀF R + g(ϑ)ᵀR` over `R >= 0, Σ R = P` is the
 //! least of functions linear in ϑ, hence concave, and `Σ R y = -dE/dϑ` never falls with ϑ: a root
-//! between two tilts stays there. Secants find it, and halves where a secant leads nowhere.
+//! between two tilts stays there. Secants that at most double the last step come to two such tilts;
+//! between them secants find it, and halves where a secant leads nowhere.
 
 use super::engine::CONTACT_TOLERANCE;
 use super::problem::{BISECTIONS, HalfSpaceProblem};
@@ -70,8 +71,9 @@ impl HalfSpaces {
         gap.iter().enumerate().map(|(cell, gap)| gap - tilt * grid.y(cell % ny)).collect()
     }
 
-    /// The contact under a force and the moment that goes with it, with its tilt. An answer whose
-    /// moment is not found has not converged.
+    /// The contact under a force and the moment that goes with it, with its tilt; where the
+    /// moment is not met, the contact that comes nearest to it. A moment beyond that of the last
+    /// row of cells is that of the last row: the grid is enlarged then, or the check tells.
     ///
     /// # Errors
     /// Those of the contact solver.
@@ -84,8 +86,10 @@ impl HalfSpaces {
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<ContactSolution, method::Error> {
-        let mut tilt = start.map_or(0.0, |start| start.tilt);
+        let last_row = self.last_row(moment);
+        let mut tilt = start.map_or_else(|| self.last_tilt.get(), |start| start.tilt);
         let mut last = start.cloned();
+        let mut nearest: Option<(f64, ContactSolution)> = None;
         let (mut below, mut above) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut before: Option<[f64; 2]> = None;
         let [mut pivots, mut applications] = [0, 0];
@@ -96,44 +100,77 @@ impl HalfSpaces {
             pivots += found.pivots;
             applications += found.applications;
             found.tilt = tilt;
-            let missing = moment.missing(self.moment_of(&found.force), found.total_force);
-            if missing.abs() <= CONTACT_TOLERANCE || found.status != ContactStatus::Converged {
+            if found.status != ContactStatus::Converged || found.total_force <= 0.0 {
                 return Ok(ContactSolution { pivots, applications, ..found });
+            }
+            let most = found.total_force * last_row;
+            let wanted = moment.under(found.total_force).clamp(-most, most);
+            let lever = found.total_force * moment.half_length;
+            let missing = (self.moment_of(&found.force) - wanted) / lever;
+            if nearest.as_ref().is_none_or(|(least, _)| missing.abs() < *least) {
+                nearest = Some((missing.abs(), found.clone()));
+            }
+            if missing.abs() <= CONTACT_TOLERANCE {
+                break;
             }
             if missing < 0.0 {
                 below = below.max(tilt);
             } else {
                 above = above.min(tilt);
             }
-            let (slope, stays) = match before {
+            let halves = 0.5 * (below + above);
+            let next = match before {
                 Some([other, of_other]) => {
-                    ((missing - of_other) / (tilt - other), missing.abs() > 0.5 * of_other.abs())
+                    let step = -missing * (tilt - other) / (missing - of_other);
+                    if !halves.is_finite() {
+                        // Where another tilt moves little, one twice as far away moves more.
+                        let farthest = 2.0 * (tilt - other).abs();
+                        let toward = -missing.signum();
+                        let step = step * toward;
+                        let step = if step > 0.0 { step.min(farthest) } else { farthest };
+                        tilt + toward * step
+                    } else if missing.abs() > 0.5 * of_other.abs() {
+                        halves
+                    } else {
+                        tilt + step
+                    }
                 }
-                None => (self.stiffness(moment, &tilted, &found), false),
+                None => tilt + self.first_step(moment, &tilted, &found, missing),
             };
             before = Some([tilt, missing]);
-            let step = -missing / slope;
-            let halves = 0.5 * (below + above);
-            tilt = match tilt + step {
-                next if next > below && next < above && !(stays && halves.is_finite()) => next,
-                _ if halves.is_finite() => halves,
-                // Where another tilt moves nothing, a larger one may.
-                _ => tilt - 2.0 * missing.signum() * step.abs().max(tilt.abs()),
-            };
             last = Some(found);
+            tilt =
+                if halves.is_finite() && !(next > below && next < above) { halves } else { next };
+            if tilt <= below || tilt >= above {
+                break;
+            }
         }
-        let status = ContactStatus::IterationLimit;
-        Ok(ContactSolution { pivots, applications, status, ..last.unwrap_or_default() })
+        let nearest = nearest.map(|(_, contact)| contact).unwrap_or_default();
+        self.last_tilt.set(nearest.tilt);
+        Ok(ContactSolution { pivots, applications, ..nearest })
     }
 
-    /// What a tilt changes of the moment, over force and half the length, if the depth δ to which
-    /// undeformed bodies would overlap is that of an even layer of springs along the contact:
-    /// `P b²/(3 δ)`.
-    fn stiffness(&self, moment: PrescribedMoment, gap: &[f64], contact: &ContactSolution) -> f64 {
+    /// Distance of the outermost cells of the roller from its middle \[mm\].
+    fn last_row(&self, moment: PrescribedMoment) -> f64 {
+        let grid = self.grid();
+        let rows = (0..grid.ny()).map(|j| grid.y(j).abs());
+        rows.filter(|y| *y < moment.half_length).fold(0.0, f64::max)
+    }
+
+    /// The tilt by which a missing moment comes about, if the depth δ to which undeformed bodies
+    /// would overlap is that of an even layer of springs of a length 2r along the contact:
+    /// `M = P r² ϑ/(3 δ)`, and at most that of a moment P r.
+    fn first_step(
+        &self,
+        moment: PrescribedMoment,
+        gap: &[f64],
+        contact: &ContactSolution,
+        missing: f64,
+    ) -> f64 {
         let (grid, ny) = (self.grid(), self.grid().ny());
         let touched = (0..gap.len()).filter(|cell| contact.force[*cell] > 0.0);
         let reach = touched.map(|cell| grid.y(cell % ny)).map(f64::abs).fold(grid.hy(), f64::max);
         let overlap = gap.iter().map(|gap| contact.approach - gap).fold(0.0, f64::max);
-        reach * reach / (3.0 * overlap * moment.half_length)
+        -3.0 * overlap / reach * (missing * moment.half_length / reach).clamp(-1.0, 1.0)
     }
 }

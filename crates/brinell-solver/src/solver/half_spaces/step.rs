@@ -42,6 +42,8 @@ pub struct HalfSpaceStep {
     pub history: Vec<IterationRecord>,
     /// The contact conditions, checked on the answer.
     pub contact_check: KktReport,
+    /// What is missing of the moment of a roller, over force and half its length.
+    pub missing_moment: f64,
     /// What the plastic law leaves of the plastic strains, `‖2μ(Δε(σ) - Δε)‖` over the contact
     /// force, evaluated anew.
     pub plastic_residual: f64,

@@ -8,7 +8,7 @@
 //! ```
 //! a force like that of the cells in contact, to which the method compares it.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
 use brinell_halfspace::{
@@ -47,6 +47,8 @@ pub(super) struct HalfSpaces {
     pub closing: Vec<f64>,
     /// Under which a roller tilts; `None` where tilts are given.
     pub moment: Option<PrescribedMoment>,
+    /// Tilt of the last contact that had to bear a moment; 0 before there is one.
+    pub last_tilt: Cell<f64>,
     /// Upper and lower; `None` for a rigid one. Two equal bodies share one that yields.
     pub elastic: [Option<ElasticBody>; 2],
     pub yielding: RefCell<Yielding>,
