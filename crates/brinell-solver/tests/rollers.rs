@@ -384,7 +384,12 @@ fn every_moment_of_a_grid_is_found() {
 #[test]
 fn a_moment_beyond_that_of_the_last_row_is_named() {
     let few = json!({"mesh": {"elements_per_half_width": 4}, "output": {"subsurface": false}});
-    let job = balanced(roller(8.0, &json!({}), &few), 0.999_999 * 16_000.0);
+    let job = |part: f64| balanced(roller(8.0, &json!({}), &few), part * 16_000.0);
+    match report::run(&Job::from_value(&job(0.999_999)).unwrap(), &mut Unobserved) {
+        Err(RunError::Input(faults)) => assert!(faults[0].detail.contains("moment"), "{faults:?}"),
+        other => panic!("{other:?}"),
+    }
+    let job = job(0.995);
     let report = report::run(&Job::from_value(&job).unwrap(), &mut Unobserved).unwrap();
     assert_eq!(report.status, SolveStatus::NotConverged);
     let notes = &report.steps[0].validity;

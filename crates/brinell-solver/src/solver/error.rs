@@ -129,7 +129,7 @@ pub enum SolveError {
     /// The contact would be many times as wide as a roller is long.
     #[error(
         "the roller is {length:.2e} mm long, but under this load no grid holds its contact below a \
-         length of {least:.2e} mm: reduce the load, or give the length that touches"
+         length of {least:.2e} mm: reduce the load or its moment, or give the length that touches"
     )]
     ShortRoller {
         /// Its length \[mm\].
