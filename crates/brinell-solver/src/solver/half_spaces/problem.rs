@@ -159,7 +159,7 @@ impl HalfSpaceProblem {
         })
     }
 
-    /// Whether the shapes without heights and tilt have a Hertzian contact.
+    /// Whether the shapes have a Hertzian contact, apart from any heights on top of them.
     pub fn has_hertz(&self) -> bool {
         let [kx, ky] = self.principal_curvatures();
         kx > 0.0 && (ky > LINE * kx || self.half_length().is_some())
