@@ -94,8 +94,8 @@ impl Roller {
     }
 }
 
-/// Refuses a profile without the field of its size or with that of another profile, points that do
-/// not form an outline, and a tilt beside a moment.
+/// Refuses a profile without the field of its size or with the field of another profile, points
+/// that do not form an outline, and a tilt beside a moment.
 fn rules(known: &Known) -> Vec<FieldError> {
     let profile = known
         .word("profile")

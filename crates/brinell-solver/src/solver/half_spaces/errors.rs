@@ -1,14 +1,14 @@
 //! Estimated errors of the figures of a step.
 //!
 //! ```text
-//! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor      n cells, N increments, the latter on the coarse grid
+//! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor      n cells, N increments
 //! ```
-//! Floors cover the scatter of approach and semi-axes as cells at the edge enter the contact, and
-//! the scatter of all other figures if the contact yields. Factors and floors cover the deviations
-//! of the prototype on 16 to 64 cells a side; the floors of semi-axes and plastic strain cover
-//! those of random contacts on 4 to 10 cells over a semi-axis. The peak pressure of a tilted
-//! roller can lie up to half a cell from the middle of the nearest cell; there, an ellipse is
-//! lower by `(h/2b)²/2`.
+//! The term of the increments comes from the coarse grid. Floors cover the scatter of approach and
+//! semi-axes as cells at the edge enter the contact, and the scatter of all other figures if the
+//! contact yields. Factors and floors cover the deviations of the prototype on 16 to 64 cells a
+//! side; the floors of semi-axes and plastic strain cover the deviations of random contacts on 4
+//! to 10 cells over a semi-axis. The peak pressure of a tilted roller can lie up to half a cell
+//! from the middle of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
 
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;

@@ -99,8 +99,8 @@ pub(super) fn measure(
     }
 }
 
-/// Returns the elastic energy and the work of plastic flow. The elastic energy is that of the
-/// pressure, `½ RᵀF R`, and that of the plastic strain; their cross terms cancel.
+/// Returns the elastic energy and the work of plastic flow. The elastic energy has a part from the
+/// pressure, `½ RᵀF R`, and a part from the plastic strain; their cross terms cancel.
 fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
     let (state, force) = (&outcome.state, &outcome.state.response.contact.force);
     let mut displacement = vec![0.0; force.len()];

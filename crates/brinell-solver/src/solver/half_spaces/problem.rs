@@ -100,7 +100,7 @@ impl HalfSpaceProblem {
 
     /// Returns estimates of semi-axes and overload; `None` if the bodies do not touch.
     ///
-    /// The semi-axes are those of elastic bodies, or `√(P/3πσ)` if larger: a fully plastic contact
+    /// The semi-axes are the larger of the elastic ones and `√(P/3πσ)`: a fully plastic contact
     /// has a mean pressure of 3σ. At a given approach, the surface around a fully plastic contact
     /// neither sinks nor rises, and its area is twice the area between elastic bodies.
     pub(super) fn expected(&self, load: ContactLoad) -> Option<Expected> {

@@ -96,8 +96,8 @@ fn step(
     Ok(fine)
 }
 
-/// Returns a first grid. Its size is the contact size of elastic bodies, or that of a solve on few
-/// cells if a body can yield.
+/// Returns a first grid. Its size follows from the contact size of elastic bodies or, if a body
+/// can yield, from a solve on few cells.
 pub(super) fn size(
     problem: &HalfSpaceProblem,
     load: ContactLoad,

@@ -45,8 +45,8 @@ pub struct HalfSpaceStep {
     pub history: Vec<IterationRecord>,
     /// Residuals of the contact conditions in the answer.
     pub contact_check: KktReport,
-    /// Residual of the plastic law, `‖2μ(Δε(σ) - Δε)‖` over the contact force: the plastic strain
-    /// increment that the law gives at the stresses of the answer, less that of the answer.
+    /// Residual of the plastic law, `‖2μ(Δε(σ) - Δε)‖` over the contact force, with the plastic
+    /// strain increment Δε of the answer and the increment Δε(σ) of the law at its stresses.
     pub plastic_residual: f64,
     /// The increments of this load step, by flow theory.
     pub increments: Vec<IncrementRecord>,

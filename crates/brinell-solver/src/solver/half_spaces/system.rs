@@ -4,10 +4,10 @@
 //! method are the trial deviators of the plastic law, `dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε`
 //! \[MPa\]. Their norm is
 //! ```text
-//! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis, sum over the cells that have flowed in this increment
+//! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis
 //! ```
-//! This is a force comparable to the force of the cells in contact, with which the method compares
-//! it.
+//! The sum runs over the cells that have flowed in this increment. The norm is a force comparable
+//! to the force of the cells in contact, with which the method compares it.
 
 use std::cell::RefCell;
 use std::sync::Arc;
