@@ -124,7 +124,8 @@ impl Deformable {
         self
     }
 
-    /// Returns the factors of the hardening curve over depth; `None` if all of them are 1.
+    /// Returns the factors of the hardening curve over depth; `None` if the curve is the same
+    /// at all depths.
     pub fn strength(&self) -> Option<StrengthProfile> {
         let profile =
             self.over_depth.as_ref()?.profile(self.hardening_law()?.nominal_yield_stress());

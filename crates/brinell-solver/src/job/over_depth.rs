@@ -62,8 +62,8 @@ record! {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CaseCurve {
-    /// The profile of carbon that diffuses into a half-space, `HV = HV_c + (HV_s - HV_c) erfc(u
-    /// z/d)`. The factor u gives 550 HV at the case depth d.
+    /// The profile of carbon that diffuses into a half-space,
+    /// `HV = HV_c + (HV_s - HV_c) erfc(u z/d)`. The factor u gives 550 HV at the case depth d.
     #[default]
     ErrorFunction,
     /// Lang's profile, `HV = HV_c + (HV_s - HV_c) 10^(-0.0381 z/d - 0.2662 (z/d)²)`.

@@ -89,7 +89,7 @@ impl Job {
     }
 
     /// Refuses an asymmetric profile in axisymmetry, where it turns about x = 0: it must start
-    /// there, or have two equal sides.
+    /// or end there, or have two equal sides.
     pub(super) fn faults_of_revolution(&self) -> Vec<FieldError> {
         if self.analysis != Analysis::Axisymmetric {
             return Vec::new();

@@ -2,7 +2,7 @@
 //! derive from its table.
 //!
 //! `record!` declares a struct together with its table, and `tagged!` an enumeration of records
-//! with a word for each. Every hardening law and every shape is one file with one `record!`.
+//! with a word for each. Every hardening law and every shape is one `record!`.
 //!
 //! ```text
 //! record! {

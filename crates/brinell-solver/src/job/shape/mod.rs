@@ -1,5 +1,5 @@
-//! Undeformed outlines. Each file holds one shape: its dimensions with their table, and the
-//! conditions between them.
+//! Undeformed outlines. Each file holds one shape, or a few similar ones: the dimensions with
+//! their table, and the conditions between them.
 //!
 //! Every shape has its own frame: the contact starts at the origin, `x` is tangential, and heights
 //! are positive along the outward normal. Both bodies follow this convention, so that an exchange
