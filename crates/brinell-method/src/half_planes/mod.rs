@@ -1,9 +1,9 @@
-//! A second engine, by which the method is tested without finite elements: two half-planes that
-//! touch along a line, with a layer of springs between them that yield.
+//! A second engine, which tests the method without finite elements: two half-planes in line
+//! contact, with a layer of yielding springs between them.
 //!
-//! Each pair k has a spring of stiffness s in series with the half-planes. It carries `R = s (w -
-//! p)` under a compression w, of which p is plastic: it grows so that `R = R_y + H p` beyond
-//! yield, and is never taken back. The initial stress is `s p`.
+//! Each contact pair has a spring of stiffness s in series with the half-planes. Under a
+//! compression w with the plastic part p, the spring carries `R = s (w - p)`. The plastic part
+//! grows so that `R = R_y + H p` beyond yield, and never decreases. The initial stress is `s p`.
 
 mod tests;
 
@@ -26,28 +26,28 @@ use brinell_contact::kkt::ContactScales;
 use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
 use dense_cholesky::SymmetricMatrix;
 
-/// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and the depth where
-/// displacements are zero \[mm\].
+/// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and depth of zero
+/// displacement \[mm\].
 const RADIUS: f64 = 10.0;
 const MODULUS: f64 = 1e5;
 const DATUM: f64 = 100.0;
-/// Stiffness and hardening of the springs \[N/mm² per mm\], and the pressure at which they yield
+/// Stiffness and hardening modulus of the springs \[N/mm² per mm\], and their yield pressure
 /// \[MPa\].
 const STIFFNESS: f64 = 1e7;
 const HARDENING: f64 = 1e6;
 const YIELD: f64 = 400.0;
 const TOLERANCE: f64 = 1e-9;
 
-/// The springs, and the half-planes by their flexibility.
+/// The springs, and the flexibility of springs and half-planes.
 struct HalfPlanes {
-    /// Distance of the pairs \[mm\].
+    /// Spacing of the contact pairs \[mm\].
     spacing: f64,
     initial_gap: Vec<f64>,
     closing: Vec<f64>,
     flexibility: SymmetricMatrix,
-    /// Whether each spring is looked at for plastic flow.
+    /// Whether each spring belongs to the plastic region.
     watched: Vec<bool>,
-    /// Compressions of the accepted state, and what is plastic of them.
+    /// Compressions of the accepted state, and their plastic parts.
     accepted: BlockVector,
     plastic: Vec<f64>,
 }
@@ -73,7 +73,7 @@ impl HalfPlanes {
         }
     }
 
-    /// What is plastic of a compression.
+    /// Returns the plastic part of a compression.
     fn plastic_compression(&self, pair: usize, w: f64) -> f64 {
         let before = self.plastic[pair];
         let beyond_yield = (STIFFNESS * w - YIELD) / (STIFFNESS + HARDENING);
@@ -161,14 +161,14 @@ impl ContactSystem for HalfPlanes {
     }
 }
 
-/// How many pairs there are, and how many of them are looked at for plastic flow.
+/// Number of contact pairs, and number of springs in the plastic region.
 #[derive(Clone, Copy)]
 struct Design {
     pairs: usize,
     watched: usize,
 }
 
-/// The engine.
+/// The engine: a coupling, and a spacing of the contact pairs.
 struct Springs {
     coupling: &'static dyn Coupling,
     spacing: f64,
@@ -177,7 +177,7 @@ struct Springs {
 struct SpringAnswer {
     system: HalfPlanes,
     outcome: Outcome,
-    /// How often more springs were looked at.
+    /// Number of continuations with a larger plastic region.
     continued: usize,
 }
 
@@ -214,7 +214,7 @@ impl Answer for SpringAnswer {
 }
 
 impl SpringAnswer {
-    /// The answer, checked by the forces alone.
+    /// Returns the step. The check evaluates the answer anew from its forces.
     fn step(&self, load: ContactLoad, least: LeastScales) -> SpringStep {
         let Self { system, outcome, .. } = self;
         let state = &outcome.state;
@@ -259,13 +259,13 @@ impl SpringAnswer {
     }
 }
 
-/// What is reported of a load.
+/// The step of a load.
 struct SpringStep {
     status: SolveStatus,
     check: KktReport,
     figures: CoarseFigures,
     is_preliminary: bool,
-    /// By how much the coarse history and larger increments differ.
+    /// Changes of the figures from the coarse history, and from half as many increments.
     errors: [Option<CoarseFigures>; 2],
     end: Option<LoadEnd>,
 }
@@ -351,7 +351,7 @@ impl Engine for Springs {
 }
 
 impl Springs {
-    /// One load from rest.
+    /// Solves one load from the undeformed state.
     fn answer(&self, load: ContactLoad, run: &mut Run<'_>) -> Result<SpringAnswer, Error> {
         let design = Design { pairs: 41, watched: 21 };
         solve(self, design, None, run, |on, system, start, run| {
@@ -362,7 +362,8 @@ impl Springs {
 
 impl HistoryEngine for Springs {
     type Step = SpringStep;
-    /// The pairs that were enough, and the displacements at the end of each increment.
+    /// Number of contact pairs that was sufficient, and displacements at the end of each
+    /// increment.
     type Memory = (usize, Vec<BlockVector>);
 
     fn coupling(&self) -> &dyn Coupling {
@@ -433,7 +434,7 @@ impl HistoryEngine for Springs {
     }
 }
 
-/// The same bodies with pairs at two distances.
+/// The same bodies with the contact pairs at two spacings.
 struct Bodies(&'static dyn Coupling);
 
 const SPACING: f64 = 0.01;
@@ -457,7 +458,7 @@ impl TwoDensities for Bodies {
     }
 }
 
-/// A largest pressure that is sought \[MPa\].
+/// A sought peak pressure \[MPa\].
 struct Peak(f64);
 
 impl Sought for Peak {

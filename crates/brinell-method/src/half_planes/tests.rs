@@ -18,7 +18,7 @@ fn with_run<T>(observer: &mut dyn Observer, work: impl FnOnce(&mut Run<'_>) -> T
     (answer, passes)
 }
 
-/// One force from rest, and how many systems were made.
+/// Solves one force from the undeformed state. Returns the answer and the number of systems built.
 fn solved(
     coupling: &'static dyn Coupling,
     force: f64,
@@ -41,7 +41,7 @@ fn hertz(force: f64) -> f64 {
 #[test]
 fn springs_that_do_not_yield_leave_the_pressure_of_hertz() {
     let (answer, _) = solved(&Strong, 40.0, &mut Unobserved);
-    // The springs take a little of the peak.
+    // The springs reduce the peak pressure a little.
     let share = peak(&answer) / hertz(40.0);
     assert!((0.95..0.97).contains(&share), "{share}");
     assert_eq!(answer.outcome.history.len(), 1);
@@ -73,7 +73,7 @@ fn couplings_agree_and_the_answer_satisfies_the_laws() {
     assert!(peaks[0] < 0.9 * hertz(400.0), "{peaks:?}");
 }
 
-/// What the iteration calls converged is not, where the contact was tampered with.
+/// The final check rejects a converged iteration whose contact was altered.
 #[test]
 fn the_check_finds_out_a_wrong_contact() {
     let (mut answer, _) = solved(&Accelerated, 400.0, &mut Unobserved);
@@ -94,7 +94,7 @@ fn both_direct_solvers_find_one_contact() {
     assert!(kkt::check(&problem, &a.force, a.approach).is_sound());
 }
 
-/// Solves a history; steps and why it ended early.
+/// Solves a history. Returns the steps and the reason of an early end.
 fn history_of(
     coupling: &'static dyn Coupling,
     forces: &[f64],
@@ -116,7 +116,7 @@ fn a_history_leaves_a_dent_and_loads_again_as_elastic_bodies_do() {
         assert_eq!(step.status, SolveStatus::Converged, "{:?}", step.check);
         assert!(step.errors.iter().all(Option::is_some) && !step.is_preliminary);
     }
-    // Springs harden by their own pressure alone, so that the increments do not matter.
+    // Each spring hardens by its own pressure, so that the number of increments has no effect.
     let (single, _) = solved(&Strong, 400.0, &mut Unobserved);
     for loaded in [&steps[0], &steps[3]] {
         assert!((loaded.figures.peak_pressure / peak(&single) - 1.0).abs() < 1e-6);
@@ -174,11 +174,11 @@ fn a_search_finds_the_force_of_a_pressure_from_either_side() {
     }
     let [a, b] = [&below, &above].map(|found| found.trial.steps[0].figures.force);
     assert!((a / b - 1.0).abs() < 0.01, "{a} {b}");
-    // Plastic flow takes more of the peak than the springs do without it.
+    // Plastic flow reduces the peak pressure more than the elastic springs do.
     assert!(0.95 * hertz(a) > 600.0);
 }
 
-/// Sees iterations and stops one of them.
+/// Records iterations and stops at one of them.
 struct Stopping {
     seen: Vec<IterationRecord>,
     last: usize,

@@ -8,21 +8,21 @@ use super::reader::Cursor;
 use super::wire::InUnits;
 use super::{Analysis, Material, Named, Shape, Surface, Units};
 
-/// One body of the contact: its shape, what it is made of and how its far boundary is held.
+/// One body of the contact: its shape, its material and the support of its far boundary.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     /// Undeformed outline.
     pub shape: Shape,
-    /// Stress–strain law, or rigid.
+    /// Elastic constants and hardening curve, or rigid.
     pub material: Material,
-    /// How the far boundary is held. Without meaning for a rigid body.
+    /// Support of the far boundary. A rigid body ignores it.
     pub support: Support,
-    /// Heights on top of the shape; only of half-spaces.
+    /// Heights on top of the shape of a half-space.
     pub surface: Option<Arc<Surface>>,
 }
 
 impl Body {
-    /// Young's modulus \[MPa\]; `None` if it is rigid.
+    /// Returns Young's modulus \[MPa\]; `None` for a rigid body.
     pub fn young_modulus(&self) -> Option<f64> {
         match &self.material {
             Material::Rigid => None,
@@ -43,7 +43,7 @@ impl Body {
 }
 
 impl InUnits<'_, Body> {
-    /// The body as it is written; a half-space has no support, unless somebody gave it one.
+    /// Returns the body in the wire format. A half-space is written without the default support.
     pub fn of(&self, analysis: Analysis) -> impl Serialize {
         let has_support =
             analysis != Analysis::ThreeDimensional || self.0.support != Support::default();
@@ -66,7 +66,7 @@ struct WireBody<'a> {
     surface: Option<InUnits<'a, Surface>>,
 }
 
-/// How the far boundary of a body is held (diametral plane of a cylinder, base of a block).
+/// The support of a body's far boundary: the diametral plane of a cylinder, the base of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Support {

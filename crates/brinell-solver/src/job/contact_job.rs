@@ -14,8 +14,8 @@ use super::{
     SolverSettings, Units, tags,
 };
 
-/// A complete, valid request. All figures are in N–mm–MPa whatever [`Job::units`] says; `units` is
-/// how they were written and how the result is to be written.
+/// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
+/// format and of the result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
     /// Kinematics.
@@ -26,15 +26,15 @@ pub struct Job {
     pub upper: Body,
     /// Body below the contact.
     pub lower: Body,
-    /// What presses them together.
+    /// Forces or approaches of the load steps, or the target of a search for the force.
     pub load: Load,
-    /// Mesh request.
+    /// Resolution of the mesh.
     pub mesh: MeshSettings,
     /// Iteration controls.
     pub solver: SolverSettings,
-    /// What to report.
+    /// Optional parts of the result.
     pub output: OutputSettings,
-    /// Free labels, echoed and searchable.
+    /// Free labels, repeated in the result and searchable.
     pub tags: BTreeMap<String, String>,
 }
 
@@ -67,8 +67,8 @@ impl Named for Analysis {
 }
 
 impl Analysis {
-    /// What a force is: per thickness in plane analyses, whole in axisymmetry and three
-    /// dimensions.
+    /// Returns the quantity of a force: per thickness in plane analyses, the total force in
+    /// axisymmetry and three dimensions.
     pub const fn force(self) -> Quantity {
         match self {
             Self::PlaneStrain | Self::PlaneStress => Quantity::LineForce,
@@ -81,8 +81,7 @@ impl Job {
     pub(super) const KEYS: &'static [&'static str] =
         &["analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags"];
 
-    /// Parses the wire format. The text is read whole: every fault is reported, not only the
-    /// first.
+    /// Parses the wire format and reports every fault, not only the first.
     ///
     /// # Errors
     /// [`JobError::Syntax`] if the text is not JSON; [`JobError::Fields`] with every fault in
@@ -91,8 +90,7 @@ impl Job {
         Self::solvable(&reader::parse(text)?)
     }
 
-    /// As [`Job::from_json`], from JSON that is already parsed. Duplicate keys have been lost by
-    /// then.
+    /// Reads a job like [`Job::from_json`], from parsed JSON, which has lost repeated keys.
     ///
     /// # Errors
     /// [`JobError::Fields`], as in [`Job::from_json`].
@@ -100,7 +98,7 @@ impl Job {
         Self::solvable(&Node::deserialize(value).map_err(|error| reader::explain("", &error))?)
     }
 
-    /// Holds a job that was put together in code to every limit of the wire format.
+    /// Checks a job that was built in code against every limit of the wire format.
     ///
     /// # Errors
     /// [`JobError::Fields`], as in [`Job::from_json`].
@@ -109,7 +107,7 @@ impl Job {
         Self::from_value(&wire).map(drop)
     }
 
-    /// Whether a body has a hardening law.
+    /// Whether at least one body has a hardening law.
     pub(super) fn has_plasticity(&self) -> bool {
         let bodies = [&self.upper, &self.lower];
         bodies.iter().any(
@@ -128,7 +126,7 @@ impl Job {
         if refused.is_empty() { Ok(job) } else { Err(JobError::Fields(refused)) }
     }
 
-    /// Reads a job of the whole format, solvable or not.
+    /// Reads any job of the format, solvable or not.
     pub(super) fn read(document: &Node) -> Result<Self, JobError> {
         let faults = Faults::default();
         let job = Self::read_members(Cursor::root(document, &faults));
@@ -168,8 +166,8 @@ impl Job {
     }
 }
 
-/// Two rigid bodies do not deform. Looked up in the document, so that it is seen whatever else is
-/// wrong.
+/// Refuses two rigid bodies. The check reads the document, so that other faults do not hide this
+/// one.
 fn both_rigid(document: &Node) -> Vec<FieldError> {
     let pointers = ["/upper/material", "/lower/material"];
     let rigid =
@@ -182,7 +180,8 @@ fn both_rigid(document: &Node) -> Vec<FieldError> {
         .into()
 }
 
-/// The wire format, in the job's own units: what [`Job::from_json`] reads back as the same job.
+/// Writes the wire format in the job's own units. [`Job::from_json`] reads it back as the same
+/// job.
 impl Serialize for Job {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let units = self.units;

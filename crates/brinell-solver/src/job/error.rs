@@ -1,4 +1,4 @@
-//! What is wrong with a job, field by field.
+//! Faults of a job, field by field.
 
 use std::fmt;
 
@@ -10,37 +10,37 @@ use super::Named;
 /// One fault in a job, located by its JSON pointer (RFC 6901); `""` is the whole document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FieldError {
-    /// Where, e.g. `/lower/material/poisson_ratio`.
+    /// The faulty field, e.g. `/lower/material/poisson_ratio`.
     pub pointer: String,
-    /// What kind of fault it is, for programs.
+    /// The kind of fault, for programs.
     pub code: FaultCode,
-    /// What is wrong and what would be right, e.g. `must be between 0 and 0.499999, got 0.5`.
+    /// The fault and the valid values, e.g. `must be between 0 and 0.499999, got 0.5`.
     pub detail: String,
 }
 
-/// The kinds of faults in a job. There may be more in the future.
+/// The kinds of faults in a job. Later versions may add more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FaultCode {
     /// A member is missing.
     Required,
-    /// A member that is not known here.
+    /// An unknown member.
     UnknownKey,
-    /// A key that is given more than once.
+    /// A repeated key.
     DuplicateKey,
     /// A value of another type, e.g. a string for a number.
     WrongType,
     /// A number outside its range.
     OutOfRange,
-    /// A word that is none of those known here.
+    /// An unknown word.
     UnknownWord,
-    /// A list or a text of another length.
+    /// A list or a text of an invalid length.
     WrongLength,
-    /// A value that contradicts another one, or that the format cannot hold.
+    /// A value that contradicts another one or that the format cannot hold.
     Inconsistent,
-    /// A job in order whose contact is not solved.
+    /// A valid job whose contact is not solved.
     NotSolvable,
-    /// Further faults are not listed.
+    /// A note that further faults are not listed.
     MoreFaults,
 }
 
@@ -75,12 +75,12 @@ impl Named for FaultCode {
 }
 
 impl FieldError {
-    /// A value that contradicts another one.
+    /// Returns the fault of a value that contradicts another one.
     pub fn new(pointer: impl Into<String>, detail: impl Into<String>) -> Self {
         Self { pointer: pointer.into(), code: FaultCode::Inconsistent, detail: detail.into() }
     }
 
-    /// A job in order whose contact is not solved because of this field.
+    /// Returns the fault of a valid job whose contact is not solved because of this field.
     pub fn not_solvable(pointer: impl Into<String>, detail: impl Into<String>) -> Self {
         Self { pointer: pointer.into(), code: FaultCode::NotSolvable, detail: detail.into() }
     }
@@ -93,20 +93,20 @@ impl fmt::Display for FieldError {
     }
 }
 
-/// Why a text is not a job.
+/// The reason why a text is not a job.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum JobError {
-    /// Not JSON at all.
+    /// The text is not JSON.
     #[error("not valid JSON: {message} (line {line}, column {column})")]
     Syntax {
-        /// What the parser met.
+        /// The parser's message.
         message: String,
         /// One-based line.
         line: usize,
         /// One-based column.
         column: usize,
     },
-    /// JSON, but not a job: every fault found, in document order.
+    /// The text is JSON, but not a job: every fault, in document order.
     #[error("{} field{} at fault", .0.len(), if .0.len() == 1 { "" } else { "s" })]
     Fields(Vec<FieldError>),
 }

@@ -1,4 +1,4 @@
-//! Stress that a body has before it is loaded: from grinding, peening or hardening.
+//! Initial stress of a body: from grinding, peening or hardening.
 
 use super::fields::{Field, FieldTable, Record as _, read_record, record};
 use super::over_depth::faults_of_depths;
@@ -24,12 +24,12 @@ record! {
 }
 
 impl InitialStress {
-    /// Its key in a material.
+    /// The key of the initial stress in a material.
     pub const KEY: &'static str = "initial_stress";
-    /// Most depths.
+    /// Largest number of depths.
     pub const MAX_POINTS: usize = 1000;
 
-    /// The fields of a row, for schema and form.
+    /// Returns the fields of a row, for the schema and the form.
     pub const fn table() -> FieldTable {
         Self::TABLE
     }
@@ -40,7 +40,7 @@ impl InitialStress {
         })
     }
 
-    /// What is wrong with rows beside a hardening curve and its factors over depth.
+    /// Returns the faults of rows with a hardening curve and its factors over depth.
     pub(super) fn faults(
         rows: &[Self],
         law: Option<&dyn HardeningLaw>,
@@ -62,7 +62,8 @@ impl InitialStress {
             });
             return faults;
         }
-        // Between the depths of both profiles the one is convex and the other straight.
+        // Between the depths of both profiles, the stress is convex and its limit linear in the
+        // depth, so that the largest ratio lies at one of these depths.
         let profile = InitialStressProfile::new(rows);
         let knots = strength.map_or(&[][..], StrengthProfile::points);
         let depths =
@@ -91,7 +92,7 @@ impl InitialStress {
         faults
     }
 
-    /// What is wrong with rows in an analysis.
+    /// Returns the faults of rows in an analysis.
     pub(super) fn faults_in(rows: &[Self], analysis: Analysis) -> Vec<FieldError> {
         let (is_wrong, detail): (fn(&Self) -> bool, _) = match analysis {
             Analysis::PlaneStrain | Analysis::ThreeDimensional => return Vec::new(),
@@ -107,8 +108,7 @@ impl InitialStress {
     }
 }
 
-/// Initial stress over depth: straight between points, constant before the first and beyond the
-/// last.
+/// Initial stress over depth: linear between points, constant above the first and below the last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InitialStressProfile {
     sigma_x: Vec<[f64; 2]>,
@@ -116,7 +116,7 @@ pub struct InitialStressProfile {
 }
 
 impl InitialStressProfile {
-    /// The profile through rows in order of depth.
+    /// Builds the profile from rows in the order of depth.
     pub fn new(rows: &[InitialStress]) -> Self {
         let component = |of: fn(&InitialStress) -> f64| -> Vec<[f64; 2]> {
             rows.iter().map(|row| [row.depth.get(), of(row)]).collect()
@@ -124,12 +124,12 @@ impl InitialStressProfile {
         Self { sigma_x: component(|row| row.sigma_x), sigma_z: component(|row| row.sigma_z) }
     }
 
-    /// The depths of the rows \[mm\].
+    /// Returns the depths of the rows \[mm\].
     pub fn depths(&self) -> impl Iterator<Item = f64> {
         self.sigma_x.iter().map(|[depth, _]| *depth)
     }
 
-    /// `[σ_x, σ_z]` at a depth \[MPa\].
+    /// Returns `[σ_x, σ_z]` at a depth \[MPa\].
     pub fn at(&self, depth: f64) -> [f64; 2] {
         [&self.sigma_x, &self.sigma_z].map(|points| interpolate(points, depth).unwrap_or(0.0))
     }

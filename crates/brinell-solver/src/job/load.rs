@@ -1,4 +1,4 @@
-//! What presses the bodies together.
+//! The load of a job.
 
 use std::ops::Deref;
 
@@ -8,7 +8,7 @@ use super::reader::Cursor;
 use super::wire::InUnits;
 use super::{FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Target, Units};
 
-/// What presses the bodies together. Several values are a sweep, one step each.
+/// The load of a job. Several values are a sweep with one load step each.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Load {
     /// Forces for the whole contact, both sides of the axis: N per mm of thickness in plane
@@ -16,18 +16,16 @@ pub enum Load {
     Forces(Sweep),
     /// Approaches α of the supports \[mm\].
     Approaches(Sweep),
-    /// Forces and approaches one after the other, each on what the one before has left:
+    /// Forces and approaches in sequence. Each load starts from the state after the load before:
     /// `{"history": [...]}`.
     History(History),
-    /// The force at which the contact begins to yield, which is the answer: `{"onset": true}`.
+    /// The onset of yield; its force is the answer: `{"onset": true}`.
     Onset,
-    /// The force under which a figure of the contact has this value, which is the answer:
-    /// `{"target": {...}}`.
+    /// A figure of the contact and its target value; the force is the answer: `{"target": {...}}`.
     Target(Target),
 }
 
-/// One to [`MAX_VALUES`](Self::MAX_VALUES) values of the load, in the order in which they are
-/// applied.
+/// One to [`MAX_VALUES`](Self::MAX_VALUES) values of the load, in the order of their load steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep(Vec<PositiveF64>);
 
@@ -35,7 +33,7 @@ impl Sweep {
     /// Most values of a sweep.
     pub const MAX_VALUES: usize = 1000;
 
-    /// Takes values if there is at least one and at most [`MAX_VALUES`](Self::MAX_VALUES).
+    /// Builds a sweep of one to [`MAX_VALUES`](Self::MAX_VALUES) values.
     ///
     /// # Errors
     /// The fault, with an empty pointer.
@@ -75,17 +73,16 @@ impl Deref for Sweep {
 /// One load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HistoryLoad {
-    /// A force as in [`Load::Forces`]; zero takes the load away.
+    /// A force as in [`Load::Forces`]; zero unloads the bodies.
     Force(NonNegativeF64),
-    /// An approach as in [`Load::Approaches`]; zero brings the bodies back to where they first
-    /// touched.
+    /// An approach as in [`Load::Approaches`]; zero returns the bodies to their first touch.
     Approach(NonNegativeF64),
 }
 
 impl HistoryLoad {
     const KINDS: &'static [&'static str] = &["force", "approach"];
 
-    /// The figure.
+    /// Returns the force or approach.
     pub fn magnitude(self) -> f64 {
         match self {
             Self::Force(value) | Self::Approach(value) => value.get(),
@@ -119,12 +116,12 @@ impl HistoryLoad {
     }
 }
 
-/// One to [`Sweep::MAX_VALUES`] loads in order, at least one of them above zero.
+/// One to [`Sweep::MAX_VALUES`] loads in sequence, at least one of them above zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct History(Vec<HistoryLoad>);
 
 impl History {
-    /// Takes loads if there is at least one above zero and at most [`Sweep::MAX_VALUES`] in all.
+    /// Builds a history of at most [`Sweep::MAX_VALUES`] loads, at least one of them above zero.
     ///
     /// # Errors
     /// The fault, with an empty pointer.
@@ -149,11 +146,11 @@ impl Deref for History {
 }
 
 impl Load {
-    /// The keys of the wire format, one of which a load has.
+    /// The keys of the wire format. A load has one of them.
     pub const KINDS: &'static [&'static str] =
         &["force", "forces", "approach", "approaches", "history", "onset", "target"];
 
-    /// The key under which this load is written: singular for one value.
+    /// Returns the key of this load in the wire format: singular for one value.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Forces(values) if values.len() == 1 => "force",
@@ -166,7 +163,7 @@ impl Load {
         }
     }
 
-    /// The smallest force above zero, if all loads are forces that are given.
+    /// Returns the smallest force above zero, if the job gives all loads as forces.
     pub fn least_force(&self) -> Option<f64> {
         let forces: Vec<f64> = match self {
             Self::Forces(forces) => forces.iter().map(|force| force.get()).collect(),
@@ -182,7 +179,7 @@ impl Load {
         forces.into_iter().filter(|force| *force > 0.0).reduce(f64::min)
     }
 
-    /// Reads a load; `force` says what a force is in this analysis.
+    /// Reads a load. `force` is the quantity of a force in this analysis.
     pub(super) fn read(cursor: Cursor<'_>, force: Quantity, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(Self::KINDS);
@@ -236,7 +233,7 @@ impl Load {
 }
 
 impl InUnits<'_, Load> {
-    /// The load as it is written; `force` says what a force is in this analysis.
+    /// Returns the load in the wire format. `force` is the quantity of a force in this analysis.
     pub fn with_force(&self, force: Quantity) -> impl Serialize {
         let wire = |values: &Sweep, quantity: Quantity| {
             let value = |value: &PositiveF64| quantity.to_wire(self.1, value.get());

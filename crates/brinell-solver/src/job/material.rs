@@ -1,4 +1,4 @@
-//! Elastic constants, and the material as a whole.
+//! Elastic constants and the complete material.
 
 use std::sync::Arc;
 
@@ -14,12 +14,12 @@ use super::{
 };
 use crate::material::{ElasticModuli, HardeningLaw, StrengthProfile};
 
-/// What a body is made of.
+/// The material of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Material {
-    /// Does not deform.
+    /// A rigid body.
     Rigid,
-    /// Isotropic elastic, with an optional plastic curve.
+    /// An isotropic elastic body, with an optional hardening curve.
     Deformable(Deformable),
 }
 
@@ -44,7 +44,7 @@ impl Material {
     }
 }
 
-/// Elastic constants and, beside them, a hardening curve that is physical for these constants.
+/// Elastic constants and an optional hardening curve that is valid with these constants.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deformable {
     elastic: Elastic,
@@ -58,8 +58,8 @@ impl Deformable {
     const KEYS: &[&str] =
         &["young_modulus", "poisson_ratio", "plasticity", InitialStress::KEY, "rigid"];
 
-    /// Takes the constants if the curve is physical beside them: `E_t < E` (bilinear), an exponent
-    /// in range (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
+    /// Builds the material if the curve is valid with the constants: `E_t < E` (bilinear), an
+    /// exponent in range (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the material, e.g. `/plasticity/tangent_modulus`.
@@ -81,29 +81,29 @@ impl Deformable {
         Err(faults)
     }
 
-    /// Elastic constants.
+    /// Returns the elastic constants.
     pub fn elastic(&self) -> &Elastic {
         &self.elastic
     }
 
-    /// Uniaxial hardening curve; `None` is purely elastic.
+    /// Returns the hardening law of the job; `None` for a purely elastic material.
     pub fn plasticity(&self) -> Option<&Hardening> {
         self.plasticity.as_ref()
     }
 
-    /// The curve of the hardening law; `None` is purely elastic.
+    /// Returns the hardening curve; `None` for a purely elastic material.
     pub fn hardening_law(&self) -> Option<Arc<dyn HardeningLaw>> {
         let young_modulus = self.elastic.young_modulus.get();
         self.plasticity.as_ref().map(|law| law.curve(young_modulus))
     }
 
-    /// Terms of the backstress beside that curve, for flow theory.
+    /// Returns the backstress terms, for flow theory.
     pub fn backstress(&self) -> &[BackstressTerm] {
         &self.backstress
     }
 
-    /// The same material with terms of the backstress; at most [`BackstressTerm::MAX_TERMS`]
-    /// count, and none without a hardening curve.
+    /// Returns the material with backstress terms: at most [`BackstressTerm::MAX_TERMS`], and none
+    /// without a hardening curve.
     #[must_use]
     pub fn with_backstress(mut self, mut terms: Vec<BackstressTerm>) -> Self {
         terms.truncate(if self.plasticity.is_some() { BackstressTerm::MAX_TERMS } else { 0 });
@@ -111,32 +111,33 @@ impl Deformable {
         self
     }
 
-    /// How strength varies with depth.
+    /// Returns the strength over depth; `None` if the job gives none.
     pub fn over_depth(&self) -> Option<&OverDepth> {
         self.over_depth.as_ref()
     }
 
-    /// The same material with a strength that varies with depth; nothing of it counts without a
-    /// hardening curve.
+    /// Returns the material with a strength over depth, which a material without a hardening curve
+    /// ignores.
     #[must_use]
     pub fn with_over_depth(mut self, over_depth: OverDepth) -> Self {
         self.over_depth = self.plasticity.is_some().then_some(over_depth);
         self
     }
 
-    /// Factors of the hardening curve over depth; `None` where it is the same everywhere.
+    /// Returns the factors of the hardening curve over depth; `None` if the curve is the same
+    /// at all depths.
     pub fn strength(&self) -> Option<StrengthProfile> {
         let profile =
             self.over_depth.as_ref()?.profile(self.hardening_law()?.nominal_yield_stress());
         (profile.range() != (1.0, 1.0)).then_some(profile)
     }
 
-    /// Stress before any load; empty where there is none.
+    /// Returns the initial stress by depth; empty if there is none.
     pub fn initial_stress(&self) -> &[InitialStress] {
         &self.initial_stress
     }
 
-    /// The same material with a stress before any load, by depth; none if `rows` is empty.
+    /// Returns the material with an initial stress by depth; none if `rows` is empty.
     ///
     /// # Errors
     /// Depths that do not rise, stress beyond yield, with a pointer relative to the material.
@@ -159,7 +160,8 @@ impl Deformable {
         Err(faults)
     }
 
-    /// The same elastic constants and initial stress without a hardening curve.
+    /// Returns the material without its hardening curve, with elastic constants and initial
+    /// stress.
     #[must_use]
     pub fn without_plasticity(&self) -> Self {
         Self {
@@ -218,23 +220,23 @@ impl From<&Elastic> for ElasticModuli {
 }
 
 impl Elastic {
-    /// Shear modulus `G = E / (2 (1 + ν))` \[MPa\].
+    /// Returns the shear modulus `G = E / (2 (1 + ν))` \[MPa\].
     pub fn shear_modulus(&self) -> f64 {
         self.young_modulus.get() / (2.0 * (1.0 + self.poisson_ratio.get()))
     }
 
-    /// Bulk modulus `K = E / (3 (1 - 2ν))` \[MPa\].
+    /// Returns the bulk modulus `K = E / (3 (1 - 2ν))` \[MPa\].
     pub fn bulk_modulus(&self) -> f64 {
         self.young_modulus.get() / (3.0 * (1.0 - 2.0 * self.poisson_ratio.get()))
     }
 
-    /// Plane-strain modulus `E / (1 - ν²)` \[MPa\].
+    /// Returns the plane-strain modulus `E / (1 - ν²)` \[MPa\].
     pub fn plane_strain_modulus(&self) -> f64 {
         self.young_modulus.get() / (1.0 - self.poisson_ratio.get().powi(2))
     }
 }
 
-/// A hardening curve and what stands beside it.
+/// A hardening law, its backstress terms and its strength over depth.
 struct Plasticity<'a>(&'a Hardening, &'a [BackstressTerm], Option<&'a OverDepth>);
 
 impl Serialize for InUnits<'_, Plasticity<'_>> {

@@ -1,14 +1,14 @@
-//! The validated job: what is asked of the solver, in types that cannot hold a wrong value.
+//! The validated job: the input of the solver, in types that cannot hold an invalid value.
 //!
-//! A [`Job`] is built in one of two ways: [`Job::from_json`] parses the wire format and reports
-//! *every* field at fault with its JSON pointer, or a library user fills the public fields with
-//! the number types of [`number`] and with [`Deformable`], [`Groove`], [`Profile`],
-//! [`TablePoints`] and [`Sweep`], each of which checks its invariants when it is made.
-//! [`Job::validate`] holds a job of the second kind to the limits of the first.
+//! A [`Job`] is built in one of two ways. [`Job::from_json`] parses the wire format and reports
+//! *every* faulty field with its JSON pointer. Or a user of the library fills the public fields
+//! with the number types of [`number`] and with [`Deformable`], [`Groove`], [`Profile`],
+//! [`TablePoints`] and [`Sweep`], whose constructors check their invariants; [`Job::validate`]
+//! then checks this job against the limits of the wire format.
 //!
 //! # Units
-//! The core works in one consistent system, N–mm–MPa. [`Units`] says how the wire figures are
-//! written; parsing converts them, and the results convert back.
+//! The core works in one consistent system, N–mm–MPa. [`Units`] are the units of the wire format:
+//! parsing converts the figures to the core's units, and the results convert back.
 
 pub mod body;
 pub mod contact_job;

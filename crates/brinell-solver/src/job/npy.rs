@@ -1,7 +1,7 @@
-//! A two-dimensional array of numpy's file format, in Base64: heights as numbers, not as text.
+//! Heights as a two-dimensional array in numpy's file format, encoded in Base64.
 //!
-//! The header is the dictionary that numpy writes, with its three keys in any order; Python is not
-//! parsed beyond it.
+//! The header is a Python dictionary with three keys in any order. The reader parses no other
+//! Python.
 //!
 //! # Reference
 //! numpy.lib.format, versions 1 to 3.
@@ -11,16 +11,16 @@ use base64::engine::general_purpose::STANDARD;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// Figures `[i * shape[1] + j]`.
+/// The figures of an array, `[i * shape[1] + j]`.
 pub(super) struct Grid {
     pub shape: [usize; 2],
     pub values: Vec<f64>,
 }
 
-/// Reads an array of at most so many figures.
+/// Reads an array of at most `most` figures.
 ///
 /// # Errors
-/// What is wrong with it, as the end of a sentence.
+/// The fault, as the end of a sentence.
 pub(super) fn read(text: &str, most: usize) -> Result<Grid, String> {
     let bytes = STANDARD.decode(text).map_err(|error| format!("must be Base64: {error}"))?;
     let rest = bytes.strip_prefix(MAGIC).ok_or("must be an array as numpy.save writes it")?;
@@ -62,7 +62,7 @@ pub(super) fn read(text: &str, most: usize) -> Result<Grid, String> {
     Ok(Grid { shape: [rows, columns], values: (0..count).map(|k| figure(at(k))).collect() })
 }
 
-/// The dictionary of a header.
+/// The dictionary of the header.
 #[derive(Default)]
 struct Header<'a> {
     kind: &'a str,
@@ -71,7 +71,7 @@ struct Header<'a> {
 }
 
 impl<'a> Header<'a> {
-    /// Reads the three entries, each once and in any order. `None` of any other text.
+    /// Reads the three entries in any order. Returns `None` for any other text.
     fn parse(header: &'a str) -> Option<Self> {
         let mut rest = header.trim().strip_prefix('{')?.strip_suffix('}')?.trim();
         let mut keys = Vec::new();
@@ -108,7 +108,7 @@ impl<'a> Header<'a> {
     }
 }
 
-/// Splits a text behind the string in quotes at its beginning.
+/// Splits a text after the quoted string at its beginning.
 fn quoted(text: &str) -> Option<(&str, &str)> {
     let quote = text.chars().next().filter(|first| matches!(first, '\'' | '"'))?;
     text[1..].split_once(quote)

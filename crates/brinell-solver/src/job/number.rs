@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use serde::Serialize;
 use thiserror::Error;
 
-/// Why a number was refused; the message completes the sentence "the value …".
+/// The reason why a number was refused. The message completes the sentence "the value …".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error("{0}")]
 pub struct OutOfRange(pub &'static str);
@@ -18,7 +18,7 @@ macro_rules! ranged {
         pub struct $name(f64);
 
         impl $name {
-            /// Takes the value if it lies in the range of this type.
+            /// Returns the number if it lies in the range of this type.
             ///
             /// # Errors
             /// [`OutOfRange`] with the range in words.
@@ -27,7 +27,7 @@ macro_rules! ranged {
                 if value.is_finite() && in_range(value) { Ok(Self(value)) } else { Err(OutOfRange($message)) }
             }
 
-            /// The value itself.
+            /// Returns the number.
             pub const fn get(self) -> f64 {
                 self.0
             }
@@ -68,15 +68,15 @@ ranged!(
 ranged!(
     /// Poisson's ratio ν, `0 <= ν <= 0.499999`.
     ///
-    /// The bulk modulus grows without bound towards 0.5, and from 0.4999999 on rounding keeps
-    /// iterations from their tolerance; B-bar elements do not lock. Auxetic materials (`ν < 0`)
-    /// are not offered: no yield-onset table covers them.
+    /// The bulk modulus grows without bound towards 0.5; from 0.4999999 on, rounding errors keep
+    /// iterations from their tolerance. B-bar elements do not lock. Auxetic materials (`ν < 0`)
+    /// are not offered, because no table of yield onset covers them.
     PoissonRatio,
     |value| PoissonRatio::RANGE.contains(&value),
     "must be between 0 and 0.499999"
 );
 
 impl PoissonRatio {
-    /// All that are accepted.
+    /// The range of valid values.
     pub const RANGE: RangeInclusive<f64> = 0.0..=0.499_999;
 }

@@ -1,8 +1,8 @@
 //! Strength over depth: hardened cases and other layers.
 //!
 //! The factor s(z) scales the stresses of the hardening curve, `q = s(z) q_0(ε_p)`, at the depth z
-//! below the undeformed surface, along its normal. Elastic constants and backstress are the same
-//! everywhere.
+//! below the undeformed surface, along its normal. Elastic constants and backstress do not depend
+//! on the depth.
 
 use std::f64::consts::SQRT_2;
 use std::ops::RangeInclusive;
@@ -15,14 +15,14 @@ use super::wire::InUnits;
 use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
 use crate::material::StrengthProfile;
 
-/// How strength varies with the depth below the surface.
+/// Variation of the strength with the depth below the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OverDepth {
-    /// Factors `[depth, s]` of the hardening curve.
+    /// Points `[depth, s]` with factors of the hardening curve.
     Factors(Vec<[f64; 2]>),
-    /// Hardness measured at points; the yield stress follows from it ([`YIELD_OF_HARDNESS`]).
+    /// Measured points of hardness, from which [`YIELD_OF_HARDNESS`] gives the yield stress.
     Hardness(HardnessProfile),
-    /// Hardness of a case, by what a drawing says of it.
+    /// Hardness of surface and core and depth of a hardened case, as on a drawing.
     Case(HardenedCase),
 }
 
@@ -58,15 +58,15 @@ record! {
     }
 }
 
-/// Shape of the hardness profile of a case.
+/// The hardness profile of a hardened case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CaseCurve {
-    /// Of carbon that diffuses into a half-space, `HV = HV_c + (HV_s - HV_c) erfc(u z/d)`, with u
-    /// such that it is 550 HV at the case depth d.
+    /// The profile of carbon that diffuses into a half-space,
+    /// `HV = HV_c + (HV_s - HV_c) erfc(u z/d)`. The factor u gives 550 HV at the case depth d.
     #[default]
     ErrorFunction,
-    /// Lang's, `HV = HV_c + (HV_s - HV_c) 10^(-0.0381 z/d - 0.2662 (z/d)²)`.
+    /// Lang's profile, `HV = HV_c + (HV_s - HV_c) 10^(-0.0381 z/d - 0.2662 (z/d)²)`.
     Lang,
 }
 
@@ -81,29 +81,29 @@ impl Named for CaseCurve {
     }
 }
 
-/// How the yield stress follows from the hardness: a regression over steels of 136 to 622 HV.
+/// The yield stress as a function of the hardness, a regression over steels of 136 to 622 HV.
 ///
 /// # Reference
 /// E. J. Pavlina, C. J. Van Tyne, *Correlation of yield strength and tensile strength with
 /// hardness for steels*, J. Mater. Eng. Perform. 17 (2008) 888–893.
 pub const YIELD_OF_HARDNESS: &str = "σ_y = 2.876 HV − 90.7 MPa (Pavlina and Van Tyne 2008)";
 
-/// Hardness accepted \[HV\].
+/// Valid range of the hardness \[HV\].
 const HARDNESS: RangeInclusive<f64> = 50.0..=2000.0;
-/// Hardness at the depth of a case \[HV\].
+/// Hardness at the case depth \[HV\].
 const CASE_HARDNESS: f64 = 550.0;
-/// Factors accepted.
+/// Valid range of the factors.
 const FACTORS: RangeInclusive<f64> = 0.01..=100.0;
-/// Points that a curved profile is sampled at.
+/// Number of intervals of a sampled profile.
 const SAMPLES: u32 = 200;
 
 impl OverDepth {
-    /// Its key beside those of a hardening law.
+    /// The key of the strength over depth, beside the keys of a hardening law.
     pub const KEY: &'static str = "over_depth";
     /// Most points of a profile.
     pub const MAX_POINTS: usize = 1000;
 
-    /// The field of factors, for schema and form.
+    /// The field of factors, for the schema and the form.
     pub(crate) const FACTORS: Field = Field::points(
         [
             ("Depth below the surface.", Figure::Quantity(Quantity::Depth)),
@@ -120,8 +120,8 @@ impl OverDepth {
         false,
     );
 
-    /// The ways in which it can be given: word, label, where its fields stand below the key, and
-    /// the fields.
+    /// Returns the kinds of a strength over depth: word, label, pointer of the fields below the
+    /// key, and fields.
     pub fn kinds() -> [(&'static str, &'static str, &'static str, &'static [Field]); 3] {
         const FACTORS: &[Field] = &[OverDepth::FACTORS];
         [
@@ -131,7 +131,7 @@ impl OverDepth {
         ]
     }
 
-    /// Factors of a hardening curve with this (nominal) yield stress \[MPa\].
+    /// Returns the factors of a hardening curve with this nominal yield stress \[MPa\].
     pub fn profile(&self, yield_stress: f64) -> StrengthProfile {
         let from_hardness =
             |[z, hardness]: [f64; 2]| [z, yield_of_hardness(hardness) / yield_stress];
@@ -145,7 +145,7 @@ impl OverDepth {
         StrengthProfile::new(points)
     }
 
-    /// How the yield stress was found, where it was not given.
+    /// Returns the rule for the yield stress if it follows from the hardness.
     pub fn rule(&self) -> Option<&'static str> {
         (!matches!(self, Self::Factors(_))).then_some(YIELD_OF_HARDNESS)
     }
@@ -172,7 +172,7 @@ impl OverDepth {
     }
 }
 
-/// Depths rise from one to the next; `pointer` says where each of them stands.
+/// Refuses depths that do not rise; `pointer` returns the pointer of each depth.
 pub(super) fn faults_of_depths(
     depths: impl Iterator<Item = f64>,
     pointer: impl Fn(usize) -> String,
@@ -213,7 +213,7 @@ fn rules_of_case(known: &Known) -> Vec<FieldError> {
 }
 
 impl HardenedCase {
-    /// `[depth, HV]` of the profile.
+    /// Samples the profile as points `[depth, HV]`.
     fn sampled(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
         let (surface, core, depth) = (self.surface.get(), self.core.get(), self.case_depth.get());
         let curve = self.curve.unwrap_or_default();
@@ -223,7 +223,7 @@ impl HardenedCase {
             CaseCurve::ErrorFunction => erfc(unit * t),
             CaseCurve::Lang => 10f64.powf(-0.0381 * t - 0.2662 * t * t),
         };
-        // Down to a thousandth of the case or less.
+        // The profile ends where a thousandth or less of the difference to the core remains.
         let reach = match curve {
             CaseCurve::ErrorFunction => 2.5 / unit,
             CaseCurve::Lang => 3.5,
@@ -235,12 +235,12 @@ impl HardenedCase {
     }
 }
 
-/// Yield stress by [`YIELD_OF_HARDNESS`] \[MPa\].
+/// Returns the yield stress by [`YIELD_OF_HARDNESS`] \[MPa\].
 fn yield_of_hardness(hardness: f64) -> f64 {
     2.876 * hardness - 90.7
 }
 
-/// Complementary error function for `x >= 0`, to 1.5e-7.
+/// Returns the complementary error function for `x >= 0`, to 1.5e-7.
 ///
 /// # Reference
 /// M. Abramowitz, I. A. Stegun, *Handbook of Mathematical Functions* (1964), 7.1.26.
@@ -251,7 +251,7 @@ fn erfc(x: f64) -> f64 {
     polynomial * (-x * x).exp()
 }
 
-/// The x at which [`erfc`] has a value between 0 and 1, by bisection.
+/// Returns the x at which [`erfc`] has a value between 0 and 1, by bisection.
 fn inverse_erfc(value: f64) -> f64 {
     let (mut low, mut high) = (0.0, 4.0 * SQRT_2);
     for _ in 0..60 {
@@ -329,7 +329,7 @@ mod tests {
                 );
             }
         }
-        // Lang's profile has fallen by half there, whatever the hardness.
+        // Here Lang's profile has fallen by half, for any hardness.
         let lang = case(720.0, 380.0, Some(CaseCurve::Lang)).profile(yield_stress);
         assert!((yield_stress * lang.factor(0.8) / yield_of_hardness(548.7) - 1.0).abs() < 1e-3);
     }

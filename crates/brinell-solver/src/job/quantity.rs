@@ -1,8 +1,8 @@
-//! Physical quantities of a job: their units, their conversion and how far they may reasonably go.
+//! The physical quantities of a job: their units, conversions and ranges.
 //!
 //! The ranges are generous, from a nanometre to a kilometre, from jelly to far beyond diamond.
-//! Their purpose is that no product of figures in a valid job overflows, and that a mistaken unit
-//! or exponent is met by a message and not by a strange answer.
+//! They keep every product of figures in a valid job from overflow, and they turn a mistaken unit
+//! or exponent into a message instead of a strange answer.
 
 use super::Units;
 
@@ -25,7 +25,7 @@ pub enum Quantity {
     Stress,
     /// A stress of either sign, `-1e7..=1e7` MPa.
     SignedStress,
-    /// A force on unit thickness, `1e-9..=1e9` N/mm.
+    /// A force per unit thickness, `1e-9..=1e9` N/mm.
     LineForce,
     /// A force, `1e-9..=1e9` N.
     Force,
@@ -34,7 +34,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Smallest and largest figure accepted, in the core's N–mm–MPa.
+    /// Returns the smallest and largest valid figure, in N–mm–MPa.
     pub const fn range(self) -> (f64, f64) {
         match self {
             Self::Length => (1e-6, 1e6),
@@ -50,14 +50,14 @@ impl Quantity {
         }
     }
 
-    /// The same in a system of units, without the digits that the conversion leaves at the end.
+    /// Returns the range in a system of units, without the trailing digits of the conversion.
     pub fn wire_range(self, units: Units) -> (f64, f64) {
         let (low, high) = self.range();
         let round = |value: f64| format!("{value:.5e}").parse().unwrap_or(value);
         (round(self.to_wire(units, low)), round(self.to_wire(units, high)))
     }
 
-    /// How the unit of this quantity is written.
+    /// Returns the unit symbol of this quantity.
     pub const fn symbol(self, units: Units) -> &'static str {
         match (self, units) {
             (Self::Length | Self::Position | Self::Depth | Self::Approach, Units::MmNMpa) => "mm",
@@ -78,20 +78,21 @@ impl Quantity {
         }
     }
 
-    /// A figure of the wire format in N–mm–MPa.
+    /// Converts a figure of the wire format to N–mm–MPa.
     pub fn to_core(self, units: Units, wire: f64) -> f64 {
         let (multiplier, divisor) = self.factors(units);
         wire * multiplier / divisor
     }
 
-    /// A figure in N–mm–MPa as it is written on the wire.
+    /// Converts a figure in N–mm–MPa to the wire format.
     pub fn to_wire(self, units: Units, core: f64) -> f64 {
         let (multiplier, divisor) = self.factors(units);
         core * divisor / multiplier
     }
 
-    /// `core = wire * multiplier / divisor`. One of the two is 1 and the other a power of ten that
-    /// is exact in binary, so either direction rounds once: 210e9 Pa is exactly 210000 MPa.
+    /// Returns the factors of `core = wire * multiplier / divisor`. One of them is 1, the other a
+    /// power of ten that is exact in binary, so that each conversion rounds once: 210e9 Pa is
+    /// exactly 210000 MPa.
     const fn factors(self, units: Units) -> (f64, f64) {
         match (units, self) {
             (Units::MmNMpa, _) | (Units::Si, Self::Force) => (1.0, 1.0),

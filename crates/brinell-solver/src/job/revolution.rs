@@ -1,11 +1,11 @@
-//! What a shape asks of the analysis and of the material.
+//! The conditions of a shape on the analysis and on the material.
 
 use super::{
     Analysis, Coupling, FieldError, InitialStress, Job, Material, OuterEdge, Profile, Shape,
 };
 
 impl Job {
-    /// Shapes that are of one kind of analysis, or of rigid bodies only.
+    /// Refuses shapes that the analysis does not offer, and deformable punches.
     pub(super) fn faults_of_shapes(&self) -> Vec<FieldError> {
         if self.analysis == Analysis::ThreeDimensional {
             return self.faults_of_initial_stress();
@@ -44,7 +44,7 @@ impl Job {
         faults
     }
 
-    /// Initial stress that the analysis or the coupling does not know.
+    /// Refuses an initial stress that the analysis or the coupling does not support.
     fn faults_of_initial_stress(&self) -> Vec<FieldError> {
         let mut faults = Vec::new();
         for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
@@ -66,7 +66,7 @@ impl Job {
         faults
     }
 
-    /// A hole holds a cylinder that is smaller.
+    /// Refuses a hole without a smaller cylinder in it.
     fn faults_of_holes(&self) -> Vec<FieldError> {
         let sides = [("upper", &self.upper.shape), ("lower", &self.lower.shape)];
         let mut faults = Vec::new();
@@ -88,8 +88,8 @@ impl Job {
         faults
     }
 
-    /// In axisymmetry a profile is turned about x = 0: it has to be given from there outward, or
-    /// with both sides alike.
+    /// Refuses an asymmetric profile in axisymmetry, where it turns about x = 0: it must start
+    /// or end there, or have two equal sides.
     pub(super) fn faults_of_revolution(&self) -> Vec<FieldError> {
         if self.analysis != Analysis::Axisymmetric {
             return Vec::new();

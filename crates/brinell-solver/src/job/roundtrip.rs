@@ -1,4 +1,4 @@
-//! Whatever the format can say, written out and read back, is the same job.
+//! Any job written to the wire format and read back is the same job.
 
 use proptest::prelude::*;
 use serde::Deserialize;
@@ -7,7 +7,7 @@ use super::reader::Node;
 use super::strategy::job;
 use super::*;
 
-/// Every number of two jobs, compared in mm, agrees to a few units in the last place; all else is
+/// Compares two jobs in mm: numbers agree to a few units in the last place, all other values are
 /// equal.
 fn assert_close(left: &serde_json::Value, right: &serde_json::Value) {
     use serde_json::Value;

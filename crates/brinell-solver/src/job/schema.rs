@@ -1,7 +1,8 @@
-//! The wire format as JSON Schema, from the tables of fields and the model's own words.
+//! The JSON Schema of the wire format, from the tables of fields and the words of the
+//! enumerations.
 //!
-//! A member that may be left out may also be `null`. What a schema cannot say (a slope below
-//! Young's modulus) stays with the reader.
+//! An optional member may also be `null`. The reader checks the conditions that a schema cannot
+//! express, e.g. a slope below Young's modulus.
 
 use serde_json::{Map, Value, json};
 
@@ -242,7 +243,7 @@ impl Schemas<'_> {
         )
     }
 
-    /// Exactly one of these tables, told apart by the word under `tag`.
+    /// Returns the schema of exactly one of these tables; the word under `tag` names it.
     fn tagged(&self, description: &str, tag: &str, tables: &[FieldTable]) -> Value {
         let references: Vec<_> = tables.iter().map(|table| self.named(table.name)).collect();
         let mapping: Map<String, Value> = tables
@@ -284,7 +285,7 @@ impl Schemas<'_> {
         object(table.description, entries.collect())
     }
 
-    /// The schema of a field; one with a default need not be given.
+    /// Returns the schema of a field. A field with a default is optional.
     fn entry(&self, field: &Field, default: Option<&Value>) -> Entry {
         let required = field.required && default.is_none();
         let mut schema = match &field.kind {
@@ -556,7 +557,7 @@ impl Schemas<'_> {
     }
 }
 
-/// An array as numpy writes it.
+/// Returns the schema of an array in numpy's file format.
 fn npy_heights() -> Value {
     let text = json!({
         "type": "string",
@@ -569,7 +570,7 @@ fn npy_heights() -> Value {
     )
 }
 
-/// A closed object with these members.
+/// Returns the schema of a closed object with these members.
 fn object(description: &str, entries: Vec<Entry>) -> Value {
     let (mut properties, mut required) = (Map::new(), Vec::new());
     for entry in entries {
@@ -590,15 +591,15 @@ fn object(description: &str, entries: Vec<Entry>) -> Value {
     object
 }
 
-/// A member of a sibling of this object, which is `null` here if it is written at all: so a
-/// generated type refuses an object that mixes two siblings.
+/// A member of another kind of this object, which may only be `null` here, so that a generated
+/// type refuses an object that mixes two kinds.
 fn never(key: &'static str) -> Entry {
     let schema = json!({"type": "null", "description": "Belongs to another kind of object; not \
                                                         given here."});
     Entry { key, schema, required: false }
 }
 
-/// A schema that also takes `null`.
+/// Returns a schema that also accepts `null`.
 fn or_null(mut schema: Value, description: &str) -> Value {
     if let Some(kind) = schema["type"].as_str() {
         schema["type"] = json!([kind, "null"]);
@@ -626,8 +627,8 @@ fn figure_schema(figure: &Figure, description: &str) -> Value {
     }
 }
 
-/// A figure that is one or another quantity, whatever `analysis` says. The bounds take in both
-/// systems of units; the description has those of each.
+/// Returns the schema of a figure whose quantity depends on `analysis`. The bounds cover both
+/// systems of units; the description lists the bounds of each.
 fn figures_schema(quantities: &[Quantity], description: &str) -> Value {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     let mut ranges: Vec<String> = Vec::new();

@@ -1,4 +1,4 @@
-//! How the job is to be solved and what is to be reported.
+//! Settings of the mesh, the solver and the output.
 
 use serde::Serialize;
 
@@ -19,15 +19,14 @@ record! {
 }
 
 impl MeshSettings {
-    /// Fewest elements over a half-width that a job may ask for.
+    /// Least number of elements over a half-width.
     pub const MIN_ELEMENTS_PER_HALF_WIDTH: u32 = 4;
-    /// Most elements over a half-width that a job may ask for (about 2.5 million equations a
-    /// body).
+    /// Largest number of elements over a half-width (about 2.5 million equations per body).
     pub const MAX_ELEMENTS_PER_HALF_WIDTH: u32 = 320;
-    /// Most cells over a semi-axis in three dimensions.
+    /// Largest number of cells over a semi-axis in three dimensions.
     pub const MAX_CELLS_PER_SEMI_AXIS: u32 = 60;
 
-    /// What a job of an analysis has that says nothing of its mesh.
+    /// Returns the default mesh settings of an analysis.
     pub fn of(analysis: Analysis) -> Self {
         match analysis {
             Analysis::ThreeDimensional => Self { elements_per_half_width: 10 },
@@ -44,11 +43,11 @@ impl Default for MeshSettings {
     }
 }
 
-/// How the contact iteration and the plastic iteration alternate.
+/// The alternation between contact and plasticity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Coupling {
-    /// Strong coupling on the tangent stiffness of a coarser mesh's answer, with Anderson
+    /// Strong coupling on the tangent stiffness of the coarse mesh's answer, with Anderson
     /// acceleration.
     #[default]
     Accelerated,
@@ -57,8 +56,8 @@ pub enum Coupling {
     /// Plasticity converged at fixed contact forces between contact solves, with Aitken
     /// relaxation.
     Weak,
-    /// Stiffness reassembled with secant moduli and factorized again every iteration (the paper's
-    /// rival).
+    /// Secant moduli in the stiffness, assembled and factorized anew in every iteration (the
+    /// paper's comparison).
     SecantStiffness,
 }
 
@@ -76,14 +75,14 @@ impl Named for Coupling {
     }
 }
 
-/// Which method solves the contact problem.
+/// The method that solves the contact problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ContactMethod {
     /// Warm-started primal-dual active set.
     #[default]
     ActiveSet,
-    /// Restricted-basis-entry simplex (the paper's).
+    /// Simplex with restricted basis entry (the paper's choice).
     Simplex,
 }
 
@@ -102,11 +101,10 @@ impl Named for ContactMethod {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Theory {
-    /// Stress follows from the strain alone (Hencky): the paper's theory, for loads that only
-    /// rise.
+    /// Stress is a function of the total strain (Hencky): the paper's theory, for rising loads.
     #[default]
     Deformation,
-    /// Stress follows from the history of strain (Prandtl and Reuss): the loads of a job are a
+    /// Stress follows the history of strain (Prandtl and Reuss): the loads of a job form a
     /// history.
     Flow,
 }

@@ -1,4 +1,4 @@
-//! Any job that the format can say, as a strategy for property tests.
+//! A proptest strategy that generates any job of the wire format.
 
 #![expect(clippy::unwrap_used, reason = "the values drawn are in range")]
 
@@ -18,8 +18,8 @@ use super::{
     Sweep, Target, TargetFigure, Theory, Units,
 };
 
-/// A positive number within two decades of a typical one, so that it is in range in either unit
-/// system.
+/// Generates a positive number within two decades of a typical one, which is in range in both unit
+/// systems.
 fn near(typical: f64) -> impl Strategy<Value = PositiveF64> {
     (-2.0..2.0_f64)
         .prop_map(move |decades| PositiveF64::new(typical * 10_f64.powf(decades)).unwrap())
@@ -29,8 +29,8 @@ fn between(low: f64, high: f64) -> impl Strategy<Value = PositiveF64> {
     (low..=high).prop_map(|value| PositiveF64::new(value).unwrap())
 }
 
-/// Any object of these tables, by drawing every figure near the typical one. What breaks a rule
-/// between several figures is drawn again.
+/// Generates an object of one of these tables. Every figure lies near its typical value; an object
+/// that breaks a rule between figures is drawn again.
 fn any_of_tables<T: std::fmt::Debug>(
     tag: &'static str,
     tables: &'static [FieldTable],
@@ -58,7 +58,8 @@ fn any_of_tables<T: std::fmt::Debug>(
     })
 }
 
-/// A field that may be left out is, now and then, and always if nothing is typical of it.
+/// Generates the value of a field. Leaves out an optional field now and then, and always if it has
+/// no typical value.
 fn member(field: &'static Field) -> BoxedStrategy<Option<serde_json::Value>> {
     match (field.required, &field.kind, field.example) {
         (true, ..) => value(field).prop_map(Some).boxed(),
@@ -69,8 +70,8 @@ fn member(field: &'static Field) -> BoxedStrategy<Option<serde_json::Value>> {
     }
 }
 
-/// The value of one field in the wire format, within two decades of the typical one and in range
-/// in either unit system.
+/// Generates the value of one field in the wire format, within two decades of the typical value
+/// and in range in both unit systems.
 fn value(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
     match (&field.kind, field.example) {
         (FieldKind::Choice(_, words), _) => {
@@ -81,7 +82,7 @@ fn value(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
             let drawn = (-2.0..2.0_f64).prop_map(move |decades| typical * 10_f64.powf(decades));
             drawn.prop_map(move |value| value.clamp(low, high).into()).boxed()
         }
-        // Points that rise in both columns from the first one, as far as the typical ones do.
+        // Points whose columns rise from the first point on, as the typical points do.
         (FieldKind::Points { count, .. }, Example::Points(typical)) => {
             let first = typical[0];
             let step = move |axis: usize| {
@@ -198,7 +199,7 @@ fn tags() -> impl Strategy<Value = BTreeMap<String, String>> {
     btree_map("[a-zé/~ ]{1,64}", "[^\\p{Cc}]{0,256}", 0..5)
 }
 
-/// Any job that the format can say, solvable or not.
+/// Generates any job of the wire format, solvable or not.
 pub fn job() -> impl Strategy<Value = Job> {
     let lower = prop_oneof![4 => deformable(), 1 => Just(Material::Rigid)];
     let bodies = (body(deformable()), body(lower), any::<bool>());

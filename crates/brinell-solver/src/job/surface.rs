@@ -1,5 +1,5 @@
-//! Heights on a grid, measured or computed, on top of the shape of a half-space. Only in three
-//! dimensions.
+//! Measured or computed heights on a grid, on top of the shape of a half-space. They exist only in
+//! three dimensions.
 
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
@@ -12,20 +12,20 @@ use super::{FaultCode, Named, Quantity, Units, npy};
 /// Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
-    /// `[i * cells[1] + j]` at the i-th x and the j-th y.
+    /// Heights, `[i * cells[1] + j]` at the i-th x and the j-th y.
     heights: Vec<f64>,
     cells: [usize; 2],
     spacing: [f64; 2],
     detrend: Detrend,
 }
 
-/// What is taken away from heights.
+/// The trend that is subtracted from heights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Detrend {
-    /// Nothing.
+    /// No trend.
     #[default]
     None,
-    /// The plane of least squares.
+    /// The least-squares plane.
     Plane,
 }
 
@@ -41,41 +41,40 @@ impl Named for Detrend {
 }
 
 impl Surface {
-    /// Its key in a body.
+    /// The key of heights in a body.
     pub const KEY: &'static str = "surface";
     pub(super) const KEYS: &'static [&'static str] =
         &["heights", "spacing_x", "spacing_y", "detrend"];
-    /// The key of heights as an array of numpy.
+    /// The key of heights as a numpy array.
     pub const NPY: &'static str = "npy_base64";
-    /// Fewest and most cells along a side.
+    /// Least number of cells along a side.
     pub const MIN_CELLS: usize = 8;
-    /// See [`Self::MIN_CELLS`].
+    /// Largest number of cells along a side.
     pub const MAX_CELLS: usize = 512;
 
-    /// Cells along x and y.
+    /// Returns the number of cells along x and y.
     pub const fn cells(&self) -> [usize; 2] {
         self.cells
     }
 
-    /// Sides of a cell along x and y \[mm\].
+    /// Returns the sides of a cell along x and y \[mm\].
     pub const fn spacing(&self) -> [f64; 2] {
         self.spacing
     }
 
-    /// Whether the heights of both are at the same places.
+    /// Whether both surfaces have their heights at the same points.
     pub(super) fn has_cells_of(&self, other: &Self) -> bool {
         let bits = |surface: &Self| surface.spacing.map(f64::to_bits);
         self.cells == other.cells && bits(self) == bits(other)
     }
 
-    /// Heights without the trend that is to be taken away, in the order `[i * cells[1] + j]`
-    /// \[mm\].
+    /// Returns the heights less their trend, in the order `[i * cells[1] + j]` \[mm\].
     pub fn levelled(&self) -> Vec<f64> {
         let [nx, ny] = self.cells;
         if self.detrend == Detrend::None {
             return self.heights.clone();
         }
-        // Numbers of cells from the middle; products of x and y sum to zero.
+        // Cell numbers relative to the middle, so that the sum of x y is zero.
         let centred = |k: usize, n: usize| k as f64 - 0.5 * (n - 1) as f64;
         let mean = self.heights.iter().sum::<f64>() / self.heights.len() as f64;
         let slope = |at: &dyn Fn(usize) -> f64| {
@@ -91,7 +90,7 @@ impl Surface {
         self.heights.iter().enumerate().map(levelled).collect()
     }
 
-    /// Heights as lists, and their numbers along x and y.
+    /// Reads heights from lists. Returns them with their numbers along x and y.
     fn read_rows(c: Cursor<'_>, units: Option<Units>) -> Option<([usize; 2], Vec<f64>)> {
         let counts = Self::MIN_CELLS..=Self::MAX_CELLS;
         let row = |row: Cursor<'_>| {
@@ -108,7 +107,7 @@ impl Surface {
         Some(([rows.len(), rows[0].len()], rows.concat()))
     }
 
-    /// The same from an array of numpy.
+    /// Reads heights from a numpy array. Returns them with their numbers along x and y.
     fn read_npy(c: Cursor<'_>, units: Option<Units>) -> Option<([usize; 2], Vec<f64>)> {
         let object = c.object()?;
         object.only(&[Self::NPY]);
@@ -195,7 +194,7 @@ mod tests {
         })
     }
 
-    /// A slope of 3 along x and -1 along y, and one peak.
+    /// Heights with a slope of 3 along x and -1 along y, and one peak.
     fn sloping() -> Vec<Vec<f64>> {
         let mut rows: Vec<Vec<f64>> =
             (0..8).map(|i| (0..10).map(|j| 3.0 * f64::from(i) - f64::from(j)).collect()).collect();
@@ -221,7 +220,7 @@ mod tests {
         assert!(levelled.iter().sum::<f64>().abs() < 1e-12);
     }
 
-    /// An array as numpy writes it.
+    /// An array in numpy's file format.
     fn npy(header: &str, data: &[u8]) -> Value {
         let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
         let header = format!("{header:<117}\n");

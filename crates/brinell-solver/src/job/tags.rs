@@ -1,5 +1,4 @@
-//! Free labels: few, short and printable, so that they can be stored, searched and echoed
-//! anywhere.
+//! Free labels: few, short and printable, so that any program can store, search and repeat them.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! A figure of the contact for which the force is sought.
+//! A figure of the contact as the target of a search for the force.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -7,12 +7,12 @@ use super::reader::Cursor;
 use super::wire::InUnits;
 use super::{FaultCode, Named, PositiveF64, Quantity, Units};
 
-/// A figure of the contact by which a force can be told.
+/// A figure of the contact that determines the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TargetFigure {
-    /// Approach that is left without force.
+    /// Approach after unloading.
     PermanentApproach,
-    /// Depth of the deeper of the two dents that are left without force.
+    /// Depth of the deeper of the two dents after unloading.
     DentDepth,
     /// Largest contact pressure.
     PeakPressure,
@@ -47,7 +47,7 @@ impl Named for TargetFigure {
 }
 
 impl TargetFigure {
-    /// What the figure is in a sentence.
+    /// Returns the name of the figure in a sentence.
     pub const fn label(self) -> &'static str {
         match self {
             Self::PermanentApproach => "permanent approach",
@@ -59,7 +59,7 @@ impl TargetFigure {
         }
     }
 
-    /// What it says of the contact, for the schema.
+    /// Returns the description of the figure for the schema.
     pub(super) const fn description(self) -> &'static str {
         match self {
             Self::PermanentApproach => "Approach that is left when the force is taken away.",
@@ -80,7 +80,7 @@ impl TargetFigure {
         }
     }
 
-    /// A value for the schema \[mm, MPa or 1\].
+    /// Returns a typical value for the schema \[mm, MPa or 1\].
     pub(super) const fn example(self) -> f64 {
         match self {
             Self::PermanentApproach | Self::DentDepth => 1e-3,
@@ -90,7 +90,7 @@ impl TargetFigure {
         }
     }
 
-    /// Unit and range.
+    /// Returns the unit and range of the figure.
     pub const fn figure(self) -> Figure {
         match self {
             Self::PermanentApproach | Self::DentDepth => Figure::Quantity(Quantity::Approach),
@@ -100,23 +100,23 @@ impl TargetFigure {
         }
     }
 
-    /// Whether it is seen after the force is taken away, so that only flow theory knows it.
+    /// Whether the figure is measured after unloading, which needs flow theory.
     pub const fn is_permanent(self) -> bool {
         matches!(self, Self::PermanentApproach | Self::DentDepth)
     }
 
-    /// Whether there is none of it without plastic flow.
+    /// Whether the figure is zero without plastic flow.
     pub const fn needs_yield(self) -> bool {
         self.is_permanent() || matches!(self, Self::MaxPlasticStrain)
     }
 }
 
-/// A figure and the value that it is to have.
+/// A figure and its target value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
-    /// What is to have the value.
+    /// The figure.
     pub figure: TargetFigure,
-    /// The value \[mm, MPa or 1\].
+    /// Its target value \[mm, MPa or 1\].
     pub value: PositiveF64,
 }
 

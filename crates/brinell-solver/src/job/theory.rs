@@ -1,4 +1,4 @@
-//! What only one of the two theories of plasticity can do.
+//! The limits of the two theories of plasticity.
 
 use super::{
     Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material, Named, Target,
@@ -6,7 +6,7 @@ use super::{
 };
 
 impl Job {
-    /// Whatever of the job the chosen theory cannot do.
+    /// Returns the faults of a job that the chosen theory of plasticity cannot solve.
     pub(super) fn faults_of_theory(&self) -> Vec<FieldError> {
         let mut faults = Vec::new();
         let mut fault = |pointer: String, detail: &str| {
@@ -79,7 +79,7 @@ impl Job {
     }
 }
 
-/// Whether the curve of a material does not rise at a plastic strain.
+/// Whether the hardening curve of a material does not rise at a plastic strain.
 fn does_not_harden(material: &Material, strain: f64) -> bool {
     let Material::Deformable(material) = material else { return false };
     Deformable::hardening_law(material).is_some_and(|law| law.slope(strain) <= 0.0)

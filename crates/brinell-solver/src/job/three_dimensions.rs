@@ -1,4 +1,4 @@
-//! What half-spaces in three dimensions ask of a job.
+//! The limits of jobs with half-spaces in three dimensions.
 
 use super::reader::Node;
 use super::reader::text::five_digits;
@@ -7,14 +7,15 @@ use super::{
     TargetFigure,
 };
 
-/// Least curvature of the gap in one direction over that in the other: what is flatter is a line
+/// Least ratio of the smaller to the larger curvature of the gap. Below it the contact is a line
 /// contact.
 const LEAST_CURVATURE_RATIO: f64 = 1e-4;
-/// Sine of the angle between axes that are one.
+/// Sine of the largest angle between two axes that count as parallel.
 const ALIGNED: f64 = 1e-9;
 
 impl Job {
-    /// Whatever of the job half-spaces cannot do, and half-spaces in a plane analysis.
+    /// Returns the faults of a job that half-spaces cannot solve, and of half-spaces in a plane
+    /// analysis.
     pub(super) fn faults_of_three_dimensions(&self, document: &Node) -> Vec<FieldError> {
         let is_three_dimensional = self.analysis == Analysis::ThreeDimensional;
         let mut faults = self.faults_of_shapes_of(is_three_dimensional);
@@ -57,7 +58,7 @@ impl Job {
         faults
     }
 
-    /// Half-spaces are of three dimensions, and nothing else is.
+    /// Refuses sections of bodies in three dimensions, and half-spaces in all other analyses.
     fn faults_of_shapes_of(&self, is_three_dimensional: bool) -> Vec<FieldError> {
         let sides = [("upper", &self.upper), ("lower", &self.lower)];
         let misplaced = sides
@@ -84,8 +85,8 @@ impl Job {
         self.upper.surface.is_some() || self.lower.surface.is_some()
     }
 
-    /// Heights belong to half-spaces that are no rollers; those of both bodies are at the same
-    /// places; and a force is not sought with them.
+    /// Refuses heights on rollers and on bodies that are not half-spaces, heights of two bodies at
+    /// different points, and a sought force between heights.
     fn faults_of_heights(&self, is_three_dimensional: bool) -> Vec<FieldError> {
         let bodies = [("/upper/surface", &self.upper), ("/lower/surface", &self.lower)];
         let given = || bodies.iter().filter(|(_, body)| body.surface.is_some());
@@ -117,7 +118,7 @@ impl Job {
         faults
     }
 
-    /// One roller at most tilts under a moment, under forces whose contact can bear it.
+    /// Refuses moments on two rollers, without given forces, or beyond the limit of the contact.
     fn faults_of_moments(&self) -> Vec<FieldError> {
         let pointers = ["/upper/shape/moment", "/lower/shape/moment"].into_iter();
         let moments = [&self.upper, &self.lower].map(|body| match &body.shape {
@@ -147,7 +148,7 @@ impl Job {
         given.into_iter().map(|(pointer, _)| FieldError::new(pointer, detail.clone())).collect()
     }
 
-    /// Half the length that rollers leave the contact; `None` without a roller.
+    /// Returns half the largest contact length that the rollers allow; `None` without a roller.
     fn half_length(&self) -> Option<f64> {
         let of = |body: &Body| match &body.shape {
             Shape::Roller(roller) => Some(0.5 * roller.length.get()),
@@ -156,7 +157,8 @@ impl Job {
         [of(&self.upper), of(&self.lower)].into_iter().flatten().reduce(f64::min)
     }
 
-    /// A half-width that is sought is that of the shorter semi-axis, and ends with a roller.
+    /// Refuses a sought half-width beyond half the length of a roller: the half-width is the
+    /// shorter semi-axis.
     fn faults_of_half_width(&self) -> Option<FieldError> {
         let (Load::Target(target), Some(most)) = (&self.load, self.half_length()) else {
             return None;
@@ -173,7 +175,8 @@ impl Job {
         Some(FieldError::new("/load/target/half_width", detail))
     }
 
-    /// The gap opens in every direction, or a roller ends, so that the contact does.
+    /// Refuses a contact without end: the gap must open in every direction, unless a roller has an
+    /// end there.
     fn faults_of_gap(&self) -> Vec<FieldError> {
         let Some([least, greatest]) = self.gap_curvatures() else { return Vec::new() };
         let ends =
@@ -193,7 +196,7 @@ impl Job {
         ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
     }
 
-    /// Rollers lie along the contact, so that they end it.
+    /// Refuses rollers that do not lie along the contact, because only their ends limit it.
     fn faults_of_rollers(&self) -> Vec<FieldError> {
         let orientation = self.gap_orientation().unwrap_or(0.0);
         let lies_across = |body: &Body| match &body.shape {
@@ -211,24 +214,24 @@ impl Job {
         across.map(|(pointer, _)| FieldError::new(pointer, detail)).collect()
     }
 
-    /// Principal curvatures of the gap between two half-spaces, the smaller one first \[1/mm\];
-    /// `None` of other shapes.
+    /// Returns the principal curvatures of the gap between two half-spaces, the smaller one first
+    /// \[1/mm\]; `None` for other shapes.
     pub fn gap_curvatures(&self) -> Option<[f64; 2]> {
         let [xx, yy, xy] = self.gap_curvature()?;
         let (mean, spread) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
         Some([mean - spread, mean + spread])
     }
 
-    /// Direction in which the gap grows fastest, along which a contact of half-spaces is shortest:
-    /// its angle from x towards y in degrees, above -90 and at most 90; 0 where the gap is round,
-    /// `None` of other shapes.
+    /// Returns the direction in which the gap grows fastest and the contact is shortest, as the
+    /// angle from x towards y in degrees, above -90 and at most 90; 0 for a round gap, `None` for
+    /// other shapes.
     pub fn gap_orientation(&self) -> Option<f64> {
         let [xx, yy, xy] = self.gap_curvature()?;
         let is_round = (0.5 * (xx - yy)).hypot(xy) <= 1e-12 * (xx + yy).abs();
         Some(if is_round { 0.0 } else { 0.5 * (2.0 * xy).atan2(xx - yy).to_degrees() })
     }
 
-    /// Curvatures `[k_xx, k_yy, k_xy]` of the gap between two half-spaces.
+    /// Returns the curvatures `[k_xx, k_yy, k_xy]` of the gap between two half-spaces.
     fn gap_curvature(&self) -> Option<[f64; 3]> {
         let (upper, lower) = (self.upper.shape.curvatures()?, self.lower.shape.curvatures()?);
         Some([upper[0] + lower[0], upper[1] + lower[1], upper[2] + lower[2]])

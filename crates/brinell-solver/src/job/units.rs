@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::Named;
 
-/// How lengths, forces and stresses are written in a job and its result.
+/// The units of lengths, forces and stresses in a job and its result.
 ///
-/// Inside the core everything is in [`Units::MmNMpa`].
+/// The core works in [`Units::MmNMpa`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum Units {
     /// Millimetre, newton, megapascal. Line forces are N/mm.
@@ -19,7 +19,7 @@ pub enum Units {
 }
 
 impl Units {
-    /// Millimetres in one unit of length.
+    /// Returns the number of millimetres in one unit of length.
     pub const fn length(self) -> f64 {
         match self {
             Self::MmNMpa => 1.0,
@@ -27,7 +27,7 @@ impl Units {
         }
     }
 
-    /// Megapascals in one unit of stress.
+    /// Returns the number of megapascals in one unit of stress.
     pub const fn stress(self) -> f64 {
         match self {
             Self::MmNMpa => 1.0,
@@ -35,7 +35,7 @@ impl Units {
         }
     }
 
-    /// Newtons per millimetre in one unit of line force (plane analyses).
+    /// Returns the number of newtons per millimetre in one unit of line force (plane analyses).
     pub const fn line_force(self) -> f64 {
         match self {
             Self::MmNMpa => 1.0,
@@ -43,7 +43,7 @@ impl Units {
         }
     }
 
-    /// The name used in the wire format.
+    /// Returns the name of the units in the wire format.
     pub const fn name(self) -> &'static str {
         match self {
             Self::MmNMpa => "mm_N_MPa",

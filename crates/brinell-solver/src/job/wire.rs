@@ -1,4 +1,4 @@
-//! Writing a job back in its own units.
+//! Writing of a job in its own units.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -8,7 +8,7 @@ use super::{
     SolverSettings, Units,
 };
 
-/// A part of a job beside the units in which it is to be written.
+/// A part of a job, to be written in these units.
 pub(super) struct InUnits<'a, T>(pub &'a T, pub Units);
 
 impl<T> InUnits<'_, T> {

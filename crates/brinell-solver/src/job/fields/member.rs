@@ -1,4 +1,4 @@
-//! The types that a field may have: how each is read and written.
+//! Reading and writing of the types of fields.
 
 use serde::Serialize;
 use serde::ser::Serializer;
@@ -8,25 +8,24 @@ use super::super::reader::{Cursor, Object};
 use super::{Field, FieldKind, Figure, Value};
 use crate::job::{Named, Units};
 
-/// A type that a field may have.
+/// A type of field values.
 pub(in crate::job) trait Member: Sized {
-    /// Whether a field of this type must be given if it has no default.
+    /// Whether a job must give a field of this type without a default.
     const REQUIRED: bool = true;
 
     /// Reads the value of a field.
     fn read(cursor: Cursor<'_>, field: &Field, units: Option<Units>) -> Option<Self>;
 
-    /// The value in N–mm–MPa; `None` is not written.
+    /// Returns the value in N–mm–MPa; `None` if the field is not written.
     fn value(&self) -> Option<Value>;
 
-    /// The value of a field that is not given, for types that need none.
+    /// Returns the value of a missing field, for optional types.
     fn absent() -> Option<Self> {
         None
     }
 }
 
-/// Reads a field of an object: it must be there unless it has a default or its type needs no
-/// value.
+/// Reads a field of an object. The field may be missing if it has a default or an optional type.
 pub(in crate::job) fn read_member<T: Member>(
     object: &Object<'_>,
     field: &Field,
@@ -39,7 +38,7 @@ pub(in crate::job) fn read_member<T: Member>(
     }
 }
 
-/// Reads a number in the range of its kind.
+/// Reads a number in the range of its figure.
 fn read_figure<T: TryFrom<f64>>(
     cursor: Cursor<'_>,
     kind: &Figure,
@@ -99,7 +98,7 @@ impl<T: Named> Member for T {
     }
 }
 
-/// Points as they are written; a type that checks them wraps this one.
+/// A list of points. Types that check their points wrap this one.
 impl Member for Vec<[f64; 2]> {
     fn read(cursor: Cursor<'_>, field: &Field, units: Option<Units>) -> Option<Self> {
         let FieldKind::Points { columns: [(_, first), (_, second)], count } = &field.kind else {
@@ -131,7 +130,7 @@ impl<T: Member> Member for Option<T> {
     }
 }
 
-/// A value as it is written in a system of units.
+/// A value in the wire format, in a system of units.
 pub(super) struct Written<'a>(pub &'a Value, pub &'a Field, pub Units);
 
 impl Serialize for Written<'_> {

@@ -1,9 +1,8 @@
-//! One table of fields per object of the job: its reader, its writer, its schema and its form come
-//! from it.
+//! Tables of fields. The reader, the writer, the schema and the form of an object of the job all
+//! derive from its table.
 //!
-//! `record!` declares a struct and its table together, `tagged!` an enumeration of such structs
-//! that a word tells apart. Each law of hardening and each shape is one file that holds one such
-//! declaration.
+//! `record!` declares a struct together with its table, and `tagged!` an enumeration of records
+//! with a word for each. Every hardening law and every shape is one `record!`.
 //!
 //! ```text
 //! record! {
@@ -34,10 +33,10 @@ pub(super) use record::{record, tagged};
 pub struct FieldTable {
     /// Name of the type, e.g. `RambergOsgood`.
     pub name: &'static str,
-    /// The word that tells this object from its siblings, e.g. `ramberg_osgood`; empty if it has
-    /// none.
+    /// The word that names this kind of object, e.g. `ramberg_osgood`; empty if there is only one
+    /// kind.
     pub word: &'static str,
-    /// What a form calls it.
+    /// Its label in a form.
     pub label: &'static str,
     /// One sentence, with the equation of a law.
     pub description: &'static str,
@@ -48,34 +47,34 @@ pub struct FieldTable {
 /// One field of an object of the job.
 #[derive(Debug, Clone)]
 pub struct Field {
-    /// Its key.
+    /// Its key in the wire format.
     pub key: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub description: &'static str,
-    /// What a form calls it.
+    /// Its label in a form.
     pub label: &'static str,
-    /// Its symbol in the equations; `_` and `^` write what follows below and above.
+    /// Its symbol in equations; `_` and `^` mark subscripts and superscripts.
     pub symbol: &'static str,
-    /// What it holds.
+    /// The type and range of its value.
     pub kind: FieldKind,
-    /// A typical figure, in N–mm–MPa.
+    /// A typical value, in N–mm–MPa.
     pub example: Example,
-    /// Whether it must be given.
+    /// Whether a job must give it.
     pub required: bool,
 }
 
 /// A typical value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Example {
-    /// None: one of the words, or the default, is example enough.
+    /// No example: the words or the default serve as one.
     None,
-    /// Of a figure.
+    /// A figure.
     Figure(f64),
-    /// Of a list of points.
+    /// A list of points.
     Points(&'static [[f64; 2]]),
 }
 
-/// What a field holds.
+/// The type and range of a field's value.
 #[derive(Debug, Clone)]
 pub enum FieldKind {
     /// A number.
@@ -84,13 +83,13 @@ pub enum FieldKind {
     Whole(RangeInclusive<u32>),
     /// `true` or `false`.
     Flag,
-    /// One word of a named enumeration: the name of its type, and its words.
+    /// One word of a named enumeration, with the name of its type and its words.
     Choice(&'static str, fn() -> Vec<&'static str>),
     /// Points, each a pair of figures.
     Points {
         /// The two figures of a point, with their descriptions.
         columns: [(&'static str, Figure); 2],
-        /// How many points there may be.
+        /// Range of the number of points.
         count: RangeInclusive<usize>,
     },
 }
@@ -98,14 +97,14 @@ pub enum FieldKind {
 /// A number and its range.
 #[derive(Debug, Clone)]
 pub enum Figure {
-    /// With a unit; the quantity has the range.
+    /// A figure with a unit; the quantity determines the range.
     Quantity(Quantity),
-    /// Without a unit.
+    /// A figure without a unit.
     Pure(RangeInclusive<f64>),
 }
 
 impl Figure {
-    /// Smallest and largest figure accepted, in N–mm–MPa.
+    /// Returns the smallest and largest valid figure, in N–mm–MPa.
     pub const fn range(&self) -> (f64, f64) {
         match self {
             Self::Quantity(quantity) => quantity.range(),
@@ -113,7 +112,7 @@ impl Figure {
         }
     }
 
-    /// A figure in N–mm–MPa as it is written on the wire.
+    /// Converts a figure in N–mm–MPa to the wire format.
     pub fn to_wire(&self, units: Units, core: f64) -> f64 {
         match self {
             Self::Quantity(quantity) => quantity.to_wire(units, core),
@@ -135,32 +134,32 @@ impl Field {
         }
     }
 
-    /// A figure with a unit.
+    /// Returns a field for a figure with a unit.
     pub(super) const fn quantity(quantity: Quantity) -> Self {
         Self::new(FieldKind::Figure(Figure::Quantity(quantity)))
     }
 
-    /// A figure without a unit.
+    /// Returns a field for a figure without a unit.
     pub(super) const fn pure(range: RangeInclusive<f64>) -> Self {
         Self::new(FieldKind::Figure(Figure::Pure(range)))
     }
 
-    /// A whole number.
+    /// Returns a field for a whole number.
     pub(super) const fn whole(range: RangeInclusive<u32>) -> Self {
         Self::new(FieldKind::Whole(range))
     }
 
-    /// True or false.
+    /// Returns a field for `true` or `false`.
     pub(super) const fn flag() -> Self {
         Self::new(FieldKind::Flag)
     }
 
-    /// One of the words of `T`, whose type is called `name`.
+    /// Returns a field for one of the words of `T`, with `name` as the name of this type.
     pub(super) const fn choice<T: Named>(name: &'static str) -> Self {
         Self::new(FieldKind::Choice(name, words::<T>))
     }
 
-    /// Points.
+    /// Returns a field for a list of points.
     pub(super) const fn points(
         columns: [(&'static str, Figure); 2],
         count: RangeInclusive<usize>,
@@ -168,26 +167,26 @@ impl Field {
         Self::new(FieldKind::Points { columns, count })
     }
 
-    /// The same with a label and a symbol.
+    /// Returns the field with a label and a symbol.
     pub(super) const fn label(mut self, label: &'static str, symbol: &'static str) -> Self {
         self.label = label;
         self.symbol = symbol;
         self
     }
 
-    /// The same with a typical figure.
+    /// Returns the field with a typical figure.
     pub(super) const fn example(mut self, example: f64) -> Self {
         self.example = Example::Figure(example);
         self
     }
 
-    /// The same with typical points.
+    /// Returns the field with typical points.
     pub(super) const fn example_points(mut self, points: &'static [[f64; 2]]) -> Self {
         self.example = Example::Points(points);
         self
     }
 
-    /// The same with the key, the description and the necessity that its declaration gives it.
+    /// Returns the field with its key, its description and whether a job must give it.
     pub(super) const fn declared(
         mut self,
         key: &'static str,
@@ -201,21 +200,21 @@ impl Field {
     }
 }
 
-/// The words of an enumeration.
+/// Returns the words of an enumeration.
 pub fn words<T: Named>() -> Vec<&'static str> {
     T::ALL.iter().map(|value| value.name()).collect()
 }
 
-/// The figures and points of an object that could be read, for rules between several of them.
+/// The valid figures, words and points of an object, for conditions between fields.
 #[derive(Debug, Default)]
 pub(super) struct Known {
     pub values: Vec<(&'static str, Value)>,
-    /// Keys of the fields that are given, whether they could be read or not.
+    /// Keys of all given fields, valid or not.
     pub given: Vec<&'static str>,
 }
 
 impl Known {
-    /// A figure, in N–mm–MPa; `None` if it is missing or at fault.
+    /// Returns a figure in N–mm–MPa; `None` if it is missing or invalid.
     pub fn figure(&self, key: &str) -> Option<f64> {
         let found = self.values.iter().find(|(name, _)| *name == key);
         found.and_then(
@@ -223,18 +222,18 @@ impl Known {
         )
     }
 
-    /// A word; `None` if it is missing or at fault.
+    /// Returns a word; `None` if it is missing or invalid.
     pub fn word(&self, key: &str) -> Option<&'static str> {
         let found = self.values.iter().find(|(name, _)| *name == key);
         found.and_then(|(_, value)| if let Value::Word(word) = value { Some(*word) } else { None })
     }
 
-    /// Whether a field is given, at fault or not.
+    /// Whether a field is given, valid or not.
     pub fn has(&self, key: &str) -> bool {
         self.given.contains(&key)
     }
 
-    /// Points, in N–mm–MPa; `None` if they are missing or at fault.
+    /// Returns points in N–mm–MPa; `None` if they are missing or invalid.
     pub fn points(&self, key: &str) -> Option<&[[f64; 2]]> {
         let found = self.values.iter().find(|(name, _)| *name == key);
         found.and_then(
@@ -243,7 +242,7 @@ impl Known {
     }
 }
 
-/// What a field holds, in N–mm–MPa.
+/// The value of a field, in N–mm–MPa.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number.
@@ -258,7 +257,7 @@ pub enum Value {
     Points(Vec<[f64; 2]>),
 }
 
-/// A fault of a field beside its siblings.
+/// Returns a fault of a field unless a condition holds.
 pub(super) fn unless(holds: bool, pointer: &str, detail: &str) -> Option<FieldError> {
     (!holds).then(|| FieldError::new(pointer, detail))
 }

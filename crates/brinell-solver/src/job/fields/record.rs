@@ -1,4 +1,4 @@
-//! Objects that are declared together with their table.
+//! Objects of the job, declared together with their tables of fields.
 
 use serde::ser::SerializeMap;
 
@@ -7,13 +7,13 @@ use super::member::Written;
 use super::{FieldKind, FieldTable, Figure, Known, Value};
 use crate::job::{FaultCode, FieldError, Units};
 
-/// An object of the job whose fields stand in a table.
+/// An object of the job with a table of fields.
 pub(in crate::job) trait Record: Sized {
-    /// The table.
+    /// The table of its fields.
     const TABLE: FieldTable;
 
-    /// Reads all fields, so that every fault is found, and gives those that could be read to
-    /// `known`. A field that is missing is taken from `default`.
+    /// Reads all fields, so that every fault is found, and adds the valid ones to `known`. A
+    /// missing field takes its value from `default`.
     fn read_fields(
         object: &Object<'_>,
         units: Option<Units>,
@@ -21,17 +21,16 @@ pub(in crate::job) trait Record: Sized {
         known: &mut Known,
     ) -> Option<Self>;
 
-    /// The values in the order of the table.
+    /// Returns the values in the order of the table.
     fn values(&self) -> Vec<Option<Value>>;
 
-    /// Rules between several fields, told of those that are known; pointers are relative to the
-    /// object.
+    /// Checks conditions between the known fields. Pointers are relative to the object.
     fn rules(_known: &Known) -> Vec<FieldError> {
         Vec::new()
     }
 }
 
-/// Reads an object whose keys are those of the table and, if the table has a word, `tag`.
+/// Reads an object with the keys of the table and, if the table has a word, the key `tag`.
 pub(in crate::job) fn read_record<T: Record>(
     object: &Object<'_>,
     tag: Option<&'static str>,
@@ -42,8 +41,8 @@ pub(in crate::job) fn read_record<T: Record>(
     read_record_of(object, tag, &[], units, default, beside)
 }
 
-/// As [`read_record`], of an object that has the keys `shared` beside those of its table; somebody
-/// else reads them.
+/// Reads an object like [`read_record`], with the additional keys `shared`, which the caller
+/// reads.
 pub(in crate::job) fn read_record_of<T: Record>(
     object: &Object<'_>,
     tag: Option<&'static str>,
@@ -65,7 +64,7 @@ pub(in crate::job) fn read_record_of<T: Record>(
     read.filter(|_| holds)
 }
 
-/// Everything wrong with an object that was put together in code: its rules and the ranges of its
+/// Returns the faults of an object that was built in code: its rules and the ranges of its
 /// figures.
 pub(in crate::job) fn faults_of<T: Record>(
     record: &T,
@@ -94,12 +93,12 @@ fn beside_values(beside: &[(&'static str, f64)]) -> Vec<(&'static str, Value)> {
     beside.iter().map(|(key, figure)| (*key, Value::Figure(*figure))).collect()
 }
 
-/// Reads an object of which every field has a default.
+/// Reads an object whose fields all have defaults.
 pub(in crate::job) fn read_settings<T: Record + Default>(cursor: Cursor<'_>) -> Option<T> {
     read_settings_from(cursor, T::default())
 }
 
-/// The same from other defaults.
+/// Reads an object whose missing fields take their values from `default`.
 pub(in crate::job) fn read_settings_from<T: Record>(cursor: Cursor<'_>, default: T) -> Option<T> {
     read_record(&cursor.object()?, None, None, Some(default), &[])
 }
@@ -118,8 +117,8 @@ pub(in crate::job) fn write_record<T: Record, M: SerializeMap>(
     Ok(())
 }
 
-/// Declares a struct and its [`FieldTable`] in one listing. The doc comments are the descriptions.
-/// `rules` names a function for what holds between several fields.
+/// Declares a struct and its [`FieldTable`] in one listing. The doc comments become the
+/// descriptions. `rules` names the function that checks conditions between fields.
 macro_rules! record {
     (
         $(#[doc = $doc:literal])+
@@ -187,7 +186,7 @@ macro_rules! record {
     };
 }
 
-/// Declares an enumeration of records that are told apart by a word under one key.
+/// Declares an enumeration of records. A word under one key names the variant.
 macro_rules! tagged {
     (
         $(#[doc = $doc:literal])+
@@ -203,21 +202,21 @@ macro_rules! tagged {
         }
 
         impl $name {
-            /// The key whose word tells the variants apart.
+            /// The key of the word that names the variant.
             pub const TAG: &'static str = $tag;
 
             /// The tables of all variants, in the order in which messages list them.
             pub const TABLES: &'static [$crate::job::FieldTable] =
                 &[$(<$variant as $crate::job::fields::Record>::TABLE),+];
 
-            /// The table of this variant.
+            /// Returns the table of this variant.
             pub const fn table(&self) -> &'static $crate::job::FieldTable {
                 match self {
                     $(Self::$variant(_) => const { &<$variant as $crate::job::fields::Record>::TABLE }),+
                 }
             }
 
-            /// Every field that is given, with its value in N–mm–MPa.
+            /// Returns every given field with its value in N–mm–MPa.
             pub fn values(&self) -> Vec<(&'static $crate::job::Field, $crate::job::fields::Value)> {
                 let values = match self {
                     $(Self::$variant(record) => $crate::job::fields::Record::values(record)),+
@@ -226,8 +225,8 @@ macro_rules! tagged {
                 given.filter_map(|(field, value)| Some((field, value?))).collect()
             }
 
-            /// Reads the variant that the tag names. `beside` has figures of the object around it
-            /// that rules may ask for.
+            /// Reads the variant that the tag names. `beside` holds figures of the enclosing
+            /// object for the rules.
             pub(in crate::job) fn read(
                 cursor: $crate::job::reader::Cursor<'_>,
                 units: Option<$crate::job::Units>,
@@ -247,9 +246,8 @@ macro_rules! tagged {
                 None
             }
 
-            /// Everything wrong with an object that was put together in code, with pointers
-            /// relative to it. `beside` has figures of the object around it that rules may ask
-            /// for.
+            /// Returns the faults of an object that was built in code, with pointers relative to
+            /// the object. `beside` holds figures of the enclosing object for the rules.
             pub fn faults(&self, beside: &[(&'static str, f64)]) -> Vec<$crate::job::FieldError> {
                 match self {
                     $(Self::$variant(record) => $crate::job::fields::faults_of(record, beside)),+

@@ -1,4 +1,4 @@
-//! Kinematic hardening: terms of the backstress, beside any law.
+//! Kinematic hardening: backstress terms, for any hardening law.
 
 use crate::job::fields::{Field, read_record, record};
 use crate::job::reader::Cursor;
@@ -24,7 +24,7 @@ impl From<&BackstressTerm> for material::BackstressTerm {
 }
 
 impl BackstressTerm {
-    /// Most terms of a material.
+    /// Largest number of terms in a material.
     pub const MAX_TERMS: usize = 4;
 
     pub(in crate::job) fn read_all(cursor: Cursor<'_>, units: Option<Units>) -> Option<Vec<Self>> {

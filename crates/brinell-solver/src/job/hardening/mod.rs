@@ -1,6 +1,6 @@
-//! The hardening laws as a job gives them: each is one file with the table of its parameters, what
-//! holds between them and the law of [`crate::material::hardening`] that they make, and one name
-//! in the list below.
+//! The hardening laws of a job. Each file holds one law: the table of its parameters, the
+//! conditions between them, and their conversion to a law of [`crate::material::hardening`]. The
+//! list below has one name per law.
 
 mod backstress;
 mod bilinear;
@@ -24,9 +24,9 @@ pub use voce::Voce;
 use super::fields::tagged;
 use crate::material::HardeningLaw;
 
-/// A law with its parameters as a job gives them.
+/// The parameters of a hardening law in a job.
 trait Curve {
-    /// The curve beside a Young's modulus \[MPa\].
+    /// Returns the hardening curve for a Young's modulus \[MPa\].
     fn law(&self, young_modulus: f64) -> Arc<dyn HardeningLaw>;
 }
 
@@ -41,7 +41,7 @@ macro_rules! laws {
         }
 
         impl Hardening {
-            /// The curve beside a Young's modulus \[MPa\].
+            /// Returns the hardening curve for a Young's modulus \[MPa\].
             pub fn curve(&self, young_modulus: f64) -> Arc<dyn HardeningLaw> {
                 match self {
                     $(Self::$law(parameters) => parameters.law(young_modulus)),+
@@ -64,7 +64,7 @@ mod tests {
 
     const YOUNG: f64 = 210_000.0;
 
-    /// A material of every law, two of one.
+    /// One material for each law, two for the bilinear one.
     fn materials() -> Vec<Deformable> {
         let yield_stress = positive(500.0);
         let tangent = |value| NonNegativeF64::new(value).unwrap();
@@ -105,7 +105,7 @@ mod tests {
         materials().iter().filter_map(Deformable::hardening_law).collect()
     }
 
-    /// The formulas once more, written from the job's figures.
+    /// Evaluates the formulas independently, with the figures of the job.
     #[test]
     fn every_law_is_its_formula() {
         let formulas: [fn(f64) -> f64; 7] = [

@@ -41,7 +41,7 @@ impl TablePoints {
     /// Most points of a curve.
     pub const MAX_POINTS: usize = 10_000;
 
-    /// Takes points if they are a hardening curve.
+    /// Builds the list from points that form a hardening curve.
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the list of points, e.g. `/3/1`.
@@ -50,7 +50,7 @@ impl TablePoints {
         if faults.is_empty() { Ok(Self(points)) } else { Err(faults) }
     }
 
-    /// `[plastic_strain, stress]`, stress in MPa. Never empty.
+    /// Returns the points `[plastic_strain, stress]`, stress in MPa; at least one.
     pub fn as_slice(&self) -> &[[f64; 2]] {
         &self.0
     }

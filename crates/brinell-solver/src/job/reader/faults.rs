@@ -1,4 +1,4 @@
-//! The collected faults of a document and the places they stand at.
+//! The faults of a document and their places.
 
 use std::cell::{Cell, RefCell};
 use std::fmt;
@@ -6,13 +6,13 @@ use std::fmt;
 use super::tree::Node;
 use crate::job::{FaultCode, FieldError};
 
-/// Most faults that are listed; the rest are only counted.
+/// Most listed faults; further ones are only counted.
 pub const MAX_FAULTS: usize = 100;
-/// Longest key, in bytes, that a pointer repeats.
+/// Longest key in a pointer, in bytes.
 const LONGEST_KEY: usize = 256;
 
-/// A value's place in the document, as a path of links up to the root. Costs nothing until it is
-/// written.
+/// The place of a value in the document, as a chain of links to the root. It becomes text only
+/// when a pointer is needed.
 #[derive(Debug, Clone, Copy)]
 pub enum Place<'a> {
     /// The document.
@@ -24,7 +24,8 @@ pub enum Place<'a> {
 }
 
 impl Place<'_> {
-    /// The JSON pointer (RFC 6901). A member whose key is absurdly long is given as its parent.
+    /// Returns the JSON pointer (RFC 6901); for a member with a longer key than `LONGEST_KEY`, the
+    /// pointer of its parent.
     pub fn pointer(&self) -> String {
         match self {
             Self::Root => String::new(),
@@ -37,7 +38,7 @@ impl Place<'_> {
     }
 }
 
-/// Everything found wrong so far.
+/// All faults so far.
 #[derive(Debug, Default)]
 pub struct Faults {
     list: RefCell<Vec<FieldError>>,
@@ -45,7 +46,7 @@ pub struct Faults {
 }
 
 impl Faults {
-    /// Records a fault; its text is only written while there is room for it.
+    /// Records a fault. Its text is formatted only if the list has room.
     pub fn add(&self, place: &Place<'_>, code: FaultCode, detail: fmt::Arguments<'_>) {
         if self.list.borrow().len() < MAX_FAULTS {
             self.push(FieldError { pointer: place.pointer(), code, detail: detail.to_string() });
@@ -54,7 +55,7 @@ impl Faults {
         }
     }
 
-    /// Records a fault, unless the same one is already there.
+    /// Records a fault, unless the list has the same one.
     pub fn push(&self, fault: FieldError) {
         let mut list = self.list.borrow_mut();
         if list.contains(&fault) {
@@ -72,7 +73,8 @@ impl Faults {
         }
     }
 
-    /// The faults in document order, closed by a note if there were more than fit.
+    /// Returns the faults in document order, with a note at the end if there are more than the
+    /// list holds.
     pub fn into_sorted(self, document: &Node) -> Vec<FieldError> {
         let mut list = self.list.into_inner();
         list.sort_by_cached_key(|fault| document.position(&fault.pointer));

@@ -1,8 +1,9 @@
-//! Reading a document whole: every fault is collected, with its place, before anything is refused.
+//! The reader of a document. It collects every fault, with its place, before it refuses the
+//! document.
 //!
-//! A [`Cursor`] is a value with its place. Each of its methods returns `None` after recording what
-//! is wrong, so that a reader first reads *all* of its members and only then combines them with
-//! `?`:
+//! A [`Cursor`] is a value with its place. Each of its methods records a fault and returns `None`
+//! if the value is invalid, so that a reader first reads *all* of its members and only then
+//! combines them with `?`:
 //! ```text
 //! let radius = object.required("radius", |c| c.quantity(Quantity::Length, units));
 //! let depth = object.required("depth", |c| c.quantity(Quantity::Length, units));
@@ -28,14 +29,14 @@ use super::{FaultCode, FieldError, Quantity, Units};
 
 /// An enumeration that the wire format writes as a word.
 pub trait Named: Copy + 'static {
-    /// Every value, in the order in which messages list them.
+    /// All values, in the order in which messages list them.
     const ALL: &'static [Self];
 
-    /// The word.
+    /// Returns the word of this value.
     fn name(self) -> &'static str;
 }
 
-/// A value of the document, its place, and where to report what is wrong with it.
+/// A value of the document, its place, and the list of faults.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<'a> {
     node: &'a Node,
@@ -44,7 +45,7 @@ pub(super) struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    /// The whole document.
+    /// Returns the cursor of the whole document.
     pub fn root(document: &'a Node, faults: &'a Faults) -> Self {
         Self { node: document, place: &Place::Root, faults }
     }
@@ -54,8 +55,8 @@ impl<'a> Cursor<'a> {
         self.faults.add(self.place, code, detail);
     }
 
-    /// Records faults found by a checked constructor, whose pointers are relative to this value,
-    /// and adds what was written there.
+    /// Records the faults of a checked constructor and adds the written value to each. Their
+    /// pointers are relative to this value.
     pub fn report(&self, found: impl IntoIterator<Item = FieldError>) {
         for fault in found {
             let pointer = format!("{}{}", self.place.pointer(), fault.pointer);
@@ -69,39 +70,39 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The value of a checked constructor, whose faults are reported.
+    /// Returns the result of a checked constructor, and records its faults.
     pub fn checked<T>(&self, built: Result<T, Vec<FieldError>>) -> Option<T> {
         built.map_err(|faults| self.report(faults)).ok()
     }
 
-    /// An object. A key that is given twice is a fault, and the first of the two is read.
+    /// Returns an object. A repeated key is a fault; its first value is read.
     pub fn object(self) -> Option<Object<'a>> {
         let Node::Object(members) = self.node else { return self.not("an object") };
         Some(Object::new(self, members))
     }
 
-    /// Whether it is the number zero.
+    /// Whether the value is the number zero.
     pub fn is_zero(&self) -> bool {
         matches!(self.node, Node::Number(value) if *value == 0.0)
     }
 
-    /// Whether it is an array.
+    /// Whether the value is an array.
     pub fn is_array(&self) -> bool {
         matches!(self.node, Node::Array(_))
     }
 
-    /// Whether it is an object.
+    /// Whether the value is an object.
     pub fn is_object(&self) -> bool {
         matches!(self.node, Node::Object(_))
     }
 
-    /// Any finite number.
+    /// Returns a finite number.
     pub fn number(&self) -> Option<f64> {
         let Node::Number(value) = self.node else { return self.not("a number") };
         Some(*value)
     }
 
-    /// A number in a range.
+    /// Returns a number in a range.
     pub fn number_in<T: TryFrom<f64>>(&self, range: &RangeInclusive<f64>) -> Option<T> {
         let value = self.number()?;
         if range.contains(&value)
@@ -117,7 +118,7 @@ impl<'a> Cursor<'a> {
         None
     }
 
-    /// A whole number in a range; `20.0` is one.
+    /// Returns a whole number in a range; `20.0` is valid.
     pub fn integer(&self, range: &RangeInclusive<u32>) -> Option<u32> {
         let value = self.number()?;
         let (low, high) = (*range.start(), *range.end());
@@ -136,8 +137,8 @@ impl<'a> Cursor<'a> {
         None
     }
 
-    /// A figure with a unit, in the range of its quantity, converted to N–mm–MPa. While the unit
-    /// system is unknown only the sign is checked: everything else would be a guess.
+    /// Returns a figure with a unit, in the range of its quantity, converted to N–mm–MPa. Without
+    /// a valid unit system, only the sign is checked.
     pub fn quantity<T: TryFrom<f64>>(
         &self,
         quantity: Quantity,
@@ -172,19 +173,19 @@ impl<'a> Cursor<'a> {
         None
     }
 
-    /// `true` or `false`.
+    /// Returns `true` or `false`.
     pub fn boolean(&self) -> Option<bool> {
         let Node::Bool(value) = self.node else { return self.not("true or false") };
         Some(*value)
     }
 
-    /// A string.
+    /// Returns a string.
     pub fn text(&self) -> Option<&'a str> {
         let Node::Text(value) = self.node else { return self.not("a string") };
         Some(value)
     }
 
-    /// One of the words that are known here.
+    /// Returns one of the known words.
     pub fn word(&self, known: &[&'static str]) -> Option<&'static str> {
         let written = self.text()?;
         let found = known.iter().copied().find(|word| *word == written);
@@ -198,14 +199,14 @@ impl<'a> Cursor<'a> {
         found
     }
 
-    /// A value of an enumeration.
+    /// Returns a value of an enumeration.
     pub fn named<T: Named>(&self) -> Option<T> {
         let names: Vec<_> = T::ALL.iter().map(|value| value.name()).collect();
         let word = self.word(&names)?;
         T::ALL.iter().copied().find(|value| value.name() == word)
     }
 
-    /// An array whose number of items is in a range, all of which are read.
+    /// Returns an array with a number of items in a range. All items are read.
     pub fn array<T>(
         &self,
         lengths: RangeInclusive<usize>,
@@ -231,11 +232,11 @@ impl<'a> Cursor<'a> {
             let place = Place::Index(self.place, index);
             read(Cursor { node, place: &place, faults: self.faults })
         });
-        // Every item is read before the first missing one can end the collection.
+        // All items are read first: a missing one would end the collection.
         read.collect::<Vec<_>>().into_iter().collect()
     }
 
-    /// A pair of numbers, `[x, y]`.
+    /// Returns a pair of numbers, `[x, y]`.
     pub fn pair<T>(
         &self,
         read_first: impl FnOnce(Cursor<'_>) -> Option<T>,
@@ -256,7 +257,7 @@ impl<'a> Cursor<'a> {
         Some([first?, second?])
     }
 
-    /// Records that this value is of the wrong kind.
+    /// Records that this value has the wrong type.
     fn not<T>(&self, expected: &str) -> Option<T> {
         self.fault(
             FaultCode::WrongType,

@@ -15,7 +15,7 @@ pub struct Object<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// Takes the members and reports keys that are given more than once.
+    /// Builds the object and reports repeated keys.
     pub fn new(at: Cursor<'a>, members: &'a [(String, Node)]) -> Self {
         let object = Self { at, members };
         let mut seen = HashSet::with_capacity(members.len());
@@ -32,7 +32,7 @@ impl<'a> Object<'a> {
         object
     }
 
-    /// Reports every key that is not known here.
+    /// Reports every unknown key.
     pub fn only(&self, known: &[&str]) {
         for (key, _) in self.members {
             let written = key.as_str();
@@ -48,12 +48,12 @@ impl<'a> Object<'a> {
         }
     }
 
-    /// Whether a key is present. `null` is the same as nothing.
+    /// Whether a key is present with a value other than `null`.
     pub fn has(&self, key: &str) -> bool {
         self.find(key).is_some_and(|node| *node != Node::Null)
     }
 
-    /// The members with their cursors, for objects with free keys.
+    /// Visits all members with their cursors, for objects with free keys.
     pub fn each(&self, mut visit: impl FnMut(&str, Cursor<'_>)) {
         for (key, node) in self.members {
             visit(
@@ -63,12 +63,12 @@ impl<'a> Object<'a> {
         }
     }
 
-    /// Number of members.
+    /// Returns the number of members.
     pub fn len(&self) -> usize {
         self.members.len()
     }
 
-    /// Reads a member that must be there.
+    /// Reads a required member.
     pub fn required<T>(&self, key: &str, read: impl FnOnce(Cursor<'_>) -> Option<T>) -> Option<T> {
         let Some(node) = self.find(key) else {
             self.fault(key, FaultCode::Required, format_args!("is required"));
@@ -77,7 +77,7 @@ impl<'a> Object<'a> {
         read(Cursor { node, place: &Place::Key(self.at.place, key), faults: self.faults() })
     }
 
-    /// Reads a member that may be left out; `null` is the same as nothing.
+    /// Reads an optional member; `null` counts as missing.
     pub fn or<T>(
         &self,
         key: &str,
@@ -92,17 +92,17 @@ impl<'a> Object<'a> {
         self.faults().add(&Place::Key(self.at.place, key), code, detail);
     }
 
-    /// Records a fault of the object itself.
+    /// Records a fault of the object.
     pub fn fault_here(&self, code: FaultCode, detail: fmt::Arguments<'_>) {
         self.at.fault(code, detail);
     }
 
-    /// As [`Cursor::report`].
+    /// Records faults like [`Cursor::report`].
     pub fn report(&self, found: impl IntoIterator<Item = FieldError>) {
         self.at.report(found);
     }
 
-    /// As [`Cursor::checked`].
+    /// Returns a value like [`Cursor::checked`].
     pub fn checked<T>(&self, built: Result<T, Vec<FieldError>>) -> Option<T> {
         self.at.checked(built)
     }

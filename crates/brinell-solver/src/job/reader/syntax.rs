@@ -1,4 +1,4 @@
-//! From bytes to a tree, with syntax errors in words a person can act on.
+//! Parsing of bytes into a tree, with readable syntax errors.
 
 use serde_json::error::Category;
 
@@ -34,7 +34,7 @@ fn not_utf8(bytes: &[u8], valid: usize) -> JobError {
     }
 }
 
-/// The parser's own error in the vocabulary of the wire format.
+/// Translates an error of the parser into the terms of the wire format.
 pub fn explain(text: &str, error: &serde_json::Error) -> JobError {
     let (line, column) = (error.line(), error.column().max(1));
     let full = error.to_string();
@@ -62,7 +62,7 @@ pub fn explain(text: &str, error: &serde_json::Error) -> JobError {
     JobError::Syntax { message, line, column }
 }
 
-/// `NaN`, `Infinity` and their relatives, if one of them stands where the parser gave up.
+/// Returns `NaN`, `Infinity` or a similar word at the position of the parser's error.
 fn non_finite_literal(text: &str, line: usize, column: usize) -> Option<&str> {
     let line = text.split('\n').nth(line.checked_sub(1)?)?;
     let is_word = |byte: &u8| byte.is_ascii_alphabetic() || matches!(byte, b'+' | b'-');

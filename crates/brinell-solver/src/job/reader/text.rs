@@ -1,14 +1,13 @@
-//! How figures and the user's own words are repeated in messages: readable, and never longer than
-//! a line.
+//! Figures and quotations of the user's text in messages: readable, and shorter than a line.
 
 use std::fmt;
 
 use super::tree::Node;
 
-/// Characters of the user's text that a message repeats.
+/// Most characters of a quotation.
 const LONGEST_QUOTE: usize = 40;
 
-/// A figure without a train of zeros: `0.3`, `210000`, `2.1e11`.
+/// A figure without trailing zeros: `0.3`, `210000`, `2.1e11`.
 pub struct Figure(pub f64);
 
 impl fmt::Display for Figure {
@@ -18,12 +17,12 @@ impl fmt::Display for Figure {
     }
 }
 
-/// A figure that was computed, to five digits.
+/// Returns a computed figure, rounded to five digits.
 pub fn five_digits(value: f64) -> Figure {
     Figure(format!("{value:.4e}").parse().unwrap_or(value))
 }
 
-/// A string in quotation marks, control characters escaped, cut off with `…` when it is long.
+/// A string in quotation marks with escaped control characters, shortened with `…` if long.
 pub struct Quoted<'a>(pub &'a str);
 
 impl fmt::Display for Quoted<'_> {
@@ -35,7 +34,7 @@ impl fmt::Display for Quoted<'_> {
     }
 }
 
-/// A value as it is repeated behind "got".
+/// A value after the word "got" of a message.
 pub struct Got<'a>(pub &'a Node);
 
 impl fmt::Display for Got<'_> {
@@ -50,7 +49,7 @@ impl fmt::Display for Got<'_> {
     }
 }
 
-/// Words in a list: `type, radius`.
+/// A list of words: `type, radius`.
 pub struct List<'a>(pub &'a [&'a str]);
 
 impl fmt::Display for List<'_> {
@@ -62,11 +61,11 @@ impl fmt::Display for List<'_> {
     }
 }
 
-/// Ends a message with the known word that was probably meant, or with nothing.
+/// The end of a message that suggests the most similar known word, if there is one.
 pub struct Guess<'a> {
-    /// What was written.
+    /// The word in the document.
     pub written: &'a str,
-    /// What could have been.
+    /// The known words.
     pub known: &'a [&'a str],
 }
 
@@ -77,8 +76,8 @@ impl fmt::Display for Guess<'_> {
 }
 
 impl Guess<'_> {
-    /// The known word at the smallest edit distance, if that is at most a third of its length.
-    /// Case, hyphens and underscores do not count, so that `youngModulus` finds `young_modulus`.
+    /// Returns the known word at the smallest edit distance, up to a third of its length. Case,
+    /// hyphens and underscores are ignored, so that `youngModulus` finds `young_modulus`.
     fn nearest(&self) -> Option<&str> {
         let written = bare(self.written);
         if written.len() > 2 * LONGEST_QUOTE {
@@ -98,7 +97,8 @@ fn bare(word: &str) -> Vec<char> {
     significant.map(|c| c.to_ascii_lowercase()).take(2 * LONGEST_QUOTE + 1).collect()
 }
 
-/// Levenshtein distance with swaps of neighbours counted as one edit (optimal string alignment).
+/// Returns the Levenshtein distance, with a swap of neighbours as one edit (optimal string
+/// alignment).
 fn edit_distance(left: &[char], right: &[char]) -> usize {
     let mut before_last: Vec<usize> = Vec::new();
     let mut last: Vec<usize> = (0..=right.len()).collect();

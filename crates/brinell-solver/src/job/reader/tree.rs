@@ -1,7 +1,7 @@
-//! A JSON document as it was written: members in order, duplicate keys kept.
+//! A JSON document as written, with the order of its members and repeated keys.
 //!
-//! `serde_json::Value` lets the last of two equal keys win in silence and forgets the order of
-//! members; the reader reports the former and sorts its faults by the latter.
+//! `serde_json::Value` silently keeps the last of two equal keys and forgets the order of members.
+//! The reader reports repeated keys and sorts its faults in the order of members.
 
 use std::fmt;
 
@@ -25,7 +25,7 @@ pub enum Node {
 }
 
 impl Node {
-    /// The kind of this value with its article, as in "must be a number, got a string".
+    /// Returns the type of this value with its article, as in "must be a number, got a string".
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Null => "null",
@@ -37,14 +37,14 @@ impl Node {
         }
     }
 
-    /// The value a JSON pointer leads to; of duplicate keys the first.
+    /// Returns the value at a JSON pointer; of repeated keys, the first one.
     pub fn at(&self, pointer: &str) -> Option<&Self> {
         steps(pointer).try_fold(self, |node, step| node.child(&step).map(|(_, child)| child))
     }
 
-    /// Where a pointer stands in the document: the positions of its steps among their siblings,
-    /// which sort lexicographically in document order. A missing member sorts behind those that
-    /// are there.
+    /// Returns the position of a pointer in the document: the positions of its steps among their
+    /// siblings, which sort lexicographically in document order. A missing member sorts behind its
+    /// siblings.
     pub fn position(&self, pointer: &str) -> Vec<usize> {
         let mut node = Some(self);
         steps(pointer)
@@ -71,7 +71,7 @@ impl Node {
     }
 }
 
-/// The unescaped steps of a JSON pointer.
+/// Returns the unescaped steps of a JSON pointer.
 fn steps(pointer: &str) -> impl Iterator<Item = String> {
     pointer.split('/').skip(1).map(|step| step.replace("~1", "/").replace("~0", "~"))
 }

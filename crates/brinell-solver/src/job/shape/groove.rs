@@ -16,7 +16,7 @@ record! {
     }
 }
 
-/// The trough reaches from side to side, `width <= 2 R`.
+/// Refuses a trough that does not reach from side to side, with `width > 2 R`.
 fn rules(known: &Known) -> Vec<FieldError> {
     let (radius, width) = (known.figure("radius"), known.figure("width"));
     let spans = radius.zip(width).is_none_or(|(radius, width)| width <= 2.0 * radius);
@@ -24,7 +24,7 @@ fn rules(known: &Known) -> Vec<FieldError> {
 }
 
 impl Groove {
-    /// Takes the dimensions \[mm\] if a trough of this radius spans this width.
+    /// Builds the groove \[mm\] if a trough of this radius spans this width.
     ///
     /// # Errors
     /// The fault, with a pointer relative to the shape.
@@ -38,17 +38,17 @@ impl Groove {
         if faults.is_empty() { Ok(groove) } else { Err(faults) }
     }
 
-    /// Radius of the trough \[mm\].
+    /// Returns the radius of the trough \[mm\].
     pub const fn radius(&self) -> PositiveF64 {
         self.radius
     }
 
-    /// Full width \[mm\].
+    /// Returns the full width \[mm\].
     pub const fn width(&self) -> PositiveF64 {
         self.width
     }
 
-    /// Depth from the bottom of the trough to the base \[mm\].
+    /// Returns the depth from the bottom of the trough to the base \[mm\].
     pub const fn depth(&self) -> PositiveF64 {
         self.depth
     }

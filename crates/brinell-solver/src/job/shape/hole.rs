@@ -1,4 +1,4 @@
-//! The hole that a pin sits in.
+//! The hole around a pin.
 
 use crate::job::fields::{Field, Known, faults_of, record, unless};
 use crate::job::{FieldError, PositiveF64, Quantity};
@@ -19,7 +19,7 @@ record! {
     }
 }
 
-/// One outer edge, around the hole.
+/// Refuses a body with no outer edge, with two, or with an outer edge inside the hole.
 fn rules(known: &Known) -> Vec<FieldError> {
     let (radius, outer) = (known.figure("radius"), known.figure("outer_radius"));
     let width = known.figure("width");
@@ -47,7 +47,8 @@ pub enum OuterEdge {
 }
 
 impl Hole {
-    /// Takes the radius \[mm\] and the outer edge if that lies around the hole.
+    /// Builds the hole from its radius \[mm\] and the outer edge, if the edge lies around the
+    /// hole.
     ///
     /// # Errors
     /// The fault, with a pointer relative to the shape.
@@ -61,22 +62,22 @@ impl Hole {
         if faults.is_empty() { Ok(hole) } else { Err(faults) }
     }
 
-    /// Radius of the hole \[mm\].
+    /// Returns the radius of the hole \[mm\].
     pub const fn radius(&self) -> PositiveF64 {
         self.radius
     }
 
-    /// The outer edge, which is held.
+    /// Returns the outer edge, which is held.
     pub fn edge(&self) -> OuterEdge {
         match (self.outer_radius, self.width) {
             (_, Some(width)) => OuterEdge::Square(width),
             (Some(radius), None) => OuterEdge::Circle(radius),
-            // The rules leave no hole without an edge.
+            // The rules exclude a hole without an outer edge.
             (None, None) => OuterEdge::Circle(self.radius),
         }
     }
 
-    /// Least thickness of the body around the hole \[mm\].
+    /// Returns the least thickness of the body around the hole \[mm\].
     pub fn wall(&self) -> f64 {
         let edge = match self.edge() {
             OuterEdge::Circle(radius) => radius.get(),

@@ -1,9 +1,9 @@
-//! Undeformed outlines. Each shape is one file: its dimensions with their table, and what holds
-//! between them.
+//! Undeformed outlines. Each file holds one shape, or a few similar ones: the dimensions with
+//! their table, and the conditions between them.
 //!
-//! Every shape is described in its own frame: the contact starts at the origin, `x` is tangential,
-//! and heights are counted along the outward normal. Both bodies use the same convention, so
-//! swapping `upper` and `lower` mirrors the problem.
+//! Every shape has its own frame: the contact starts at the origin, `x` is tangential, and heights
+//! are positive along the outward normal. Both bodies follow this convention, so that an exchange
+//! of `upper` and `lower` mirrors the problem.
 
 mod block;
 mod cylinder;
@@ -38,8 +38,8 @@ tagged! {
 }
 
 impl Shape {
-    /// Curvatures `[k_xx, k_yy, k_xy]` of the surface of a half-space in the contact plane,
-    /// positive where it is convex \[1/mm\]; `None` of a shape that is no half-space.
+    /// Returns the curvatures `[k_xx, k_yy, k_xy]` of a half-space's surface in the contact plane,
+    /// positive where convex \[1/mm\]; `None` for other shapes.
     pub fn curvatures(&self) -> Option<[f64; 3]> {
         match self {
             Self::Sphere(Sphere { radius, .. }) => {
@@ -53,8 +53,8 @@ impl Shape {
     }
 }
 
-/// Curvatures `[k_xx, k_yy, k_xy]` of a surface with these along its own x and y, which are turned
-/// by an angle in degrees.
+/// Returns the curvatures `[k_xx, k_yy, k_xy]` of a surface with these principal curvatures,
+/// turned by an angle in degrees.
 fn turned([along, across]: [f64; 2], rotation: Option<f64>) -> [f64; 3] {
     let (mean, half) = (0.5 * (along + across), 0.5 * (along - across));
     let (sine, cosine) = (2.0 * rotation.unwrap_or(0.0)).to_radians().sin_cos();

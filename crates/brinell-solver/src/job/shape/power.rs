@@ -70,8 +70,8 @@ fn power_rules(known: &Known) -> Vec<FieldError> {
 }
 
 impl Parabola {
-    /// Takes the radius at the vertex, the full width, and the depth from the vertex to the base
-    /// \[mm\].
+    /// Builds the shape from the radius at the vertex, the full width, and the depth from the
+    /// vertex to the base \[mm\].
     ///
     /// # Errors
     /// The fault, with a pointer relative to the shape.
@@ -85,25 +85,25 @@ impl Parabola {
         if faults.is_empty() { Ok(parabola) } else { Err(faults) }
     }
 
-    /// Radius at the vertex \[mm\].
+    /// Returns the radius at the vertex \[mm\].
     pub const fn radius(&self) -> PositiveF64 {
         self.radius
     }
 
-    /// Full width \[mm\].
+    /// Returns the full width \[mm\].
     pub const fn width(&self) -> PositiveF64 {
         self.width
     }
 
-    /// Depth from the vertex to the base \[mm\].
+    /// Returns the depth from the vertex to the base \[mm\].
     pub const fn depth(&self) -> PositiveF64 {
         self.depth
     }
 }
 
 impl Power {
-    /// Takes the exponent n, the length L at which the surface has fallen by L, the full width,
-    /// and the depth from the vertex to the base \[mm\].
+    /// Builds the shape from the exponent n, the length L at which the surface has fallen by L,
+    /// the full width, and the depth from the vertex to the base \[mm\].
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the shape.
@@ -118,22 +118,22 @@ impl Power {
         if faults.is_empty() { Ok(power) } else { Err(faults) }
     }
 
-    /// Exponent n.
+    /// Returns the exponent n.
     pub const fn exponent(&self) -> f64 {
         self.exponent
     }
 
-    /// Length L at which the surface has fallen by L \[mm\].
+    /// Returns the length L at which the surface has fallen by L \[mm\].
     pub const fn scale(&self) -> PositiveF64 {
         self.scale
     }
 
-    /// Full width \[mm\].
+    /// Returns the full width \[mm\].
     pub const fn width(&self) -> PositiveF64 {
         self.width
     }
 
-    /// Depth from the vertex to the base \[mm\].
+    /// Returns the depth from the vertex to the base \[mm\].
     pub const fn depth(&self) -> PositiveF64 {
         self.depth
     }

@@ -26,7 +26,7 @@ record! {
     }
 }
 
-/// What a face given by points is like between them.
+/// The shape of a profile between its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
     /// Smooth to the first derivative, without overshoot.
@@ -60,29 +60,29 @@ impl Profile {
         if faults.is_empty() { Ok(profile) } else { Err(faults) }
     }
 
-    /// The same points, with a choice of what lies between them.
+    /// Returns the profile with this interpolation between its points.
     #[must_use]
     pub fn interpolated(self, interpolation: Interpolation) -> Self {
         Self { interpolation: Some(interpolation), ..self }
     }
 
-    /// The greatest height of a point \[mm\].
+    /// Returns the greatest height of a point \[mm\].
     pub fn top(&self) -> f64 {
         self.points.iter().map(|[_, height]| *height).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// What lies between the points; `None` where that was not said: smooth, unless it would round
-    /// off a corner.
+    /// Returns the interpolation between the points. `None` if the job leaves it out: the face is
+    /// smooth, and refused if that would round off a corner in the contact.
     pub const fn interpolation(&self) -> Option<Interpolation> {
         self.interpolation
     }
 
-    /// `[x, height]` \[mm\], x strictly increasing.
+    /// Returns the points `[x, height]` \[mm\], x strictly increasing.
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
     }
 
-    /// Depth from height 0 to the base \[mm\].
+    /// Returns the depth from height 0 to the base \[mm\].
     pub const fn depth(&self) -> PositiveF64 {
         self.depth
     }
@@ -119,7 +119,7 @@ fn outline_faults(points: &[[f64; 2]]) -> Vec<FieldError> {
     faults
 }
 
-/// The points are an outline, and the body has thickness everywhere.
+/// Refuses points that do not form an outline, and points at or below the base.
 fn rules(known: &Known) -> Vec<FieldError> {
     let Some(points) = known.points("points") else { return Vec::new() };
     let mut faults = outline_faults(points);

@@ -16,7 +16,7 @@ record! {
     }
 }
 
-/// The arcs of the edges leave a flat between them, and end on the side walls.
+/// Refuses edge arcs that leave no flat between them or do not end on the side walls.
 fn rules(known: &Known) -> Vec<FieldError> {
     let Some(radius) = known.figure("edge_radius") else { return Vec::new() };
     let is_flat = known.figure("width").is_none_or(|width| radius < 0.5 * width);
@@ -28,8 +28,8 @@ fn rules(known: &Known) -> Vec<FieldError> {
 }
 
 impl Punch {
-    /// Takes the full width, the radius of the edges, 0 for sharp ones, and the height of the side
-    /// walls \[mm\].
+    /// Builds the punch from the full width, the radius of the edges, 0 for sharp edges, and the
+    /// height of the side walls \[mm\].
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the shape.
@@ -43,17 +43,17 @@ impl Punch {
         if faults.is_empty() { Ok(punch) } else { Err(faults) }
     }
 
-    /// Full width, or the diameter in axisymmetry \[mm\].
+    /// Returns the full width, or the diameter in axisymmetry \[mm\].
     pub const fn width(&self) -> PositiveF64 {
         self.width
     }
 
-    /// Radius of the edges \[mm\]; 0 is sharp.
+    /// Returns the radius of the edges \[mm\]; 0 for sharp edges.
     pub fn edge_radius(&self) -> f64 {
         self.edge_radius.map_or(0.0, f64::from)
     }
 
-    /// Height of the side walls \[mm\].
+    /// Returns the height of the side walls \[mm\].
     pub const fn depth(&self) -> PositiveF64 {
         self.depth
     }

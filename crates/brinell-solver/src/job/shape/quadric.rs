@@ -1,7 +1,7 @@
-//! Surfaces of half-spaces: the ball, the surface with two curvatures and the plane. Only in three
-//! dimensions.
+//! Surfaces of half-spaces: the ball, the surface with two curvatures and the plane. They exist
+//! only in three dimensions.
 //!
-//! x and y are those of the contact plane, the same for both bodies.
+//! Both bodies share the x and y of the contact plane.
 
 use super::turned;
 use crate::job::fields::{Field, Known, record, unless};
@@ -10,7 +10,7 @@ use crate::job::{FieldError, PositiveF64, Quantity};
 /// Smallest radius of curvature \[mm\].
 const MIN_RADIUS: f64 = Quantity::Length.range().0;
 
-/// The field of an angle about the normal.
+/// The field of the rotation about the normal.
 const ROTATION: Field = Field::pure(-360.0..=360.0).label("Rotation", "φ");
 
 record! {
@@ -48,7 +48,7 @@ record! {
     }
 }
 
-/// A radius is not zero.
+/// Refuses a radius of zero.
 fn rules(known: &Known) -> Vec<FieldError> {
     let detail = "must be at least 1e-6 mm in size, negative if the surface is concave; leave it \
                   out where the surface is straight";
@@ -58,8 +58,8 @@ fn rules(known: &Known) -> Vec<FieldError> {
 }
 
 impl Curved {
-    /// Curvatures `[k_xx, k_yy, k_xy]` of the surface in the contact plane, positive where it is
-    /// convex \[1/mm\]: its height is `-(k_xx x² + k_yy y² + 2 k_xy x y)/2`.
+    /// Returns the curvatures `[k_xx, k_yy, k_xy]` of the surface in the contact plane, positive
+    /// where convex \[1/mm\]. The height of the surface is `-(k_xx x² + k_yy y² + 2 k_xy x y)/2`.
     pub fn curvatures(&self) -> [f64; 3] {
         let [along, across] =
             [self.radius_x, self.radius_y].map(|radius| radius.map_or(0.0, f64::recip));

@@ -47,16 +47,16 @@ record! {
     }
 }
 
-/// How the surface of a roller falls towards its ends.
+/// The profile of a roller towards its ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RollerProfile {
     /// An arc over the whole length.
     Crowned,
-    /// Lundberg's, for a force.
+    /// Lundberg's logarithmic profile for a design force.
     Logarithmic,
-    /// Logarithmic, with the factor of ISO 16281.
+    /// The logarithmic profile of ISO 16281.
     Iso16281,
-    /// Points.
+    /// Given points.
     Points,
 }
 
@@ -74,7 +74,7 @@ impl Named for RollerProfile {
 }
 
 impl RollerProfile {
-    /// The field that gives its size.
+    /// Returns the key of the field with the size of this profile.
     const fn measure(self) -> Option<&'static str> {
         match self {
             Self::Crowned => Some("crown_radius"),
@@ -94,14 +94,15 @@ impl Roller {
         -50.0..=50.0
     }
 
-    /// Curvatures along its x and its y, positive where it is convex \[1/mm\].
+    /// Returns the curvatures along the roller's x and y, positive where convex \[1/mm\].
     pub(super) fn curvatures(&self) -> [f64; 2] {
         let crown = self.crown_radius.filter(|_| self.profile == Some(RollerProfile::Crowned));
         [self.radius.get().recip(), crown.map_or(0.0, f64::recip)]
     }
 }
 
-/// A profile has the figure that gives its size and no other; points are an outline.
+/// Refuses a profile without the field of its size or with the field of another profile, points
+/// that do not form an outline, and a tilt beside a moment.
 fn rules(known: &Known) -> Vec<FieldError> {
     let profile = known
         .word("profile")

@@ -36,7 +36,7 @@ record! {
     }
 }
 
-/// The tip's arc ends on the flanks, and the flanks end above the base.
+/// Refuses a tip arc that does not end on the flanks, and flanks that end below the base.
 fn rules(known: &Known) -> Vec<FieldError> {
     let (Some(angle), Some(width)) = (known.figure("angle"), known.figure("width")) else {
         return Vec::new();
@@ -57,9 +57,9 @@ fn rules(known: &Known) -> Vec<FieldError> {
 macro_rules! flanks {
     ($name:ident) => {
         impl $name {
-            /// Takes the angle between flanks and tangential plane \[degrees\], the radius of the
-            /// tip or none for a sharp one, the full width, and the depth from the tip to the base
-            /// \[mm\].
+            /// Builds the shape from the angle between flanks and tangential plane \[degrees\],
+            /// the radius of the tip or none for a sharp tip, the full width, and the depth from
+            /// the tip to the base \[mm\].
             ///
             /// # Errors
             /// Every fault, with a pointer relative to the shape.
@@ -74,22 +74,22 @@ macro_rules! flanks {
                 if faults.is_empty() { Ok(shape) } else { Err(faults) }
             }
 
-            /// Slope of the flanks, the tangent of the angle.
+            /// Returns the slope of the flanks, the tangent of the angle.
             pub fn slope(&self) -> f64 {
                 self.angle.get().to_radians().tan()
             }
 
-            /// Radius of the tip \[mm\]; 0 for a sharp one.
+            /// Returns the radius of the tip \[mm\]; 0 for a sharp tip.
             pub fn tip_radius(&self) -> f64 {
                 self.tip_radius.map_or(0.0, f64::from)
             }
 
-            /// Full width \[mm\].
+            /// Returns the full width \[mm\].
             pub const fn width(&self) -> PositiveF64 {
                 self.width
             }
 
-            /// Depth from the tip to the base \[mm\].
+            /// Returns the depth from the tip to the base \[mm\].
             pub const fn depth(&self) -> PositiveF64 {
                 self.depth
             }

@@ -1,14 +1,14 @@
 //! Estimated errors of the figures of a step.
 //!
 //! ```text
-//! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor      n cells, N increments, the latter on the coarse grid
+//! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor      n cells, N increments
 //! ```
-//! Floors are for what scatters with the cells at the edge of the contact: approach and semi-axes,
-//! and all other figures of contacts that yield. Factors and floors are those by which the
-//! prototype's figures on 16 to 64 cells a side are covered, but for semi-axes and plastic strain,
-//! whose floors cover random contacts on 4 to 10 cells over a semi-axis. The peak of a tilted roller
-//! lies anywhere between two middles of cells, up to half a cell from one, where an ellipse has
-//! `(h/2b)²/2` less.
+//! The term of the increments comes from the coarse grid. Floors cover the scatter of approach and
+//! semi-axes as cells at the edge enter the contact, and the scatter of all other figures if the
+//! contact yields. Factors and floors cover the deviations of the prototype on 16 to 64 cells a
+//! side; the floors of semi-axes and plastic strain cover the deviations of random contacts on 4
+//! to 10 cells over a semi-axis. The peak pressure of a tilted roller can lie up to half a cell
+//! from the middle of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
 
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
@@ -17,21 +17,22 @@ use crate::solver::method::steps::CoarseFigures;
 
 const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
-/// Floors over the figure: pressure, dent and stress; approach. Semi-axes and plastic strain: over
-/// cell and semi-axis.
+/// Relative floors of pressure, dent and stress, and of the approach. The floors of semi-axes and
+/// plastic strain are multiplied by the ratio of cell to semi-axis.
 const SCATTER: f64 = 1e-2;
 const SCATTER_OF_APPROACH: f64 = 1.5e-3;
 const SCATTER_OF_AXES: f64 = 0.2;
 const SCATTER_OF_STRAIN: f64 = 0.3;
-/// More of the pressure, times the distance of its peak from the middle over the semi-axis: single
-/// cells are jagged near the edge. Of a perfectly plastic ball at six yield stresses 10 and 15
-/// cells find 4.6 and 3 % too much.
+/// Additional floor of the peak pressure, multiplied by the distance of the peak from the middle
+/// over the semi-axis: the pressure of single cells is jagged near the edge. For a perfectly
+/// plastic ball at six yield stresses, 10 and 15 cells give 4.6 % and 3 % too much.
 const SCATTER_OF_RING: f64 = 2e-2;
-/// By how much the force changes with the approach, of both logarithms.
+/// Exponent of the growth of the force with the approach.
 const FORCE_OVER_APPROACH: f64 = 1.5;
 
 impl HalfSpaceStep {
-    /// Errors by what a grid of half the cells has found; `None` of a step without an answer.
+    /// Returns the errors by comparison with the figures on half the cells; `None` if the step has
+    /// no answer.
     pub(super) fn errors_beside(&self, coarse: &HalfSpaceFigures) -> Option<HalfSpaceFigures> {
         if self.status != SolveStatus::Converged {
             return None;
@@ -41,7 +42,7 @@ impl HalfSpaceStep {
         let floors = floors(self).values();
         let mut errors: [f64; 14] =
             std::array::from_fn(|k| OF_GRID * of_grid[k] + floors[k] * figures[k].abs());
-        // What is prescribed is not found.
+        // A prescribed quantity has no error.
         match self.load {
             ContactLoad::Force(_) => errors[0] = 0.0,
             ContactLoad::Approach(_) => errors[1] = 0.0,
@@ -59,7 +60,7 @@ fn difference(a: &HalfSpaceFigures, b: &HalfSpaceFigures) -> HalfSpaceFigures {
     HalfSpaceFigures::of(std::array::from_fn(|k| (a[k] - b[k]).abs()))
 }
 
-/// Over the figure.
+/// Returns the floors relative to the figures.
 fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
     let scatter = if step.yields() { 1.0 } else { 0.0 };
     let (force, approach) = match step.load {
@@ -88,8 +89,9 @@ fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
 }
 
 impl HalfSpaceFigures {
-    /// Adds what half as many increments change, relative to figures: of approach, force and
-    /// widths their own, of all others that of the pressure, which changes most.
+    /// Adds the relative changes of the figures under half as many increments. Approach, force and
+    /// widths have changes of their own; all other figures take the change of the pressure, which
+    /// is the largest.
     pub(super) fn add_increments(&mut self, figures: &Self, changes: CoarseFigures) {
         let CoarseFigures { peak_pressure, half_width, approach, force, .. } = changes;
         let relative = Self {

@@ -1,41 +1,42 @@
-//! The gap between two half-spaces before they touch, and what a roller has of it beside its
-//! curvature.
+//! The gap between two undeformed half-spaces, with the ends, relief and tilt of rollers.
 
 use brinell_halfspace::SurfaceGrid;
 
 use super::problem::HalfSpaceProblem;
 
-/// What the surface of a roller is beside a cylinder without ends. Lengths in mm.
+/// The deviation of a roller's surface from an endless cylinder. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RollerGap {
-    /// Radius, by which the surface falls beyond the ends.
+    /// Radius; the surface lies deeper by the radius beyond the ends.
     pub radius: f64,
-    /// Length along its y.
+    /// Length along the axis.
     pub length: f64,
-    /// Angle from the job's x to its x, towards the job's y \[rad\].
+    /// Angle from the job's x to the roller's x, towards the job's y \[rad\].
     pub rotation: f64,
-    /// Slope by which it rises along its y.
+    /// Slope by which the surface rises along the roller's y.
     pub tilt: f64,
-    /// Moment about its middle under which it tilts instead, positive towards its y \[N mm\].
+    /// Moment about the middle of the roller, positive towards its y, if the tilt follows from it
+    /// \[N mm\].
     pub moment: Option<f64>,
-    /// How the surface falls along its y.
+    /// Profile of the surface along the axis.
     pub relief: Relief,
 }
 
-/// How the surface of a roller falls along its axis beside an arc. Lengths in mm.
+/// The profile of a roller along its axis, apart from an arc, which is part of the curvature.
+/// Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Relief {
-    /// It does not.
+    /// A straight profile.
     Straight,
-    /// By `c ln(1/(1 - (2y/L)²))` with this c.
+    /// A profile that falls by `c ln(1/(1 - (2y/L)²))` with this c.
     Logarithmic(f64),
-    /// By the heights of points `[y, height]`, straight between them and level beyond them; y
-    /// rises.
+    /// Points `[y, height]` in the order of y, joined by straight lines, level beyond the last
+    /// ones.
     Points(Vec<[f64; 2]>),
 }
 
 impl RollerGap {
-    /// How far the surface lies below the cylinder at a place of the job's axes.
+    /// Returns the depth of the surface below the endless cylinder at a point in the job's axes.
     fn fall(&self, [x, y]: [f64; 2]) -> f64 {
         let (sine, cosine) = self.rotation.sin_cos();
         let along = cosine * y - sine * x;
@@ -51,7 +52,7 @@ impl RollerGap {
         relief - self.tilt * along
     }
 
-    /// Whether curvature and length say all of it.
+    /// Whether curvature and length describe the roller completely.
     pub fn is_plain(&self) -> bool {
         matches!(self.relief, Relief::Straight) && !self.is_tilted()
     }
@@ -60,7 +61,7 @@ impl RollerGap {
         self.tilt.abs() > 0.0 || self.moment.is_some()
     }
 
-    /// Whether both halves are alike.
+    /// Whether the two halves of the roller are mirror images.
     fn is_even(&self) -> bool {
         !self.is_tilted()
             && match &self.relief {
@@ -73,25 +74,25 @@ impl RollerGap {
     }
 }
 
-/// Heights of both surfaces together at the middles of equal cells around the origin. Lengths in
-/// mm.
+/// Summed heights of both surfaces at the middles of equal cells around the origin. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightMap {
-    /// `[i * cells[1] + j]`.
+    /// Heights, `[i * cells[1] + j]`.
     pub heights: Vec<f64>,
-    /// Cells along x and y.
+    /// Number of cells along x and y.
     pub cells: [usize; 2],
-    /// Sides of a cell.
+    /// Sides of a cell along x and y.
     pub spacing: [f64; 2],
 }
 
 impl HeightMap {
-    /// Half its sides.
+    /// Returns half the extents of the map.
     pub fn half_sides(&self) -> [f64; 2] {
         [0, 1].map(|k| 0.5 * self.cells[k] as f64 * self.spacing[k])
     }
 
-    /// Means of the heights in the cells of a grid of the same size with at most as many cells.
+    /// Returns the mean heights in the cells of a grid of the same size with at most as many
+    /// cells.
     fn over(&self, grid: &SurfaceGrid) -> Vec<f64> {
         let (mut sums, mut counts) = (vec![0.0; grid.n_cells()], vec![0.0; grid.n_cells()]);
         let [nx, ny] = self.cells;
@@ -104,7 +105,7 @@ impl HeightMap {
     }
 }
 
-/// Linear between points, level beyond them.
+/// Interpolates linearly between points; level beyond the last ones.
 fn height(points: &[[f64; 2]], at: f64) -> f64 {
     let after = points.partition_point(|[y, _]| *y < at);
     match (after.checked_sub(1).and_then(|before| points.get(before)), points.get(after)) {
@@ -115,7 +116,7 @@ fn height(points: &[[f64; 2]], at: f64) -> f64 {
 }
 
 impl HalfSpaceProblem {
-    /// The gap at the middles of cells, x and y in the axes of the fields \[mm\].
+    /// Returns the gap at the middles of cells, x and y in the axes of the fields \[mm\].
     pub fn gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
         if let Some(map) = &self.heights {
             return self.rough_gap(map, grid);
@@ -129,7 +130,7 @@ impl HalfSpaceProblem {
         })
     }
 
-    /// The same with heights on top of the shapes, 0 where it is least.
+    /// Returns the gap with heights on top of the shapes, less its minimum.
     fn rough_gap(&self, map: &HeightMap, grid: &SurfaceGrid) -> Vec<f64> {
         let [xx, yy, xy] = self.curvature;
         let mut gap = grid.sample(|x, y| 0.5 * (xx * x * x + yy * y * y) + xy * x * y);
@@ -140,18 +141,18 @@ impl HalfSpaceProblem {
         gap.iter().map(|gap| gap - least).collect()
     }
 
-    /// Whether the gap is even in x and in y of the fields.
+    /// Whether the gap is symmetric in x and in y of the fields.
     pub fn gap_is_even(&self) -> bool {
         self.heights.is_none() && self.rollers.iter().all(RollerGap::is_even)
     }
 
-    /// Half the length along y of the fields that rollers leave the contact \[mm\]; `None` without
-    /// a roller.
+    /// Returns half the largest contact length along y of the fields that the rollers allow
+    /// \[mm\]; `None` without a roller.
     pub fn half_length(&self) -> Option<f64> {
         self.rollers.iter().map(|roller| 0.5 * roller.length).reduce(f64::min)
     }
 
-    /// Slope by which the gap falls along y of the fields, as far as it is given.
+    /// Returns the slope by which the gap falls along y of the fields, from the given tilts.
     pub(super) fn tilt(&self) -> f64 {
         let orientation = self.orientation();
         self.rollers.iter().map(|roller| roller.tilt * (roller.rotation - orientation).cos()).sum()

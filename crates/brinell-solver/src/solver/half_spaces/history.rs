@@ -1,5 +1,5 @@
-//! Half-spaces that go on from accepted states: histories of the method, on a grid of half the
-//! cells and on the one that was asked for.
+//! Histories of loads on half-spaces: each increment starts from the accepted state, first on a
+//! grid of half the cells, then on the grid of all cells.
 
 use super::engine::{Answer, GridDesign, HalfSpaceEngine};
 use super::measure::{measure, place, stresses};
@@ -22,20 +22,20 @@ use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
 
-/// Largest pressure over the yield stress at which a ball begins to yield (Poisson's ratio 0.3);
-/// others begin later.
+/// Ratio of peak pressure to yield stress at which a ball begins to yield, for Poisson's ratio
+/// 0.3. Other contacts begin to yield later.
 const ONSET: f64 = 1.6;
-/// Powers of the semi-axes with which force and approach grow, between the elastic and the fully
-/// plastic contact of a ball.
+/// Exponents of the growth of force and approach with the semi-axes, between the elastic and the
+/// fully plastic contact of a ball.
 const FORCE_EXPONENT: f64 = 2.4;
 const APPROACH_EXPONENT: f64 = 2.0;
 
-/// What a history leaves beside the accepted state.
+/// State of a history beside the accepted state of the system.
 pub(super) struct Memory {
     design: GridDesign,
-    /// A design for all of the history.
+    /// A design that fits the contact of every increment so far.
     fitted: Option<GridDesign>,
-    /// Where the pressure was largest under the last load above zero.
+    /// Position of the largest pressure under the last load above zero.
     peak: [f64; 2],
     /// Figures at the end of each load.
     pub figures: Vec<HalfSpaceFigures>,
@@ -66,7 +66,7 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     }
 
     fn growth(&self, load: ContactLoad) -> Growth {
-        // The ends of a roller yield first.
+        // At the ends of a roller, yield begins below the force that this estimate gives.
         let onset = onset_force(self.problem).filter(|_| self.problem.rollers.is_empty());
         match load {
             ContactLoad::Force(_) => Growth { onset, exponent: FORCE_EXPONENT },
@@ -77,7 +77,8 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
         }
     }
 
-    /// Increments begin where nothing flows; a guess by the last ones saves nothing.
+    /// Each increment starts from the accepted state without plastic flow. An extrapolation of the
+    /// last increments saves no iterations.
     fn prepare(
         &self,
         system: &mut HalfSpaces,
@@ -95,7 +96,7 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
             memory.fitted = Some(memory.fitted.map_or(fitted, |before| before.union(fitted)));
             memory.peak = place(system.grid(), system.peak(&contact.force).1);
         }
-        // What a coarse grid has found is compared at the end of each load.
+        // The figures of the coarse grid serve the error estimate at the end of each load.
         if time.fract() == 0.0 && self.coarse.is_empty() {
             let stresses = stresses(system, outcome, &mut never).ok();
             memory.figures.push(measure(system, outcome, memory.peak, stresses).figures);
@@ -123,13 +124,13 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     }
 }
 
-/// A force below which no body yields \[N\].
+/// Returns a force below which no body yields \[N\].
 pub(super) fn onset_force(problem: &HalfSpaceProblem) -> Option<f64> {
     let weakest = problem.weakest().filter(|_| problem.heights.is_none())?;
     Some(problem.force_where(|hertz| hertz.peak_pressure, ONSET * weakest, 3.0))
 }
 
-/// The bodies of a history on two grids.
+/// The two bodies of a history, which is solved on two grids.
 pub(super) struct OnTwoGrids<'a> {
     pub problem: &'a HalfSpaceProblem,
     pub loads: &'a [ContactLoad],

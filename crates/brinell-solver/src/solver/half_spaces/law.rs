@@ -1,4 +1,4 @@
-//! The laws of `material` in the cells of a half-space.
+//! The plastic laws of `material` in the cells of a half-space.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use crate::material::{
     ReturnMapping, scaled,
 };
 
-/// The law of a material in cells, if it can yield. Its strength is that of the middle of each
-/// layer.
+/// Returns the plastic law of a material in the cells, if the material can yield. Each layer has
+/// the strength at its middle.
 ///
-/// Deformation theory is one path from the stress-free state in one part, without backstress.
+/// Deformation theory follows one path from the stress-free state in one part, without backstress.
 pub(super) fn law_of_cells(
     material: &Deformable,
     theory: Theory,
@@ -23,7 +23,7 @@ pub(super) fn law_of_cells(
     let curve = material.hardening_law()?;
     let of = Making { material, curve, theory, layers, n_cells };
     let terms = if theory == Theory::Flow { material.backstress() } else { &[] };
-    // As many terms as there are, because every cell keeps one tensor for each.
+    // The number of terms is a type parameter: every cell stores one tensor for each term.
     Some(match *terms {
         [] => of.cells([]),
         [a] => of.cells([a].each_ref().map(BackstressTerm::from)),
@@ -61,17 +61,17 @@ impl Making<'_> {
     }
 }
 
-/// Cells that yield by flow theory, with N terms of backstress.
+/// Cells that yield by flow theory, with N backstress terms.
 struct Cells<const N: usize> {
-    /// One for each layer.
+    /// The material of each layer.
     models: Vec<Arc<FlowPlasticity<N>>>,
-    /// Parts of a path.
+    /// Number of parts into which the law divides a path.
     parts: u32,
     accepted: Vec<CellState<N>>,
     current: Vec<CellState<N>>,
 }
 
-/// What a cell remembers beside its plastic strain.
+/// The internal variables of a cell beside its plastic strain.
 #[derive(Clone, Copy)]
 struct CellState<const N: usize> {
     accumulated: f64,
@@ -87,7 +87,8 @@ impl<const N: usize> Default for CellState<N> {
 
 impl<const N: usize> PlasticLaw for Cells<N> {
     fn elastic_limit(&self, layer: usize) -> f64 {
-        // Backstress moves the elastic domain away from where it was; hardening alone widens it.
+        // A backstress moves the elastic domain, so that any stress may yield; hardening alone
+        // widens it.
         if N == 0 { self.models[layer].mapping().yield_stress() } else { 0.0 }
     }
 

@@ -1,4 +1,4 @@
-//! Fields and figures of an answer.
+//! Figures and fields of an answer.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use super::system::{ElasticBody, HalfSpaces};
 use crate::solver::Energy;
 use crate::solver::method::couplings::iteration::Outcome;
 
-/// An answer as far as it can be read off one state.
+/// The figures and fields of an answer that follow from its state.
 pub(super) struct Measured {
     pub figures: HalfSpaceFigures,
     pub peak_position: [f64; 2],
@@ -21,11 +21,11 @@ pub(super) struct Measured {
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
 }
 
-/// Stresses of the upper and lower body \[MPa\], without those before the load; `None` of a rigid
-/// one and of an upper one that is like the lower one.
+/// Stresses of the upper and lower body \[MPa\], without the initial stress; `None` for a rigid
+/// body, and for an upper body that equals the lower one.
 pub(super) type Stresses = [Option<TensorField>; 2];
 
-/// Evaluates the stresses of an answer.
+/// Evaluates the stresses in the state of an answer.
 ///
 /// # Errors
 /// [`Stopped`].
@@ -46,8 +46,9 @@ pub(super) fn stresses(
     Ok([upper.map(&mut of).transpose()?, lower.as_ref().map(of).transpose()?])
 }
 
-/// Reads off an answer. Without stresses none are reported, nor what follows from them;
-/// `last_peak` is where the pressure was largest before, for bodies that do not touch.
+/// Derives the figures and fields of an answer. Without `stresses`, the fields and figures of
+/// stress are zero. `last_peak` is the earlier position of the largest pressure, for bodies that
+/// do not touch.
 pub(super) fn measure(
     system: &HalfSpaces,
     outcome: &Outcome,
@@ -98,8 +99,8 @@ pub(super) fn measure(
     }
 }
 
-/// Elastic energy of the pressure, `½ RᵀF R`, and of plastic strain, whose cross terms cancel; and
-/// the work of plastic flow.
+/// Returns the elastic energy and the work of plastic flow. The elastic energy has a part from the
+/// pressure, `½ RᵀF R`, and a part from the plastic strain; their cross terms cancel.
 fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
     let (state, force) = (&outcome.state, &outcome.state.response.contact.force);
     let mut displacement = vec![0.0; force.len()];
@@ -131,12 +132,12 @@ fn of_bodies(
     bodies.each_ref().map(|body| body.as_deref().map_or(0.0, &figure))
 }
 
-/// Middle of a cell.
+/// Returns the middle of a cell.
 pub(super) fn place(grid: &SurfaceGrid, cell: usize) -> [f64; 2] {
     [grid.x(cell / grid.ny()), grid.y(cell % grid.ny())]
 }
 
-/// Fields of both bodies; equal ones share them.
+/// Returns the fields of both bodies; equal bodies share them.
 fn fields(system: &HalfSpaces, [upper, lower]: Stresses) -> [Option<Arc<HalfSpaceBody>>; 2] {
     let of = |side: usize, stress: Option<TensorField>| {
         system.elastic[side].as_ref().map(|body| Arc::new(field(system, body, stress)))
@@ -195,7 +196,8 @@ fn elastic_stress(
     Ok(stress)
 }
 
-/// What a body that can yield has beside its stresses.
+/// Adds the plastic strain, yield stress and plastic displacement to the fields of a body that can
+/// yield.
 fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBody {
     let HalfSpaceBody { grid, ref layers, .. } = elastic;
     let n_cells = grid.n_cells();
@@ -223,7 +225,8 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
     }
 }
 
-/// Half the width and half the length of the contact; of a roller the largest width of its rows.
+/// Returns half the width and half the length of the contact; with a roller, the largest
+/// half-width of its rows.
 pub(super) fn semi_axes(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     let grid = system.grid();
     if system.design.is_patch() {
@@ -236,7 +239,7 @@ pub(super) fn semi_axes(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     [widest, half_width(&largest, grid.hy()).min(half_length)]
 }
 
-/// How far the contact reaches from the origin along x and along y.
+/// Returns the largest distances from the origin to cells in contact, along x and along y.
 pub(super) fn reach(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     let (grid, axes) = (system.grid(), semi_axes(system, pressure));
     if system.design.half_length.is_none() {
@@ -248,7 +251,7 @@ pub(super) fn reach(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     [axes[0], farthest]
 }
 
-/// Half of what lies between the outermost cells in contact, with them.
+/// Returns half the extents of the cells in contact along x and y, the outermost cells included.
 fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     let touched = || (0..pressure.len()).filter(|cell| pressure[*cell] > 0.0);
     let half = |number: &dyn Fn(usize) -> usize, side: f64| {
@@ -258,8 +261,8 @@ fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     [half(&|cell| cell / grid.ny(), grid.hx()), half(&|cell| cell % grid.ny(), grid.hy())]
 }
 
-/// Area of the ellipse of these semi-axes, of a roller that of its rows, of heights that of the
-/// cells in contact.
+/// Returns the contact area: of the ellipse with these semi-axes, of the rows of a roller, or of
+/// the cells in contact under heights.
 fn area(system: &HalfSpaces, pressure: &[f64], axes: [f64; 2]) -> f64 {
     if system.design.is_patch() {
         return pressure.iter().filter(|p| **p > 0.0).count() as f64 * system.grid().cell_area();
@@ -271,19 +274,19 @@ fn area(system: &HalfSpaces, pressure: &[f64], axes: [f64; 2]) -> f64 {
     rows.iter().map(|row| 2.0 * row.half_width * system.grid().hy()).sum()
 }
 
-/// The cells of one y.
+/// Contact figures of a row of cells along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
-    /// Force on unit length along y \[N/mm\].
+    /// Force per unit length along y \[N/mm\].
     pub line_load: f64,
-    /// Half the width of the contact \[mm\].
+    /// Half-width of the contact \[mm\].
     pub half_width: f64,
     /// Largest pressure of a cell \[MPa\].
     pub largest_pressure: f64,
 }
 
 impl Row {
-    /// All rows of cells along x, in the order of y.
+    /// Returns all rows, in the order of y.
     pub fn all(grid: &SurfaceGrid, pressure: &[f64]) -> Vec<Self> {
         let of_row = |j: usize| {
             let cells: Vec<f64> = (0..grid.nx()).map(|i| pressure[i * grid.ny() + j]).collect();
@@ -297,8 +300,8 @@ impl Row {
     }
 }
 
-/// Where the square of the pressure, on the straight line through the outermost two cells of the
-/// rows in the middle, comes to zero.
+/// Returns the semi-axes along the middle rows, where the squared pressure falls to zero on the
+/// straight line through the outermost two cells.
 fn ellipse(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     let (nx, ny) = (grid.nx(), grid.ny());
     let middle = |n: usize| [(n - 1) / 2, n / 2];
@@ -317,7 +320,8 @@ fn half_width(row: &[f64], side: f64) -> f64 {
     else {
         return 0.0;
     };
-    // Beyond the middle of the outermost cell, half a cell where the line does not fall.
+    // Distance from the middle of the outermost cell, in cells; half a cell if the line does not
+    // fall.
     let beyond = |inner: Option<&f64>, outer: f64| match inner {
         Some(inner) if *inner > outer => {
             (outer * outer / (inner * inner - outer * outer)).min(1.0)

@@ -1,11 +1,11 @@
 //! Contact in three dimensions: two half-spaces as an engine of the method.
 //!
-//! A [`HalfSpaceProblem`] is what a job says. [`run_each`] hands over one [`HalfSpaceStep`] for
-//! each load.
+//! A [`HalfSpaceProblem`] holds the input of a job. [`run_each`] solves it and hands over one
+//! [`HalfSpaceStep`] per load.
 //!
-//! Frame of all maps and fields: x along the shorter semi-axis of the contact, y along the longer
-//! one, z into the body. [`HalfSpaceProblem::orientation`] is the angle from the job's x to this
-//! x, towards the job's y.
+//! In all maps and fields, x runs along the shorter semi-axis of the contact, y along the longer
+//! one, and z into the body. [`HalfSpaceProblem::orientation`] is the angle from the job's x to
+//! this x, positive towards the job's y.
 
 mod answer;
 mod engine;

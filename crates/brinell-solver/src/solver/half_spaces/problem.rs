@@ -1,4 +1,4 @@
-//! What a job of three dimensions asks.
+//! The input of a contact in three dimensions.
 
 use std::f64::consts::PI;
 
@@ -11,59 +11,60 @@ use crate::job::{Deformable, Load, SolverSettings};
 use crate::material::HardeningLaw;
 use crate::solver::SolveError;
 
-/// Curvatures closer than this part of their sum are those of a circle, whose axes have no
+/// Relative difference of the curvatures below which the contact is circular and has no principal
 /// direction.
 const CIRCLE: f64 = 1e-12;
-/// Curvature along a roller over that across it below which the roller is straight.
+/// Ratio of axial to transverse curvature below which a roller is straight.
 const LINE: f64 = 1e-9;
-/// Forces between which one is sought \[N\], and how often a range is halved.
+/// Bounds of a sought force \[N\], and number of bisections.
 const FORCES: [f64; 2] = [1e-12, 1e12];
 pub(super) const BISECTIONS: u32 = 60;
-/// Mean pressure of a fully plastic contact over the flow stress, and the strain at which that is
-/// taken over half-width times curvature.
+/// Mean pressure of a fully plastic contact over the flow stress, and strain of the flow stress
+/// over half-width times curvature.
 ///
 /// # Reference
 /// D. Tabor, *The Hardness of Metals* (1951).
 const CONSTRAINT: f64 = 3.0;
 const INDENTATION_STRAIN: f64 = 0.2;
-/// Overload beyond which nothing is solved. A perfectly plastic ball of steel has strains of 13 %
-/// at 30.
+/// Largest overload that is solved. A perfectly plastic ball of steel reaches strains of 13 % at
+/// 30.
 const MOST_OVERLOAD: f64 = 40.0;
 
-/// Two bodies, the curvature of the gap between them, and what presses them together.
+/// Two bodies, the curvature of the gap between them, and the loads.
 #[derive(Debug, Clone)]
 pub struct HalfSpaceProblem {
-    /// Upper and lower body; `None` for a rigid one. One of them deforms.
+    /// Upper and lower body; `None` for a rigid body. At least one body deforms.
     ///
-    /// A `sigma_x` of an initial stress acts along the job's x, a `sigma_z` along its y.
+    /// Of an initial stress, `sigma_x` acts along the job's x, and `sigma_z` along its y.
     pub materials: [Option<Deformable>; 2],
     /// `[k_xx, k_yy, k_xy]` of the gap `(k_xx x² + k_yy y²)/2 + k_xy x y`, the sum over both
-    /// surfaces \[1/mm\]; positive definite, or of a cylinder along a roller.
+    /// surfaces \[1/mm\]; positive definite, or zero along the axis of a straight roller.
     pub curvature: [f64; 3],
-    /// Bodies that are rollers: what the gap has of them beside their curvature.
+    /// The ends, relief and tilt of the bodies that are rollers.
     pub rollers: Vec<RollerGap>,
-    /// Heights on top of the shapes; the contact is solved on their grid then, in the axes of the
-    /// job.
+    /// Heights on top of the shapes. With heights, the contact is solved on their grid, in the
+    /// axes of the job.
     pub heights: Option<HeightMap>,
     /// Loads \[N, mm\].
     pub load: Load,
     /// Cells over each semi-axis of the contact.
     pub cells_per_semi_axis: u32,
-    /// Theory, coupling, tolerance, increments, iteration limit.
+    /// Theory, coupling, tolerance, increments and iteration limit.
     pub solver: SolverSettings,
 }
 
 impl HalfSpaceProblem {
-    /// Largest and smallest curvature of the gap \[1/mm\], along x and y of the fields.
+    /// Returns the largest and smallest curvature of the gap \[1/mm\], along x and y of the
+    /// fields.
     pub fn principal_curvatures(&self) -> [f64; 2] {
         let [xx, yy, xy] = self.curvature;
         let (mean, radius) = (0.5 * (xx + yy), f64::hypot(0.5 * (xx - yy), xy));
-        // The product of both is the determinant; the difference would cancel.
+        // The smaller one from the determinant: the difference would cancel.
         [mean + radius, (xx * yy - xy * xy) / (mean + radius)]
     }
 
-    /// Angle from the job's x to the x of the fields, towards the job's y \[rad\], in `(-π/2,
-    /// π/2]`; 0 of a circle.
+    /// Returns the angle from the job's x to the x of the fields, towards the job's y \[rad\], in
+    /// `(-π/2, π/2]`; 0 for a circular contact.
     pub fn orientation(&self) -> f64 {
         let [xx, yy, xy] = self.curvature;
         if self.heights.is_some() || f64::hypot(0.5 * (xx - yy), xy) <= CIRCLE * (xx + yy) {
@@ -72,22 +73,23 @@ impl HalfSpaceProblem {
         0.5 * (2.0 * xy).atan2(xx - yy)
     }
 
-    /// `1/E* = Σ (1 - ν²)/E` over the bodies that deform, as E\* \[MPa\].
+    /// Returns the contact modulus E\* \[MPa\], `1/E* = Σ (1 - ν²)/E` over the bodies that deform.
     pub fn effective_modulus(&self) -> f64 {
         1.0 / self.materials.iter().flatten().map(plane_compliance).sum::<f64>()
     }
 
-    /// Whether a body has a hardening curve.
+    /// Whether at least one body has a hardening curve.
     pub(super) fn can_yield(&self) -> bool {
         self.materials.iter().flatten().any(|material| material.plasticity().is_some())
     }
 
-    /// Lowest nominal yield stress of all depths \[MPa\].
+    /// Returns the lowest nominal yield stress over the depth of both bodies \[MPa\].
     pub(super) fn weakest(&self) -> Option<f64> {
         self.least_stress(|law| law.nominal_yield_stress())
     }
 
-    /// The least of a stress of the hardening curves, of all depths \[MPa\].
+    /// Returns the least value of a stress of the hardening curves over the depth of both bodies
+    /// \[MPa\].
     fn least_stress(&self, of: impl Fn(&dyn HardeningLaw) -> f64) -> Option<f64> {
         let least = |material: &Deformable| {
             let factor = material.strength().map_or(1.0, |strength| strength.range().0);
@@ -96,12 +98,11 @@ impl HalfSpaceProblem {
         self.materials.iter().flatten().filter_map(least).reduce(f64::min)
     }
 
-    /// Semi-axes that are expected of a contact, and its overload; `None` where the bodies do not
-    /// touch.
+    /// Returns estimates of semi-axes and overload; `None` if the bodies do not touch.
     ///
-    /// They are those of elastic bodies, or `√(P/3πσ)` where that is more: a fully plastic contact
-    /// has a mean pressure of 3σ. At a given approach the surface of such a contact neither sinks
-    /// nor rises, and its area is twice that of elastic bodies.
+    /// The semi-axes are the larger of the elastic ones and `√(P/3πσ)`: a fully plastic contact
+    /// has a mean pressure of 3σ. At a given approach, the surface around a fully plastic contact
+    /// neither sinks nor rises, and its area is twice the area between elastic bodies.
     pub(super) fn expected(&self, load: ContactLoad) -> Option<Expected> {
         if let Some(map) = &self.heights {
             return Some(Expected::of_heights(map));
@@ -113,7 +114,7 @@ impl HalfSpaceProblem {
             ContactLoad::Force(_) => f64::INFINITY,
             ContactLoad::Approach(_) => 2.0,
         };
-        // P = 2/3 p0 π a b; of a line P = π/4 p0 2a 2b.
+        // P = 2/3 p0 π a b; for a line contact, P = π/4 p0 2a 2b.
         let mean = if is_line { 0.25 * PI } else { 2.0 / 3.0 };
         let area_ratio = |stress: f64| mean * peak / (CONSTRAINT * stress);
         let growth = |area: f64| if is_line { area } else { area.sqrt() };
@@ -139,14 +140,14 @@ impl HalfSpaceProblem {
         })
     }
 
-    /// Cells over each semi-axis.
+    /// Returns the number of cells over each semi-axis.
     pub(super) fn cells(&self) -> f64 {
         f64::from(self.cells_per_semi_axis)
     }
 
-    /// The contact of elastic bodies under a force above zero \[N\]: Hertz's ellipse, or where
-    /// that is longer than a roller the line contact of its length under an even line load.
-    /// Profiles beside arcs are left out.
+    /// Returns the contact of elastic bodies under a force above zero \[N\]: Hertz's ellipse, or,
+    /// if the ellipse is longer than a roller, the line contact of the roller's length under an
+    /// even line load. Profiles other than arcs are left out.
     pub fn hertz(&self, force: f64) -> EllipticContact {
         let [kx, ky] = self.principal_curvatures();
         let ellipse =
@@ -158,27 +159,27 @@ impl HalfSpaceProblem {
         })
     }
 
-    /// Whether shapes alone have a contact of Hertz, with heights on top or not.
+    /// Whether the shapes have a Hertzian contact, apart from any heights on top of them.
     pub fn has_hertz(&self) -> bool {
         let [kx, ky] = self.principal_curvatures();
         kx > 0.0 && (ky > LINE * kx || self.half_length().is_some())
     }
 
-    /// Whether a contact reaches both ends of a roller.
+    /// Whether the contact reaches both ends of a roller.
     pub fn is_line(&self, contact: &EllipticContact) -> bool {
         self.half_length().is_some_and(|half_length| contact.semi_axis_y >= half_length)
     }
 
-    /// Semi-axes along x and y and largest pressure of a contact with the tilt of its rollers.
-    /// Each length of a roller is taken for a spring, so that the line load is linear along it and
-    /// largest at an end, and comes to zero on the way there under a moment beyond P L/6; the
-    /// ellipse of an arc moves along it.
+    /// Returns the semi-axes along x and y and the peak pressure of a contact whose rollers tilt.
+    /// Each length of a roller acts as a spring, so that the line load is linear along the axis
+    /// and largest at an end; under a moment beyond P L/6 it falls to zero before the other end.
+    /// The ellipse of an arc moves along the axis.
     fn tilted(&self, even: &EllipticContact, load: ContactLoad) -> (f64, f64, f64) {
         let EllipticContact { semi_axis_x: a, semi_axis_y: b, peak_pressure, approach } = *even;
         let Some(half_length) = self.half_length() else {
             return (a, b, peak_pressure);
         };
-        // Where the force acts, over half the length.
+        // Position of the force over half the length.
         let beside = self.moment().map(|moment| moment.missing(0.0, load.magnitude()).abs());
         let tilt = self.tilt().abs();
         if !self.is_line(even) {
@@ -188,7 +189,7 @@ impl HalfSpaceProblem {
             );
             return (a, (b + off).min(half_length), peak_pressure);
         }
-        // The line load at the end over the mean.
+        // Line load at the end over the mean line load.
         let most = match beside {
             Some(beside) if beside < 1.0 / 3.0 => 1.0 + 3.0 * beside,
             Some(beside) => 4.0 / (3.0 * (1.0 - beside)),
@@ -200,8 +201,8 @@ impl HalfSpaceProblem {
         (most.sqrt() * a, b, most.sqrt() * peak_pressure)
     }
 
-    /// The force under which a figure of [`Self::hertz`] has a value; without rollers the figure
-    /// goes with the force to the power of 1/`exponent`.
+    /// Returns the force under which a figure of [`Self::hertz`] has a value. Without rollers, the
+    /// figure is proportional to the force to the power of 1/`exponent`.
     pub fn force_where(
         &self,
         figure: impl Fn(&EllipticContact) -> f64,
@@ -220,7 +221,7 @@ impl HalfSpaceProblem {
         high.exp()
     }
 
-    /// The contact of elastic bodies under a load; `None` where they do not touch.
+    /// Returns the contact of elastic bodies under a load; `None` if they do not touch.
     pub fn elastic_contact(&self, load: ContactLoad) -> Option<EllipticContact> {
         let force = match load {
             ContactLoad::Force(force) => force,
@@ -232,13 +233,13 @@ impl HalfSpaceProblem {
     }
 }
 
-/// The contact of a cylinder of radius `radius` \[mm\] along `length` under an even line load w =
-/// P/L, on two half-spaces:
+/// Returns the contact of a cylinder of radius `radius` \[mm\] along `length` with a half-space,
+/// under an even line load w = P/L:
 /// ```text
 /// a² = 4wR/(πE*),   p0 = 2w/(πa),   α = 2w/(πE*) (ln(2L/a) + 1/2)
 /// ```
-/// α is the displacement in the middle under the pressure of Hertz's line contact that ends with
-/// the length, to order a²/L².
+/// α is the displacement in the middle under the pressure of Hertz's line contact over this
+/// length, to order a²/L².
 ///
 /// # Reference
 /// K. L. Johnson, *Contact Mechanics* (1985), section 4.2(c); α by integration of Boussinesq's
@@ -255,32 +256,32 @@ fn line_contact(radius: f64, length: f64, modulus: f64, force: f64) -> EllipticC
     }
 }
 
-/// What is expected of a contact before it is solved.
+/// Estimated size and overload of a contact before the solve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Expected {
-    /// Along x and y \[mm\].
+    /// Semi-axes along x and y \[mm\].
     pub semi_axes: [f64; 2],
-    /// Half the length of a roller along y \[mm\], and whether it is expected to touch from end to
-    /// end.
+    /// Half the length of a roller along y \[mm\], and whether the contact is expected to reach
+    /// both ends.
     pub half_length: Option<f64>,
     pub is_line: bool,
-    /// Cells of heights on top of the shapes.
+    /// Numbers of cells of the heights on top of the shapes.
     pub patch: Option<[usize; 2]>,
-    /// Largest pressure of elastic bodies under the same force over the lowest yield stress; 0 of
+    /// Peak pressure of elastic bodies under the same force over the lowest yield stress; 0 for
     /// elastic bodies.
     pub overload: f64,
-    /// The same over the stress at which the material flows.
+    /// The same peak pressure over the flow stress of the material.
     pub over_flow: f64,
 }
 
 impl Expected {
-    /// The whole of a patch, of which nothing else is known.
+    /// The contact of a patch of heights, estimated as the whole patch.
     fn of_heights(map: &HeightMap) -> Self {
         let (semi_axes, patch) = (map.half_sides(), Some(map.cells));
         Self { semi_axes, patch, half_length: None, is_line: false, overload: 0.0, over_flow: 0.0 }
     }
 
-    /// Fails under loads that small strains do not bear, and on rollers too short for a grid.
+    /// Refuses loads beyond small strains, and rollers too short for a grid.
     ///
     /// # Errors
     /// [`SolveError::Overloaded`], [`SolveError::ShortRoller`].
@@ -297,7 +298,7 @@ impl Expected {
     }
 }
 
-/// `(1 - ν²)/E` \[1/MPa\].
+/// Returns `(1 - ν²)/E` \[1/MPa\].
 pub(super) fn plane_compliance(material: &Deformable) -> f64 {
     let (young, poisson) =
         (material.elastic().young_modulus.get(), material.elastic().poisson_ratio.get());

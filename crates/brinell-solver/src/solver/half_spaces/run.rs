@@ -1,5 +1,4 @@
-//! From a problem to its steps: each load on a grid of half the cells and on the one that was
-//! asked for.
+//! Solves a problem: each load first on a grid of half the cells, then on the grid of all cells.
 
 use super::engine::{Answer, GridDesign, HalfSpaceEngine};
 use super::history::OnTwoGrids;
@@ -19,29 +18,30 @@ use crate::solver::method::solve::solve;
 use crate::solver::method::steps::{StepReceiver, each_load};
 use crate::solver::{SolveError, SolveStatus};
 
-/// Cells over a semi-axis of the grid that finds out how large the contact is, and its tolerance.
+/// Cells over a semi-axis, and tolerance, of the solve that determines the contact size.
 const SIZING_CELLS: f64 = 4.0;
 const SIZING_TOLERANCE: f64 = 1e-3;
 
-/// What a run leaves beside its steps.
+/// Times, counts and the end of a run, beside its steps.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct HalfSpaceRun {
-    /// Time by phase.
+    /// Wall time by phase.
     pub phases: PhaseTimes,
-    /// Grids made.
+    /// Number of grids built.
     pub grids: usize,
-    /// Why loads at the end are missing.
+    /// Why the run ended before the last load.
     pub interrupted: Option<Interrupt>,
-    /// Of a force that was sought: relative change of the figure by which it was, over that of the
-    /// force.
+    /// Relative change of the sought figure over the relative change of the force; `None` where
+    /// the loads are given.
     pub sensitivity: Option<f64>,
 }
 
-/// Solves the loads of a problem, each on what the one before has left under flow theory; or the
-/// force that is sought.
+/// Solves the loads of a problem, or searches for the force of a sought figure. By flow theory
+/// each load starts from the state after the load before.
 ///
 /// # Errors
-/// [`SolveError`]. An iteration that does not converge is no error: see [`SolveStatus`].
+/// [`SolveError`]. An iteration that does not converge is no error: its step has the
+/// [`SolveStatus`].
 pub fn run_each(
     problem: &HalfSpaceProblem,
     observer: &mut dyn Observer,
@@ -62,7 +62,7 @@ pub fn run_each(
     Ok(done)
 }
 
-/// Solves loads in order.
+/// Solves given loads in their order.
 pub(super) fn given(
     problem: &HalfSpaceProblem,
     loads: &[ContactLoad],
@@ -76,7 +76,7 @@ pub(super) fn given(
     each_load(loads, receiver, run, |load, _, run| step(problem, load, run))
 }
 
-/// One load by deformation theory, with its errors.
+/// Solves one load by deformation theory and estimates the errors of its figures.
 fn step(
     problem: &HalfSpaceProblem,
     load: ContactLoad,
@@ -96,7 +96,8 @@ fn step(
     Ok(fine)
 }
 
-/// A first grid, sized by elastic bodies or, where they can yield, by a grid of few cells.
+/// Returns a first grid. Its size follows from the contact size of elastic bodies or, if a body
+/// can yield, from a solve on few cells.
 pub(super) fn size(
     problem: &HalfSpaceProblem,
     load: ContactLoad,
@@ -116,7 +117,8 @@ pub(super) fn size(
     Ok(design)
 }
 
-/// One load from rest, and a design for what was found.
+/// Solves one load from the undeformed state. Returns the step, and a design that fits the
+/// contact.
 fn under(
     engine: &HalfSpaceEngine<'_>,
     load: ContactLoad,
@@ -131,7 +133,7 @@ fn under(
     Ok((answer.step(engine, load, [0.0; 2], LeastScales::default(), run), fitted))
 }
 
-/// Fails where a solve that nothing is reported of was stopped.
+/// Returns an error if the observer stopped an auxiliary solve, which has no step to report.
 fn interrupted(status: SolveStatus) -> Result<(), SolveError> {
     status.interrupt().map_or(Ok(()), |interrupt| Err(SolveError::Interrupted(interrupt)))
 }

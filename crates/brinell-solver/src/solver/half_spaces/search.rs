@@ -1,4 +1,4 @@
-//! The force under which a figure of a contact in three dimensions has a value: the onset of
+//! The search for the force of a sought figure of a contact in three dimensions: the onset of
 //! yield, or a target.
 
 use brinell_halfspace::EllipticContact;
@@ -14,24 +14,24 @@ use crate::solver::loads::Sought;
 use crate::solver::method::force_search::{self, Density, Terms, Trial, Tried, find};
 use crate::solver::method::run::Run;
 
-/// How much coarser than asked the grids are on which the force is looked for, and the fewest
-/// cells over a semi-axis.
+/// Factor by which the coarse grids of the search have fewer cells than the job asks for, and
+/// their least number of cells over a semi-axis.
 const COARSER: u32 = 2;
 const FEWEST_CELLS: u32 = 4;
-/// Deviation that ends the search, the most fine solves, and the deviation from which on the value
-/// counts as missed: of a target and of the onset of yield.
+/// Relative deviation that ends the search, largest number of fine solves, and relative deviation
+/// from which on the value counts as missed: for a target, and for the onset of yield.
 const TARGET: (f64, usize, f64) = (1e-3, 4, 1e-2);
 const ONSET: (f64, usize, f64) = (2e-4, 8, 3e-3);
-/// Largest elastic pressure over the yield stress under which plastic strain is first looked for,
-/// and that a first trial does not exceed.
+/// Ratio of elastic peak pressure to yield stress in the first trial for a figure of plastic flow,
+/// and the largest ratio in the first trial for a pressure.
 const PLASTIC_START: f64 = 2.5;
 const HIGHEST_START: f64 = 4.0;
 
-/// Steps of the force that was found, and of the loads that follow it; relative change of the
-/// figure over that of the force.
+/// Searches for the force. Returns the steps at this force, the unloading included, and the
+/// relative change of the figure over the relative change of the force.
 ///
 /// # Errors
-/// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
+/// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and the errors of a solve.
 pub(super) fn run(
     problem: &HalfSpaceProblem,
     sought: Sought,
@@ -49,9 +49,9 @@ pub(super) fn run(
 }
 
 struct ForceSearch<'a> {
-    /// With the plasticity that the job gives.
+    /// The problem of the job.
     problem: &'a HalfSpaceProblem,
-    /// Of the onset of yield: elastic.
+    /// The problem that the trials solve: without plasticity if the onset of yield is sought.
     solved: HalfSpaceProblem,
     sought: Sought,
 }
@@ -96,7 +96,7 @@ impl ForceSearch<'_> {
         }
     }
 
-    /// What is expected of `d ln figure / d ln force`.
+    /// Returns an estimate of `d ln figure / d ln force`.
     fn expected_slope(&self) -> f64 {
         match self.sought {
             Sought::Onset => 1.0 / 3.0,
@@ -110,7 +110,7 @@ impl ForceSearch<'_> {
         }
     }
 
-    /// The figure over its wanted value.
+    /// Returns the ratio of the figure to its target value.
     fn ratio(&self, step: &HalfSpaceStep) -> f64 {
         match self.sought {
             Sought::Onset => {
@@ -158,19 +158,19 @@ impl force_search::Sought for ForceSearch<'_> {
     }
 }
 
-/// Where a body is nearest to yield, or farthest beyond.
+/// The point with the largest ratio of stress to yield stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HighestUtilization {
-    /// Von Mises stress over the nominal yield stress before any load.
+    /// Von Mises stress over the nominal yield stress of the unloaded body.
     pub ratio: f64,
-    /// 0 for the upper body, 1 for the lower one.
+    /// 0 for the upper body, 1 for the lower body.
     pub side: usize,
     /// `[x, y, z]` of the middle of the cell \[mm\].
     pub position: [f64; 3],
 }
 
 impl HalfSpaceProblem {
-    /// The highest utilization of bodies that have a hardening curve; `None` where none has.
+    /// Returns the highest utilization of all bodies with a hardening curve; `None` without one.
     pub fn highest_utilization(&self, step: &HalfSpaceStep) -> Option<HighestUtilization> {
         let sides = self.materials.iter().zip(&step.bodies).enumerate();
         let of_sides = sides.filter_map(|(side, (material, body))| {
@@ -201,7 +201,7 @@ fn highest_in(
 }
 
 impl HalfSpaceStep {
-    /// A figure of the contact at the end of the loads by which it is found \[mm, MPa or 1\].
+    /// Returns a figure of the contact at the end of its loads \[mm, MPa or 1\].
     pub fn target_figure(&self, figure: TargetFigure) -> f64 {
         let figures = &self.figures;
         match figure {

@@ -1,4 +1,4 @@
-//! The answer to one load.
+//! The answer to one load step.
 
 use std::sync::Arc;
 
@@ -11,57 +11,62 @@ use crate::solver::method::observer::{IterationRecord, SolveStatus};
 use crate::solver::method::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step};
 use crate::solver::solution::Energy;
 
-/// The answer to one load of a contact in three dimensions. Lengths in mm, forces in N, stresses
-/// in MPa.
+/// The answer to one load step of a contact in three dimensions. Lengths in mm, forces in N,
+/// stresses in MPa.
 #[derive(Debug, Clone)]
 pub struct HalfSpaceStep {
-    /// How the iteration ended, the final check included.
+    /// How the iteration ended, including the final check.
     pub status: SolveStatus,
-    /// What was prescribed.
+    /// The prescribed force or approach.
     pub load: ContactLoad,
     /// Scalar figures.
     pub figures: HalfSpaceFigures,
-    /// Estimated errors of these figures, absolute; `None` where the coarser solve has no answer.
+    /// Estimated absolute errors of these figures; `None` where the solve on the coarse grid has
+    /// no answer.
     pub errors: Option<HalfSpaceFigures>,
-    /// `[x, y]` of the largest smoothed pressure; of the last contact where nothing touches.
+    /// `[x, y]` of the largest smoothed pressure. Without contact, the position under the last
+    /// load with contact.
     pub peak_position: [f64; 2],
     /// Largest pressure of a single cell.
     pub largest_cell_pressure: f64,
-    /// Slope by which the gap falls along y by the tilt of rollers, given or found.
+    /// Slope by which the gap falls along y because the rollers tilt; given, or found from the
+    /// moment.
     pub tilt: f64,
-    /// Elastic bodies under the same force; `None` without force.
+    /// Contact of elastic bodies under the same force; `None` without force.
     pub hertz: Option<EllipticContact>,
-    /// Pressures and gaps.
+    /// Pressure and gap at the surface.
     pub surface: Arc<SurfaceMap>,
-    /// Where the work of the force has gone, by flow theory. Stress before any load is left out of
-    /// the elastic part.
+    /// Parts of the work of the contact force, by flow theory. The elastic part leaves out the
+    /// initial stress.
     pub energy: Energy,
-    /// Upper and lower body; `None` for a rigid one. Two equal bodies share one.
+    /// Upper and lower body; `None` for a rigid body. Two equal bodies share one.
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
-    /// Every iteration on the grid that was asked for.
+    /// Records of all iterations on the fine grid.
     pub history: Vec<IterationRecord>,
-    /// The contact conditions, checked on the answer.
+    /// Residuals of the contact conditions in the answer.
     pub contact_check: KktReport,
-    /// What is missing of the moment of a roller, over force and half its length.
+    /// Part of a roller's moment that is missing, over force times half the length.
     pub missing_moment: f64,
-    /// What the plastic law leaves of the plastic strains, `‖2μ(Δε(σ) - Δε)‖` over the contact
-    /// force, evaluated anew.
+    /// Residual of the plastic law, `‖2μ(Δε(σ) - Δε)‖` over the contact force, with the plastic
+    /// strain increment Δε of the answer and the increment Δε(σ) of the law at its stresses.
     pub plastic_residual: f64,
-    /// The increments of this load, under flow theory.
+    /// The increments of this load step, by flow theory.
     pub increments: Vec<IncrementRecord>,
-    /// The last of them.
+    /// The last increment.
     pub last_increment: LastIncrement,
-    /// Largest approach of the history so far \[mm\]; zero without one.
+    /// Largest approach so far in the history \[mm\]; zero without a history.
     pub largest_approach: f64,
-    /// How often the grid was enlarged.
+    /// Number of times that the grid was enlarged.
     pub enlargements: usize,
-    /// Whether contact or plastic strain still reaches the end of the grid.
+    /// Whether the contact or the plastic region reaches the edge of the last grid.
     pub reaches_edge: bool,
-    /// Whether plastic strain is so large that the load is at or beyond what the bodies bear.
+    /// Whether the plastic strain is so large that the load reaches or exceeds the load capacity.
     pub has_collapsed: bool,
-    /// Whether it is what the grid of half the cells has found, of a history that was stopped.
+    /// Whether the step was solved on the grid of half the cells, because the history was stopped
+    /// before the fine grid.
     pub is_preliminary: bool,
-    /// The figure that is sought over its wanted value, where no force gave it.
+    /// Ratio of the sought figure to its target, if the search has found no force that gives the
+    /// target.
     pub missed: Option<f64>,
 }
 
@@ -70,32 +75,33 @@ pub struct HalfSpaceStep {
 pub struct HalfSpaceFigures {
     /// Contact force \[N\].
     pub force: f64,
-    /// Approach α of distant points \[mm\].
+    /// Approach α of distant points of the two bodies \[mm\].
     pub approach: f64,
-    /// Largest pressure after a 3 × 3 binomial mean, without which it is jagged near the edge of a
-    /// contact that yields \[MPa\].
+    /// Largest pressure after a 3 × 3 binomial mean \[MPa\]. Unsmoothed, the pressure is jagged
+    /// near the edge of a contact that yields.
     pub peak_pressure: f64,
-    /// Semi-axes along x and y, from the square of the pressure of the outermost cells on the axes
-    /// \[mm\].
+    /// Semi-axes along x and y \[mm\], extrapolated from the squared pressure of the outermost
+    /// cells on the axes.
     pub semi_axes: [f64; 2],
-    /// Area of the ellipse of these semi-axes \[mm²\].
+    /// Area of the ellipse with these semi-axes \[mm²\].
     pub area: f64,
-    /// Largest equivalent plastic strain of the upper and lower body.
+    /// Largest equivalent plastic strain in the upper and lower body.
     pub max_plastic_strain: [f64; 2],
-    /// Largest sinking of the surface by plastic strain \[mm\]; without load the depth of the
+    /// Largest depression of the surface by plastic strain \[mm\]; without load, the depth of the
     /// dent.
     pub dent: [f64; 2],
     /// Largest rise of the surface by plastic strain \[mm\].
     pub pile_up: [f64; 2],
-    /// Least of the stresses σxx and σyy in the column of the peak pressure, from below the
-    /// surface layer on \[MPa\]; without load the residual stress.
+    /// Least of the stresses σxx and σyy in the column below the peak pressure, without the
+    /// surface layer \[MPa\]; without load, the residual stress.
     pub least_stress: [f64; 2],
 }
 
-/// Cells of the surface: `[i ny + j]` for the cell `(i, j)` at `(grid.x(i), grid.y(j))`.
+/// Pressure and gap in the cells of the surface: `[i ny + j]` for the cell `(i, j)` at
+/// `(grid.x(i), grid.y(j))`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceMap {
-    /// Cells.
+    /// The grid of cells.
     pub grid: SurfaceGrid,
     /// Pressure \[MPa\].
     pub pressure: Vec<f64>,
@@ -103,56 +109,56 @@ pub struct SurfaceMap {
     pub gap: Vec<f64>,
 }
 
-/// Fields of one body, in cells of layers.
+/// Fields of one body, in the cells of its layers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HalfSpaceBody {
-    /// Cells of every layer.
+    /// The grid of cells in each layer.
     pub grid: SurfaceGrid,
-    /// Layers from the surface down.
+    /// The layers, from the surface down.
     pub layers: Layers,
-    /// `xx yy zz xy xz yz` \[MPa\], tension positive, initial stress included; zero where a solve
-    /// was stopped, or is preliminary.
+    /// Stress `xx yy zz xy xz yz` \[MPa\], tension positive, initial stress included; zero in a
+    /// step that was stopped or is preliminary.
     pub stress: TensorField,
-    /// Plastic strain `xx yy xy xz yz`, tensor shear; `zz = -xx - yy`. `None` in a body without a
+    /// Plastic strain `xx yy xy xz yz`, tensor shear; `zz = -xx - yy`. `None` for a body without a
     /// hardening curve.
     pub plastic_strain: Option<TensorField>,
-    /// Equivalent plastic strain, `[layer * n_cells + cell]`; empty where no cell can yield.
+    /// Equivalent plastic strain, `[layer * n_cells + cell]`; empty if the body cannot yield.
     pub equivalent_plastic_strain: Vec<f64>,
-    /// Yield stress at the equivalent plastic strain of each cell \[MPa\], like it; nominal for a
-    /// curve without a yield point.
+    /// Yield stress at the equivalent plastic strain of each cell \[MPa\], in the same order; the
+    /// nominal yield stress for a curve without a yield point.
     pub yield_stress: Vec<f64>,
     /// Displacement of the surface by plastic strain, positive into the body \[mm\].
     pub plastic_displacement: Vec<f64>,
-    /// Where the largest plastic strain is; `None` where nothing has yielded.
+    /// The largest equivalent plastic strain; `None` if no cell has yielded.
     pub largest_strain: Option<LargestStrain>,
-    /// Volume of the cells that have yielded \[mm³\].
+    /// Volume of the plastic region \[mm³\].
     pub plastic_volume: f64,
 }
 
-/// The largest equivalent plastic strain.
+/// The largest equivalent plastic strain of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LargestStrain {
-    /// Its value.
+    /// The strain.
     pub value: f64,
-    /// `[x, y, z]` of the middle of its cell \[mm\].
+    /// `[x, y, z]` of the middle of the cell \[mm\].
     pub position: [f64; 3],
 }
 
-/// A body at one depth below a place of the surface.
+/// Stress, strain and yield stress at one depth below a point of the surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ColumnPoint {
     /// Depth of the middle of the layer \[mm\].
     pub depth: f64,
-    /// `xx yy zz xy xz yz` \[MPa\].
+    /// Stress `xx yy zz xy xz yz` \[MPa\].
     pub stress: [f64; 6],
     /// Equivalent plastic strain.
     pub equivalent_plastic_strain: f64,
-    /// Yield stress \[MPa\]; 0 in a body without a hardening curve.
+    /// Yield stress \[MPa\]; 0 for a body without a hardening curve.
     pub yield_stress: f64,
 }
 
 impl HalfSpaceBody {
-    /// Von Mises stress of a cell \[MPa\].
+    /// Returns the von Mises stress of a cell \[MPa\].
     pub fn von_mises(&self, layer: usize, cell: usize) -> f64 {
         let [xx, yy, zz, xy, xz, yz]: [f64; 6] =
             std::array::from_fn(|k| self.stress.component(layer, k)[cell]);
@@ -160,8 +166,8 @@ impl HalfSpaceBody {
         (0.5 * normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
     }
 
-    /// The body below a place `[x, y]` of its grid, layer by layer, linear between the middles of
-    /// cells.
+    /// Returns the column of the body below a point `[x, y]`, layer by layer, interpolated
+    /// linearly between the middles of cells.
     pub fn column(&self, position: [f64; 2]) -> Vec<ColumnPoint> {
         let corners = corners(&self.grid, position);
         let n_cells = self.grid.n_cells();
@@ -181,7 +187,7 @@ impl HalfSpaceBody {
     }
 }
 
-/// The four cells around a place, with their weights.
+/// Returns the four cells around a point, with their weights.
 fn corners(grid: &SurfaceGrid, [x, y]: [f64; 2]) -> [(usize, f64); 4] {
     let [(i, u), (j, v)] =
         [(x / grid.hx(), grid.nx()), (y / grid.hy(), grid.ny())].map(|(x, n)| {
@@ -217,7 +223,7 @@ impl Step for HalfSpaceStep {
         self.largest_approach = end.reached[0];
     }
 
-    /// The coarse history's own figures are in [`errors`](Self::errors) already.
+    /// [`errors`](Self::errors) already contain the change from the coarse history's figures.
     fn estimate(&mut self, _: Option<CoarseFigures>, increments: Option<CoarseFigures>) {
         if let (Some(errors), Some(changes)) = (&mut self.errors, increments) {
             errors.add_increments(&self.figures, changes);

@@ -1,12 +1,13 @@
-//! Two half-spaces as the method sees them.
+//! Two half-spaces as a contact system of the method.
 //!
-//! An initial stress is `2μ Δε` of the cells that can yield \[MPa\], and "displacements" are the
-//! trial deviators that the plastic law is asked about, `dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε`
+//! An initial stress is `2μ Δε` in the cells that can yield \[MPa\]. The "displacements" of the
+//! method are the trial deviators of the plastic law, `dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε`
 //! \[MPa\]. Their norm is
 //! ```text
-//! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis, sum over the cells that have flowed in this increment
+//! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis
 //! ```
-//! a force like that of the cells in contact, to which the method compares it.
+//! The sum runs over the cells that have flowed in this increment. The norm is a force comparable
+//! to the force of the cells in contact, with which the method compares it.
 
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
@@ -27,43 +28,44 @@ use crate::solver::method::observer::Interrupt;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 
-/// A body that deforms: its operators, its stress before any load, and its place among the bodies
-/// that yield.
+/// An elastic body: its operators, its initial stress, and its index among the bodies that can
+/// yield.
 #[derive(Clone)]
 pub(super) struct ElasticBody {
     pub space: Arc<HalfSpace>,
-    /// `xx yy xy` of each layer \[MPa\].
+    /// Initial stress `xx yy xy` of each layer \[MPa\].
     pub initial: Vec<[f64; 3]>,
     pub yielding: Option<usize>,
 }
 
-/// Cells of the surface, and the bodies on both sides of it.
+/// Two bodies and the cells of the surface between them.
 pub(super) struct HalfSpaces {
     pub design: GridDesign,
     pub surface: SurfaceFlexibility,
-    /// δ0 \[mm\].
+    /// Initial gap δ0 \[mm\].
     pub initial_gap: Vec<f64>,
-    /// All normals are along the approach.
+    /// Components of the normals along the approach, all 1.
     pub closing: Vec<f64>,
-    /// Under which a roller tilts; `None` where tilts are given.
+    /// Moment under which a roller tilts; `None` if the tilts are given.
     pub moment: Option<PrescribedMoment>,
-    /// Tilt of the last contact that had to bear a moment; 0 before there is one.
+    /// Tilt of the last contact under a moment; 0 before the first one.
     pub last_tilt: Cell<f64>,
-    /// Upper and lower; `None` for a rigid one. Two equal bodies share one that yields.
+    /// Upper and lower body; `None` for a rigid body. Two equal bodies share one that yields.
     pub elastic: [Option<ElasticBody>; 2],
     pub yielding: RefCell<Yielding>,
-    /// `hx hy √(h_l/ℓ)` of the layers of each body that yields.
+    /// `hx hy √(h_l/ℓ)` of the layers of each body that can yield.
     pub weights: Vec<Vec<f64>>,
     /// Deviators of the last accepted state.
     pub accepted: BlockVector,
-    /// Whether the largest pressure is that of a 3 × 3 binomial mean.
+    /// Whether the peak pressure is taken after a 3 × 3 binomial mean.
     pub is_smoothed: bool,
 }
 
-/// What an evaluation changes.
+/// The state that an evaluation changes.
 pub(super) struct Yielding {
     pub bodies: Vec<YieldingBody>,
-    /// Body and cell of what has flowed in this increment, in the order in which it began to.
+    /// Body and cell of the cells that have flowed in this increment, in the order in which their
+    /// flow began.
     flowed: Vec<(usize, usize)>,
     has_flowed: Vec<Vec<bool>>,
     pressure: Vec<f64>,
@@ -76,7 +78,7 @@ impl Yielding {
         Self { bodies, flowed: Vec::new(), has_flowed, pressure: Vec::new() }
     }
 
-    /// `u_p` of all bodies.
+    /// Adds the surface displacement by plastic strain, `u_p`, of all bodies to `opening`.
     fn open(
         &mut self,
         increment: &BlockVector,
@@ -89,7 +91,7 @@ impl Yielding {
             .try_for_each(|(body, part)| body.open(part, opening, stop))
     }
 
-    /// Trial deviators of all bodies with the increment that they were opened with.
+    /// Returns the trial deviators of all bodies for the increment of the last [`Self::open`].
     fn trial(
         &mut self,
         increment: &BlockVector,
@@ -112,20 +114,20 @@ impl HalfSpaces {
         self.surface.grid()
     }
 
-    /// Whether both bodies are alike, so that one stands for both.
+    /// Whether both bodies are equal and share one.
     pub fn is_shared(&self) -> bool {
         let [upper, lower] = &self.elastic;
         matches!((upper, lower), (Some(a), Some(b)) if Arc::ptr_eq(&a.space, &b.space))
     }
 
-    /// Pressures of forces \[MPa\].
+    /// Returns the pressures of contact forces \[MPa\].
     pub fn pressure<'a>(&self, force: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
         let area = self.grid().cell_area();
         force.iter().map(move |force| force / area)
     }
 
-    /// Approach α \[mm\], 0 where undeformed surfaces begin to touch. No cell has their tips in
-    /// its middle, so that in cells they do at the least gap.
+    /// Returns the approach α \[mm\], zero at the first touch of the undeformed surfaces. The
+    /// vertices do not lie in the middle of a cell, so that cells first touch at the least gap.
     pub fn approach(&self, contact: &ContactSolution) -> f64 {
         if contact.total_force > 0.0 {
             return contact.approach;
@@ -136,7 +138,7 @@ impl HalfSpaces {
         if begins { 0.0 } else { contact.approach }
     }
 
-    /// Largest pressure \[MPa\] and its cell.
+    /// Returns the peak pressure \[MPa\] and its cell.
     pub fn peak(&self, force: &[f64]) -> (f64, usize) {
         let (grid, area) = (self.grid(), self.grid().cell_area());
         let pressure = |cell: usize| {
@@ -147,8 +149,8 @@ impl HalfSpaces {
             .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most })
     }
 
-    /// `Σ (hx hy)² h_l/ℓ a:a` over the cells that have flowed; elsewhere an initial stress is
-    /// zero, and trials do not matter.
+    /// Returns `Σ (hx hy)² h_l/ℓ a:a` over the cells that have flowed. In other cells, the initial
+    /// stress is zero and the trial deviators have no effect.
     fn sum_of_squares(&self, value: impl Fn(usize, usize) -> f64) -> f64 {
         let n_cells = self.grid().n_cells();
         let of_cell = |(body, cell): &(usize, usize)| {
@@ -160,7 +162,8 @@ impl HalfSpaces {
     }
 }
 
-/// Binomial mean of a field over 3 × 3 cells; the value itself at the rim.
+/// Returns the binomial mean of a field over 3 × 3 cells; at the rim, the value of the cell
+/// itself.
 pub(super) fn smoothed(grid: &SurfaceGrid, field: &[f64], cell: usize) -> f64 {
     const WEIGHTS: [f64; 3] = [0.25, 0.5, 0.25];
     let (i, j) = (cell / grid.ny(), cell % grid.ny());
@@ -220,7 +223,7 @@ impl ContactSystem for HalfSpaces {
         trial.unwrap_or_else(|Stopped| self.zeros())
     }
 
-    /// The spectra of the plastic strain serve the gap and the stress.
+    /// Gap and stress share one transform of the plastic strain.
     fn equilibrium(
         &self,
         initial_stress: &BlockVector,
@@ -263,8 +266,8 @@ impl ContactSystem for HalfSpaces {
         self.sum_of_squares(|body, k| v[body][k] - w[body][k]).sqrt()
     }
 
-    /// Weighted numbers of the cells that have flowed, in the order in which they began to: what
-    /// is packed earlier is the beginning of what is packed later.
+    /// Returns the weighted components of the cells that have flowed, in the order in which their
+    /// flow began: a vector packed earlier is the beginning of one packed later.
     fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
         let (yielding, n_cells) = (self.yielding.borrow(), self.grid().n_cells());
         let mut packed = Vec::with_capacity(DEVIATOR_COMPONENTS * yielding.flowed.len());
@@ -294,8 +297,8 @@ impl ContactSystem for HalfSpaces {
         &self.accepted
     }
 
-    /// Accepts the state with these trials: where the law ends from them the next increment
-    /// begins.
+    /// Accepts the state with these trial deviators. The next increment starts from the stresses
+    /// to which the law returns them.
     fn commit(&mut self, displacement: BlockVector) {
         let mut increment = self.zeros();
         self.initial_stress(&displacement, &mut increment);
@@ -324,7 +327,7 @@ impl ContactSystem for HalfSpaces {
     }
 }
 
-/// Cells that count as yielded after the last paths.
+/// Returns the number of cells that count as yielded after the last paths.
 fn yielded_cells(body: &YieldingBody) -> usize {
     let n_cells = body.space().grid().n_cells();
     (0..body.len() / DEVIATOR_COMPONENTS)
@@ -332,12 +335,12 @@ fn yielded_cells(body: &YieldingBody) -> usize {
         .count()
 }
 
-/// Stops nothing.
+/// Never stops a solve.
 pub(super) const fn never() -> bool {
     false
 }
 
-/// Does work that the observer can stop, and books its time.
+/// Does work that the observer can stop, and records its time.
 ///
 /// # Errors
 /// [`method::Error::Interrupted`].
@@ -356,7 +359,7 @@ pub(super) fn watched<T>(
     done.map_err(|Stopped| method::Error::Interrupted(interrupt.unwrap_or(Interrupt::Cancelled)))
 }
 
-/// Layer of a cell, and where its first component is among those of a body.
+/// Returns the layer of a cell and the index of its first component in the vector of a body.
 const fn place(cell: usize, n_cells: usize) -> (usize, usize) {
     let layer = cell / n_cells;
     (layer, layer * DEVIATOR_COMPONENTS * n_cells + cell % n_cells)
