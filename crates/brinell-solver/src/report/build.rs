@@ -62,8 +62,8 @@ impl<'a> ReportBuilder<'a> {
         *self = Self { time: self.time, ..Self::new(self.job, options) };
     }
 
-    /// Returns the report of the next load step. If the observer interrupts the report, the step gets
-    /// the status of that interrupt.
+    /// Returns the report of the next load step. If the observer interrupts the report, the load
+    /// step gets the status of the interrupt.
     pub(super) fn step(
         &mut self,
         mut step: StepSolution,
