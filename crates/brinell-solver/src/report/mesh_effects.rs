@@ -6,11 +6,12 @@ use crate::fem::element::StressState;
 use crate::job::{Body, Job, Support};
 use crate::solver::{BodySolution, ContactPatch, StepSolution};
 
-/// Relative growth of the peak pressure, from half the elements to the full number, above which the
-/// pressure at a corner counts as growing with the density of the mesh.
+/// Relative growth of the peak pressure, from half the elements to the full number, above which
+/// the pressure at a corner counts as growing with the density of the mesh.
 const GROWTH: f64 = 0.02;
 /// Number of elements over a half-width, or over a ring, below which a mesh is called coarse. The
-/// mesh generator estimates the half-width, so that a mesh of 10 elements may turn out to have 9.5.
+/// mesh generator estimates the half-width, so that a mesh of 10 elements may turn out to have
+/// 9.5.
 pub(super) const COARSE_MESH: f64 = 9.0;
 /// Distance in elements within which a peak is next to the end of the contact: in plane analyses,
 /// for contacts with a half-width above `WIDE`, and for a circle or ring.
@@ -20,8 +21,8 @@ const WIDE: f64 = 6.0;
 /// Distance in elements within which a peak is in the middle of the contact.
 const PEAK_IN_MIDDLE: f64 = 1.5;
 
-/// Returns whether a body of revolution touches on a ring of so few elements that a comparison with
-/// coarser elements does not bound the error.
+/// Returns whether a body of revolution touches on a ring of so few elements that a comparison
+/// with coarser elements does not bound the error.
 pub(super) fn is_ring_on_few_elements(step: &StepSolution) -> bool {
     let is_few = |part: &ContactPatch| {
         let holds_peak = (part.left..=part.right).contains(&step.peak_position);
@@ -31,8 +32,8 @@ pub(super) fn is_ring_on_few_elements(step: &StepSolution) -> bool {
 }
 
 /// Returns whether the peak pressure lies off the middle and next to an end of its part of the
-/// contact, for example below a flat with rounded edges that is given by points. The pressure there
-/// rises within single elements.
+/// contact, for example below a flat with rounded edges that is given by points. The pressure
+/// there rises within single elements.
 pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
     let is_round = step.stress_state == StressState::Axisymmetric;
     let next = if is_round { NEXT_TO_END_OF_CIRCLE } else { NEXT_TO_END };
@@ -55,8 +56,8 @@ pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
 }
 
 /// Returns whether the peak pressure grows without limit as the elements get smaller: on elastic
-/// bodies with a loaded sharp corner, and at a corner of yielding bodies whose pressure still grows
-/// with the density of the mesh.
+/// bodies with a loaded sharp corner, and at a corner of yielding bodies whose pressure still
+/// grows with the density of the mesh.
 pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
     if step.loaded_corners.is_empty() || step.rounded_edge.is_some() {
         return false;

@@ -69,13 +69,14 @@ pub(super) const SUSPICIOUS_UNITS: &str = "Units are SI, but the figures look li
                                            newtons and megapascals: metres, N/m and pascals are \
                                            expected. If they are meant in mm, leave `units` out.";
 
-/// Half-width over the smallest radius above which the surfaces deviate too far from their tangent.
+/// Half-width over the smallest radius above which the surfaces deviate too far from their
+/// tangent.
 pub(super) const WIDE_CONTACT: f64 = 0.1;
 /// Slope of a surface above which the contact is called wide. A smooth curve through the points of
 /// a flank with a slope of 10 % has slopes up to 15 %.
 const STEEP: f64 = 0.15;
-/// Work for a load above which the remark `slow_coupling` is due, in evaluations of the plastic law.
-/// A factorization counts as `FACTORIZATION` evaluations.
+/// Work for a load above which the remark `slow_coupling` is due, in evaluations of the plastic
+/// law. A factorization counts as `FACTORIZATION` evaluations.
 ///
 /// Among 40 random jobs most took 10 to 20 evaluations for a load. All jobs that took more than 20
 /// times the median time of jobs of their size get the remark.
@@ -346,8 +347,8 @@ fn sharp_corner(step: &StepSolution, strain: f64) -> Option<String> {
     })
 }
 
-/// Returns the remark on a contact that is wide compared with the radii or, for a pin in a hole, at
-/// whose ends the normals of pin and hole differ too much.
+/// Returns the remark on a contact that is wide compared with the radii or, for a pin in a hole,
+/// at whose ends the normals of pin and hole differ too much.
 fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) -> Option<String> {
     if let Some(pair) = &step.conforming {
         let between_normals = half_width / pair.effective_radius();
@@ -459,7 +460,8 @@ fn many_meshes(step: &StepSolution) -> Option<String> {
     })
 }
 
-/// Returns the remark on a mesh that details of the surfaces make much finer than the job requests.
+/// Returns the remark on a mesh that details of the surfaces make much finer than the job
+/// requests.
 fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<String> {
     let asked = f64::from(job.mesh.elements_per_half_width);
     let elements = half_width / step.spacing;
@@ -547,8 +549,8 @@ pub(super) fn looks_like_millimetres(job: &Job) -> bool {
     job.units == Units::Si && moduli.any(|modulus| modulus < SOFT)
 }
 
-/// Returns code and text of the remark on falling loads under deformation theory, or on an approach
-/// that is smaller than the permanent approach of earlier loads.
+/// Returns code and text of the remark on falling loads under deformation theory, or on an
+/// approach that is smaller than the permanent approach of earlier loads.
 pub(super) fn history_remark(
     job: &Job,
     load: ContactLoad,
