@@ -32,9 +32,9 @@ pub enum FieldArraysError {
     /// A number is NaN or infinite.
     #[error("/fields/{body}/{name}/{index} is not a finite number")]
     NotFinite {
-        /// Which body.
+        /// The body.
         body: Side,
-        /// Which array.
+        /// Name of the array.
         name: String,
         /// Index of the node.
         index: usize,
@@ -44,7 +44,7 @@ pub enum FieldArraysError {
     Malformed(String),
 }
 
-/// Which body.
+/// One of the two bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
