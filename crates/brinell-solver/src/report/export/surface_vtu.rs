@@ -79,7 +79,8 @@ impl Surface {
         column * rows..(column + 1) * rows
     }
 
-    /// Those at the far face of the last cells too.
+    /// Writes the points on the near faces of the cells at one x, and on the far faces of the last
+    /// cells.
     fn points(&self, column: usize) -> String {
         let end = if column + 1 == self.maps.x.len() { column + 2 } else { column + 1 };
         let along_x = self.along_x[column..end].iter();
