@@ -6,7 +6,7 @@
 //! 8 on. Numbers are little-endian. The header lists the arrays: body, name, type (`f64`, for
 //! `elements` `u32`), how many there are (`count`), numbers of each (`components`), and `offset`
 //! from the end of the header \[bytes\]. A rigid body has no arrays. Names, meanings and units are
-//! those of [`FieldsReport`] or, in three dimensions, of [`LayersReport`].
+//! the same as in [`FieldsReport`] or, in three dimensions, in [`LayersReport`].
 //!
 //! Only the store reads and writes these bytes: [`FieldLayout`] converts them to JSON and to the
 //! files of an `.npz` archive.

@@ -101,7 +101,7 @@ enum What {
     },
     /// Faces of cells along x or y, from the middles of the cells.
     Faces,
-    /// Faces of the layers, if there is a body above the surface, and below the surface.
+    /// Faces of the layers. The flags say whether there are layers above and below the surface.
     LayerFaces([bool; 2]),
     End,
     BetweenCellsAndCoordinates,

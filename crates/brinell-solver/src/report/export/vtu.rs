@@ -428,7 +428,7 @@ fn integers(bytes: &mut Vec<u8>, values: impl Iterator<Item = usize>) {
     bytes.extend(values.flat_map(|value| (value as u64).to_le_bytes()));
 }
 
-/// A number of a source.
+/// Returns a number from the bytes of a source array.
 fn float<B: AsRef<[u8]>>(sources: &[B], source: usize, at: usize) -> f64 {
     let numbers =
         sources.get(source).map(|bytes| bytes.as_ref().as_chunks::<8>().0).unwrap_or_default();

@@ -18,8 +18,8 @@ use crate::solver::half_spaces::{
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
-/// Depth over the semi-axis to which the stress of the contact reaches. Bodies must resemble
-/// half-spaces up to this distance.
+/// Distance over the longer semi-axis within which the stress of the contact decays. The bodies
+/// must resemble half-spaces up to this distance beyond the contact.
 const REACH: f64 = 3.0;
 /// Number of depths within a layer at which strengths are compared.
 const SAMPLES: u32 = 16;
