@@ -98,8 +98,8 @@ impl RunError {
                 | ContactError::NoEnergy { .. }
                 | ContactError::Ray { .. }
                 | ContactError::IllConditioned { .. },
-            ) => "rounding leaves the contact without an answer: lengths, stiffness and load of the \
-                  job differ by too many orders of magnitude for numbers of double precision"
+            ) => "rounding leaves the contact without an answer: lengths, stiffness and load of \
+                  the job differ by too many orders of magnitude for numbers of double precision"
                 .to_owned(),
             error => error.to_string(),
         };

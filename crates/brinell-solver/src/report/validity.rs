@@ -709,7 +709,8 @@ mod tests {
                     "material": {{"young_modulus": {modulus}, "poisson_ratio": 0.3}}}}"#
             );
             let job = format!(
-                r#"{{"analysis": "plane_strain", "units": "{units}", "upper": {body}, "lower": {body},
+                r#"{{"analysis": "plane_strain", "units": "{units}",
+                    "upper": {body}, "lower": {body},
                     "load": {{"force": {force}}}, "mesh": {{"elements_per_half_width": 5}}}}"#
             );
             let report =
@@ -720,13 +721,15 @@ mod tests {
         }
     }
 
-    /// A search that no force ends says so, and blames neither iteration nor load.
+    /// The remark on a search without a result blames neither the iteration nor the load.
     #[test]
     fn what_is_not_found_is_told() {
-        let job = br#"{"analysis": "plane_strain", "load": {"onset": true}, "mesh": {"elements_per_half_width": 10},
+        let job = br#"{"analysis": "plane_strain",
+            "load": {"onset": true}, "mesh": {"elements_per_half_width": 10},
             "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
-            "lower": {"shape": {"type": "block", "width": 60, "depth": 40}, "material": {"young_modulus": 70000,
-                "poisson_ratio": 0.3, "plasticity": {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 0}}}}"#;
+            "lower": {"shape": {"type": "block", "width": 60, "depth": 40},
+                "material": {"young_modulus": 70000, "poisson_ratio": 0.3, "plasticity":
+                    {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 0}}}}"#;
         let job = Job::from_json(job).unwrap();
         let mut step = run(&job, &mut Unobserved).unwrap().steps.remove(0);
         assert!(notes(&job, &step, 10.0, &[40.0]).is_empty());
@@ -738,11 +741,12 @@ mod tests {
         );
     }
 
-    /// Meshes grow with the contact, so no job is known that ends like this.
+    /// Meshes grow with the contact, so that no known job ends at the edge; the test sets the
+    /// flag.
     #[test]
     fn a_contact_at_the_edge_is_told() {
-        let job =
-            br#"{"analysis": "plane_strain", "load": {"force": 50}, "mesh": {"elements_per_half_width": 10},
+        let job = br#"{"analysis": "plane_strain",
+            "load": {"force": 50}, "mesh": {"elements_per_half_width": 10},
             "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
             "lower": {"shape": {"type": "block", "width": 20, "depth": 20},
                       "material": {"young_modulus": 70000, "poisson_ratio": 0.3}}}"#;

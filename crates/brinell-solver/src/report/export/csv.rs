@@ -27,7 +27,8 @@ impl Table {
     /// no further columns.
     ///
     /// # Errors
-    /// [`ExportError::NoSubsurface`] or [`ExportError::NoFlow`] if the first load step has no rows.
+    /// [`ExportError::NoSubsurface`] or [`ExportError::NoFlow`] if the first load step has no
+    /// rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
             Export::SubsurfaceCsv if first.subsurface.is_none() => {

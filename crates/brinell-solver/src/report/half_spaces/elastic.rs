@@ -312,7 +312,8 @@ mod tests {
     fn the_stiffness_of_a_circle_is_that_of_a_round_punch() {
         let job = br#"{"analysis": "three_dimensional",
             "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
-            "lower": {"shape": {"type": "flat"}, "material": {"young_modulus": 210000, "poisson_ratio": 0.3,
+            "lower": {"shape": {"type": "flat"},
+                "material": {"young_modulus": 210000, "poisson_ratio": 0.3,
                 "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0}}},
             "load": {"force": 100}}"#;
         let reference = EllipticReference::of(&Job::from_json(job).unwrap()).unwrap();

@@ -197,7 +197,8 @@ mod tests {
             "analysis": "three_dimensional",
             "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
             "lower": {"shape": {"type": "flat"},
-                "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}},
+                "material": {
+                    "young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}},
             "load": {"force": 70}, "mesh": {"elements_per_half_width": 6},
         });
         for (key, value) in changes.as_object().unwrap() {
@@ -238,7 +239,9 @@ mod tests {
 
     #[test]
     fn a_force_is_reported_by_the_dent_that_it_leaves() {
-        let changes = json!({"load": {"target": {"dent_depth": 3e-4}}, "solver": {"theory": "flow", "increments": 3}});
+        let changes = json!({
+            "load": {"target": {"dent_depth": 3e-4}},
+            "solver": {"theory": "flow", "increments": 3}});
         let report = ball(&hardening(), &changes);
         let target = report.target.as_ref().unwrap();
         assert_eq!((report.steps.len(), target.figure.as_str()), (2, "dent_depth"));
@@ -275,7 +278,9 @@ mod tests {
 
     #[test]
     fn loads_of_no_force_begin_at_no_approach() {
-        let changes = json!({"load": {"history": [{"force": 0}, {"force": 4}, {"force": 0}]}, "solver": {"theory": "flow"}});
+        let changes = json!({
+            "load": {"history": [{"force": 0}, {"force": 4}, {"force": 0}]},
+            "solver": {"theory": "flow"}});
         let report = ball(&hardening(), &changes);
         for step in [&report.steps[0], &report.steps[2]] {
             assert_eq!((step.approach, step.contact.force), (0.0, 0.0));
@@ -292,7 +297,9 @@ mod tests {
         let steps = ball(&hardening(), &json!({"load": {"forces": [70, 30]}})).steps;
         assert!(steps.iter().all(|step| message(step, "falling_loads").is_some()));
         let soft = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
-        let changes = json!({"units": "SI", "lower": {"shape": {"type": "flat"}, "material": soft}, "load": {"force": 0.001}});
+        let changes = json!({
+            "units": "SI", "lower": {"shape": {"type": "flat"}, "material": soft},
+            "load": {"force": 0.001}});
         let step = &ball(&hardening(), &changes).steps[0];
         assert!(message(step, "suspicious_units").is_some());
     }
@@ -304,8 +311,10 @@ mod tests {
         let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
         for (radius, is_wide) in [(-10.2, true), (-100.0, false)] {
             for rotation in [0, 60] {
-                let raceway = json!({"type": "curved", "radius_x": 40, "radius_y": radius, "rotation": rotation});
-                let changes = json!({"lower": {"shape": raceway, "material": steel}, "load": {"force": 500}});
+                let raceway = json!({
+                    "type": "curved", "radius_x": 40, "radius_y": radius, "rotation": rotation});
+                let changes = json!({
+                    "lower": {"shape": raceway, "material": steel}, "load": {"force": 500}});
                 let step = &ball(&hardening(), &changes).steps[0];
                 let said = message(step, "wide_contact");
                 assert_eq!(
