@@ -1,4 +1,4 @@
-//! The report of a solution.
+//! Builds the report of a solution load step by load step.
 
 use std::time::Duration;
 
@@ -20,20 +20,20 @@ use crate::solver::{
     PhaseTimes, Solution, SolveStatus, StepSolution, has_yielded,
 };
 
-/// Writes the report of each step as it is finished, and the rest at the end.
+/// Writes the report of each load step when the step ends, and the rest of the report at the end.
 pub(super) struct ReportBuilder<'a> {
     job: &'a Job,
     write: UnitConverter,
     status: Option<SolveStatus>,
-    /// The converged steps.
+    /// Points of the converged load steps.
     curve: Vec<CurvePoint>,
     differences: LoadDifferences<'a>,
-    /// Whether they are a history and not a curve.
+    /// Whether the load steps form a history; otherwise they are independent points of a curve.
     is_history: bool,
-    /// Loads of the history whose largest pressure the mesh did not tell.
+    /// Number of loads of the history whose peak pressure the mesh does not resolve.
     unknown_peaks: usize,
     target: TargetSeen,
-    /// The mesh of the last step.
+    /// The mesh of the last load step.
     mesh: MeshReport,
     /// Time spent on reports.
     time: Duration,
@@ -56,14 +56,14 @@ impl<'a> ReportBuilder<'a> {
         }
     }
 
-    /// Gives up the steps so far, but for the time they took.
+    /// Discards all load steps so far and keeps the time that their reports took.
     pub(super) fn begin_anew(&mut self) {
         let options = self.differences.options;
         *self = Self { time: self.time, ..Self::new(self.job, options) };
     }
 
-    /// The report of the next step. The observer can stop it, which makes the step one that was
-    /// stopped.
+    /// Returns the report of the next load step. If the observer interrupts the report, the load
+    /// step gets the status of the interrupt.
     pub(super) fn step(
         &mut self,
         mut step: StepSolution,
@@ -96,7 +96,8 @@ impl<'a> ReportBuilder<'a> {
                 stiffness,
             ));
         }
-        // What is kept of a coarser mesh comes after the steps of the mesh that was asked for.
+        // A stopped job may end with preliminary steps of a coarser mesh, after steps of the
+        // requested mesh. The report describes the requested mesh if it has any step.
         if !step.is_preliminary() || self.mesh.nodes == 0 {
             let enlargements = self.mesh.enlargements + step.enlargements;
             self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
@@ -107,7 +108,7 @@ impl<'a> ReportBuilder<'a> {
         report
     }
 
-    /// The report without its steps.
+    /// Returns the report without its load steps.
     pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
         let Self { job, write, status, curve, is_history, target, mesh, time, .. } = self;
         let interrupted = solution.interrupted.map(SolveStatus::from);
@@ -131,7 +132,7 @@ impl<'a> ReportBuilder<'a> {
     }
 }
 
-/// The less good of two statuses.
+/// Returns the worse of two statuses.
 pub(super) fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
     let rank = |status: &SolveStatus| match status {
         SolveStatus::Converged => 0,
@@ -142,7 +143,7 @@ pub(super) fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<Solv
     one.into_iter().chain([other]).max_by_key(rank)
 }
 
-/// What a report has of the stresses in the bodies.
+/// Parts of a report that need the stresses in the bodies.
 struct FieldReports {
     subsurface: [Option<PerBody<Option<SubsurfaceReport>>>; 2],
     plasticity: PerBody<Option<PlasticityReport>>,
@@ -150,7 +151,7 @@ struct FieldReports {
 }
 
 impl FieldReports {
-    /// Who stops a job wants its core back, not its stresses.
+    /// No parts, for a stopped job: their computation would keep its core busy.
     const NONE: Self = Self {
         subsurface: [None, None],
         plasticity: PerBody { upper: None, lower: None },
@@ -205,8 +206,8 @@ fn step_report(
         .filter_map(|body| outline_of(&body.shape).curvature())
         .fold(
             if effective > 0.0 { effective } else { f64::INFINITY },
-            // Bodies that nearly conform have a large effective radius, but gaps as far from
-            // vertical as their own tells.
+            // The effective radius of nearly conforming bodies is large, but their gaps
+            // deviate from the vertical by the curvature of each body.
             |least, curvature| least.min(curvature.abs().recip()),
         );
     StepReport {
@@ -273,7 +274,7 @@ fn plasticity_report(
     }
 }
 
-/// A half-space has no end that could be held.
+/// Datum of the approach of half-spaces, which have no supported end.
 pub(super) const HALF_SPACE_DATUM: &str = "points of both half-spaces far from the contact; \
                                            bodies of finite size give way by something else in \
                                            their bulk and at their supports";
@@ -318,7 +319,7 @@ fn block_base(side: &str, depth: f64, write: UnitConverter) -> String {
     format!("the base of the {side} body, {} from the contact", write.length_text(depth))
 }
 
-/// An iteration in the units of the job.
+/// Returns an iteration in the units of the job.
 pub(super) fn in_units(record: &IterationRecord, write: UnitConverter) -> IterationRecord {
     IterationRecord {
         approach: write.figure(Quantity::Approach, record.approach),
@@ -327,7 +328,7 @@ pub(super) fn in_units(record: &IterationRecord, write: UnitConverter) -> Iterat
     }
 }
 
-/// The mesh of one step.
+/// Returns the mesh of one load step.
 fn mesh_report(step: &StepSolution, write: UnitConverter) -> MeshReport {
     let bodies = || step.bodies.iter().flatten();
     let quality = bodies().map(|body| body.quality);

@@ -1,4 +1,4 @@
-//! The contact itself: pressure, resultants, parts.
+//! Report of the contact: pressure, resultants and connected parts.
 
 use serde::{Deserialize, Serialize};
 
@@ -58,7 +58,7 @@ pub struct ContactNodes {
 }
 
 pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport {
-    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the
+    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. For a body of revolution x is the
     // radius.
     let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
     let pairs = || {
@@ -87,7 +87,8 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
     }
 }
 
-/// The parts with their interpolated ends; those of a plane half model beside their images.
+/// Returns the parts of the contact with their interpolated ends. A plane half model has each part
+/// and its mirror image.
 fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
     let mut parts = step.parts.clone();
     if let (Some(part), Some(whole)) = (parts.last_mut(), step.patch) {
@@ -100,7 +101,7 @@ fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
             .rev()
             .map(|part| ContactPatch { left: -part.right, right: -part.left })
             .collect();
-        // The part on the axis and its image are one.
+        // The part on the axis and its mirror image form one part.
         if let (Some(first), Some(image)) = (parts.first_mut(), images.last())
             && first.left == 0.0
         {

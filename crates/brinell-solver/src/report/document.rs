@@ -1,4 +1,4 @@
-//! The result as it goes over the wire, field by field.
+//! The fields of the report in the JSON of a result.
 //!
 //! Lengths, forces and stresses are in the job's own units. `x` is tangential, `y` normal to the
 //! contact and `z` out of the plane; stresses are tensile positive, pressures compressive
@@ -106,8 +106,8 @@ pub struct StepReport {
 }
 
 impl StepReport {
-    /// The profiles over depth, where they were asked for: upper and lower body, below the middle
-    /// and below the peak.
+    /// Returns the profiles over depth, if the job asks for them: of the upper and the lower body,
+    /// below the middle and below the peak pressure.
     pub fn profiles(&self) -> impl Iterator<Item = (&'static str, &SubsurfaceReport)> {
         let lines = [&self.subsurface, &self.subsurface_below_peak].into_iter().flatten();
         lines.flat_map(|bodies| {
@@ -116,8 +116,8 @@ impl StepReport {
         })
     }
 
-    /// The largest equivalent plastic strain of both bodies; `None` where one of them has no
-    /// limit.
+    /// Returns the largest equivalent plastic strain of both bodies, or `None` if the strain of a
+    /// body has no limit on finer meshes.
     pub fn max_plastic_strain(&self) -> Option<f64> {
         let zones = [&self.plasticity.upper, &self.plasticity.lower].into_iter().flatten();
         zones
@@ -125,7 +125,7 @@ impl StepReport {
             .try_fold(0.0, |most, strain| Some(f64::max(most, strain?)))
     }
 
-    /// x of a profile \[length\].
+    /// Returns x of a profile \[length\].
     pub fn place_of(&self, profile: &SubsurfaceReport) -> f64 {
         profile.position.unwrap_or(self.contact.peak_position)
     }
@@ -153,7 +153,8 @@ pub struct PerBody<T> {
 }
 
 impl<T: Clone> PerBody<Option<T>> {
-    /// What there is to say of each deformable body; said once where one solution stands for both.
+    /// Applies a function to each deformable body. Bodies that share one solution share the
+    /// result.
     pub(super) fn of(step: &StepSolution, say: impl Fn(&BodySolution) -> T) -> Self {
         let said: Result<Self, Infallible> = Self::try_of(step, |body| Ok(say(body)));
         match said {
@@ -161,7 +162,7 @@ impl<T: Clone> PerBody<Option<T>> {
         }
     }
 
-    /// The same, unless something stops it.
+    /// Applies a function to each deformable body, as [`Self::of`], until it returns an error.
     pub(super) fn try_of<E>(
         step: &StepSolution,
         mut say: impl FnMut(&BodySolution) -> Result<T, E>,
@@ -333,7 +334,7 @@ pub struct MeshReport {
 }
 
 impl MeshReport {
-    /// No mesh.
+    /// The report without a mesh.
     pub(super) const NONE: Self = Self {
         symmetric: false,
         spacing: 0.0,

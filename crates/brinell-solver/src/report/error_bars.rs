@@ -1,21 +1,22 @@
-//! Error bars: by how much the mesh may have changed the figures of a step.
+//! Error bars: estimated bounds of the discretization errors in the figures of a load step.
 //!
 //! ```text
 //! bar · |x| = |x(h) - x(2h)| + floor · h/a · scale + |x(Δt) - x(2Δt)|
 //! ```
-//! h is the element size and a the half-width, where nothing touches the largest of the history;
-//! Δt stands for the increments of flow theory. Errors scatter with where the contact ends between
-//! two nodes, so that the difference is now and then far below the error. Floors are for that. A
-//! scale is |x|, but:
+//! h is the element size and Δt stands for the increments of flow theory. a is the half-width of
+//! the contact or, without contact, the largest half-width of the history. The end of the contact
+//! lies anywhere between two nodes, and errors scatter with its position. The difference between
+//! two meshes is therefore sometimes far smaller than the error; the floors cover these cases. The
+//! scale is |x|, except for these figures:
 //!
-//! - of approach and dent the largest approach of the history, of the pile-up dent and pile-up
-//!   together;
-//! - of a force under a prescribed approach what the unloading stiffness makes of that approach,
-//!   if it is more;
-//! - of stresses the largest von Mises stress;
-//! - of plastic strains that stress over 3 G on top.
+//! - approach and dent: the largest approach of the history;
+//! - pile-up: the sum of dent and pile-up;
+//! - force: the product of unloading stiffness and largest approach, if it is larger than |x|;
+//! - stresses: the largest von Mises stress;
+//! - plastic strains: |x| plus the largest von Mises stress over 3 G.
 //!
-//! `docs/validity.md` has the same table, and `docs/notes/error_bars.md` how often the bars held.
+//! `docs/validity.md` has the same table. `docs/notes/error_bars.md` counts how often the bars
+//! held.
 
 use serde::{Deserialize, Serialize};
 
@@ -29,8 +30,8 @@ use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
 use crate::solver::{BodyFigures, CoarseFigures, StepSolution};
 
-/// Floors of figures over h/a, in the order of `CoarseFigures`, those of a body once: in plane
-/// analyses, and of bodies of revolution.
+/// Floors of the figures over h/a: in plane analyses, and of bodies of revolution. The figures are
+/// in the order of `CoarseFigures`, with the figures of a body once.
 const FLOORS: [(&str, [f64; 2]); 11] = [
     ("peak pressure", [0.03, 0.1]),
     ("half-width", [0.3, 0.3]),
@@ -45,14 +46,15 @@ const FLOORS: [(&str, [f64; 2]); 11] = [
     ("utilization", [0.05, 0.05]),
 ];
 
-/// Of the figures, those of the contact and those of a body.
+/// Numbers of figures of the contact and of figures of a body.
 const CONTACT_FIGURES: usize = 4;
 const BODY_FIGURES: usize = FLOORS.len() - CONTACT_FIGURES;
 
-/// Floors of the contact stiffness of elastic bodies, and of those that unload, over h/a.
+/// Floors of the contact stiffness over h/a, for bodies that are elastic or unload: in plane
+/// analyses, and of bodies of revolution.
 const STIFFNESS_FLOORS: [f64; 2] = [0.1, 0.2];
-/// Exponent of the force with which peak pressure, half-width and stiffness of a contact of arcs
-/// grow at most: those of a line contact.
+/// Largest exponent of the force in the power laws of peak pressure, half-width and stiffness of a
+/// contact of arcs: the exponent of a line contact.
 const WITH_FORCE: f64 = 0.5;
 
 /// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
@@ -117,10 +119,12 @@ pub struct BodyErrors {
     pub utilization: Option<f64>,
 }
 
-/// The bars of a step; `None` where there is no answer or no coarser mesh, where a ring touches on
-/// few elements, and where the onset of yield is not known. Single figures have none where the
-/// mesh does not tell them: behind a rounded edge that is thinner than elements, at a sharp
-/// corner, next to an end or at a thin tip, below a coarse case, and above a clamped column.
+/// Returns the error bars of a load step. Returns `None` without an answer or without a coarser
+/// mesh, for a ring of contact over few elements, and if the onset of yield is not known.
+///
+/// Single figures have no bar if the mesh does not resolve them: at a rounded edge or a tip that
+/// is thinner than the elements, at a sharp corner, next to an end of the contact, below a coarse
+/// hardened case, and above a clamped column.
 pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     let bars = under_its_force(job, step)?;
     Some(match (step.load, &job.load) {
@@ -141,7 +145,7 @@ pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     })
 }
 
-/// The bars of a step if its force were given.
+/// Returns the error bars of a load step, as if its force were prescribed.
 pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     let half_width = if step.patch.is_some() { step.half_width() } else { step.reached[1] };
     let is_unknown = step.has_collapsed || step.status.is_stopped() || is_onset_unknown(job, step);
@@ -195,8 +199,8 @@ pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEst
 }
 
 impl ErrorEstimate {
-    /// The same under a force that was sought and has an error, and what that does to the other
-    /// figures; nothing to the `target`.
+    /// Adds the relative error of a force that the solver has searched for. The error widens the
+    /// bars of all figures that depend on the force, except the figure of the `target`.
     fn with_force_error(mut self, error: f64, target: Option<TargetFigure>) -> Self {
         let wider = |bar: &mut Option<f64>, exponent: f64| {
             *bar = bar.map(|bar| bar + exponent * error);
@@ -220,11 +224,11 @@ impl ErrorEstimate {
     }
 }
 
-/// What the bars of a step are made of.
+/// Figures from which the error bars of a load step are computed.
 struct Bars {
     of_revolution: bool,
     bodies: [BodyFigures; 2],
-    /// h/a.
+    /// Element size over half-width, h/a.
     size: f64,
     found: [f64; CoarseFigures::COUNT],
     coarse: [f64; CoarseFigures::COUNT],
@@ -250,7 +254,7 @@ impl Bars {
             scales.dent = largest_approach;
             (scales.least_stress, scales.largest_von_mises) = (von_mises, von_mises);
         }
-        // Of a contact in several parts the coarsest one may have the peak.
+        // The coarsest part of a contact may have the peak pressure.
         let part = step.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
         Some(Self {
             of_revolution: step.stress_state == StressState::Axisymmetric,
@@ -263,12 +267,12 @@ impl Bars {
         })
     }
 
-    /// Of the figures of the contact, in the order of [`FLOORS`].
+    /// Returns the bars of the figures of the contact, in the order of [`FLOORS`].
     fn of_contact(&self) -> [Option<f64>; CONTACT_FIGURES] {
         std::array::from_fn(|figure| self.of_figure(figure, figure))
     }
 
-    /// Of those of a body.
+    /// Returns the bars of the figures of a body, in the order of [`FLOORS`].
     fn of_body(&self, side: usize) -> [Option<f64>; BODY_FIGURES] {
         std::array::from_fn(|k| {
             let figure = CONTACT_FIGURES + k;
@@ -276,8 +280,8 @@ impl Bars {
         })
     }
 
-    /// The bar of a figure by its places in [`FLOORS`] and among all figures; of a figure that is
-    /// 0 none, but 0 where both meshes say so.
+    /// Returns the bar of a figure from its index in [`FLOORS`] and its index `k` among all
+    /// figures. A figure of 0 has the bar 0 if it is 0 on the coarser mesh too, else no bar.
     fn of_figure(&self, figure: usize, k: usize) -> Option<f64> {
         let found = self.found[k].abs();
         if found == 0.0 {
@@ -289,7 +293,7 @@ impl Bars {
     }
 }
 
-/// The bar of the contact stiffness.
+/// Returns the error bar of the contact stiffness.
 fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
     match step.stress_state {

@@ -1,15 +1,15 @@
-//! The mesh fields of a step as arrays of numbers, as they are kept: without digits to parse, and
-//! read piece by piece.
+//! The mesh fields of a load step as binary arrays for storage: they need no parsing and are read
+//! piece by piece.
 //!
 //! The bytes are the eight letters `BRNFLD01`, the length of a header (u32), four zeros, the
 //! header in JSON, padded with spaces to a multiple of 8, and the arrays, each from a multiple of
 //! 8 on. Numbers are little-endian. The header lists the arrays: body, name, type (`f64`, for
 //! `elements` `u32`), how many there are (`count`), numbers of each (`components`), and `offset`
 //! from the end of the header \[bytes\]. A rigid body has no arrays. Names, meanings and units are
-//! those of [`FieldsReport`] or, in three dimensions, of [`LayersReport`].
+//! the same as in [`FieldsReport`] or, in three dimensions, in [`LayersReport`].
 //!
-//! Nobody but the store sees these bytes: [`FieldLayout`] makes JSON and the files of an `.npz`
-//! archive of them.
+//! Only the store reads and writes these bytes: [`FieldLayout`] converts them to JSON and to the
+//! files of an `.npz` archive.
 
 use std::ops::Range;
 
@@ -19,38 +19,38 @@ use thiserror::Error;
 use super::{FieldsReport, LAYER_NAMES, LayersReport, PerBody};
 
 const MAGIC: &[u8; 8] = b"BRNFLD01";
-/// Where the header begins.
+/// Offset of the header \[bytes\].
 const HEADER: usize = 16;
-/// Boundary of the header's end and of every array \[bytes\].
+/// Alignment of the end of the header and of every array \[bytes\].
 const ALIGNMENT: usize = 8;
-/// Numbers in one piece of another form.
+/// Number of numbers in one piece.
 pub(super) const CHUNK: usize = 4096;
 
-/// Why fields are not written or read.
+/// Errors of writing and reading fields.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum FieldArraysError {
     /// A number is NaN or infinite.
     #[error("/fields/{body}/{name}/{index} is not a finite number")]
     NotFinite {
-        /// Which body.
+        /// The body.
         body: Side,
-        /// Which array.
+        /// Name of the array.
         name: String,
-        /// Node at fault.
+        /// Index of the node.
         index: usize,
     },
-    /// The bytes are not those of [`encode_fields`].
+    /// The bytes were not written by [`encode_fields`].
     #[error("not an array of fields: {0}")]
     Malformed(String),
 }
 
-/// Which body.
+/// One of the two bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
-    /// The upper one.
+    /// The upper body.
     Upper,
-    /// The lower one.
+    /// The lower body.
     Lower,
 }
 
@@ -79,7 +79,7 @@ impl Number {
         }
     }
 
-    /// The numbers that bytes stand for.
+    /// Decodes numbers from bytes.
     fn read(self, bytes: &[u8]) -> impl Iterator<Item = f64> {
         bytes.chunks_exact(self.bytes()).map(move |bytes| match self {
             Self::F64 => bytes.try_into().map_or(0.0, f64::from_le_bytes),
@@ -90,7 +90,7 @@ impl Number {
     }
 }
 
-/// One array, as the header lists it.
+/// Entry of an array in the header.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct Array {
     body: Side,
@@ -117,46 +117,46 @@ struct Header {
     arrays: Vec<Array>,
 }
 
-/// Where the arrays of a step stand in its bytes, and how they become other forms piece by piece:
-/// nobody has to hold all of them.
+/// Positions of the arrays in the bytes of a load step. Converts the arrays to other forms piece
+/// by piece, so that no caller has to hold all of them in memory.
 #[derive(Debug, Clone)]
 pub struct FieldLayout {
     arrays: Vec<Array>,
-    /// Where the data begin.
+    /// Offset of the data \[bytes\].
     data: usize,
 }
 
-/// A piece of another form of the fields.
+/// A piece of the fields in another form.
 #[derive(Debug, Clone)]
 pub enum FieldPiece {
-    /// These bytes.
+    /// Literal bytes.
     Text(Vec<u8>),
-    /// What becomes of some of the numbers.
+    /// Numbers that are converted from the bytes of the load step.
     Numbers(NumbersPiece),
 }
 
-/// Numbers of an array, and what they become.
+/// Some numbers of an array and the form to which they are converted.
 #[derive(Debug, Clone)]
 pub struct NumbersPiece {
-    /// Where they stand in the bytes of the step.
+    /// Position of the numbers in the bytes of the load step.
     source: Range<usize>,
     number: Number,
     components: usize,
-    /// They are the first of their array.
+    /// Whether they are the first numbers of their array.
     is_first: bool,
     form: NumbersForm,
 }
 
-/// What numbers become.
+/// Forms of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum NumbersForm {
-    /// Items of a list, with commas before all but the first.
+    /// Items of a JSON list, with a comma before each item except the first.
     Json,
-    /// Floating-point numbers in single precision, others as they are.
+    /// Floating-point numbers in single precision; integers unchanged.
     SinglePrecision,
 }
 
-/// The names of the arrays of a body, in their order.
+/// Names of the arrays of a body, in the order of the bytes.
 pub const FIELD_NAMES: [&str; 9] = [
     "nodes",
     "elements",
@@ -169,7 +169,7 @@ pub const FIELD_NAMES: [&str; 9] = [
     "equivalent_plastic_strain",
 ];
 
-/// Writes arrays one after the other.
+/// Writes arrays in sequence.
 #[derive(Default)]
 struct Encoder {
     arrays: Vec<Array>,
@@ -217,7 +217,7 @@ fn scalars(values: &[f64]) -> &[[f64; 1]] {
     values.as_chunks().0
 }
 
-/// The fields of both bodies in double precision, as [`FieldLayout`] reads them.
+/// Encodes the fields of both bodies in double precision for [`FieldLayout`].
 ///
 /// # Errors
 /// [`FieldArraysError::NotFinite`].
@@ -254,7 +254,7 @@ pub fn encode_fields(fields: &PerBody<Option<FieldsReport>>) -> Result<Vec<u8>, 
     encoder.finish()
 }
 
-/// The layers of both bodies in double precision, as [`FieldLayout`] reads them.
+/// Encodes the layers of both bodies in double precision for [`FieldLayout`].
 ///
 /// # Errors
 /// [`FieldArraysError::NotFinite`].
@@ -270,7 +270,7 @@ pub fn encode_layers(layers: &PerBody<Option<LayersReport>>) -> Result<Vec<u8>, 
 }
 
 impl FieldLayout {
-    /// Reads the header, of bytes that have at least that.
+    /// Reads the header from bytes that include at least the whole header.
     ///
     /// # Errors
     /// [`FieldArraysError::Malformed`].
@@ -299,22 +299,23 @@ impl FieldLayout {
         }
     }
 
-    /// Bytes that the step has at least: up to the end of its last array.
+    /// Returns the end of the last array: the smallest valid number of bytes.
     pub fn end(&self) -> usize {
         self.arrays.iter().map(|array| self.source(array).end).max().unwrap_or(self.data)
     }
 
-    /// The member of a step that the arrays are: `fields` of a mesh, or `layers` of half-spaces.
+    /// Returns the member of the report of a load step that has the arrays: `fields` of a mesh, or
+    /// `layers` of half-spaces.
     pub fn member(&self) -> &'static str {
         if self.arrays.iter().any(|array| array.name == "z_faces") { "layers" } else { "fields" }
     }
 
-    /// Whether a body has arrays.
+    /// Returns whether a body has arrays.
     pub(in crate::report) fn has(&self, body: Side) -> bool {
         self.arrays.iter().any(|array| array.body == body)
     }
 
-    /// Where an array stands.
+    /// Returns the position of an array in the bytes.
     pub(in crate::report) fn find(
         &self,
         body: Side,
@@ -329,7 +330,7 @@ impl FieldLayout {
         begin..begin + array.bytes()
     }
 
-    /// The numbers of an array in pieces of some tens of kilobytes.
+    /// Returns the numbers of an array in pieces of some tens of kilobytes.
     fn numbers(&self, array: &Array, form: NumbersForm) -> impl Iterator<Item = FieldPiece> {
         let (number, components, source) = (array.number, array.components, self.source(array));
         let step = CHUNK.next_multiple_of(components.max(1)) * number.bytes();
@@ -340,7 +341,7 @@ impl FieldLayout {
         })
     }
 
-    /// The JSON of the member of the report that they are.
+    /// Returns the arrays as JSON, in the form of their member of the report.
     pub fn json(&self) -> Vec<FieldPiece> {
         let mut pieces = Vec::new();
         let text = |text: String| FieldPiece::Text(text.into_bytes());
@@ -364,8 +365,8 @@ impl FieldLayout {
         pieces
     }
 
-    /// The arrays of these names, or all of them, as the files of an `.npz` archive, in single
-    /// precision.
+    /// Returns the arrays of these names, or all arrays, as the files of an `.npz` archive in
+    /// single precision.
     pub fn npy(&self, names: Option<&[&str]>) -> Vec<NpyFile> {
         let is_wanted =
             |array: &&Array| names.is_none_or(|names| names.contains(&array.name.as_str()));
@@ -377,8 +378,8 @@ impl FieldLayout {
         self.arrays.iter().filter(is_wanted).map(file).collect()
     }
 
-    /// The shape of an array: nodes or elements with their components; cells of half-spaces by
-    /// layer, x and y.
+    /// Returns the shape of an array: nodes or elements with their components, or cells of
+    /// half-spaces by layer, x and y.
     fn shape(&self, array: &Array) -> Vec<usize> {
         let along = |name| {
             self.arrays
@@ -397,16 +398,16 @@ impl FieldLayout {
 /// A file of an `.npz` archive: one array.
 #[derive(Debug, Clone)]
 pub struct NpyFile {
-    /// `lower/von_mises.npy`.
+    /// Name in the archive, for example `lower/von_mises.npy`.
     pub name: String,
-    /// What stands before the numbers.
+    /// Bytes before the numbers.
     pub header: Vec<u8>,
     /// The numbers.
     pub numbers: Vec<FieldPiece>,
 }
 
-/// What numpy reads before the numbers of an array: type and shape in a Python dictionary, padded
-/// to 64 bytes (version 1.0 of the format,
+/// Returns the header of an `.npy` file: type and shape of the array in a Python dictionary,
+/// padded to 64 bytes (version 1.0 of the format,
 /// <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>).
 fn npy_header(number: Number, shape: &[usize]) -> Vec<u8> {
     const BEGINNING: usize = 10;
@@ -420,7 +421,7 @@ fn npy_header(number: Number, shape: &[usize]) -> Vec<u8> {
 }
 
 impl FieldPiece {
-    /// Where the numbers stand that it is made of.
+    /// Returns the position of the source numbers in the bytes of the load step; empty for text.
     pub fn source(&self) -> Range<usize> {
         match self {
             Self::Text(_) => 0..0,
@@ -428,7 +429,7 @@ impl FieldPiece {
         }
     }
 
-    /// Makes it of the bytes at its source.
+    /// Converts the bytes at the source of the piece.
     pub fn write(self, source: &[u8]) -> Vec<u8> {
         match self {
             Self::Text(text) => text,
@@ -457,7 +458,7 @@ impl NumbersPiece {
             if is_tuple && k % self.components == 0 {
                 text.push(b'[');
             }
-            // Writing to memory does not fail.
+            // A write to memory does not fail.
             let _ = match self.number {
                 #[expect(
                     clippy::cast_possible_truncation,
@@ -497,7 +498,7 @@ mod tests {
         }
     }
 
-    /// The bytes of pieces, one after the other.
+    /// Returns the bytes of pieces in sequence.
     fn written(bytes: &[u8], pieces: Vec<FieldPiece>) -> Vec<u8> {
         pieces.into_iter().flat_map(|piece| piece.clone().write(&bytes[piece.source()])).collect()
     }

@@ -1,15 +1,15 @@
-//! The mesh fields of a step, in one frame for both bodies.
+//! The mesh fields of a load step, in one frame for both bodies.
 //!
-//! The core keeps each body in its own frame, `y` out of the material. The lower body is given as
-//! it is; the upper one is its own picture mirrored in the contact plane:
+//! The solver keeps each body in a frame of its own, with `y` out of the material. The report has
+//! the lower body in this frame, and the upper body mirrored in the contact plane:
 //!
 //! ```text
 //! y → -y - g,  u_y → -u_y,  τ_xy → -τ_xy
 //! element corners in reverse order (still counter-clockwise)
 //! ```
 //!
-//! with `g` the smallest gap between the outlines as the job gives them, so that the bodies just
-//! touch.
+//! where `g` is the smallest gap between the outlines in the coordinates of the job, so that the
+//! bodies just touch.
 
 use std::sync::Arc;
 
@@ -47,7 +47,7 @@ pub struct FieldsReport {
     pub equivalent_plastic_strain: Vec<f64>,
 }
 
-/// The fields of both bodies; nothing for a rigid one.
+/// Returns the fields of both bodies; `None` for a rigid body.
 pub(super) fn fields(
     step: &StepSolution,
     write: UnitConverter,
@@ -61,7 +61,7 @@ pub(super) fn fields(
     Ok(PerBody { upper: of(upper, true)?, lower: of(lower, false)? })
 }
 
-/// Nodes between two questions to the observer; some tens of milliseconds.
+/// Number of nodes between two calls of the observer, some tens of milliseconds.
 const NODES_BETWEEN_CHECKPOINTS: usize = 1 << 15;
 
 fn body_fields(
@@ -72,7 +72,7 @@ fn body_fields(
     observer: &mut dyn Observer,
 ) -> Result<FieldsReport, Interrupt> {
     ask(observer)?;
-    // Adding zero turns a mirrored -0 into 0.
+    // The addition of zero turns a mirrored -0 into 0.
     let (sign, gap) = if mirror { (-1.0, step.smallest_gap) } else { (1.0, 0.0) };
     let global =
         |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];

@@ -1,5 +1,4 @@
-//! What flow theory knows beyond the state under a load: its increments, the dent, and where the
-//! work has gone.
+//! Report of flow theory: increments, surfaces with their dents, and energies.
 
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +38,7 @@ pub struct EnergyReport {
 }
 
 impl EnergyReport {
-    /// Energies in the units of a job.
+    /// Returns the energies in the units of a job.
     pub(super) fn of(energy: Energy, write: UnitConverter) -> Self {
         let in_units = |energy: f64| write.force(write.length(energy));
         Self {
@@ -69,7 +68,7 @@ pub struct IncrementsReport {
 }
 
 impl IncrementsReport {
-    /// Increments in the units of a job.
+    /// Returns the increments in the units of a job.
     pub(super) fn of(increments: &[IncrementRecord], write: UnitConverter) -> Self {
         Self {
             force: increments.iter().map(|end| write.force(end.force)).collect(),
@@ -103,7 +102,8 @@ pub struct SurfaceReport {
     pub max_reverse_strain: f64,
 }
 
-/// Equivalent plastic strain that the tolerance of an iteration may leave where nothing yields.
+/// Equivalent plastic strain below which a point counts as elastic. The tolerance of the iteration
+/// may leave smaller strains.
 pub(super) const NOTICEABLE: f64 = 1e-6;
 
 pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowReport> {

@@ -1,13 +1,13 @@
-//! The curve of force over approach that a sweep traces.
+//! The curve of force over approach, through the load steps of a job.
 
 use serde::{Deserialize, Serialize};
 
 use super::units::UnitConverter;
 use crate::solver::IncrementRecord;
 
-/// Elements by which the contact grows between loads whose difference says how steep the curve is:
-/// while it grows by one element, the approach on a mesh deviates to one side and then to the
-/// other.
+/// Number of elements by which the contact grows between two loads of a difference quotient. While
+/// the contact grows by one element, the error of the approach changes its sign, and closer loads
+/// give a wrong slope.
 const GROWTH: f64 = 2.0;
 
 /// Force over approach, only of converged steps: in order of the approach or, of a history, in the
@@ -46,14 +46,14 @@ pub(super) struct CurvePoint {
 }
 
 impl CurvePoint {
-    /// Whether two points differ by rounding only.
+    /// Returns whether the approaches of two points differ by rounding only.
     fn is_at(&self, other: &Self) -> bool {
         (self.approach - other.approach).abs() <= f64::EPSILON.sqrt() * self.approach.abs()
     }
 }
 
-/// The points of a step: the ends of its increments, or what it ends with, `[approach, force,
-/// half-width]`, where it has none. The last of them has the contact stiffness of the step.
+/// Returns the points of a load step: the ends of its increments or, without increments, its own
+/// end `[approach, force, half-width]`. The last point has the contact stiffness of the load step.
 pub(super) fn points(
     increments: &[IncrementRecord],
     end: [f64; 3],
@@ -78,21 +78,22 @@ pub(super) fn points(
     points
 }
 
-/// The curve through points of converged steps; `None` of fewer than two different approaches.
+/// Returns the curve through points of converged load steps, or `None` for fewer than two
+/// different approaches.
 ///
-/// Deformation theory has no memory, so the order in which the loads were applied does not matter.
+/// Deformation theory has no memory, so that the order of the loads does not matter.
 pub(super) fn curve(mut points: Vec<CurvePoint>, write: UnitConverter) -> Option<LoadApproach> {
     points.sort_by(|a, b| a.approach.total_cmp(&b.approach));
     points.dedup_by(|b, a| b.is_at(a));
     (points.len() >= 2).then(|| written(&points, &slopes(&points), write))
 }
 
-/// The way of a history through points of its increments, from rest. Slopes are taken within the
-/// run that rises or falls.
+/// Returns the path of a history from rest through the ends of its increments. Slopes are computed
+/// within each rising or falling branch.
 pub(super) fn history(points: &[CurvePoint], write: UnitConverter) -> Option<LoadApproach> {
     let mut way = vec![CurvePoint::default()];
     way.extend(points);
-    // Of two points at one place the later one knows more.
+    // The later one of two points at the same approach may have a stiffness.
     way.dedup_by(|b, a| {
         let is_same = b.is_at(a);
         if is_same {
@@ -110,7 +111,7 @@ pub(super) fn history(points: &[CurvePoint], write: UnitConverter) -> Option<Loa
         let same_way = |pair: &&[CurvePoint]| (pair[1].approach > pair[0].approach) == rises;
         let length = way[first..].windows(2).take_while(same_way).count();
         let run = slopes(&way[first..=first + length]);
-        // A turning point belongs to the run that ends there.
+        // A turning point belongs to the branch that ends there.
         all.extend(run.into_iter().skip(usize::from(first > 0)));
         first += length;
     }
@@ -127,14 +128,14 @@ fn written(points: &[CurvePoint], slopes: &[Slope], write: UnitConverter) -> Loa
     }
 }
 
-/// A slope and the forces between which it was taken.
+/// A slope and the forces between which it is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Slope {
     value: f64,
     between: [f64; 2],
 }
 
-/// Slopes at each of at least two points of different approaches that only rise or only fall.
+/// Returns the slope at each point of a rising or falling branch of at least two points.
 fn slopes(points: &[CurvePoint]) -> Vec<Slope> {
     (0..points.len()).map(|k| slope(points, k)).collect()
 }
@@ -155,8 +156,8 @@ fn slope(points: &[CurvePoint], k: usize) -> Slope {
     Slope { value, between: [from.force, to.force] }
 }
 
-/// Exponent of the power law through two points, by which a slope may be taken at one end of a
-/// span as well as in its middle.
+/// Returns the exponent of the power law through two points. The slope of a power law is accurate
+/// at the ends of the span too, unlike a difference quotient.
 fn secant_exponent(from: CurvePoint, to: CurvePoint) -> Option<f64> {
     let is_power = [from, to].iter().all(|point| point.force > 0.0 && point.approach > 0.0);
     is_power.then(|| (to.force / from.force).ln() / (to.approach / from.approach).ln())

@@ -1,5 +1,4 @@
-//! What a mesh does to the figures of an answer that the difference to a coarser mesh does not
-//! show.
+//! Errors of the mesh that a comparison with a coarser mesh does not reveal.
 
 use std::sync::Arc;
 
@@ -7,21 +6,23 @@ use crate::fem::element::StressState;
 use crate::job::{Body, Job, Support};
 use crate::solver::{BodySolution, ContactPatch, StepSolution};
 
-/// Change of the peak pressure by half the elements from which on it is said to grow at a corner.
+/// Relative growth of the peak pressure, from half the elements to the full number, above which
+/// the pressure at a corner counts as growing with the density of the mesh.
 const GROWTH: f64 = 0.02;
-/// Elements over a half-width, and over a ring, below which a mesh is called coarse. Meshes are
-/// sized by an estimate of the half-width, so one of 10 elements may turn out to have 9.5.
+/// Number of elements over a half-width, or over a ring, below which a mesh is called coarse. The
+/// mesh generator estimates the half-width, so that a mesh of 10 elements may turn out to have
+/// 9.5.
 pub(super) const COARSE_MESH: f64 = 9.0;
-/// Elements from an end of a contact that are next to it, of one that is wider to each side than
-/// the last, and of a circle or ring.
+/// Distance in elements within which a peak is next to the end of the contact: in plane analyses,
+/// for contacts with a half-width above `WIDE`, and for a circle or ring.
 const NEXT_TO_END: f64 = 4.0;
 const NEXT_TO_END_OF_CIRCLE: f64 = 5.0;
 const WIDE: f64 = 6.0;
-/// Elements from the middle of a contact within which the peak is in the middle.
+/// Distance in elements within which a peak is in the middle of the contact.
 const PEAK_IN_MIDDLE: f64 = 1.5;
 
-/// Whether a body of revolution touches on a ring of so few elements that coarser ones do not tell
-/// what finer ones change.
+/// Returns whether a body of revolution touches on a ring of so few elements that a comparison
+/// with coarser elements does not bound the error.
 pub(super) fn is_ring_on_few_elements(step: &StepSolution) -> bool {
     let is_few = |part: &ContactPatch| {
         let holds_peak = (part.left..=part.right).contains(&step.peak_position);
@@ -30,9 +31,9 @@ pub(super) fn is_ring_on_few_elements(step: &StepSolution) -> bool {
     step.stress_state == StressState::Axisymmetric && step.parts.iter().any(is_few)
 }
 
-/// Whether the largest pressure lies beside the middle and next to an end of its part of the
-/// contact, as below a flat with rounded edges that is given by points: there pressure rises
-/// within elements.
+/// Returns whether the peak pressure lies off the middle and next to an end of its part of the
+/// contact, for example below a flat with rounded edges that is given by points. The pressure
+/// there rises within single elements.
 pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
     let is_round = step.stress_state == StressState::Axisymmetric;
     let next = if is_round { NEXT_TO_END_OF_CIRCLE } else { NEXT_TO_END };
@@ -48,15 +49,15 @@ pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
     };
     let is_wide = step.patch.is_some_and(|patch| patch.half_width() > WIDE * step.spacing);
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    // In plane stress the pressure of bodies that yield has a limit.
+    // In plane stress the pressure on yielding bodies has a limit.
     let is_limited = yields && step.stress_state == StressState::PlaneStress;
     let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some() || is_limited;
     !is_known && (is_wide || is_round) && step.parts.iter().any(is_next)
 }
 
-/// Whether the peak pressure has no limit on smaller and smaller elements: that of an elastic
-/// contact over a sharp corner, and that at a corner where it still grows although the bodies
-/// yield.
+/// Returns whether the peak pressure grows without limit as the elements get smaller: on elastic
+/// bodies with a loaded sharp corner, and at a corner of yielding bodies whose pressure still
+/// grows with the density of the mesh.
 pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
     if step.loaded_corners.is_empty() || step.rounded_edge.is_some() {
         return false;
@@ -69,14 +70,14 @@ pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
     step.loaded_corners.iter().any(is_at_peak) && growth > GROWTH
 }
 
-/// Whether the mesh does not tell the largest pressure.
+/// Returns whether the mesh does not resolve the peak pressure.
 pub(super) fn is_peak_unknown(step: &StepSolution) -> bool {
     step.rounded_tip.is_some() || peak_is_unbounded(step) || peak_is_next_to_end(step)
 }
 
-/// Whether a clamped body of a plane analysis is deeper than wide. Its end is kept from widening
-/// over half its width, in which the rows of the mesh are few, whatever its density: what that
-/// does to the approach no coarser mesh shows.
+/// Returns whether a clamped body of a plane analysis is deeper than wide. The clamp prevents the
+/// lateral strain of the body up to half its width from its end. At any density the mesh has few
+/// rows there, and no coarser mesh reveals their effect on the approach.
 pub(super) fn is_clamped_column(job: &Job, step: &StepSolution) -> bool {
     let is_column = |(body, solution): (&Body, &Option<Arc<BodySolution>>)| {
         let clamped = solution.as_ref().filter(|_| body.support == Support::Clamped);

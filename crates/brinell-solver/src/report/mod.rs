@@ -1,4 +1,4 @@
-//! What a solution means to its reader: the report, its validity and its error bars.
+//! The report of a solution: its figures, their validity and their error bars.
 
 mod build;
 mod contact;

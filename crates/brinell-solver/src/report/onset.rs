@@ -1,4 +1,4 @@
-//! Where and under which force a contact first yields.
+//! The onset of yield: position and force.
 
 use serde::{Deserialize, Serialize};
 
@@ -40,11 +40,12 @@ pub enum Side {
     Lower,
 }
 
-/// Error of an onset at a rounded edge up to which the closed form there tells it.
+/// Largest relative error at which the closed form gives the onset at a rounded edge.
 const KNOWN: f64 = 0.15;
 
-/// Why elastic bodies yield under a smaller force than the mesh of a step shows, as the remark
-/// `onset_unknown`; `None` where they do not, and of bodies that have yielded.
+/// Returns the remark `onset_unknown`: the reason why elastic bodies yield under a smaller force
+/// than the mesh of a load step shows. Returns `None` if the mesh resolves the onset, or if a body
+/// has yielded.
 pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
     if step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
         return None;
@@ -73,7 +74,7 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
             job.analysis.force().symbol(Units::MmNMpa),
         ));
     }
-    // Elements that resolve the edge of a punch find the peak on it.
+    // Elements that resolve the edge of a punch find the peak pressure on the edge.
     let is_punch =
         [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
     let can_yield = || Problem::of(job).bodies.iter().any(|body| body.yield_stress().is_some());
@@ -95,12 +96,13 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
     ))
 }
 
-/// Whether the job asks for an onset that the mesh does not tell.
+/// Returns whether the job asks for an onset that the mesh does not resolve.
 pub(super) fn is_onset_unknown(job: &Job, step: &StepSolution) -> bool {
     job.load == Load::Onset && why_unknown(job, step).is_some()
 }
 
-/// The onset that a job asked for; `None` for any other job, and where the mesh does not tell it.
+/// Returns the onset of yield for a job that asks for it, or `None` if the mesh does not resolve
+/// it.
 pub(super) fn onset(
     job: &Job,
     step: &StepSolution,
@@ -113,7 +115,7 @@ pub(super) fn onset(
     let first = highest_utilization(step, &problem)?;
     let solution = step.bodies.get(first.body)?.as_ref()?;
     let [x, depth] = solution.mesh.frame.place(first.position);
-    // The force that was prescribed; the nodal ones add up to it but for rounding.
+    // The prescribed force. The sum of the nodal forces differs from it by rounding.
     let force = match step.load {
         ContactLoad::Force(force) => force,
         ContactLoad::Approach(_) => step.force(),

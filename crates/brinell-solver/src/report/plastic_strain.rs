@@ -1,33 +1,33 @@
-//! The largest plastic strain: whether it has a limit, and whether the curve of the material tells
-//! how large it is.
+//! The largest plastic strain: whether it is independent of the mesh, and whether the hardening
+//! curve of the material is accurate enough for it.
 
 use crate::job::{Deformable, Hardening, Job, Load, Material, TargetFigure};
 use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution};
 
-/// Plastic strain below which a bilinear curve says little of a real material.
+/// Plastic strain below which a bilinear curve represents a real material badly.
 const SMALL_STRAIN: f64 = 0.01;
 
-/// What is said of the strain of a material that does not harden.
+/// Remark on the strain of a material that does not harden.
 pub(super) const UNBOUNDED: &str = "The largest plastic strain of a material that does not harden \
                                     has no limit on smaller and smaller elements, and is not \
                                     given. The plastic area and the mean plastic strain in it do \
                                     not depend on the mesh.";
 
-/// The largest equivalent plastic strain of a body; `None` where its material does not harden any
-/// more: flow gathers in bands as narrow as elements, so that the strain in them grows with the
-/// density of the mesh.
+/// Returns the largest equivalent plastic strain of a body, or `None` if its material no longer
+/// hardens at this strain. Plastic flow then gathers in bands of the width of one element, and the
+/// strain grows with the density of the mesh.
 pub(super) fn largest(body: &BodySolution) -> Option<f64> {
     let strain = body.max_plastic_strain();
     bounded(strain, body.model.hardening())
 }
 
-/// The largest plastic strain by a curve; `None` where that does not rise any more.
+/// Returns the largest plastic strain, or `None` if the hardening curve no longer rises there.
 pub(super) fn bounded(strain: f64, law: Option<&dyn HardeningLaw>) -> Option<f64> {
     (strain == 0.0 || law.is_none_or(|law| law.slope(strain) > 0.0)).then_some(strain)
 }
 
-/// Codes and messages.
+/// Returns codes and texts of the remarks on plastic strain.
 pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
     let mut remarks = Vec::new();
     if step.bodies.iter().flatten().any(|body| largest(body).is_none()) {
@@ -39,7 +39,7 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
     remarks
 }
 
-/// What is said of a small permanent deformation by a bilinear curve.
+/// Returns the remark on a small permanent deformation that is computed with a bilinear curve.
 pub(super) fn bilinear_curve(job: &Job, strain: f64) -> Option<(&'static str, String)> {
     let is_permanent = match &job.load {
         Load::Target(target) => {

@@ -1,18 +1,19 @@
-//! The outline of the plastic zone.
+//! The outline of the plastic region.
 //!
 //! ```text
 //! f = q + 3G ε_p - σ_y [MPa]
 //! q = von_mises, ε_p = equivalent_plastic_strain, σ_y = yield_stress
 //! ```
 //!
-//! The zone is where `f >= 0`. Because deformation theory has `q = 3G (ε_q - ε_p)`, f is the
-//! stress that the strain would cause in an elastic body, less the yield stress: unlike q it runs
-//! smoothly through the boundary. For a law without a yield point (Ramberg–Osgood) the zone is by
-//! convention where q exceeds the reference stress. Under flow theory the zone is what has yielded
-//! so far: q is the largest that each point has borne.
+//! The plastic region is the set of points with `f >= 0`. Deformation theory has `q = 3G (ε_q -
+//! ε_p)`, so that f is the stress of an elastic body under the same strain, less the yield stress:
+//! unlike q, f is smooth across the boundary. For a law without a yield point (Ramberg–Osgood) the
+//! region is by convention the set of points where q exceeds the reference stress. Under flow
+//! theory q is the largest von Mises stress in the history of a point, and the region includes all
+//! points that have yielded so far.
 //!
-//! f is recovered at the nodes. Each quadrilateral is cut along the straight line between the
-//! zeros on its edges; an edge that two pieces share cancels, and what is left is chained to
+//! f is recovered at the nodes. A straight line between the zeros on its edges cuts each
+//! quadrilateral. Edges that two pieces share cancel, and the remaining edges are chained to
 //! closed polygons.
 
 use std::collections::BTreeMap;
@@ -21,28 +22,28 @@ use crate::analytical::Stress;
 use crate::solver::recovery::{Recovery, Values};
 use crate::solver::{BodySolution, has_yielded};
 
-/// Most points of a polygon; a longer one is thinned.
+/// Maximum number of points of a polygon; longer polygons are thinned.
 const MAX_POINTS: usize = 400;
-/// Most polygons; the largest are kept.
+/// Maximum number of polygons; the largest are kept.
 const MAX_POLYGONS: usize = 8;
-/// Area of a polygon over that of the largest below which it is dropped as noise.
+/// Area of a polygon over the area of the largest polygon below which it is dropped as noise.
 const NOISE: f64 = 1e-3;
 
-/// Where a body is beyond yield.
+/// The plastic region of a body.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct PlasticZone {
     /// Closed polygons `[x, depth]` \[mm\] without the first point repeated; anticlockwise in the
     /// axes `(x, depth)`, holes clockwise. A symmetric body is completed by its mirror image.
     pub outline: Vec<Vec<[f64; 2]>>,
-    /// Whether the zone includes a point of the free surface.
+    /// Whether the plastic region includes a point of the free surface.
     pub reached_surface: bool,
 }
 
-/// A corner of the outline: a node, or the zero on the edge between two nodes; and whether it is a
-/// mirror image.
+/// A corner of the outline: a node (twice), or the two nodes of an edge with a zero between them;
+/// and whether the corner is a mirror image.
 type Corner = (u32, u32, bool);
 
-/// Outlines the zone of a body.
+/// Returns the plastic region of a body with its outline.
 pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
     let Some(excess) = Excess::of(solution) else { return PlasticZone::default() };
     let limit_at =
@@ -62,7 +63,7 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
     for &element in &elements {
         is_whole[element] = mesh.elements[element].iter().all(|node| values[node] >= 0.0);
     }
-    // Between two elements that are inside as a whole, an edge would only meet its opposite.
+    // Two elements that both lie inside share an edge, which would cancel anyway.
     let is_within = |element: usize, (from, ..): Corner, (to, ..): Corner| {
         let shares = |&other: &u32| {
             let other = other as usize;
@@ -98,20 +99,20 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
     }
 }
 
-/// How f is formed from recovered values.
+/// Constants that compute f from recovered values.
 struct Excess {
-    /// Yield or reference stress where strength is not scaled \[MPa\].
+    /// Yield or reference stress at a strength of 1 \[MPa\].
     limit: f64,
-    /// 3G where plastic strain counts \[MPa\], else 0.
+    /// 3G for a law with a yield point, else 0 \[MPa\].
     triple_shear: f64,
-    /// Whether q is the largest so far.
+    /// Whether q is the largest von Mises stress of the history.
     has_memory: bool,
 }
 
 impl Excess {
     fn of(solution: &BodySolution) -> Option<Self> {
         let law = solution.model.hardening()?;
-        // Without an elastic limit there is plastic strain on both sides of the boundary.
+        // Without a yield point, points on both sides of the boundary have plastic strain.
         let triple_shear =
             if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
         Some(Self {
@@ -121,7 +122,7 @@ impl Excess {
         })
     }
 
-    /// `q + 3G ε_p` \[MPa\].
+    /// Returns `q + 3G ε_p` \[MPa\].
     fn stress(&self, [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, largest]: Values) -> f64 {
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
         let von_mises = if self.has_memory { largest } else { stress.von_mises() };
@@ -129,7 +130,7 @@ impl Excess {
     }
 }
 
-/// Elements with a Gauss point beyond yield, and their neighbours.
+/// Returns the elements with a Gauss point that has yielded, and their neighbours.
 fn elements_near_yield(solution: &BodySolution, recovery: &Recovery<'_>) -> Vec<usize> {
     let mut near = vec![false; solution.mesh.elements.len()];
     for (nodes, points) in solution.mesh.elements.iter().zip(&solution.stress.points) {
@@ -142,8 +143,8 @@ fn elements_near_yield(solution: &BodySolution, recovery: &Recovery<'_>) -> Vec<
     near.iter().enumerate().filter(|(_, near)| **near).map(|(element, _)| element).collect()
 }
 
-/// Corners of the part of a quadrilateral where f is not negative, in the quadrilateral's sense of
-/// rotation.
+/// Returns the corners of the part of a quadrilateral with `f >= 0`, in the sense of rotation of
+/// the quadrilateral.
 fn cut(nodes: [u32; 4], values: &BTreeMap<u32, f64>) -> Vec<Corner> {
     let is_inside = |node: u32| values.get(&node).is_some_and(|f| *f >= 0.0);
     let mut corners = Vec::with_capacity(6);
@@ -158,7 +159,7 @@ fn cut(nodes: [u32; 4], values: &BTreeMap<u32, f64>) -> Vec<Corner> {
     corners
 }
 
-/// `[x, depth]` of a corner.
+/// Returns `[x, depth]` of a corner.
 fn position(
     (a, b, mirrored): Corner,
     solution: &BodySolution,
@@ -173,12 +174,12 @@ fn position(
     [if mirrored { -x } else { x }, depth]
 }
 
-/// Directed edges that have not met their opposite.
+/// Directed edges whose opposite edge has not been added.
 #[derive(Default)]
 struct Edges(BTreeMap<Corner, Vec<Corner>>);
 
 impl Edges {
-    /// Adds an edge of a polygon.
+    /// Adds an edge of a polygon, or cancels the opposite edge.
     fn add(&mut self, from: Corner, to: Corner) {
         if let Some(ends) = self.0.get_mut(&to)
             && let Some(k) = ends.iter().position(|end| *end == from)
@@ -189,8 +190,8 @@ impl Edges {
         }
     }
 
-    /// Chains the edges that are left. As many edges arrive at every corner as leave it, so every
-    /// chain closes.
+    /// Chains the remaining edges to polygons. Every corner has as many incoming as outgoing
+    /// edges, so that every chain closes.
     fn chain(mut self) -> Vec<Vec<Corner>> {
         let starts: Vec<Corner> = self.0.keys().copied().collect();
         let mut chains = Vec::new();
@@ -209,7 +210,7 @@ impl Edges {
     }
 }
 
-/// The largest polygons, largest first, thinned.
+/// Returns the largest polygons, in descending order of area and thinned.
 fn largest(mut polygons: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
     let size = |polygon: &Vec<[f64; 2]>| signed_area(polygon).abs();
     polygons.sort_by(|a, b| size(b).total_cmp(&size(a)));
@@ -223,7 +224,7 @@ fn largest(mut polygons: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
     polygons
 }
 
-/// Area of a polygon, positive anticlockwise.
+/// Returns the area of a polygon, positive anticlockwise.
 fn signed_area(polygon: &[[f64; 2]]) -> f64 {
     let pairs = polygon.iter().zip(polygon.iter().cycle().skip(1));
     0.5 * pairs.map(|([x0, y0], [x1, y1])| x0 * y1 - x1 * y0).sum::<f64>()

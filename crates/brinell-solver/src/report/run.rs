@@ -1,4 +1,4 @@
-//! The one entry that the service and the command line use.
+//! Entry points of the service and the command line: they estimate, solve and report a job.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -18,13 +18,13 @@ use crate::solver::{
     StepSolution,
 };
 
-/// Why a job gave no report.
+/// Reasons for a job without a report.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RunError {
     /// The job is well formed but describes a contact that the theory does not cover.
     #[error("{}", summary(.0))]
     Input(Vec<FieldError>),
-    /// The observer stopped it before there was anything to report.
+    /// The observer stopped the job before the first report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),
     /// The solver failed.
@@ -37,10 +37,10 @@ fn summary(errors: &[FieldError]) -> String {
 }
 
 impl RunError {
-    /// The error of a job, with the fields that are at fault.
+    /// Returns the error of a job and names the fields that cause it.
     pub(super) fn of(job: &Job, error: &SolveError) -> Self {
         let sides = [("upper", &job.upper), ("lower", &job.lower)];
-        // The surfaces given by points, of bodies that deform or of all.
+        // Surfaces given by points: of deformable bodies or of all bodies.
         let faces = |deformable: bool| -> Vec<String> {
             let faces = sides.iter().filter(|(_, body)| {
                 let is_rigid = matches!(body.material, Material::Rigid);
@@ -92,14 +92,14 @@ impl RunError {
             SolveError::TooWide { .. } | SolveError::Conforming { .. } if lies_in_groove(job) => {
                 format!("{error}; {CONFORMING_ADVICE}")
             }
-            // What went wrong within the contact solver says nothing to who wrote the job.
+            // The author of the job cannot act on errors from inside the contact solver.
             SolveError::Contact(
                 ContactError::NotPositiveDefinite { .. }
                 | ContactError::NoEnergy { .. }
                 | ContactError::Ray { .. }
                 | ContactError::IllConditioned { .. },
-            ) => "rounding leaves the contact without an answer: lengths, stiffness and load of the \
-                  job differ by too many orders of magnitude for numbers of double precision"
+            ) => "rounding leaves the contact without an answer: lengths, stiffness and load of \
+                  the job differ by too many orders of magnitude for numbers of double precision"
                 .to_owned(),
             error => error.to_string(),
         };
@@ -115,12 +115,12 @@ impl RunError {
     }
 }
 
-/// What to do about a round body that fills its groove.
+/// Advice for a round body that nearly fills its groove.
 pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is \
                                             solved as a `cylinder` in a `hole`, up to 80° to each \
                                             side";
 
-/// Whether a cylinder or ball lies in a groove.
+/// Returns whether a cylinder or ball lies in a groove.
 pub(super) fn lies_in_groove(job: &Job) -> bool {
     matches!(
         (&job.upper.shape, &job.lower.shape),
@@ -146,7 +146,7 @@ pub struct JobEstimate {
 /// Estimates the cost of a job without meshing it.
 ///
 /// # Errors
-/// The fields that describe a contact which is not solved.
+/// The fields of the job that describe a contact outside the theory.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     if job.analysis == Analysis::ThreeDimensional {
         return half_spaces::preflight(job);
@@ -158,44 +158,44 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     }
 }
 
-/// Bytes that solving takes whatever the job: the heap of a thread, in pages of 2 MiB, and steps
-/// on their way into a result.
+/// Bytes that every job takes: the heap of a thread, in pages of 2 MiB, and buffers of the load
+/// steps that are being written to the result.
 pub(super) const SOLVER_BYTES: u64 = 56 << 20;
-/// Bytes of the fields of a step for each node: ten numbers and the corners of an element.
+/// Bytes per node of the fields of a load step: ten numbers and the corners of an element.
 const FIELD_BYTES: u64 = 96;
-/// Copies of them while a step is written, encoded and stored.
+/// Copies of the fields while a load step is written, encoded and stored.
 pub(super) const FIELD_COPIES: u64 = 6;
-/// Bytes of the rest of a step's report, compressed; it grows with the number of contact nodes.
+/// Bytes of the compressed report of a load step without fields and contact nodes.
 pub(super) const STEP_BYTES: u64 = 8 << 10;
-/// And for each element over the half-width.
+/// Bytes that each element over the half-width adds to the report, by its contact nodes.
 const STEP_BYTES_PER_ELEMENT: u64 = 832;
 
-/// Bytes of an increment of flow theory for each node: displacements of the nodes of the coarse
-/// mesh, which has a quarter of them, of this division and of one that is twice as fine.
+/// Bytes per node of an increment of flow theory. The solver keeps displacements of the coarse
+/// mesh, with a quarter of the nodes, for this number of increments and for twice the number.
 const INCREMENT_BYTES: u64 = 16 * (1 + 2) / 4;
 /// Bytes of an increment and its iterations in the report.
 const REPORTED_INCREMENT_BYTES: u64 = 1024;
-/// Increments that the solver chooses itself: so many up to the largest load, and of each load.
+/// Increments that the solver chooses itself: in total up to the largest load, and for each load.
 const CHOSEN_INCREMENTS: [u64; 2] = [32, 2];
 
-/// Bytes of a factor whose step is one unit of work.
+/// Memory of a job \[bytes\] whose load step counts as one unit of work.
 const WORK_UNIT: u64 = 1 << 16;
 
-/// Solves of a load that is sought, those on coarser meshes by what they take.
+/// Mesh solves of a search for a load. Coarser meshes count by their share of the work.
 const SEARCH_SOLVES: u64 = 4;
 
-/// Steps of a job, and solves that they take.
+/// Returns the number of load steps of a job and of their mesh solves.
 pub(super) fn steps_and_solves(job: &Job) -> [u64; 2] {
     match &job.load {
         Load::Forces(sweep) | Load::Approaches(sweep) => [sweep.iter().count() as u64; 2],
         Load::History(history) => [history.iter().count() as u64; 2],
-        // With force and without it.
+        // One load step under the force and one after its removal.
         Load::Target(target) if target.figure.is_permanent() => [2, 2 * SEARCH_SOLVES],
         Load::Onset | Load::Target(_) => [1, SEARCH_SOLVES],
     }
 }
 
-/// Adds what the result takes to what the solve takes.
+/// Adds the memory and work of the result to the estimate of the solver.
 fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let [steps, solves] = steps_and_solves(job);
     let [to_largest, of_load] =
@@ -219,7 +219,7 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     }
 }
 
-/// Shows another observer each iteration in the units of the job.
+/// Converts each iteration to the units of the job and passes it to another observer.
 struct InUnits<'a> {
     observer: &'a mut dyn Observer,
     write: UnitConverter,
@@ -243,15 +243,15 @@ impl Observer for InUnits<'_> {
     }
 }
 
-/// Solves a job and reports on it. Iterations are shown to the observer in the units of the job.
+/// Solves a job and returns its report. The observer sees iterations in the units of the job.
 ///
 /// # Errors
-/// [`RunError`]. An iteration that does not converge is a report with that status, not an error.
+/// [`RunError`]. A job that does not converge returns a report with that status, not an error.
 pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
     run_with(job, Options::default(), observer)
 }
 
-/// [`run`] with options.
+/// Solves a job with options, as [`run`].
 ///
 /// # Errors
 /// As [`run`].
@@ -269,10 +269,10 @@ pub fn run_with(
     Ok(Report { steps, ..report })
 }
 
-/// [`run_with`] that hands over the report of each step, with its number from 0 on, as soon as the
-/// step is finished. Where a history begins anew on a wider mesh, so do the numbers: a step takes
-/// the place of the one that had its number, and those behind that one are given up. The report
-/// that is returned has no steps.
+/// Solves a job as [`run_with`] and passes the report of each load step to `on_step` when the step
+/// ends. Steps are numbered from 0. A history that restarts on a wider mesh numbers its steps from
+/// 0 again: a step then replaces the earlier step of its number, and all later ones are void. The
+/// returned report has no steps.
 ///
 /// # Errors
 /// As [`run`].
@@ -292,11 +292,10 @@ pub fn run_each(
     Ok(reports.builder.finish(&solution, observer))
 }
 
-/// Reports on each step as it is finished, so that it is reported whatever becomes of the steps
-/// after it.
+/// Reports each load step when it ends, so that failures of later steps do not lose it.
 struct Reports<'a> {
     builder: ReportBuilder<'a>,
-    /// Of the next step.
+    /// Number of the next load step.
     number: usize,
     on_step: &'a mut dyn FnMut(usize, StepReport),
 }

@@ -1,4 +1,4 @@
-//! What to keep in mind where strength varies with depth.
+//! Remarks on strength that varies with depth.
 
 use std::sync::Arc;
 
@@ -9,12 +9,12 @@ use crate::job::{Job, Material, MeshSettings, OverDepth};
 use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution};
 
-/// Ratio of strengths within one element beyond which the mesh is called coarse for it.
+/// Ratio of largest to smallest strength within one element above which the mesh is called coarse.
 pub(super) const COARSE_RATIO: f64 = 1.1;
-/// Stress over strength below which it does not matter.
+/// Stress over strength below which a change of strength within an element is harmless.
 pub(super) const IDLE: f64 = 0.5;
 
-/// Codes and messages.
+/// Returns codes and texts of the remarks on strength.
 pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
     let mut remarks = Vec::new();
     remarks.extend(by_hardness(job));
@@ -40,7 +40,7 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
     remarks
 }
 
-/// What is said of a yield stress that follows from hardness.
+/// Returns the remark on a yield stress that follows from hardness.
 pub(super) fn by_hardness(job: &Job) -> Option<(&'static str, String)> {
     let rule = |material: &Material| match material {
         Material::Deformable(material) => material.over_depth().and_then(OverDepth::rule),
@@ -54,7 +54,7 @@ pub(super) fn by_hardness(job: &Job) -> Option<(&'static str, String)> {
     Some(("yield_by_hardness", message))
 }
 
-/// What is said of an initial stress that is so many times the yield stress.
+/// Returns the remark on an initial stress that is `ratio` times the yield stress.
 fn initial_yield(ratio: f64) -> Option<(&'static str, String)> {
     let message = format!(
         "The initial stress, after the body has relaxed, is {ratio:.3} times the yield stress \
@@ -64,7 +64,7 @@ fn initial_yield(ratio: f64) -> Option<(&'static str, String)> {
     (ratio > 1.0).then_some(("initial_yield", message))
 }
 
-/// Von Mises stress over yield stress before the load, where it is highest.
+/// Returns the largest ratio of von Mises stress to yield stress before the load.
 fn initial_utilization(body: &Arc<BodySolution>) -> Option<f64> {
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress)?;
     let at_rest = body.at_rest()?;
@@ -75,12 +75,12 @@ fn initial_utilization(body: &Arc<BodySolution>) -> Option<f64> {
     ratios.max_by(f64::total_cmp)
 }
 
-/// Whether the strength of a body changes within elements that are stressed.
+/// Returns whether the strength of a body changes within single stressed elements.
 pub(super) fn is_coarse(body: &BodySolution) -> bool {
     coarsest(body).is_some()
 }
 
-/// The largest ratio of strengths within an element that is stressed, and the middle of that
+/// Returns the largest ratio of strengths within a stressed element, and the middle of that
 /// element.
 fn coarsest(body: &BodySolution) -> Option<(f64, [f64; 2])> {
     if !body.model.varies_in_strength() {

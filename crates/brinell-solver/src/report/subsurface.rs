@@ -1,5 +1,4 @@
-//! Stresses over depth below the middle of the contact, and below the peak pressure where that is
-//! elsewhere.
+//! Stresses over depth below the middle of the contact, and below a peak pressure off the middle.
 
 use super::SubsurfaceReport;
 use super::units::UnitConverter;
@@ -9,13 +8,14 @@ use crate::job::Quantity;
 use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution, recovered, recovered_at_rest};
 
-/// Whether the peak pressure has a normal of its own.
+/// Returns whether the peak pressure lies off the middle and needs a profile of its own.
 pub(super) fn is_beside_middle(step: &StepSolution) -> bool {
     (step.peak_position - step.middle).abs() > 0.5 * step.spacing
 }
 
-/// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the
-/// mesh's own nodes below the nearest candidate node, from the surface to the support.
+/// Returns the stresses along the normal to the surface at the abscissa `x` \[mm\], from the
+/// surface to the support. The depths are the depths of the mesh nodes below the nearest candidate
+/// node.
 pub(super) fn profile(
     step: &StepSolution,
     body: &BodySolution,
@@ -57,8 +57,8 @@ pub(super) fn profile(
     let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {
         let position = mesh.nodes[node as usize];
-        // A node on the very line needs no interpolation; rays about the centre of a pin or a hole
-        // are normals themselves.
+        // A node on the normal needs no interpolation. For a pin or a hole, the rays from the
+        // centre are normals.
         let is_on_line = (place(node)[0] - x).abs() <= 1e-12 * mesh.zone.half_width()
             || mesh.frame != SurfaceFrame::Tangent;
         let values =

@@ -1,26 +1,27 @@
-//! What is not known of the stress at the surface below the middle of a contact that has yielded.
+//! Uncertainty of the stress at the surface below the middle of a contact with plastic strain.
 
 use crate::material::analytical::Stress;
 use crate::solver::{BodySolution, StepSolution, surface_stress_error, surface_stress_in_middle};
 
-/// Error of the stress over the largest von Mises stress from which on it is told.
+/// Error of the stress over the largest von Mises stress above which the error is reported.
 const UNCERTAIN: f64 = 0.1;
 
-/// A stress at the surface that plastic strain below it leaves uncertain.
+/// A stress at the surface that is uncertain because of plastic strain below the surface.
 pub(super) struct UncertainStress {
-    /// Its error \[MPa\]: what plastic strain changes below the surface, or by what the stress is
-    /// above the largest that elements have borne, if that is more.
+    /// Error of the stress \[MPa\]: the larger of its change below the surface by plastic strain,
+    /// and of its excess over the largest stress in the elements.
     pub error: f64,
-    /// The stress along the surface \[MPa\].
+    /// Stress along the surface \[MPa\].
     along: f64,
-    /// Von Mises' stress \[MPa\].
+    /// Von Mises stress \[MPa\].
     von_mises: f64,
-    /// Factor of the stresses of the law.
+    /// Local strength: factor of the stresses of the hardening law.
     strength: f64,
 }
 
 impl UncertainStress {
-    /// That of a body; `None` where it is known, and of a body that has not yielded.
+    /// Returns the uncertain stress of a body. Returns `None` if the error is small, or if the
+    /// body has not yielded.
     pub fn of(step: &StepSolution, body: &BodySolution) -> Option<Self> {
         if body.max_plastic_strain() == 0.0 {
             return None;
@@ -28,7 +29,7 @@ impl UncertainStress {
         let known = surface_stress_in_middle(step, body)?;
         let points = body.stress.points.iter().flatten();
         let largest = points.map(|point| point.largest_von_mises).fold(0.0, f64::max);
-        // From one side of the yield surface to the other.
+        // The bound is the diameter of the yield surface.
         let error =
             surface_stress_error(step, body, step.middle).max(known.beyond).min(2.0 * largest);
         let position = body.mesh.nodes[known.node as usize];
@@ -43,14 +44,14 @@ impl UncertainStress {
         })
     }
 
-    /// By how much the least stress along the surface may be below that of the normal below the
-    /// middle \[MPa\].
+    /// Returns by how much the true least stress along the surface may lie below `least_stress` of
+    /// the normal through the middle \[MPa\].
     pub fn below(&self, least_stress: f64) -> f64 {
         (least_stress - (self.along - self.error)).max(0.0)
     }
 
-    /// By how much the largest von Mises stress over the strength may be above that of the same
-    /// normal \[MPa\].
+    /// Returns by how much the true largest von Mises stress over the strength may exceed
+    /// `largest_von_mises` of the same normal \[MPa\].
     pub fn above(&self, largest_von_mises: f64) -> f64 {
         ((self.von_mises + self.error) / self.strength - largest_von_mises).max(0.0)
     }

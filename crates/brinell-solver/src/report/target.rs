@@ -1,4 +1,4 @@
-//! The force that a job asked for by what it does.
+//! The force under which a figure of the contact has the target value of a job.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,8 +8,8 @@ use crate::fem::element::StressState;
 use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 
-/// Largest force that was solved over that of the largest figure, beyond which the figure is said
-/// to have stopped rising: the first difference that is seen in a message.
+/// Largest solved force over the force of the largest figure, above which the message says that
+/// the figure no longer rises. At smaller ratios both forces read alike in the message.
 const RISING: f64 = 1.001;
 
 /// The force under which a figure of the contact has the value that a job asked for.
@@ -33,7 +33,7 @@ pub struct TargetReport {
     pub relative_error: Option<f64>,
 }
 
-/// What the steps of a job have found of its target.
+/// Findings of the load steps of a job on its target.
 #[derive(Debug, Default)]
 pub(super) struct TargetSeen {
     force: Option<f64>,
@@ -42,7 +42,7 @@ pub(super) struct TargetSeen {
 }
 
 impl TargetSeen {
-    /// Takes note of a step.
+    /// Records force, figure and error of a load step.
     pub fn see(&mut self, job: &Job, step: &StepSolution, report: &StepReport) {
         let Load::Target(target) = &job.load else { return };
         let of_revolution = step.stress_state == StressState::Axisymmetric;
@@ -52,14 +52,14 @@ impl TargetSeen {
         self.take(step.force(), target_figure(step, target.figure), error);
     }
 
-    /// Takes note of a step's force, figure and error of the figure: the first step has the force,
-    /// the last one the figure.
+    /// Records the force of the first load step, and the figure of the last load step with its
+    /// error.
     pub fn take(&mut self, force: f64, reached: f64, figure_error: Option<f64>) {
         self.force.get_or_insert(force);
         (self.reached, self.figure_error) = (reached, figure_error);
     }
 
-    /// The report, of a job with a target that has been solved.
+    /// Returns the report, or `None` for a job without a target or without a solution.
     pub fn finish(
         self,
         job: &Job,
@@ -81,7 +81,8 @@ impl TargetSeen {
     }
 }
 
-/// The error bar of a figure, if it has one; of a figure of both bodies the larger bar.
+/// Returns the error bar of a figure, if it has one. A figure of both bodies has the larger of two
+/// bars.
 pub(super) fn error_of(
     figure: TargetFigure,
     bars: &ErrorEstimate,
@@ -106,7 +107,7 @@ pub(super) fn error_of(
     }
 }
 
-/// Why a target is not reached, in the units of the job.
+/// Returns the reason why a target is not reached, in the units of the job.
 pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter) -> String {
     let Load::Target(target) = load else {
         let (ratio, force) = (found.nearest, write.force_text(found.force));
@@ -167,8 +168,8 @@ mod tests {
     use super::*;
     use crate::job::{Analysis, PositiveF64, Units};
 
-    /// What comes after the largest figure and what no larger force can be solved for are two
-    /// things.
+    /// A figure that falls beyond its largest value, and a limit to the force that can be solved,
+    /// get different messages.
     #[test]
     fn a_limit_is_told_of_the_force_at_which_it_is() {
         let value = PositiveF64::new(5000.0).unwrap();

@@ -1,13 +1,13 @@
-//! Figures as the job wants them written.
+//! Conversion of figures to the units of the job.
 
 use crate::job::fields::Figure;
 use crate::job::{Analysis, Quantity, TargetFigure, Units};
 
-/// Writes figures of the core in a job's units.
+/// Converts figures of the solver to the units of a job.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct UnitConverter {
     units: Units,
-    /// What a force is: on unit thickness, or in all.
+    /// Quantity of a force: force on unit thickness, or total force.
     force: Quantity,
 }
 
@@ -16,7 +16,7 @@ impl UnitConverter {
         Self { units, force: analysis.force() }
     }
 
-    /// A figure in N–mm–MPa in the job's units; zero has no sign.
+    /// Converts a figure from N–mm–MPa to the units of the job. Zero loses its sign.
     pub fn figure(self, quantity: Quantity, core: f64) -> f64 {
         quantity.to_wire(self.units, core) + 0.0
     }
@@ -33,27 +33,27 @@ impl UnitConverter {
         self.figure(self.force, core)
     }
 
-    /// A stiffness, force over length.
+    /// Converts a stiffness, force over length.
     pub fn stiffness(self, core: f64) -> f64 {
         self.force(core) / self.length(1.0)
     }
 
-    /// An area \[mm²\].
+    /// Converts an area \[mm²\].
     pub fn area(self, core: f64) -> f64 {
         self.length(self.length(core))
     }
 
-    /// A length with its unit, for sentences.
+    /// Returns a length with its unit, for sentences.
     pub fn length_text(self, core: f64) -> String {
         format!("{} {}", self.length(core), Quantity::Length.symbol(self.units))
     }
 
-    /// The figure of a target in its own unit.
+    /// Converts the figure of a target to its own unit.
     pub fn of_target(self, figure: TargetFigure, core: f64) -> f64 {
         figure.figure().to_wire(self.units, core)
     }
 
-    /// The figure of a target with its unit, to five digits, for sentences.
+    /// Returns the figure of a target with its unit, to five digits, for sentences.
     pub fn target_text(self, figure: TargetFigure, core: f64) -> String {
         let value = rounded(self.of_target(figure, core));
         match figure.figure() {
@@ -62,18 +62,18 @@ impl UnitConverter {
         }
     }
 
-    /// A stress with its unit, to five digits, for sentences.
+    /// Returns a stress with its unit, to five digits, for sentences.
     pub fn stress_text(self, core: f64) -> String {
         format!("{} {}", rounded(self.stress(core)), Quantity::Stress.symbol(self.units))
     }
 
-    /// A force with its unit, to five digits, for sentences.
+    /// Returns a force with its unit, to five digits, for sentences.
     pub fn force_text(self, core: f64) -> String {
         format!("{} {}", rounded(self.force(core)), self.force.symbol(self.units))
     }
 }
 
-/// A figure to five digits, for sentences.
+/// Returns a figure to five digits, for sentences.
 pub(super) fn rounded(value: f64) -> String {
     let digits = format!("{value:.4e}");
     match digits.parse::<f64>() {

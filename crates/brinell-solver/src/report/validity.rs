@@ -1,4 +1,4 @@
-//! What to keep in mind about an answer.
+//! Remarks on the validity of an answer.
 
 use serde::{Deserialize, Serialize};
 
@@ -63,33 +63,35 @@ pub const VALIDITY_CODES: &[&str] = &[
 pub(super) const AT_EDGE: &str = "The contact still reaches the edge of the meshed contact zone; \
                                   pressure beyond it is missing.";
 
-/// Young's modulus \[MPa\] below which a figure in Pa looks like one in MPa.
+/// Young's modulus \[MPa\] below which the job probably gives MPa in place of Pa.
 const SOFT: f64 = 1.0;
 pub(super) const SUSPICIOUS_UNITS: &str = "Units are SI, but the figures look like millimetres, \
                                            newtons and megapascals: metres, N/m and pascals are \
                                            expected. If they are meant in mm, leave `units` out.";
 
-/// Half-width over the smallest radius beyond which the surfaces are no longer close to their
+/// Half-width over the smallest radius above which the surfaces deviate too far from their
 /// tangent.
 pub(super) const WIDE_CONTACT: f64 = 0.1;
-/// Slope of a surface beyond which the same is said. A smooth curve through the points of a flank
-/// of 10 % is up to half as steep again.
+/// Slope of a surface above which the contact is called wide. A smooth curve through the points of
+/// a flank with a slope of 10 % has slopes up to 15 %.
 const STEEP: f64 = 0.15;
-/// Work for a load beyond which that is said, in evaluations of the plastic law, as which a
-/// factorization counts so many times. Of 40 random jobs, most of 10 to 20 evaluations for a load,
-/// it is said of all that take more than 20 times the median time of jobs of their size.
+/// Work for a load above which the remark `slow_coupling` is due, in evaluations of the plastic
+/// law. A factorization counts as `FACTORIZATION` evaluations.
+///
+/// Among 40 random jobs most took 10 to 20 evaluations for a load. All jobs that took more than 20
+/// times the median time of jobs of their size get the remark.
 const MUCH_WORK: usize = 200;
 const FACTORIZATION: usize = 10;
-/// Meshes of a search for a force that are many.
+/// Number of meshes above which a search for a force is called long.
 const MANY_MESHES: usize = 40;
-/// Equations from which on a mesh is called fine.
+/// Number of equations above which a mesh is called fine.
 const MANY_EQUATIONS: usize = 1_000_000;
-/// Plastic strain beyond which small-strain theory is stretched.
+/// Plastic strain above which small-strain theory is inaccurate.
 const LARGE_STRAIN: f64 = 0.05;
-/// Depth of a body over the half-width below which its support shapes the answer.
+/// Depth of a body over the half-width below which the support affects the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
-/// By what a mesh is too coarse for a contact.
+/// Returns the sentences of the remark on details of the contact that the mesh does not resolve.
 fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
     let mut messages = Vec::new();
     if step.patch.is_some() && half_width < COARSE_MESH * step.spacing {
@@ -172,8 +174,8 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
     messages
 }
 
-/// What is said of stresses at the surface below the middle of the contact that change within
-/// elements.
+/// Returns the remark on stresses at the surface, below the middle of the contact, that change
+/// within single elements.
 fn surface_stress(step: &StepSolution) -> Option<String> {
     let uncertain =
         step.bodies.iter().flatten().filter_map(|body| UncertainStress::of(step, body));
@@ -187,7 +189,7 @@ fn surface_stress(step: &StepSolution) -> Option<String> {
     ))
 }
 
-/// What is said of an approach that a history leaves and that is smaller than its error.
+/// Returns the remark on a permanent approach that is smaller than its error.
 fn approach_left(job: &Job, step: &StepSolution) -> Option<String> {
     if step.patch.is_some() {
         return None;
@@ -202,7 +204,7 @@ fn approach_left(job: &Job, step: &StepSolution) -> Option<String> {
     })
 }
 
-/// What is said of a tip whose arc is narrow beside the elements.
+/// Returns the remark on a tip whose arc is narrow compared with the elements.
 fn rounded_tip(tip: &RoundedTip, step: &StepSolution, half_width: f64) -> String {
     let Some(arc) = tip.arc else {
         return format!(
@@ -228,9 +230,9 @@ fn rounded_tip(tip: &RoundedTip, step: &StepSolution, half_width: f64) -> String
     )
 }
 
-/// The remarks that apply to a step that was solved with these settings. `radius` is the smallest
-/// of the effective radius and those of the surfaces, infinite where there is none; `depths` are
-/// those of the deformable bodies \[mm\].
+/// Returns the remarks on a load step. `radius` is the smallest of the effective radius and the
+/// radii of the surfaces, infinite if none has a radius \[mm\]. `depths` are the depths of the
+/// deformable bodies \[mm\].
 pub(super) fn notes(
     job: &Job,
     step: &StepSolution,
@@ -258,7 +260,7 @@ pub(super) fn notes(
         say("wide_contact", message);
     }
     let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
-    // Strains where another coupling has given up say nothing of the bodies.
+    // Strains of a slower coupling that has not converged are no property of the bodies.
     let is_iterate =
         step.status == SolveStatus::NotConverged && job.solver.coupling != Coupling::Accelerated;
     let last = step.energy.map(|_| step.last_increment);
@@ -324,7 +326,8 @@ pub(super) fn notes(
     notes
 }
 
-/// What is said of pressure at a sharp corner that has no limit, or none that the mesh shows.
+/// Returns the remark on a pressure at a sharp corner that has no limit, or whose limit the mesh
+/// does not resolve.
 fn sharp_corner(step: &StepSolution, strain: f64) -> Option<String> {
     let x = step.loaded_corners.first()?;
     if strain == 0.0 {
@@ -344,8 +347,8 @@ fn sharp_corner(step: &StepSolution, strain: f64) -> Option<String> {
     })
 }
 
-/// What is said of a contact that is wide beside the radii or, of a pin in its hole, beside what
-/// their clearance leaves of them.
+/// Returns the remark on a contact that is wide compared with the radii or, for a pin in a hole,
+/// at whose ends the normals of pin and hole differ too much.
 fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) -> Option<String> {
     if let Some(pair) = &step.conforming {
         let between_normals = half_width / pair.effective_radius();
@@ -374,8 +377,8 @@ fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) ->
     })
 }
 
-/// The largest slope between two neighbouring pairs in contact, of surfaces without a radius:
-/// those of wedges, cones and profiles.
+/// Returns the largest slope between two neighbouring pairs in contact on surfaces without a
+/// radius: wedges, cones and profiles.
 fn steepest(job: &Job, step: &StepSolution) -> f64 {
     let outlines = [&job.upper, &job.lower].map(|body| outline_of(&body.shape));
     let between = |pair: &[PairState]| match pair {
@@ -394,8 +397,8 @@ fn steepest(job: &Job, step: &StepSolution) -> f64 {
     step.pairs.windows(2).map(between).fold(0.0, f64::max)
 }
 
-/// What is said of a load that took many times the work of others, by counts that are the same on
-/// every machine.
+/// Returns the remark on a load that took far more work than usual. The work is measured in counts
+/// that are the same on every machine.
 fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
     let updates: usize = step.history.iter().map(|record| record.initial_stress_updates).sum();
     let iterations = step.history.len();
@@ -439,7 +442,7 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
     ))
 }
 
-/// What is said of a force that was sought on many meshes.
+/// Returns the remark on a search for a force that took many meshes.
 fn many_meshes(step: &StepSolution) -> Option<String> {
     let each = if step.energy.is_some() {
         "each trial of a force is a history in increments on meshes of its own"
@@ -457,8 +460,8 @@ fn many_meshes(step: &StepSolution) -> Option<String> {
     })
 }
 
-/// What is said of a mesh that is much finer than was asked for, for the sake of details of the
-/// surfaces.
+/// Returns the remark on a mesh that details of the surfaces make much finer than the job
+/// requests.
 fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<String> {
     let asked = f64::from(job.mesh.elements_per_half_width);
     let elements = half_width / step.spacing;
@@ -475,7 +478,7 @@ fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<String> 
     })
 }
 
-/// What is said of a step that did not converge.
+/// Returns code and text of the remark on a load step that did not converge.
 fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'static str, String)> {
     match step.status {
         SolveStatus::Converged => None,
@@ -491,7 +494,7 @@ fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'sta
     }
 }
 
-/// What is said of a step that was stopped.
+/// Returns the remark on a load step that was stopped.
 pub(super) fn stopped(why: &str, is_preliminary: bool) -> String {
     if is_preliminary {
         format!(
@@ -504,7 +507,7 @@ pub(super) fn stopped(why: &str, is_preliminary: bool) -> String {
     }
 }
 
-/// What is said of strains that are not small.
+/// Returns code and text of the remark on strains that are not small.
 ///
 /// `last` is the last increment of a history.
 pub(super) fn strain_remark(
@@ -540,14 +543,14 @@ pub(super) fn strain_remark(
     })
 }
 
-/// Whether a job in SI has moduli that are usual in megapascals.
+/// Returns whether a job in SI has a Young's modulus that is plausible in megapascals only.
 pub(super) fn looks_like_millimetres(job: &Job) -> bool {
     let mut moduli = [&job.upper, &job.lower].into_iter().filter_map(Body::young_modulus);
     job.units == Units::Si && moduli.any(|modulus| modulus < SOFT)
 }
 
-/// What is said of loads that fall under deformation theory, and of approaches below what earlier
-/// loads have left.
+/// Returns code and text of the remark on falling loads under deformation theory, or on an
+/// approach that is smaller than the permanent approach of earlier loads.
 pub(super) fn history_remark(
     job: &Job,
     load: ContactLoad,
@@ -568,7 +571,7 @@ pub(super) fn history_remark(
     ))
 }
 
-/// Whether the loads of a job ever fall.
+/// Returns whether any load of a job is smaller than the load before it.
 fn falls(job: &Job) -> bool {
     let falls = |loads: &[PositiveF64]| loads.windows(2).any(|pair| pair[1] < pair[0]);
     match &job.load {
@@ -582,12 +585,12 @@ fn falls(job: &Job) -> bool {
     }
 }
 
-/// What is known of a step that did not converge.
+/// Findings on a load step that did not converge.
 #[expect(clippy::struct_excessive_bools, reason = "each is a finding of its own")]
 pub(super) struct Unfinished<'a> {
     pub contact_check: KktReport,
     pub history: &'a [IterationRecord],
-    /// What is off balance over the contact force, evaluated anew.
+    /// Residual force of the equilibrium over the contact force, computed again at the end.
     pub residual: f64,
     pub missed: Option<f64>,
     pub has_collapsed: bool,
@@ -613,7 +616,7 @@ impl<'a> Unfinished<'a> {
     }
 }
 
-/// Why a step did not converge, and what to do.
+/// Returns the reason why a load step did not converge, with advice.
 pub(super) fn not_converged(step: &Unfinished<'_>, settings: SolverSettings) -> String {
     let contact = step.contact_check.worst();
     let iterations = step.history.len();
@@ -676,7 +679,7 @@ pub(super) fn not_converged(step: &Unfinished<'_>, settings: SolverSettings) -> 
     }
 }
 
-/// A part of a whole in percent, to two digits.
+/// Returns a fraction in percent, to two digits.
 pub(super) fn share(part: f64) -> String {
     let digits = format!("{:.1e}", 100.0 * part);
     match digits.parse::<f64>() {
@@ -706,7 +709,8 @@ mod tests {
                     "material": {{"young_modulus": {modulus}, "poisson_ratio": 0.3}}}}"#
             );
             let job = format!(
-                r#"{{"analysis": "plane_strain", "units": "{units}", "upper": {body}, "lower": {body},
+                r#"{{"analysis": "plane_strain", "units": "{units}",
+                    "upper": {body}, "lower": {body},
                     "load": {{"force": {force}}}, "mesh": {{"elements_per_half_width": 5}}}}"#
             );
             let report =
@@ -717,13 +721,15 @@ mod tests {
         }
     }
 
-    /// A search that no force ends says so, and blames neither iteration nor load.
+    /// The remark on a search without a result blames neither the iteration nor the load.
     #[test]
     fn what_is_not_found_is_told() {
-        let job = br#"{"analysis": "plane_strain", "load": {"onset": true}, "mesh": {"elements_per_half_width": 10},
+        let job = br#"{"analysis": "plane_strain",
+            "load": {"onset": true}, "mesh": {"elements_per_half_width": 10},
             "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
-            "lower": {"shape": {"type": "block", "width": 60, "depth": 40}, "material": {"young_modulus": 70000,
-                "poisson_ratio": 0.3, "plasticity": {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 0}}}}"#;
+            "lower": {"shape": {"type": "block", "width": 60, "depth": 40},
+                "material": {"young_modulus": 70000, "poisson_ratio": 0.3, "plasticity":
+                    {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 0}}}}"#;
         let job = Job::from_json(job).unwrap();
         let mut step = run(&job, &mut Unobserved).unwrap().steps.remove(0);
         assert!(notes(&job, &step, 10.0, &[40.0]).is_empty());
@@ -735,11 +741,12 @@ mod tests {
         );
     }
 
-    /// Meshes grow with the contact, so no job is known that ends like this.
+    /// Meshes grow with the contact, so that no known job ends at the edge; the test sets the
+    /// flag.
     #[test]
     fn a_contact_at_the_edge_is_told() {
-        let job =
-            br#"{"analysis": "plane_strain", "load": {"force": 50}, "mesh": {"elements_per_half_width": 10},
+        let job = br#"{"analysis": "plane_strain",
+            "load": {"force": 50}, "mesh": {"elements_per_half_width": 10},
             "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
             "lower": {"shape": {"type": "block", "width": 20, "depth": 20},
                       "material": {"young_modulus": 70000, "poisson_ratio": 0.3}}}"#;

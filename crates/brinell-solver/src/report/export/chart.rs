@@ -1,4 +1,4 @@
-//! One chart of curves over a common abscissa, as SVG.
+//! A chart of curves over a common abscissa, as SVG.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -9,14 +9,14 @@ use super::ExportError;
 const SIZE: (u32, u32) = (760, 460);
 pub(super) const FONT: &str = "Helvetica, Arial, sans-serif";
 
-/// How a curve is drawn.
+/// Line styles of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stroke {
     Solid,
     Dashed,
 }
 
-/// A curve with its name in the legend; an empty name leaves it out.
+/// A curve with its name in the legend. A curve with an empty name has no entry in the legend.
 pub(super) struct Curve {
     pub name: String,
     pub points: Vec<(f64, f64)>,
@@ -34,12 +34,12 @@ pub(super) struct Chart {
     pub curves: Vec<Curve>,
     /// Whether the legend stands at the bottom instead of the top.
     pub legend_below: bool,
-    /// Shaded stretch of the abscissa and what it is.
+    /// Shaded range of the abscissa and its name.
     pub band: Option<((f64, f64), String)>,
 }
 
 impl Chart {
-    /// Draws the chart.
+    /// Returns the chart as SVG.
     pub fn svg(&self) -> Result<String, ExportError> {
         let mut text = String::new();
         {
@@ -118,7 +118,7 @@ impl Chart {
     }
 }
 
-/// A tick label without the tail that binary fractions grow.
+/// Returns a tick label without the rounding errors of binary fractions.
 pub(super) fn short(value: f64) -> String {
     let rounded = (value * 1e6).round() / 1e6;
     format!("{}", if rounded == 0.0 { 0.0 } else { rounded })

@@ -1,4 +1,4 @@
-//! Tables with a header row that names the units; one block of rows for each step.
+//! CSV tables with a header row that names the units, and a block of rows for each load step.
 
 use std::fmt::Write as _;
 
@@ -6,27 +6,29 @@ use super::{Export, ExportError};
 use crate::job::{Analysis, Job, Named, Quantity, Units};
 use crate::report::{FlowReport, Report, StepReport, SubsurfaceReport, ThreeDimensionalReport};
 
-/// A table of all steps, written step by step.
+/// A table of all load steps, written one by one.
 #[derive(Debug, Clone, Copy)]
 pub struct Table {
     form: Export,
     units: Units,
     force: Quantity,
-    /// Names of the stresses along the surface, along the normal and across the section; the first
-    /// is that of places along the surface too.
+    /// Names of the directions along the surface, along the normal and across the section.
+    /// Stresses use all three names; positions along the surface use the first name.
     directions: [&'static str; 3],
-    /// Whether there are columns of flow theory, of strength over depth, and of initial stress.
+    /// Whether the table has columns of flow theory, of strength over depth, and of initial
+    /// stress.
     has_flow: bool,
     is_graded: bool,
     is_stressed: bool,
 }
 
 impl Table {
-    /// The table of this form, with the columns of the first step: what that one does not have, no
-    /// later one has.
+    /// Returns a table of this form with the columns of the first load step. Later load steps have
+    /// no further columns.
     ///
     /// # Errors
-    /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`] where the first step has no rows.
+    /// [`ExportError::NoSubsurface`] or [`ExportError::NoFlow`] if the first load step has no
+    /// rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
             Export::SubsurfaceCsv if first.subsurface.is_none() => {
@@ -57,7 +59,7 @@ impl Table {
         self.directions[0] == "xx"
     }
 
-    /// Its first line, which names columns and units.
+    /// Returns the first line, which names columns and units.
     pub fn header(&self) -> String {
         let symbol = |quantity: Quantity| quantity.symbol(self.units);
         let (force, length, stress) =
@@ -117,7 +119,7 @@ impl Table {
         }
     }
 
-    /// The rows of a step, counted from 1.
+    /// Returns the rows of a load step, counted from 1.
     pub fn rows(&self, number: usize, step: &StepReport) -> String {
         let mut text = String::new();
         match self.form {
@@ -133,8 +135,8 @@ impl Table {
         text
     }
 
-    /// One row of figures, as a spreadsheet wants them; of a history by flow theory with its dents
-    /// and energies.
+    /// Writes one row with the figures of a load step, and with dents and energies under flow
+    /// theory.
     fn summary(&self, text: &mut String, number: usize, step: &StepReport) {
         let status = Named::name(step.status);
         let strain =
@@ -161,8 +163,8 @@ impl Table {
         text.push('\n');
     }
 
-    /// Stresses and plastic strain along the normals below the middle of the contact and below the
-    /// peak pressure, and at the end where they are.
+    /// Writes stresses and plastic strain along the normals below the middle of the contact and
+    /// below the peak pressure, with the position of the normal at the end of each row.
     fn subsurface(&self, text: &mut String, number: usize, step: &StepReport) {
         for (name, body) in step.profiles() {
             write_profile(
@@ -175,7 +177,7 @@ impl Table {
     }
 }
 
-/// The table of a report.
+/// Returns the table of a report.
 pub(super) fn table(form: Export, job: &Job, report: &Report) -> Result<String, ExportError> {
     let first = report.steps.first().ok_or(ExportError::NoStep(0))?;
     let table = Table::new(form, job, first)?;
@@ -183,7 +185,7 @@ pub(super) fn table(form: Export, job: &Job, report: &Report) -> Result<String, 
     Ok([table.header()].into_iter().chain(rows).collect())
 }
 
-/// `step, x, pressure, force, gap` of every candidate pair.
+/// Writes `step, x, pressure, force, gap` of every candidate pair.
 fn pressure(text: &mut String, number: usize, step: &StepReport) {
     let nodes = &step.contact.nodes;
     let columns = nodes.x.iter().zip(&nodes.pressure).zip(&nodes.force).zip(&nodes.gap);
@@ -192,8 +194,8 @@ fn pressure(text: &mut String, number: usize, step: &StepReport) {
     }
 }
 
-/// `step, x, y, pressure, gap` of cells: of all of them where a job asks for fields, else of the
-/// sections y = 0 and x = 0.
+/// Writes `step, x, y, pressure, gap` of all cells if the job asks for fields, else of the cells
+/// of the sections y = 0 and x = 0.
 fn cells(text: &mut String, number: usize, step: &StepReport, whole: &ThreeDimensionalReport) {
     let mut row = |x: f64, y: f64, pressure: f64, gap: f64| {
         let _ = writeln!(text, "{number},{x},{y},{pressure},{gap}");
@@ -214,7 +216,8 @@ fn cells(text: &mut String, number: usize, step: &StepReport, whole: &ThreeDimen
     }
 }
 
-/// `step, increment, force, approach, peak_pressure, half_width, iterations` of every increment.
+/// Writes `step, increment, force, approach, peak_pressure, half_width, iterations` of every
+/// increment.
 fn increments(text: &mut String, number: usize, step: &StepReport) {
     let Some(ends) = step.flow.as_ref().map(|flow| &flow.increments) else { return };
     let columns = ends.force.iter().zip(&ends.approach).zip(&ends.peak_pressure);
@@ -228,8 +231,8 @@ fn increments(text: &mut String, number: usize, step: &StepReport) {
     }
 }
 
-/// `step, body, x, height` of the surfaces, outward from the undeformed one: without force the
-/// dent and its pile-up.
+/// Writes `step, body, x, height` of the surfaces. Heights are outward from the undeformed
+/// surface: without force they show the dent and its pile-up.
 fn surfaces(text: &mut String, number: usize, step: &StepReport) {
     let Some(flow) = &step.flow else { return };
     for (name, surface) in [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)] {
@@ -240,7 +243,7 @@ fn surfaces(text: &mut String, number: usize, step: &StepReport) {
     }
 }
 
-/// The columns of flow theory. A rigid body leaves its own empty.
+/// Writes the columns of flow theory. The columns of a rigid body are empty.
 fn write_flow(text: &mut String, flow: Option<&FlowReport>) {
     let Some(flow) = flow else {
         text.push_str(",,,,,,,,");
@@ -259,8 +262,8 @@ fn write_flow(text: &mut String, flow: Option<&FlowReport>) {
     let _ = write!(text, ",{},{},{}", energy.work, energy.dissipated, flow.increments.force.len());
 }
 
-/// A body whose strength does not vary, or without initial stress, leaves the columns of those
-/// that have them empty.
+/// Writes the rows of one body along one normal. Columns of varying strength or of initial stress
+/// are empty for a body that has none.
 fn write_profile(
     text: &mut String,
     (step, name, place): (usize, &str, f64),

@@ -1,23 +1,24 @@
-//! Files of fields that are written piece by piece: nobody has to hold all of one, nor all of the
-//! fields.
+//! Files of fields that are written piece by piece, so that neither the file nor the fields have
+//! to be in memory as a whole.
 
 use std::ops::Range;
 
-/// A file made of the arrays of a step ([`FieldLayout`](crate::report::FieldLayout)).
+/// A file that is written from the arrays of a load step
+/// ([`FieldLayout`](crate::report::FieldLayout)).
 pub trait FieldsFile: Sized {
-    /// A piece of it.
+    /// A piece of the file.
     type Piece: Clone;
 
-    /// All pieces in order.
+    /// Returns all pieces of the file in order.
     fn pieces(&self) -> Vec<Self::Piece>;
 
-    /// Where the numbers stand in the bytes of the step that a piece is made of.
+    /// Returns the positions of the source numbers of a piece in the bytes of the load step.
     fn sources(piece: &Self::Piece) -> &[Range<usize>];
 
-    /// Writes a piece of the bytes at its sources.
+    /// Writes a piece from the bytes at its sources.
     fn write<B: AsRef<[u8]>>(&mut self, piece: &Self::Piece, sources: &[B]) -> String;
 
-    /// The whole file of the bytes of the step.
+    /// Writes the whole file from the bytes of the load step.
     fn whole(mut self, bytes: &[u8]) -> String {
         let written = self.pieces().into_iter().map(|piece| {
             let sources: Vec<&[u8]> =

@@ -1,4 +1,5 @@
-//! Pressure over the contact and stresses over depth, each beside the elastic closed form, as SVG.
+//! Charts as SVG: pressure over the contact and stresses over depth with their elastic closed
+//! forms, force over approach, and surfaces.
 
 use plotters::style::RGBColor;
 
@@ -18,7 +19,7 @@ const GREY: RGBColor = RGBColor(110, 110, 110);
 /// Points of a closed-form curve.
 const SAMPLES: u32 = 400;
 
-/// Contact pressure over x, with Hertz's beside it; steps are counted from 0.
+/// Draws the contact pressure over x and Hertz's pressure. Load steps are counted from 0.
 ///
 /// # Errors
 /// [`ExportError`].
@@ -59,7 +60,7 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
     maps.map_or_else(|| chart.svg(), |maps| map::svg(maps, "Contact pressure", length, &chart))
 }
 
-/// Places along the surface.
+/// Returns the name of the positions along the surface.
 fn abscissa(job: &Job) -> &'static str {
     match job.analysis {
         Analysis::Axisymmetric => "radius r",
@@ -68,7 +69,7 @@ fn abscissa(job: &Job) -> &'static str {
     }
 }
 
-/// The pressure over y at x = 0, and Hertz's.
+/// Returns the pressure over y at x = 0 and Hertz's pressure.
 fn sections_along_y(job: &Job, step: &StepReport, whole: &ThreeDimensionalReport) -> Vec<Curve> {
     let section = &whole.section;
     let mut curves = vec![Curve {
@@ -77,7 +78,7 @@ fn sections_along_y(job: &Job, step: &StepReport, whole: &ThreeDimensionalReport
         colour: VERMILION,
         stroke: Stroke::Solid,
     }];
-    // Along a roller the pressure of Hertz's line contact is the same everywhere.
+    // Along a roller the pressure of Hertz's line contact is constant.
     if let Some((ellipse, hertz)) =
         whole.hertz.zip(step.hertz.as_ref()).filter(|_| whole.roller.is_none())
     {
@@ -102,8 +103,8 @@ fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
     }
 }
 
-/// Stresses over depth below the middle of the contact, in the lower body if it deforms, with
-/// McEwen's elastic ones beside them for line contacts; the plastic zone is shaded. Steps are
+/// Draws the stresses over depth below the middle of the contact, in the lower body if it deforms.
+/// Line contacts have McEwen's elastic stresses too. The plastic region is shaded. Load steps are
 /// counted from 0.
 ///
 /// # Errors
@@ -133,7 +134,8 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
             stroke: Stroke::Solid,
         });
     }
-    // On the scale of the stresses: how near von Mises stress is to it.
+    // Yield stress and von Mises stress have the same axis as the other stresses, so that the
+    // margin to yield is visible.
     for (name, values) in
         [("von Mises", Some(&profile.von_mises)), ("yield stress", profile.yield_stress.as_ref())]
     {
@@ -173,13 +175,13 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     .svg()
 }
 
-/// The value in four digits.
+/// Returns a value in four digits.
 fn short(value: f64) -> f64 {
     format!("{value:.3e}").parse().map_or(value, |short: f64| short + 0.0)
 }
 
-/// Four half-widths or, where nothing touches, half as deep again as the plastic zone; at most
-/// what there is.
+/// Returns the depth of the chart: four half-widths or, without contact, 1.5 times the depth of
+/// the plastic region; at most the depth of the profile.
 fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
     let deepest = profile.depth.last().copied().unwrap_or(1.0);
     let half_width = step.contact.half_width;
@@ -191,15 +193,15 @@ fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
     wanted.filter(|wanted| *wanted > 0.0).map_or(deepest, |wanted| deepest.min(wanted))
 }
 
-/// Part of the range of forces from which on nothing is solved between two points of a loop that
-/// is worth the name.
+/// Distance of two points of a loop, as a fraction of the range of forces, above which the line
+/// between them is dashed.
 const FAR: f64 = 0.25;
 
-/// Force over approach of all increments or loads in their order: a loop where the load comes
-/// back.
+/// Draws force over approach of all increments or loads in their order. A history with unloading
+/// draws a loop.
 ///
 /// # Errors
-/// [`ExportError::NoCurve`] of fewer than two converged loads.
+/// [`ExportError::NoCurve`] for fewer than two converged loads.
 pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportError> {
     let curve = report.load_approach.as_ref().ok_or(ExportError::NoCurve)?;
     let points: Vec<(f64, f64)> =
@@ -220,8 +222,8 @@ pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportErr
     .svg()
 }
 
-/// A curve and, where it turns back, its long pieces by themselves, dashed: unloading is often one
-/// increment, and the straight line between its ends is no answer.
+/// Returns the pieces of a curve. If the force falls anywhere, long pieces are dashed: unloading
+/// is often a single increment, and the straight line between its ends is not computed.
 fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
     let forces = || points.iter().map(|point| point.1);
     let span = forces().fold(0.0, f64::max) - forces().fold(f64::INFINITY, f64::min);
@@ -237,14 +239,14 @@ fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
     let dashed = points.windows(2).filter(|pair| is_far(&pair[0], &pair[1]));
     let mut curves: Vec<Curve> = solid.map(|run| curve("", run.to_vec(), Stroke::Solid)).collect();
     let count = curves.len();
-    // All from their lower end, so that two on one line have their dashes at the same places.
+    // All pieces start at their lower end, so that the dashes of overlapping pieces coincide.
     let from_below = |pair: &[(f64, f64)]| {
         let mut pair = pair.to_vec();
         pair.sort_by(|a, b| a.1.total_cmp(&b.1));
         pair
     };
     curves.extend(dashed.map(|pair| curve("", from_below(pair), Stroke::Dashed)));
-    // One entry of each kind in the legend.
+    // The legend has one entry for each line style.
     let (solid, dashed) = curves.split_at_mut(count);
     for (kind, name) in [(solid, "this contact"), (dashed, "nothing solved between")] {
         if let Some(first) = kind.first_mut() {
@@ -254,11 +256,11 @@ fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
     curves
 }
 
-/// The surface of each body over x, outward from the undeformed one; steps are counted from 0.
-/// Without force it is the dent and the pile-up beside it.
+/// Draws the height of the surface of each body over x, outward from the undeformed surface.
+/// Without force it shows the dent and the pile-up. Load steps are counted from 0.
 ///
 /// # Errors
-/// [`ExportError::NoStep`]; [`ExportError::NoFlow`] of deformation theory.
+/// [`ExportError::NoStep`]; [`ExportError::NoFlow`] under deformation theory.
 pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
     let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     let surfaces = &step.flow.as_ref().ok_or(ExportError::NoFlow)?.surfaces;
@@ -269,7 +271,8 @@ pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, Ex
                 let surface = surface.as_ref()?;
                 let points =
                     surface.x.iter().copied().zip(surface.height.iter().copied()).collect();
-                // Equal bodies have equal surfaces: the second is drawn over the first.
+                // Equal bodies have equal surfaces: a dashed second curve shows the first one
+                // below.
                 let stroke = if name == "lower body" { Stroke::Dashed } else { Stroke::Solid };
                 Some(Curve { name: name.to_owned(), points, colour, stroke })
             })
@@ -291,7 +294,7 @@ pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, Ex
     .svg()
 }
 
-/// From the least to the largest of values and zero, with a margin.
+/// Returns the range of values and zero, with a margin.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) =
         values.fold((0.0, 0.0), |(low, high), v| (f64::min(low, v), f64::max(high, v)));
@@ -299,7 +302,7 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if margin > 0.0 { (low - margin, high + margin) } else { (-1.0, 1.0) }
 }
 
-/// First and last depth with plastic strain.
+/// Returns the smallest and the largest depth with plastic strain.
 fn plastic_band(profile: &SubsurfaceReport) -> Option<(f64, f64)> {
     let most = profile.equivalent_plastic_strain.iter().copied().fold(0.0, f64::max);
     let plastic = || {
@@ -320,7 +323,7 @@ fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<
         Analysis::PlaneStress => 0.0,
         Analysis::Axisymmetric | Analysis::ThreeDimensional => return Vec::new(),
     };
-    // The contact with this half-width and peak pressure: a = 2 R p0 / E* with R = a, E* = 2 p0.
+    // a = 2 R p0 / E*, so that R = a and E* = 2 p0 give this half-width and peak pressure.
     let field = HertzLine::from_peak_pressure(
         hertz.peak_pressure,
         hertz.half_width,

@@ -1,4 +1,4 @@
-//! Every form of a report under its file name.
+//! The forms of a report and their file names.
 
 use thiserror::Error;
 
@@ -8,40 +8,40 @@ use super::{depth_svg, field_vtu, load_approach_svg, pressure_svg, surface_svg};
 use crate::job::{Analysis, Job};
 use crate::report::Report;
 
-/// Why a report has no such form.
+/// Reasons why a report cannot be written in a form.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ExportError {
-    /// The report has no such step, counted from 0.
+    /// The report has no load step of this number, counted from 0.
     #[error("there is no step {}", .0 + 1)]
     NoStep(usize),
-    /// Stresses over depth were not asked for, or both bodies are rigid.
+    /// The job did not ask for stresses over depth, or both bodies are rigid.
     #[error(
         "the result has no stresses over depth; solve the job with \"output\": {{\"subsurface\": \
          true}}"
     )]
     NoSubsurface,
-    /// Fields were not asked for.
+    /// The job did not ask for fields.
     #[error("the result has no mesh fields; solve the job with \"output\": {{\"fields\": true}}")]
     NoFields,
-    /// Layers were not asked for, or the bodies are no half-spaces in three dimensions.
+    /// The job did not ask for layers, or is not in three dimensions.
     #[error(
         "the result has no layers; solve a job in three dimensions with \"output\": {{\"fields\": \
          true}}"
     )]
     NoLayers,
-    /// Deformation theory has no increments and follows no surface.
+    /// Deformation theory has no increments and reports no surfaces.
     #[error(
         "the result has no increments and no surfaces; solve the job with \"solver\": \
          {{\"theory\": \"flow\"}}"
     )]
     NoFlow,
-    /// One converged load makes no curve.
+    /// A single converged load gives no curve.
     #[error(
         "the result has no curve of force over approach; it takes two different loads that \
          converge"
     )]
     NoCurve,
-    /// The fields are not what they have to be.
+    /// The fields are malformed.
     #[error("the fields cannot be written: {0}")]
     Fields(String),
     /// The drawing library failed.
@@ -49,35 +49,35 @@ pub enum ExportError {
     Drawing(String),
 }
 
-/// A form that a report can be written in.
+/// Forms of a report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Export {
-    /// One row of figures for each step.
+    /// Table with one row of figures for each load step.
     SummaryCsv,
-    /// Contact pressure of all steps.
+    /// Contact pressure of all load steps.
     PressureCsv,
-    /// Stresses over depth of all steps.
+    /// Stresses over depth of all load steps.
     SubsurfaceCsv,
-    /// Every increment of a history: force, approach, pressure.
+    /// All increments of a history: force, approach, pressure.
     IncrementsCsv,
-    /// The surfaces of all steps: the dent and the pile-up beside it.
+    /// Surfaces of all load steps with dent and pile-up.
     SurfaceCsv,
     /// Fields of both bodies.
     FieldVtu,
     /// Stress and plastic strain in the layers of half-spaces in three dimensions.
     FieldVtr,
-    /// Contact pressure with Hertz beside it.
+    /// Chart of the contact pressure and Hertz's pressure.
     PressureSvg,
-    /// Stresses over depth with McEwen beside them.
+    /// Chart of the stresses over depth and McEwen's stresses.
     DepthSvg,
-    /// Force over approach, a loop where the load comes back.
+    /// Chart of force over approach, a loop for a history with unloading.
     LoadApproachSvg,
-    /// The surfaces: the dent and the pile-up beside it.
+    /// Chart of the surfaces with dent and pile-up.
     SurfaceSvg,
 }
 
 impl Export {
-    /// Every form.
+    /// All forms.
     pub const ALL: [Self; 11] = [
         Self::SummaryCsv,
         Self::PressureCsv,
@@ -92,7 +92,7 @@ impl Export {
         Self::SurfaceSvg,
     ];
 
-    /// What a file of it is called.
+    /// Returns the file name of this form.
     pub const fn file_name(self) -> &'static str {
         match self {
             Self::SummaryCsv => "summary.csv",
@@ -109,7 +109,7 @@ impl Export {
         }
     }
 
-    /// Its media type.
+    /// Returns the media type of this form.
     pub const fn media_type(self) -> &'static str {
         match self {
             Self::SummaryCsv
@@ -124,7 +124,7 @@ impl Export {
         }
     }
 
-    /// Whether it is a [`Table`](super::Table).
+    /// Returns whether this form is a [`Table`](super::Table).
     pub const fn is_table(self) -> bool {
         matches!(
             self,
@@ -136,7 +136,7 @@ impl Export {
         )
     }
 
-    /// Whether it shows one step; the others have a column for it.
+    /// Returns whether this form shows a single load step. The other forms show all load steps.
     pub const fn shows_one_step(self) -> bool {
         matches!(
             self,
@@ -148,12 +148,12 @@ impl Export {
         )
     }
 
-    /// Has a job's output contain what this form shows.
+    /// Changes the output of a job to include the data of this form.
     pub fn require(self, job: &mut Job) {
         match self {
             Self::FieldVtu | Self::FieldVtr => job.output.fields = true,
             Self::SubsurfaceCsv | Self::DepthSvg => job.output.subsurface = true,
-            // The map is one of the fields.
+            // The map of the pressure belongs to the fields.
             Self::PressureSvg => job.output.fields |= job.analysis == Analysis::ThreeDimensional,
             Self::SummaryCsv
             | Self::PressureCsv
@@ -164,7 +164,7 @@ impl Export {
         }
     }
 
-    /// Writes a report in this form; `step`, counted from 0, is the last one unless it is given.
+    /// Writes a report in this form. `step` is counted from 0; its default is the last load step.
     ///
     /// # Errors
     /// [`ExportError`].

@@ -1,11 +1,11 @@
-//! The layers of half-spaces as a VTK file of a rectilinear grid, for ParaView and the like,
+//! VTK file of the layers of half-spaces on a rectilinear grid, for programs like ParaView. It is
 //! written piece by piece.
 //!
 //! ```text
 //! z from the surface into the lower body; upper body: z → -z, σ_xz → -σ_xz, σ_yz → -σ_yz
 //! ```
 //!
-//! Arrays are inline: base64 of a 64-bit count of bytes and the little-endian values behind it.
+//! Arrays are inline: base64 of a 64-bit count of bytes and the little-endian values after it.
 //!
 //! # Reference
 //! *VTK XML file formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
@@ -21,7 +21,7 @@ use super::vtu::{TENSOR, unusable};
 use super::{ExportError, FieldsFile};
 use crate::report::{FieldLayout, FieldSide, Report, encode_layers};
 
-/// An array of cells: its name, what its components are made of, and its attributes.
+/// An array of cells: its name, the source arrays of its components, and its attributes.
 type CellArray = (&'static str, &'static [&'static str], &'static str);
 
 const CELL_ARRAYS: [CellArray; 4] = [
@@ -44,13 +44,13 @@ const CELL_ARRAYS: [CellArray; 4] = [
 
 const END: &str = "</Coordinates>\n</Piece>\n</RectilinearGrid>\n</VTKFile>\n";
 
-/// `stress` (XX, YY, ZZ, XY, YZ, XZ), `von_mises`, `plastic_strain`, `equivalent_plastic_strain`
-/// and `body` (0 lower, 1 upper) in the cells of both bodies, in the units of the job. Steps are
-/// counted from 0.
+/// Writes `stress` (XX, YY, ZZ, XY, YZ, XZ), `von_mises`, `plastic_strain`,
+/// `equivalent_plastic_strain` and `body` (0 lower, 1 upper) in the cells of both bodies, in the
+/// units of the job. Load steps are counted from 0.
 ///
 /// # Errors
-/// [`ExportError::NoStep`]; [`ExportError::NoLayers`] where the job did not ask for them, or is
-/// not in three dimensions.
+/// [`ExportError::NoStep`]; [`ExportError::NoLayers`] if the job did not ask for layers, or is not
+/// in three dimensions.
 pub(super) fn layers_vtr(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     let layers = shown.layers.as_ref().ok_or(ExportError::NoLayers)?;
@@ -59,28 +59,28 @@ pub(super) fn layers_vtr(report: &Report, step: usize) -> Result<String, ExportE
     Ok(VtrFile::new(report, [step, report.steps.len()], &layout)?.whole(&bytes))
 }
 
-/// What has to be known from piece to piece of a file.
+/// State of a file between its pieces.
 #[derive(Debug)]
 pub struct VtrFile {
     title: String,
-    /// Cells along x, along y, and layers of a body.
+    /// Numbers of cells along x and along y, and of layers of a body.
     cells: [usize; 3],
-    /// From the deepest layer of the upper body to that of the lower one; without rigid ones.
+    /// Deformable bodies, the upper one first.
     bodies: Vec<Body>,
-    /// Where the coordinates x, y and `z_faces` stand.
+    /// Positions of the coordinates x, y and `z_faces` in the bytes of the load step.
     coordinates: [Range<usize>; 3],
-    /// Bytes of an array that wait for their third.
+    /// Bytes of an array that are not yet encoded, because base64 encodes groups of three bytes.
     pending: Vec<u8>,
 }
 
-/// Where the arrays of a body stand, in the order of [`CELL_ARRAYS`].
+/// Positions of the arrays of a body, in the order of [`CELL_ARRAYS`].
 #[derive(Debug)]
 struct Body {
     is_upper: bool,
     arrays: Vec<Vec<Range<usize>>>,
 }
 
-/// A piece of the file, to be written in order.
+/// A piece of the file. Pieces are written in order.
 #[derive(Debug, Clone)]
 pub struct VtrPiece {
     what: What,
@@ -90,18 +90,18 @@ pub struct VtrPiece {
 #[derive(Debug, Clone, Copy)]
 enum What {
     Head,
-    /// Type, name and attributes of an array of so many bytes.
+    /// Type, name and attributes of an array, and its number of bytes.
     Begin([&'static str; 3], usize),
-    /// Cells of a layer; negative: those whose sign changes with z.
+    /// Cells of a layer. `negative` marks the components that change their sign with z.
     Layer {
         negative: [bool; 6],
     },
     Body {
         number: u8,
     },
-    /// The faces of cells with these middles.
+    /// Faces of cells along x or y, from the middles of the cells.
     Faces,
-    /// Those of the layers, of bodies to these sides of the surface: above, below.
+    /// Faces of the layers. The flags say whether there are layers above and below the surface.
     LayerFaces([bool; 2]),
     End,
     BetweenCellsAndCoordinates,
@@ -116,13 +116,13 @@ impl Body {
         Ok(Self { is_upper: side == FieldSide::Upper, arrays })
     }
 
-    /// Layers in the order of the file: downwards.
+    /// Returns the layers in the order of the file: downwards.
     fn layers(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
         let is_upper = self.is_upper;
         (0..count).map(move |layer| if is_upper { count - 1 - layer } else { layer })
     }
 
-    /// Which components of an array change their sign: shear with the normal.
+    /// Returns which components of an array change their sign: shear stresses on the surface.
     fn negative(&self, components: usize) -> [bool; 6] {
         let is_shear = |k: usize| components > 1 && (k == 4 || k == 5);
         std::array::from_fn(|k| self.is_upper && is_shear(k))
@@ -130,10 +130,11 @@ impl Body {
 }
 
 impl VtrFile {
-    /// The file of a step, its number from 0 on and that of all given, with its layers.
+    /// Returns the file of the load step `step`, counted from 0 and out of `steps`, with the
+    /// layers in `layout`.
     ///
     /// # Errors
-    /// [`ExportError::NoLayers`] of fields of a mesh; [`ExportError::Fields`].
+    /// [`ExportError::NoLayers`] if `layout` has the fields of a mesh; [`ExportError::Fields`].
     pub fn new(
         report: &Report,
         [step, steps]: [usize; 2],
@@ -206,7 +207,7 @@ impl VtrFile {
         );
     }
 
-    /// Cells of a layer, x fastest.
+    /// Appends the cells of a layer; x varies fastest.
     fn layer<B: AsRef<[u8]>>(&mut self, negative: [bool; 6], sources: &[B]) {
         let [nx, ny, _] = self.cells;
         let components: Vec<&[[u8; size_of::<f64>()]]> =

@@ -1,4 +1,4 @@
-//! The contact pressure in three dimensions as a filled map, with the two sections beside it.
+//! Filled map of the contact pressure in three dimensions, beside a chart of its two sections.
 
 use plotters::prelude::*;
 
@@ -10,8 +10,8 @@ use crate::report::MapsReport;
 const SIZE: (u32, u32) = (1180, 460);
 const MAP: i32 = 480;
 
-/// Colours from no pressure to the largest one: five of viridis, which are told apart with every
-/// kind of colour vision.
+/// Colours from zero to the largest pressure: five colours of viridis, which are distinguishable
+/// with every kind of colour vision.
 const COLOURS: [[f64; 3]; 5] = [
     [68.0, 1.0, 84.0],
     [59.0, 82.0, 139.0],
@@ -20,7 +20,7 @@ const COLOURS: [[f64; 3]; 5] = [
     [253.0, 231.0, 37.0],
 ];
 
-/// Draws a map of cells, which has its peak in the caption, and the chart of the sections.
+/// Draws a map of cells with the peak pressure in its caption, and the chart of the sections.
 pub(super) fn svg(
     maps: &MapsReport,
     caption: &str,
@@ -82,12 +82,12 @@ fn fill(
     Ok(())
 }
 
-/// Distance of the middles of cells.
+/// Returns the distance between the middles of neighbouring cells.
 fn width(middles: &[f64]) -> f64 {
     if let [first, second, ..] = middles { second - first } else { 1.0 }
 }
 
-/// The colour of a part of the largest pressure.
+/// Returns the colour of a pressure, as a fraction of the largest pressure.
 fn colour(part: f64) -> RGBColor {
     let place = part.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
     let before = (0..COLOURS.len() - 1).rev().find(|k| *k as f64 <= place).unwrap_or(0);

@@ -1,5 +1,5 @@
-//! A report in forms that other programs and people read. Nothing here writes to a disk: exporters
-//! return text.
+//! Export of a report to tables, charts and field files. The exporters return text and write no
+//! files.
 
 mod chart;
 mod csv;

@@ -1,4 +1,4 @@
-//! The surface of half-spaces as a VTK file: the cells as rectangles in the plane z = 0.
+//! VTK file of the surface of half-spaces: each cell is a rectangle in the plane z = 0.
 //!
 //! # Reference
 //! *VTK XML file formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
@@ -10,7 +10,8 @@ use std::ops::Range;
 use super::vtu::{END, QUAD};
 use crate::report::{MapsReport, Report};
 
-/// The text before an array, its type, name and components, and its values at one x.
+/// The text before an array, its type, name and number of components, and a function that writes
+/// its values at one x.
 type Array = ([&'static str; 4], fn(&Surface, usize) -> String);
 
 const ARRAYS: [Array; 6] = [
@@ -28,8 +29,9 @@ const ARRAYS: [Array; 6] = [
     (["", "UInt8", "types", "1"], |surface, column| spaced(surface.cells(column).map(|_| QUAD))),
 ];
 
-/// `pressure` \[stress\] and `gap` \[length\] of each cell, in the units of the job, in pieces: in
-/// each the cells at one x of one array. The step is counted from 0, the last of so many.
+/// Returns the pieces of a file with `pressure` \[stress\] and `gap` \[length\] of each cell, in
+/// the units of the job. A piece has the cells of one array at one x. `step` is counted from 0;
+/// `steps` is the number of load steps.
 pub fn surface_vtu(
     report: &Report,
     [step, steps]: [usize; 2],
@@ -64,7 +66,7 @@ pub fn surface_vtu(
     once(head).chain(pieces).chain(once(END.to_owned()))
 }
 
-/// The cells of a surface and their faces.
+/// The cells of a surface and the coordinates of their faces.
 struct Surface {
     maps: MapsReport,
     along_x: Vec<f64>,
@@ -77,7 +79,8 @@ impl Surface {
         column * rows..(column + 1) * rows
     }
 
-    /// Those at the far face of the last cells too.
+    /// Writes the points on the near faces of the cells at one x, and on the far faces of the last
+    /// cells.
     fn points(&self, column: usize) -> String {
         let end = if column + 1 == self.maps.x.len() { column + 2 } else { column + 1 };
         let along_x = self.along_x[column..end].iter();
@@ -103,7 +106,7 @@ fn spaced(values: impl IntoIterator<Item: Display>) -> String {
     text
 }
 
-/// Faces of cells of one width with these middles.
+/// Returns the faces of cells of equal width with these middles.
 pub(super) fn faces(middles: &[f64]) -> Vec<f64> {
     let width = if let [first, second, ..] = middles { second - first } else { 1.0 };
     let first = middles.first().map(|first| first - 0.5 * width);

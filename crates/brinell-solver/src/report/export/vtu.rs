@@ -1,5 +1,5 @@
-//! The fields of both bodies as a VTK file of unstructured cells, for ParaView and the like,
-//! written piece by piece: nobody has to hold all of it.
+//! VTK file of the fields of both bodies on unstructured cells, for programs like ParaView. It is
+//! written piece by piece and need not be in memory as a whole.
 //!
 //! ```text
 //! image of a half model:  x → -x,  u_x → -u_x,  τ_xy → -τ_xy
@@ -7,9 +7,9 @@
 //! upper body:             u_y → u_y - α, so that the support of the lower body is at rest
 //! ```
 //!
-//! Nodes on the axis are shared by both halves. Of a body of revolution, x is the radius, and
-//! there is no image. Arrays are inline: base64 of a 64-bit count of bytes and the little-endian
-//! values behind it.
+//! Both halves share the nodes on the axis. For a body of revolution x is the radius, and there is
+//! no image. Arrays are inline: base64 of a 64-bit count of bytes and the little-endian values
+//! after it.
 //!
 //! # Reference
 //! *VTK XML file formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
@@ -26,18 +26,18 @@ use crate::job::{Analysis, Named};
 use crate::report::field_arrays::CHUNK;
 use crate::report::{FieldArraysError, FieldLayout, FieldSide, Report, encode_fields};
 
-/// VTK's number for a quadrilateral with 4 nodes.
+/// Number of the quadrilateral with 4 nodes in VTK.
 pub(super) const QUAD: u8 = 9;
 
-/// The mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ, XZ),
-/// `von_mises` and `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in its
-/// cells, in the units of the job.
+/// Writes the mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ,
+/// XZ), `von_mises` and `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in
+/// its cells, in the units of the job.
 ///
-/// Displacements are those relative to the support of the lower body: the upper one comes down by
-/// the approach, so that the bodies touch once displaced. Steps are counted from 0.
+/// Displacements are relative to the support of the lower body: the upper body moves down by the
+/// approach, so that the displaced bodies touch. Load steps are counted from 0.
 ///
 /// # Errors
-/// [`ExportError::NoStep`]; [`ExportError::NoFields`] where the job did not ask for them.
+/// [`ExportError::NoStep`]; [`ExportError::NoFields`] if the job did not ask for fields.
 pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     if let Some(whole) = &shown.three_dimensional {
@@ -55,32 +55,32 @@ pub(super) fn unusable(error: FieldArraysError) -> ExportError {
     ExportError::Fields(error.to_string())
 }
 
-/// What has to be known from piece to piece of a file.
+/// State of a file between its pieces.
 #[derive(Debug)]
 pub struct VtuFile {
     title: String,
-    /// The lower one first; without rigid ones.
+    /// Deformable bodies, the lower one first.
     bodies: Vec<Body>,
-    /// Bytes of an array that wait for their third.
+    /// Bytes of an array that are not yet encoded, because base64 encodes groups of three bytes.
     pending: Vec<u8>,
 }
 
-/// A body that deforms.
+/// A deformable body.
 #[derive(Debug)]
 struct Body {
     name: u8,
     is_half: bool,
-    /// By how much it comes down.
+    /// Distance by which the body moves down \[length\].
     descent: f64,
     nodes: usize,
     elements: usize,
-    /// Where its arrays stand in the bytes of the step, in the order of [`SOURCES`].
+    /// Positions of its arrays in the bytes of the load step, in the order of [`SOURCES`].
     sources: [Range<usize>; 9],
-    /// Nodes on the axis of a half, in order.
+    /// Nodes on the axis of a half model, in ascending order.
     axis: Vec<usize>,
 }
 
-/// Names of the arrays, each with the bytes for a node or an element.
+/// Names of the source arrays with their number of bytes for each node or element.
 const SOURCES: [(&str, usize); 9] = [
     ("nodes", 16),
     ("elements", 16),
@@ -107,7 +107,7 @@ enum Array {
     Types,
 }
 
-/// All of them in order, with what stands before.
+/// Arrays of the file in order, each with the text before it.
 const ARRAYS: [(&str, Array); 9] = [
     ("<PointData Scalars=\"von_mises\" Vectors=\"displacement\">\n", Array::Displacement),
     ("", Array::Stress),
@@ -127,19 +127,19 @@ pub(super) const TENSOR: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" 
                                  ComponentName3=\"XY\" ComponentName4=\"YZ\" \
                                  ComponentName5=\"XZ\"";
 
-/// A piece of the file, to be written in order.
+/// A piece of the file. Pieces are written in order.
 #[derive(Debug, Clone)]
 pub struct VtuPiece {
     what: What,
-    /// Where the numbers stand in the bytes of the step that it is made of.
+    /// Positions of the source numbers in the bytes of the load step.
     sources: Vec<Range<usize>>,
 }
 
 #[derive(Debug, Clone)]
 enum What {
-    /// Nothing is written: the nodes on the axis are looked for.
+    /// Search for the nodes on the axis; it writes nothing.
     Axis(Items),
-    /// Everything before the arrays.
+    /// Text before the arrays.
     Head,
     Begin(&'static str, Array),
     Values(Array, Items),
@@ -156,7 +156,7 @@ struct Items {
 }
 
 impl Array {
-    /// Type, name and attributes.
+    /// Returns type, name and attributes of the array.
     const fn declaration(self) -> [&'static str; 3] {
         match self {
             Self::Displacement => ["Float64", "displacement", "NumberOfComponents=\"3\""],
@@ -171,7 +171,7 @@ impl Array {
         }
     }
 
-    /// Bytes for each node or element.
+    /// Returns the number of bytes for each node or element.
     const fn bytes(self) -> usize {
         match self {
             Self::Displacement | Self::Points => 24,
@@ -186,7 +186,7 @@ impl Array {
         matches!(self, Self::Body | Self::Connectivity | Self::Offsets | Self::Types)
     }
 
-    /// What it is made of, in [`SOURCES`].
+    /// Returns the indices of the source arrays in [`SOURCES`].
     const fn sources(self) -> &'static [usize] {
         match self {
             Self::Points => &[0],
@@ -219,12 +219,12 @@ impl Body {
         Ok(Some(Self { name, is_half, descent, nodes, elements, sources, axis: Vec::new() }))
     }
 
-    /// Nodes with those of the image.
+    /// Returns the number of nodes, including the image.
     fn all_nodes(&self) -> usize {
         if self.is_half { 2 * self.nodes - self.axis.len() } else { self.nodes }
     }
 
-    /// The number of a node of it, or of that node's image.
+    /// Returns the index of a node, or of its image, among the nodes of the body and its image.
     fn index(&self, node: usize, is_image: bool) -> usize {
         match self.axis.binary_search(&node) {
             Err(before) if is_image => (self.nodes + node).saturating_sub(before),
@@ -232,7 +232,7 @@ impl Body {
         }
     }
 
-    /// Where some of its numbers stand.
+    /// Returns the position of a range of nodes or elements of a source array.
     fn source(&self, source: usize, range: &Range<usize>) -> Range<usize> {
         let (begin, bytes) = (self.sources[source].start, SOURCES[source].1);
         begin + bytes * range.start..begin + bytes * range.end
@@ -240,8 +240,8 @@ impl Body {
 }
 
 impl VtuFile {
-    /// The file of a step, its number from 0 on and that of all given, with its approach and its
-    /// fields.
+    /// Returns the file of the load step `step`, counted from 0 and out of `steps`, with its
+    /// approach and with the fields in `layout`.
     ///
     /// # Errors
     /// [`ExportError::Fields`].
@@ -278,7 +278,7 @@ impl VtuFile {
         );
     }
 
-    /// Appends what stands for nodes or elements.
+    /// Appends the values of an array at nodes or elements.
     fn values<B: AsRef<[u8]>>(&mut self, array: Array, items: &Items, sources: &[B]) {
         let Items { body: number, is_image, ref range } = *items;
         let body = &self.bodies[number];
@@ -329,7 +329,8 @@ impl VtuFile {
         }
     }
 
-    /// Nodes and elements of the bodies before one, their images included.
+    /// Returns the numbers of nodes and elements in the bodies before `body`, including their
+    /// images.
     fn before(&self, body: usize) -> [usize; 2] {
         let bodies = self.bodies.iter().take(body);
         let count =
@@ -413,7 +414,7 @@ impl FieldsFile for VtuFile {
     }
 }
 
-/// Pieces of so many nodes or elements.
+/// Returns `count` nodes or elements in pieces.
 fn items(body: usize, is_image: bool, count: usize) -> impl Iterator<Item = Items> {
     let ranges = (0..count).step_by(CHUNK).map(move |from| from..(from + CHUNK).min(count));
     ranges.map(move |range| Items { body, is_image, range })
@@ -427,7 +428,7 @@ fn integers(bytes: &mut Vec<u8>, values: impl Iterator<Item = usize>) {
     bytes.extend(values.flat_map(|value| (value as u64).to_le_bytes()));
 }
 
-/// A number of a source.
+/// Returns a number from the bytes of a source array.
 fn float<B: AsRef<[u8]>>(sources: &[B], source: usize, at: usize) -> f64 {
     let numbers =
         sources.get(source).map(|bytes| bytes.as_ref().as_chunks::<8>().0).unwrap_or_default();

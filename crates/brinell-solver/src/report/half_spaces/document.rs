@@ -1,4 +1,4 @@
-//! What a result has of a contact in three dimensions alone.
+//! Parts of a report that only contacts in three dimensions have.
 
 use serde::{Deserialize, Serialize};
 

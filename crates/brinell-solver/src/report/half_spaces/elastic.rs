@@ -1,4 +1,4 @@
-//! The elastic contact of the same half-spaces, and the load under which it begins to yield.
+//! The elastic reference of a contact of half-spaces, and the load at its onset of yield.
 
 use std::f64::consts::PI;
 
@@ -13,16 +13,17 @@ use crate::solver::half_spaces::{
     HalfSpaceProblem, HalfSpaceStep, HeightMap, Relief, RollerGap, SurfaceMap,
 };
 
-/// Logarithmic profiles of ISO 16281 over the diameter: of rollers up to 2.5 diameters long, and
-/// of longer ones.
+/// Factors of the logarithmic profiles of ISO 16281 over the diameter: for rollers up to
+/// `LONG_ROLLER` diameters long, and for longer rollers.
 const ISO_FACTOR: f64 = 0.00035;
 const ISO_FACTOR_LONG: f64 = 0.0005;
 const LONG_ROLLER: f64 = 2.5;
 
-/// Part of a roller from which on its contact is one from end to end.
+/// Length of the contact over the length of the roller above which the contact counts as a line
+/// contact from end to end.
 const LINE_PART: f64 = 0.9;
 
-/// What Hertz's theory says of two half-spaces whatever the force.
+/// Hertz's theory of two half-spaces, for any force.
 #[derive(Debug, Clone)]
 pub struct EllipticReference {
     problem: HalfSpaceProblem,
@@ -30,7 +31,8 @@ pub struct EllipticReference {
     rolling: Option<DepthLimit>,
 }
 
-/// The engine's problem of a job; `None` of a job that is not in three dimensions.
+/// Returns the problem of a job for the engine of half-spaces, or `None` if the job is not in
+/// three dimensions.
 pub(super) fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
     let [upper, lower] = [&job.upper, &job.lower].map(|body| body.shape.curvatures());
     let (upper, lower) = (upper?, lower?);
@@ -49,7 +51,7 @@ pub(super) fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
     })
 }
 
-/// Heights of both bodies together.
+/// Returns the sum of the heights of both bodies.
 fn heights(job: &Job) -> Option<HeightMap> {
     let mut surfaces =
         [&job.upper, &job.lower].into_iter().filter_map(|body| body.surface.as_ref());
@@ -63,7 +65,7 @@ fn heights(job: &Job) -> Option<HeightMap> {
     Some(HeightMap { heights, cells: first.cells(), spacing: first.spacing() })
 }
 
-/// Rollers among the bodies of a job.
+/// Returns the rollers among the bodies of a job.
 fn rollers(job: &Job) -> Vec<RollerGap> {
     let bodies = [&job.upper, &job.lower];
     let compliance = |body: &Body| match &body.material {
@@ -85,9 +87,10 @@ fn rollers(job: &Job) -> Vec<RollerGap> {
     bodies.iter().filter_map(roller).collect()
 }
 
-/// Of a roller against whatever makes E* `modulus`. Lundberg's profile is that by which the
-/// surfaces of half-spaces sink less off the middle of an even line load `w = Q/L`, `w/(πE*)
-/// ln(1/(1 - (2y/L)²))`.
+/// Returns the relief of a roller in a contact with the effective modulus E* `modulus`.
+///
+/// A uniform line load `w = Q/L` displaces the surfaces of half-spaces less off its middle.
+/// Lundberg's profile is this difference, `w/(πE*) ln(1/(1 - (2y/L)²))`.
 ///
 /// # Reference
 /// G. Lundberg, *Elastische Berührung zweier Halbräume*, Forsch. Ing.-Wes. 10 (1939) 201–211;
@@ -111,7 +114,7 @@ fn relief(roller: &Roller, modulus: f64) -> Relief {
     }
 }
 
-/// Points on both sides of the middle.
+/// Completes points on one side of the middle by their mirror images.
 fn whole(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let starts_in_the_middle = points.first().is_some_and(|[y, _]| *y >= 0.0);
     let ends_in_the_middle = points.last().is_some_and(|[y, _]| *y <= 0.0);
@@ -126,7 +129,7 @@ fn whole(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 impl EllipticReference {
-    /// The reference for a job; `None` if it is not in three dimensions.
+    /// Returns the reference for a job, or `None` if the job is not in three dimensions.
     pub fn of(job: &Job) -> Option<Self> {
         let problem = problem_of(job)?;
         if !problem.has_hertz() {
@@ -142,10 +145,10 @@ impl EllipticReference {
             limits.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure))
         };
         let (onset, rolling) = (least(onset), least(rolling));
-        // The closed forms know of no stress before the load.
+        // The closed forms neglect stress before the load.
         let is_stressed =
             problem.materials.iter().flatten().any(|body| !body.initial_stress().is_empty());
-        // Nor of a contact that has come to the ends of a roller before it yields.
+        // They also neglect that a contact may reach the ends of a roller before it yields.
         let is_alike = |limit: &DepthLimit| {
             let force = problem.force_where(|hertz| hertz.peak_pressure, limit.peak_pressure, 3.0);
             problem.is_line(&problem.hertz(force)) == ellipse.is_none()
@@ -154,42 +157,43 @@ impl EllipticReference {
         Some(Self { onset, rolling: rolling.filter(is_alike), problem })
     }
 
-    /// The contact under a force \[N\].
+    /// Returns the contact under a force \[N\].
     pub fn under(&self, force: f64) -> EllipticContact {
         self.problem.hertz(force)
     }
 
-    /// The gap before loading at the middles of cells \[mm\].
+    /// Returns the gap before loading at the middles of the cells \[mm\].
     pub(super) fn initial_gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
         self.problem.gap(grid)
     }
 
-    /// Force under which a body begins to yield \[N\]; `None` where none has a yield stress, one
-    /// has a stress before the load, or a roller has a profile or a tilt, which Hertz leaves out.
+    /// Returns the force at the onset of yield \[N\]. Returns `None` if no body has a yield
+    /// stress, or if Hertz's theory does not apply: to a body with a stress before the load, or to
+    /// a roller with a profile or a tilt.
     pub fn onset_force(&self) -> Option<f64> {
         let force = |peak| self.problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
         let is_plain = self.problem.rollers.iter().all(RollerGap::is_plain);
         self.onset.filter(|_| is_plain).map(|limit| force(limit.peak_pressure))
     }
 
-    /// Depth at which it does \[mm\].
+    /// Returns the depth of the onset of yield \[mm\].
     pub fn onset_depth(&self) -> Option<f64> {
         self.onset.map(|limit| limit.depth)
     }
 
-    /// The most that a contact bears which rolls along its shorter semi-axis without yielding in
-    /// every passage; `None` where no body has a yield stress.
+    /// Returns the shakedown limit of a contact that rolls along its shorter semi-axis, or `None`
+    /// if no body has a yield stress. Beyond this limit the bodies yield in every passage.
     pub const fn rolling(&self) -> Option<DepthLimit> {
         self.rolling
     }
 
-    /// Radius of a ball with the mean curvature of the gap \[mm\].
+    /// Returns the radius of a ball with the mean curvature of the gap \[mm\].
     pub fn effective_radius(&self) -> f64 {
         2.0 / self.problem.principal_curvatures().iter().sum::<f64>()
     }
 
-    /// dP/dα of elastic bodies where the contact of a step stays as it is \[N/mm\]; 0 of bodies
-    /// that do not touch.
+    /// Returns dP/dα of elastic bodies at a constant contact area of the load step \[N/mm\], or 0
+    /// without contact.
     pub fn stiffness(&self, step: &HalfSpaceStep) -> f64 {
         let has_outline =
             self.problem.heights.is_none() && self.problem.rollers.iter().all(RollerGap::is_plain);
@@ -200,13 +204,14 @@ impl EllipticReference {
         }
     }
 
-    /// That of a flat punch of the cells in contact: the force under which all of them sink by 1.
+    /// Returns the stiffness of a flat punch with the shape of the cells in contact: the force
+    /// that displaces all these cells by 1.
     fn of_cells(&self, map: &SurfaceMap) -> f64 {
         if map.pressure.iter().all(|pressure| *pressure <= 0.0) {
             return 0.0;
         }
         let flexibility = SurfaceFlexibility::new(map.grid, self.problem.effective_modulus());
-        // No cell beside the punch sinks as far as 2.
+        // With a gap of 2 no cell beside the punch comes into contact.
         let initial_gap: Vec<f64> =
             map.pressure.iter().map(|p| if *p > 0.0 { 0.0 } else { 2.0 }).collect();
         let problem = ContactProblem {
@@ -219,9 +224,9 @@ impl EllipticReference {
         pressed.map_or(0.0, |pressed| pressed.total_force)
     }
 
-    /// Within an ellipse of a longer semi-axis `b` and an axis ratio `a/b`: `π E* b/K(√(1 -
-    /// (a/b)²))`, the stiffness of a flat punch of this outline. Along a roller of length 2b it is
-    /// `π E* b/ln(4b/a)`, the slope of the closed form of [`HalfSpaceProblem::hertz`].
+    /// Returns the stiffness of a flat punch with an elliptic outline of the semi-axes `a <= b`:
+    /// `π E* b/K(√(1 - (a/b)²))`. Along a roller of length 2b it is `π E* b/ln(4b/a)`, the slope
+    /// of the closed form of [`HalfSpaceProblem::hertz`].
     ///
     /// # Reference
     /// K. L. Johnson, *Contact Mechanics* (1985), section 3.5.
@@ -239,7 +244,7 @@ impl EllipticReference {
             return PI * modulus * b / (4.0 * b / a).ln();
         }
         let (mut mean, mut root) = (1.0_f64, short / long);
-        // K by the arithmetic-geometric mean.
+        // The arithmetic-geometric mean gives K.
         for _ in 0..40 {
             (mean, root) = (0.5 * (mean + root), (mean * root).sqrt());
         }
@@ -247,13 +252,13 @@ impl EllipticReference {
     }
 }
 
-/// The yield stress of a body that has one.
+/// Returns the yield stress of a material, or `None` if it has none.
 fn yield_stress(material: &Deformable) -> Option<f64> {
     material.hardening_law().map(|law| law.yield_stress()).filter(|stress| *stress > 0.0)
 }
 
-/// Where a body yields in every passage; `half_width` is the shorter semi-axis of a unit peak
-/// pressure. Without an ellipse it is a line contact.
+/// Returns peak pressure and depth at the shakedown limit of a body. `half_width` is the shorter
+/// semi-axis at a unit peak pressure. Without an ellipse the contact is a line contact.
 fn rolling(
     material: &Deformable,
     ellipse: Option<HertzEllipse>,
@@ -273,8 +278,8 @@ fn rolling(
     })
 }
 
-/// Where a body first yields; `half_width` is the shorter semi-axis of a unit peak pressure.
-/// Without an ellipse it is a line contact.
+/// Returns peak pressure and depth at the onset of yield of a body. `half_width` is the shorter
+/// semi-axis at a unit peak pressure. Without an ellipse the contact is a line contact.
 fn onset(
     material: &Deformable,
     ellipse: Option<HertzEllipse>,
@@ -307,13 +312,14 @@ mod tests {
     fn the_stiffness_of_a_circle_is_that_of_a_round_punch() {
         let job = br#"{"analysis": "three_dimensional",
             "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
-            "lower": {"shape": {"type": "flat"}, "material": {"young_modulus": 210000, "poisson_ratio": 0.3,
+            "lower": {"shape": {"type": "flat"},
+                "material": {"young_modulus": 210000, "poisson_ratio": 0.3,
                 "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0}}},
             "load": {"force": 100}}"#;
         let reference = EllipticReference::of(&Job::from_json(job).unwrap()).unwrap();
         let modulus = 210_000.0 / 0.91;
         assert!((reference.of_outline([0.2, 0.2]) / (2.0 * modulus * 0.2) - 1.0).abs() < 1e-14);
-        // p0 = 1.613 σ_y at the onset, P = π³ R² p0³/(6 E*²).
+        // At the onset p0 = 1.613 σ_y and P = π³ R² p0³/(6 E*²).
         let force = PI.powi(3) * 100.0 * (1.6132 * 500.0f64).powi(3) / (6.0 * modulus * modulus);
         assert!((reference.onset_force().unwrap() / force - 1.0).abs() < 1e-3);
         // The tangent of Hertz's curve.

@@ -1,4 +1,4 @@
-//! What a job in three dimensions will cost.
+//! Estimate of memory and work of a job in three dimensions.
 
 use crate::job::Job;
 use crate::report::contact_stiffness::{of_small_mesh, small_solves};
@@ -7,17 +7,17 @@ use crate::report::{JobEstimate, LAYER_NAMES};
 use crate::solver::SolveError;
 use crate::solver::half_spaces::{self, HalfSpaceProblem};
 
-/// Bytes of the report of a step: of each cell of the surface where maps are asked for, and of
-/// each row and layer, where a row along a roller counts twice.
+/// Bytes of the report of a load step: for each cell of the maps, if the job asks for them, and
+/// for each row and layer. A row along a roller counts twice.
 const MAP_BYTES: u64 = 32;
 const ROW_BYTES: u64 = 220;
-/// Cells of the layers that are a unit of work.
+/// Number of cells of the layers whose load step counts as one unit of work.
 const WORK_UNIT: u64 = 1000;
 
-/// The estimate of a job.
+/// Returns the estimate of a job.
 ///
 /// # Errors
-/// [`SolveError`] of a grid that cannot be laid out.
+/// [`SolveError`] if no grid fits the job.
 pub(super) fn estimate(job: &Job, problem: &HalfSpaceProblem) -> Result<JobEstimate, SolveError> {
     let grid = half_spaces::estimate(problem)?;
     let [columns, rows] = grid.cells.map(|count| count as u64);

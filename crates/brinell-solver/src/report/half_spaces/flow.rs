@@ -1,4 +1,4 @@
-//! What flow theory knows of half-spaces: increments, surfaces, energies.
+//! Report of flow theory for half-spaces: increments, surfaces, energies.
 
 use std::sync::Arc;
 
@@ -10,18 +10,18 @@ use crate::report::units::UnitConverter;
 use crate::report::{EnergyReport, FlowReport, IncrementsReport, PerBody, SurfaceReport};
 use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceStep};
 
-/// What a history has done so far.
+/// State of a history after its loads so far.
 #[derive(Debug, Default)]
 pub(super) struct FlowState {
     /// Force at the end of the last load.
     force: f64,
-    /// Plastic strains where the load last began to fall.
+    /// Bodies before the load last began to fall.
     before_unloading: Option<[Option<Arc<HalfSpaceBody>>; 2]>,
     bodies: [Option<Arc<HalfSpaceBody>>; 2],
 }
 
 impl FlowState {
-    /// The report of the next load; `None` under deformation theory.
+    /// Returns the report of the next load, or `None` under deformation theory.
     pub fn report(
         &mut self,
         job: &Job,
@@ -94,8 +94,8 @@ impl FlowState {
     }
 }
 
-/// Elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`; none where
-/// nothing touches.
+/// Returns the elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`, or
+/// zeros without contact.
 fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Vec<f64> {
     let map = &step.surface;
     if step.figures.force <= 0.0 {
@@ -110,7 +110,7 @@ fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Ve
     (0..map.gap.len()).map(at).collect()
 }
 
-/// `(1 - ν²)/E` of a body; 0 of a rigid one.
+/// Returns `(1 - ν²)/E` of a body, 0 for a rigid body.
 fn compliance(job: &Job, side: usize) -> f64 {
     match &[&job.upper, &job.lower][side].material {
         Material::Deformable(material) => material.elastic().plane_strain_modulus().recip(),
@@ -118,7 +118,7 @@ fn compliance(job: &Job, side: usize) -> f64 {
     }
 }
 
-/// Equivalent plastic strain that each cell has gained.
+/// Returns the gain of equivalent plastic strain in each cell.
 fn gains(before: &HalfSpaceBody, now: &HalfSpaceBody) -> Vec<f64> {
     let (before, now) = (&before.equivalent_plastic_strain, &now.equivalent_plastic_strain);
     if before.len() != now.len() {
@@ -127,7 +127,7 @@ fn gains(before: &HalfSpaceBody, now: &HalfSpaceBody) -> Vec<f64> {
     now.iter().zip(before).map(|(now, before)| now - before).collect()
 }
 
-/// Area in the section y = 0 of the cells that have gained plastic strain.
+/// Returns the area, in the section y = 0, of the cells that have gained plastic strain.
 fn reverse_area(body: &HalfSpaceBody, gains: &[f64]) -> f64 {
     let (ny, n_cells) = (body.grid.ny(), body.grid.n_cells());
     let is_in_section = |cell: usize| cell % n_cells % ny == (ny - 1) / 2;

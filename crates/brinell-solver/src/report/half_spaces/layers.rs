@@ -1,11 +1,11 @@
-//! The layers of a half-space as arrays.
+//! Arrays of the layers of a half-space.
 
 use crate::job::Quantity;
 use crate::report::LayersReport;
 use crate::report::units::UnitConverter;
 use crate::solver::half_spaces::HalfSpaceBody;
 
-/// The cells of a body.
+/// Returns the cells of a body.
 pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport {
     let (grid, faces) = (&body.grid, body.layers.faces());
     let (n_layers, n_cells) = (body.layers.len(), grid.n_cells());
@@ -25,7 +25,7 @@ pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport
         };
         cells().map(of_cell).collect()
     };
-    // Rows of a deviator, whose zz is -xx - yy.
+    // Components of a deviator; the component zz is -xx - yy.
     let [xx, yy, xy, xz, yz] = [0, 1, 2, 3, 4];
     let equivalent = &body.equivalent_plastic_strain;
     LayersReport {

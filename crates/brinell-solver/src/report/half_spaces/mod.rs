@@ -1,5 +1,5 @@
-//! Jobs in three dimensions: from the job to the engine of half-spaces, and from its steps to the
-//! report.
+//! Jobs in three dimensions: converts the job to a problem for the engine of half-spaces, and the
+//! load steps of the engine to the report.
 
 mod document;
 mod elastic;

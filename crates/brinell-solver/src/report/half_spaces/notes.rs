@@ -1,5 +1,5 @@
-//! Remarks on the validity of an answer in three dimensions. What is said of plane contacts too is
-//! said in the same words.
+//! Remarks on the validity of an answer in three dimensions. Remarks that plane contacts share
+//! have the same text.
 
 use super::step::largest_strain;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
@@ -16,15 +16,15 @@ use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap,
 };
 
-/// Cells over the shorter semi-axis below which the grid is called coarse.
+/// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
-/// Semi-axes from each other from which on the bodies near the contact are no half-spaces: depth
-/// over which its stress dies away.
+/// Distance over the longer semi-axis within which the stress of the contact decays. The bodies
+/// must resemble half-spaces up to this distance beyond the contact.
 const REACH: f64 = 3.0;
-/// Depths within a layer at which strengths are compared.
+/// Number of depths within a layer at which strengths are compared.
 const SAMPLES: u32 = 16;
 
-/// The remarks of a step.
+/// Returns the remarks on a load step.
 pub(super) fn notes(
     job: &Job,
     problem: &HalfSpaceProblem,
@@ -102,7 +102,7 @@ pub(super) fn notes(
     notes
 }
 
-/// The remark on a contact of few cells.
+/// Returns the remark on a contact of few cells.
 fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<String> {
     let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes);
     let cells = (a / grid.hx()).min(b / grid.hy());
@@ -117,7 +117,7 @@ fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Strin
     Some(format!("A semi-axis of the contact has only {cells:.1} cells; {advice}."))
 }
 
-/// The remarks on what the surfaces are: heights, rollers, half-spaces.
+/// Adds the remarks on the type of the surfaces: heights, rollers, half-spaces.
 fn of_shapes(
     problem: &HalfSpaceProblem,
     step: &HalfSpaceStep,
@@ -159,7 +159,7 @@ fn of_shapes(
     }
 }
 
-/// What is said of a step that did not converge.
+/// Returns code and text of the remark on a load step that did not converge.
 fn status_remark(job: &Job, step: &HalfSpaceStep) -> Option<(&'static str, String)> {
     let unfinished = Unfinished {
         contact_check: step.contact_check,
@@ -222,8 +222,9 @@ const fn deformable(body: &Body) -> Option<&Deformable> {
     }
 }
 
-/// A semi-axis and the radius of a body along it, where their ratio is largest, if it is beyond
-/// what parabolas stand for. x of the contact is turned by an angle from the x of the job.
+/// Returns the semi-axis and the radius of a body along it with the largest ratio, if the ratio is
+/// too large for surfaces that are approximated by parabolas. `angle` turns the x of the job to
+/// the x of the contact.
 fn widest(job: &Job, angle: f64, semi_axes: [f64; 2]) -> Option<(f64, f64)> {
     let (sine, cosine) = angle.sin_cos();
     let curvatures =
@@ -237,7 +238,7 @@ fn widest(job: &Job, angle: f64, semi_axes: [f64; 2]) -> Option<(f64, f64)> {
     widest.filter(|(size, radius)| size / radius > WIDE_CONTACT)
 }
 
-/// The largest ratio of strengths within a layer that is stressed, and the depth of its middle.
+/// Returns the largest ratio of strengths within a stressed layer, and the depth of its middle.
 fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
     let (strength, limit) =
         (material.strength()?, material.hardening_law()?.nominal_yield_stress());
@@ -258,7 +259,8 @@ fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
     (0..body.layers.len()).filter_map(of_layer).max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// What is said of strength that changes by this ratio within a layer at a depth \[mm\].
+/// Returns code and text of the remark on a strength that changes by `ratio` within a layer at
+/// `depth` \[mm\].
 fn coarse_case(
     job: &Job,
     (ratio, depth): (f64, f64),
@@ -279,12 +281,12 @@ fn coarse_case(
     ("coarse_case", message)
 }
 
-/// Whether a contact of heights comes to their end.
+/// Returns whether a contact of heights reaches the rim of the heights.
 fn ends_at_rim(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> bool {
     problem.heights.is_some() && reaches_rim(&step.surface)
 }
 
-/// Whether a cell of the rim is in contact.
+/// Returns whether a cell of the rim is in contact.
 fn reaches_rim(map: &SurfaceMap) -> bool {
     let (nx, ny) = (map.grid.nx(), map.grid.ny());
     let is_rim = |cell: usize| {
@@ -294,8 +296,8 @@ fn reaches_rim(map: &SurfaceMap) -> bool {
     map.pressure.iter().enumerate().any(|(cell, pressure)| *pressure > 0.0 && is_rim(cell))
 }
 
-/// Whether the peak is that of the cells: at the end of a roller, or at the kinks of a profile by
-/// points.
+/// Returns whether the peak pressure depends on the size of the cells: at the end of a roller, at
+/// the rim of heights, or at the kinks of a profile given by points.
 pub(super) fn is_peak_unknown(
     problem: &HalfSpaceProblem,
     step: &HalfSpaceStep,
@@ -308,7 +310,7 @@ fn has_kinks(problem: &HalfSpaceProblem) -> bool {
     problem.rollers.iter().any(|roller| matches!(roller.relief, Relief::Points(_)))
 }
 
-/// What is said of a contact that reaches an end of a roller.
+/// Returns the remark on a contact that reaches an end of a roller.
 fn roller_end(
     problem: &HalfSpaceProblem,
     step: &HalfSpaceStep,
@@ -338,7 +340,7 @@ fn roller_end(
     })
 }
 
-/// To two digits.
+/// Returns a value to two digits.
 fn digits(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }

@@ -1,4 +1,4 @@
-//! Solving a job in three dimensions, and what that will cost.
+//! Entry points of jobs in three dimensions: they estimate, solve and report a job.
 
 use std::time::Duration;
 
@@ -18,10 +18,10 @@ use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
 use crate::solver::half_spaces::{self, HalfSpaceFigures, HalfSpaceStep};
 use crate::solver::{Observer, Options, SolveStatus, StepReceiver};
 
-/// What a job will cost.
+/// Estimates the cost of a job.
 ///
 /// # Errors
-/// The fields that describe what is not solved.
+/// The fields of the job that describe a contact outside the theory.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     let problem = problem_of(job).ok_or_else(Vec::new)?;
     estimate(job, &problem).map_err(|error| match RunError::of(job, &error) {
@@ -30,7 +30,8 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     })
 }
 
-/// Solves a job and hands over the report of each step; the report that is returned has no steps.
+/// Solves a job and passes the report of each load step to `on_step`. The returned report has no
+/// steps.
 pub fn run_each(
     job: &Job,
     options: Options<'_>,
@@ -69,10 +70,10 @@ pub fn run_each(
     })
 }
 
-/// What the steps so far have in common.
+/// Results that are collected from the load steps so far.
 struct Seen {
     status: Option<SolveStatus>,
-    /// Converged steps.
+    /// Points of the converged load steps.
     curve: Vec<CurvePoint>,
     mesh: MeshReport,
     flow: FlowState,
@@ -91,11 +92,11 @@ impl Default for Seen {
     }
 }
 
-/// Writes each step as it is finished.
+/// Reports each load step when it ends.
 struct Steps<'a> {
     writer: StepWriter<'a>,
     on_step: &'a mut dyn FnMut(usize, StepReport),
-    /// Of the next step.
+    /// Number of the next load step.
     number: usize,
     seen: Seen,
     differences: LoadDifferences<'a>,
@@ -146,7 +147,7 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
     }
 }
 
-/// Estimated relative error of the figure that is sought.
+/// Returns the estimated relative error of the target figure.
 fn target_error(step: &HalfSpaceStep, figure: TargetFigure) -> Option<f64> {
     let errors = step.errors.as_ref()?;
     let (figures, most) = (&step.figures, |pair: [f64; 2]| pair[0].max(pair[1]));
@@ -154,7 +155,7 @@ fn target_error(step: &HalfSpaceStep, figure: TargetFigure) -> Option<f64> {
         TargetFigure::PermanentApproach => [errors.approach, figures.approach],
         TargetFigure::DentDepth => [most(errors.dent), most(figures.dent)],
         TargetFigure::PeakPressure => [errors.peak_pressure, figures.peak_pressure],
-        // Its area is what is uncertain of a mean pressure.
+        // The error of a mean pressure is the error of its area.
         TargetFigure::MeanPressure => [errors.area, figures.area],
         TargetFigure::HalfWidth => [errors.semi_axes[0], figures.semi_axes[0]],
         TargetFigure::MaxPlasticStrain => {
@@ -189,14 +190,15 @@ mod tests {
     use crate::solver::Unobserved;
     use serde_json::{Value, json};
 
-    /// A rigid ball of radius 10 mm on steel that yields at 500 MPa, of few cells; members of
-    /// `changes` take the place of its own.
+    /// Returns the job of a rigid ball of radius 10 mm on steel with a yield stress of 500 MPa,
+    /// with few cells. Members of `changes` replace members of the job.
     fn ball(plasticity: &Value, changes: &Value) -> Report {
         let mut job = json!({
             "analysis": "three_dimensional",
             "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
             "lower": {"shape": {"type": "flat"},
-                "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}},
+                "material": {
+                    "young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}},
             "load": {"force": 70}, "mesh": {"elements_per_half_width": 6},
         });
         for (key, value) in changes.as_object().unwrap() {
@@ -237,7 +239,9 @@ mod tests {
 
     #[test]
     fn a_force_is_reported_by_the_dent_that_it_leaves() {
-        let changes = json!({"load": {"target": {"dent_depth": 3e-4}}, "solver": {"theory": "flow", "increments": 3}});
+        let changes = json!({
+            "load": {"target": {"dent_depth": 3e-4}},
+            "solver": {"theory": "flow", "increments": 3}});
         let report = ball(&hardening(), &changes);
         let target = report.target.as_ref().unwrap();
         assert_eq!((report.steps.len(), target.figure.as_str()), (2, "dent_depth"));
@@ -274,7 +278,9 @@ mod tests {
 
     #[test]
     fn loads_of_no_force_begin_at_no_approach() {
-        let changes = json!({"load": {"history": [{"force": 0}, {"force": 4}, {"force": 0}]}, "solver": {"theory": "flow"}});
+        let changes = json!({
+            "load": {"history": [{"force": 0}, {"force": 4}, {"force": 0}]},
+            "solver": {"theory": "flow"}});
         let report = ball(&hardening(), &changes);
         for step in [&report.steps[0], &report.steps[2]] {
             assert_eq!((step.approach, step.contact.force), (0.0, 0.0));
@@ -291,20 +297,24 @@ mod tests {
         let steps = ball(&hardening(), &json!({"load": {"forces": [70, 30]}})).steps;
         assert!(steps.iter().all(|step| message(step, "falling_loads").is_some()));
         let soft = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
-        let changes = json!({"units": "SI", "lower": {"shape": {"type": "flat"}, "material": soft}, "load": {"force": 0.001}});
+        let changes = json!({
+            "units": "SI", "lower": {"shape": {"type": "flat"}, "material": soft},
+            "load": {"force": 0.001}});
         let step = &ball(&hardening(), &changes).steps[0];
         assert!(message(step, "suspicious_units").is_some());
     }
 
-    /// The gap hardly opens along the raceway's groove, in which the contact reaches far along a
-    /// radius of 10 mm.
+    /// The gap hardly opens along the groove of the raceway, so that the contact extends far along
+    /// a radius of 10 mm.
     #[test]
     fn a_ball_that_fills_its_raceway_is_wide() {
         let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
         for (radius, is_wide) in [(-10.2, true), (-100.0, false)] {
             for rotation in [0, 60] {
-                let raceway = json!({"type": "curved", "radius_x": 40, "radius_y": radius, "rotation": rotation});
-                let changes = json!({"lower": {"shape": raceway, "material": steel}, "load": {"force": 500}});
+                let raceway = json!({
+                    "type": "curved", "radius_x": 40, "radius_y": radius, "rotation": rotation});
+                let changes = json!({
+                    "lower": {"shape": raceway, "material": steel}, "load": {"force": 500}});
                 let step = &ball(&hardening(), &changes).steps[0];
                 let said = message(step, "wide_contact");
                 assert_eq!(

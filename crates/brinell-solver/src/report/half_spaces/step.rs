@@ -1,4 +1,4 @@
-//! The report of one load.
+//! The report of one load step.
 
 use super::document::{
     EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
@@ -22,21 +22,21 @@ use crate::solver::half_spaces::{
     ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
 };
 
-/// Parts of the area in contact for which the pressure is reported.
+/// Fractions of the contact area for which the quantile of the pressure is reported.
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
-/// Writes the reports of the steps of one job.
+/// Writes the reports of the load steps of one job.
 pub(super) struct StepWriter<'a> {
     pub job: &'a Job,
     pub write: UnitConverter,
     pub problem: &'a HalfSpaceProblem,
     pub reference: &'a EllipticReference,
-    /// From the job's x to that of the fields \[rad\].
+    /// Angle from the x of the job to the x of the fields \[rad\].
     pub orientation: f64,
 }
 
 impl StepWriter<'_> {
-    /// The report of a step beside what flow theory and the remarks say of it.
+    /// Returns the report of a load step, including its report of flow theory and its remarks.
     pub fn report(
         &self,
         step: &HalfSpaceStep,
@@ -116,7 +116,7 @@ impl StepWriter<'_> {
         }
     }
 
-    /// The onset of yield that the job asked for.
+    /// Returns the onset of yield if the job asks for it.
     fn yield_onset(&self, step: &HalfSpaceStep) -> Option<YieldOnsetReport> {
         let write = self.write;
         let first =
@@ -131,8 +131,9 @@ impl StepWriter<'_> {
         })
     }
 
-    /// dP/dα of bodies that have not yielded or that a history has pressed together farther: the
-    /// slope while the contact stays as it is \[N/mm\].
+    /// Returns dP/dα at a constant contact area \[N/mm\] for bodies that are elastic under the
+    /// next change of load: they have not yielded, or a history has reached a larger approach
+    /// before.
     pub fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
         let yields = step.bodies.iter().flatten().any(|body| body.largest_strain.is_some());
         let grows = step.figures.approach >= step.largest_approach;
@@ -177,7 +178,7 @@ impl StepWriter<'_> {
         }
     }
 
-    /// Contact of heights.
+    /// Returns the report of a contact of heights.
     fn rough_contact(&self, step: &HalfSpaceStep) -> Option<RoughContactReport> {
         self.problem.heights.as_ref()?;
         let (write, map, figures) = (self.write, &step.surface, &step.figures);
@@ -200,7 +201,7 @@ impl StepWriter<'_> {
         })
     }
 
-    /// Rows of cells between the ends of a roller.
+    /// Returns the rows of cells between the ends of a roller.
     fn roller(&self, step: &HalfSpaceStep) -> Option<RollerReport> {
         let (half_length, write) = (self.problem.half_length()?, self.write);
         let map = &step.surface;
@@ -235,7 +236,7 @@ impl StepWriter<'_> {
         let most = body.largest_strain;
         let [x, y, depth] = most.map_or([0.0; 3], |most| most.position);
         let layers = (0..body.layers.len()).filter(|_| most.is_some());
-        // Area and the integral of the strain over it.
+        // Area of the yielded cells, and the integral of the strain over this area.
         let (yielded_area, weighted) = layers.fold((0.0, 0.0), |(area, sum), layer| {
             let cell = body.grid.hx() * body.layers.thickness(layer);
             let strains = section_of_layer(body, layer);
@@ -262,7 +263,8 @@ impl StepWriter<'_> {
         }
     }
 
-    /// Below the middle and, where that is elsewhere, below the largest pressure.
+    /// Returns the stresses below the middle of the contact, and below a peak pressure off the
+    /// middle.
     fn subsurface(&self, step: &HalfSpaceStep) -> [Option<PerBody<Option<SubsurfaceReport>>>; 2] {
         if !self.job.output.subsurface || step.status.is_stopped() {
             return [None, None];
@@ -324,7 +326,7 @@ impl StepWriter<'_> {
         }
     }
 
-    /// `[along x, normal, along y]` before the load.
+    /// Returns the stresses before the load, `[along x, normal, along y]`.
     fn initial_stress(&self, material: &Deformable, points: &[ColumnPoint]) -> [Vec<f64>; 3] {
         let profile = InitialStressProfile::new(material.initial_stress());
         let (sine, cosine) = self.orientation.sin_cos();
@@ -344,7 +346,7 @@ impl StepWriter<'_> {
     ) -> Option<ErrorEstimate> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
-            // The stiffness of elastic bodies goes with the size of the contact.
+            // The stiffness of elastic bodies is proportional to the contact size.
             (Some(_), _) => Some(0.5 * relative(errors.area, figures.area)),
             (None, Some(_)) => Some(contact_stiffness::ERROR),
             (None, None) => None,
@@ -355,7 +357,7 @@ impl StepWriter<'_> {
             peak_pressure: peak,
             half_width: self.semi_axis_error(step, 0),
             approach: Some(relative(errors.approach, figures.approach)),
-            // The stress that yields first goes with the third root of the force.
+            // The stress at the onset of yield is proportional to the cube root of the force.
             force: match self.job.load {
                 Load::Onset => peak.map(|peak| 3.0 * peak),
                 Load::Target(_) if figures.force > 0.0 => None,
@@ -366,8 +368,8 @@ impl StepWriter<'_> {
         })
     }
 
-    /// The relative error of a semi-axis; `None` of heights, whose contact ends with single
-    /// asperities.
+    /// Returns the relative error of a semi-axis, or `None` for heights: single asperities bound
+    /// their contact.
     fn semi_axis_error(&self, step: &HalfSpaceStep, axis: usize) -> Option<f64> {
         let error = step.errors.as_ref()?.semi_axes[axis];
         let has_heights = self.problem.heights.is_some();
@@ -402,7 +404,8 @@ impl StepWriter<'_> {
     }
 }
 
-/// Part of the cells in contact below which a body has yielded; `None` where none can.
+/// Returns the fraction of the cells in contact below which a body has yielded, or `None` if no
+/// body can yield.
 fn plastic_part(step: &HalfSpaceStep) -> Option<f64> {
     let n_cells = step.surface.pressure.len();
     let touched: Vec<usize> =
@@ -415,7 +418,8 @@ fn plastic_part(step: &HalfSpaceStep) -> Option<f64> {
     strains().any(|strain| !strain.is_empty()).then_some(part)
 }
 
-/// The largest plastic strain of a body; `None` where its curve does not rise any more.
+/// Returns the largest plastic strain of a body, or `None` if its hardening curve no longer rises
+/// there.
 pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Option<f64> {
     let law = match &[&job.upper, &job.lower][side].material {
         Material::Deformable(material) => material.hardening_law(),
@@ -424,13 +428,13 @@ pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Op
     bounded(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
 }
 
-/// The shorter one first. A stress along one axis may make a contact longer across the axis along
-/// which its gap is.
+/// Returns two semi-axes, the shorter one first. An initial stress along one axis may make the
+/// contact longer along the axis with the larger curvature of the gap.
 fn ordered([x, y]: [f64; 2]) -> [f64; 2] {
     [x.min(y), x.max(y)]
 }
 
-/// What there is to say of each deformable body; said once where one answer stands for both.
+/// Applies a function to each deformable body. Bodies that share one solution share the result.
 pub(super) fn of_bodies<T: Clone>(
     step: &HalfSpaceStep,
     say: impl Fn(&HalfSpaceBody, usize) -> T,
@@ -447,8 +451,8 @@ fn relative(error: f64, figure: f64) -> f64 {
     if figure == 0.0 { 0.0 } else { (error / figure).abs() }
 }
 
-/// Displacement of both surfaces by plastic strain in every cell \[mm\]; `None` where no body can
-/// yield.
+/// Returns the displacement of both surfaces by plastic strain in every cell \[mm\], or `None` if
+/// no body can yield.
 fn dent(step: &HalfSpaceStep) -> Option<Vec<f64>> {
     let mut bodies = step.bodies.iter().flatten().filter(|body| body.plastic_strain.is_some());
     let mut dent = bodies.next()?.plastic_displacement.clone();
@@ -460,14 +464,14 @@ fn dent(step: &HalfSpaceStep) -> Option<Vec<f64>> {
     Some(dent)
 }
 
-/// The mean of the two rows beside y = 0, or the row there.
+/// Returns the row of cells at y = 0, or the mean of the two rows beside y = 0.
 pub(super) fn section_along_x(map: &SurfaceMap, values: &[f64]) -> Vec<f64> {
     let (nx, ny) = (map.grid.nx(), map.grid.ny());
     let [low, high] = middle(ny);
     (0..nx).map(|i| 0.5 * (values[i * ny + low] + values[i * ny + high])).collect()
 }
 
-/// The mean of the two rows beside x = 0, or the row there.
+/// Returns the row of cells at x = 0, or the mean of the two rows beside x = 0.
 fn section_along_y(map: &SurfaceMap, values: &[f64]) -> Vec<f64> {
     let (nx, ny) = (map.grid.nx(), map.grid.ny());
     let [low, high] = middle(nx);
@@ -478,7 +482,7 @@ const fn middle(count: usize) -> [usize; 2] {
     [(count - 1) / 2, count / 2]
 }
 
-/// Equivalent plastic strain of the cells of a layer beside y = 0.
+/// Returns the equivalent plastic strain of the cells of a layer beside y = 0.
 fn section_of_layer(body: &HalfSpaceBody, layer: usize) -> Vec<f64> {
     let (nx, ny) = (body.grid.nx(), body.grid.ny());
     let first = layer * body.grid.n_cells();
@@ -489,20 +493,20 @@ fn section_of_layer(body: &HalfSpaceBody, layer: usize) -> Vec<f64> {
     (0..nx).map(at).collect()
 }
 
-/// Yield stresses at the depths of points where strength varies with depth.
+/// Returns the yield stresses at the depths of the points, or `None` for a constant strength.
 fn strengths(material: &Deformable, points: &[ColumnPoint]) -> Option<Vec<f64>> {
     let (strength, nominal) =
         (material.strength()?, material.hardening_law()?.nominal_yield_stress());
     Some(points.iter().map(|point| nominal * strength.factor(point.depth)).collect())
 }
 
-/// Von Mises stress of `xx yy zz xy xz yz`.
+/// Returns the von Mises stress of the stress `[xx, yy, zz, xy, xz, yz]`.
 pub(super) fn von_mises([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> f64 {
     let normal = 0.5 * ((xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2));
     (normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
 }
 
-/// Half the difference of the extreme principal stresses, by the angle of Lode.
+/// Returns half the difference of the extreme principal stresses, from the Lode angle.
 fn largest_shear(stress: [f64; 6]) -> f64 {
     let [xx, yy, zz, xy, xz, yz] = stress;
     let equivalent = von_mises(stress);
@@ -513,7 +517,7 @@ fn largest_shear(stress: [f64; 6]) -> f64 {
     let [x, y, z] = [xx - mean, yy - mean, zz - mean];
     let third = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
     let angle = (13.5 * third / equivalent.powi(3)).clamp(-1.0, 1.0).acos() / 3.0;
-    // Principal deviators are 2/3 q cos θ and its turns by 120°.
+    // The principal deviators are 2/3 q cos θ and 2/3 q cos(θ ± 120°).
     let turn = 2.0 * std::f64::consts::FRAC_PI_3;
     (equivalent / 3.0) * (angle.cos() - (angle + turn).cos().min((angle - turn).cos()))
 }
