@@ -33,7 +33,7 @@ use crate::solver::{BodyFigures, CoarseFigures, StepSolution};
 /// Floors of the figures over h/a: in plane analyses, and of bodies of revolution. The figures are
 /// in the order of `CoarseFigures`, with the figures of a body once.
 const FLOORS: [(&str, [f64; 2]); 11] = [
-    ("peak pressure", [0.05, 0.1]),
+    ("peak pressure", [0.03, 0.1]),
     ("half-width", [0.3, 0.3]),
     ("approach", [0.03, 0.03]),
     ("force", [0.03, 0.03]),
@@ -41,7 +41,7 @@ const FLOORS: [(&str, [f64; 2]); 11] = [
     ("mean plastic strain", [0.5, 0.1]),
     ("plastic area", [1.0, 0.5]),
     ("dent", [0.01, 0.02]),
-    ("pile-up", [0.06, 0.06]),
+    ("pile-up", [0.03, 0.03]),
     ("residual stress", [0.25, 0.25]),
     ("utilization", [0.05, 0.05]),
 ];

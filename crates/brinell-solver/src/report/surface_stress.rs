@@ -4,7 +4,7 @@ use crate::material::analytical::Stress;
 use crate::solver::{BodySolution, StepSolution, surface_stress_error, surface_stress_in_middle};
 
 /// Error of the stress over the largest von Mises stress above which the error is reported.
-const UNCERTAIN: f64 = 0.08;
+const UNCERTAIN: f64 = 0.1;
 
 /// A stress at the surface that is uncertain because of plastic strain below the surface.
 pub(super) struct UncertainStress {

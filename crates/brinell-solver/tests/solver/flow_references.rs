@@ -94,13 +94,13 @@ fn jackson_green_force(interference: f64) -> f64 {
 }
 
 /// Both fits within 5 %, as far as they agree with each other: at ten critical interferences by 1
-/// %, at 40 by 4 %. At 110 the force is 4.3 % below the first fit on fine meshes.
+/// %, at 40 by 4 %.
 #[test]
 #[ignore = "full"]
 fn a_sphere_bears_what_kogut_and_etsion_and_jackson_and_green_say() {
     for w in [2.0, 3.5, 6.0, 10.0, 20.0, 40.0, 75.0, 110.0] {
         let approach = w * KOGUT_ETSION.interference;
-        let force = sphere_under_flat(approach, 0.0, 32, false).steps[0].contact.force;
+        let force = sphere_under_flat(approach, 0.0, 16, false).steps[0].contact.force;
         assert_within(force, KOGUT_ETSION.force(approach), 0.05);
         assert_within(force, jackson_green_force(approach), 0.05);
     }

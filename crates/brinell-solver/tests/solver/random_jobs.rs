@@ -98,13 +98,7 @@ fn solve_and_check(text: &str) -> Option<bool> {
         check_step(step, &job, text);
     }
     if job.solver.theory == Theory::Deformation {
-        // A figure without a bar is one that the mesh does not know.
-        let is_known = |step: &&StepReport| {
-            let errors = step.estimated_error.as_ref();
-            errors.is_some_and(|error| error.force.is_some() && error.approach.is_some())
-        };
         let converged = report.steps.iter().filter(|step| step.status == SolveStatus::Converged);
-        let converged = converged.filter(is_known);
         let mut curve: Vec<(f64, f64)> =
             converged.map(|step| (step.contact.force, step.approach)).collect();
         curve.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -164,9 +158,7 @@ fn run_random_jobs(seed: u64, count: usize) {
     let answers: Vec<bool> = jobs.filter_map(|job| is_solved(&job)).collect();
     let converged = answers.iter().filter(|converged| **converged).count();
     println!("{count} jobs, {} solved, {converged} converged", answers.len());
-    // One of a few may be at the limit load of plane stress.
-    let most = (3 * answers.len() / 100).max(1);
-    assert!(10 * answers.len() >= 8 * count && converged + most >= answers.len());
+    assert!(10 * answers.len() >= 8 * count && 100 * converged >= 97 * answers.len());
 }
 
 /// One test for each seed, so that they run side by side.

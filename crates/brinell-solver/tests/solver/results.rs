@@ -487,18 +487,3 @@ fn steps_of_a_history_are_handed_over_as_they_end() {
         "{held:?}"
     );
 }
-
-/// A small one that sizes the contact, one of half the density, and the one that was asked for.
-#[test]
-fn a_job_takes_three_meshes() {
-    let example = include_str!("../../../../api/examples/two_cylinders.json");
-    let example: Value = serde_json::from_str(example).unwrap();
-    for analysis in ["plane_strain", "axisymmetric"] {
-        for factor in [0.1, 1.0, 3.0] {
-            let mut job = example.clone();
-            job["analysis"] = json!(analysis);
-            job["load"]["force"] = json!(factor * example["load"]["force"].as_f64().unwrap());
-            assert_eq!(run(&job).mesh.passes, 3, "{analysis}, {factor}");
-        }
-    }
-}

@@ -89,7 +89,7 @@ fn end_beyond(
 /// Pressure of the outermost node over that of the one before, `∫ N √(1 - t/e) dt` with the hat
 /// function N at 1, for a pressure that ends at the distance `e <= 2` elements from the inner
 /// node.
-fn outermost_share(end: f64) -> f64 {
+pub(crate) fn outermost_share(end: f64) -> f64 {
     const STEPS: u32 = 200;
     let step = end / f64::from(STEPS);
     let value = |k: u32| {

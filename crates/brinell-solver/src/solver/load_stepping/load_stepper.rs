@@ -11,6 +11,7 @@ use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::system::System;
 use crate::solver::loads::resolution_reserve;
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
+use crate::solver::mesh_sizing::end_of_contact::EndSearch;
 use crate::solver::mesh_sizing::trace;
 use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest};
 use crate::solver::method::couplings::iteration::Scales;
@@ -30,6 +31,8 @@ const SIZING_ELEMENTS: usize = 6;
 const AUXILIARY_TOLERANCE: f64 = 1e-4;
 /// Sizing passes at most; each is made on the answer of the one before.
 const SIZING_PASSES: usize = 5;
+/// Further ones at most that move the end of the contact between two nodes.
+const SETTLING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
 /// How far plastic flow is looked for, over how far it reached on the coarser mesh.
@@ -183,12 +186,12 @@ impl<'a> LoadStepper<'a> {
             )
         };
         let mut extent = run.time(Phase::Mesh, expect)?;
-        let (mut found, mut pass) = self.small_mesh(load, extent, run)?;
+        let (mut found, mut pass) = self.small_mesh(load, extent, None, run)?;
         for _ in 1..SIZING_PASSES {
             if !has_answer(&pass) {
                 // Near a limit load a mesh now and then has none, and another one has.
                 let wider = extent.scaled(mesh_solve::ENLARGEMENT);
-                let next = self.small_mesh(load, wider, run)?;
+                let next = self.small_mesh(load, wider, None, run)?;
                 if !has_answer(&next.1) {
                     return Ok((found, pass));
                 }
@@ -205,20 +208,49 @@ impl<'a> LoadStepper<'a> {
                 smallest_part,
                 ..found
             };
-            (found, pass) = self.small_mesh(load, extent, run)?;
+            (found, pass) = self.small_mesh(load, extent, None, run)?;
+        }
+        self.settle(load, found, pass, run)
+    }
+
+    /// Small meshes until the contact of bodies that yield ends between two nodes as it does at
+    /// any other load.
+    fn settle(
+        &self,
+        load: ContactLoad,
+        mut found: ContactSizeEstimate,
+        mut pass: MeshSolve,
+        run: &mut Run<'_>,
+    ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
+        let mut search = EndSearch::default();
+        for _ in 0..SETTLING_PASSES {
+            // Elements that are small for the sake of a trace are not sized by the contact.
+            let is_sized = pass.yields() && found.refinement <= 1.0;
+            let spacing = is_sized.then(|| search.next(&pass, found.half_width, SIZING_ELEMENTS));
+            let Some(spacing) = spacing.flatten() else { break };
+            let extent = found.with_spacing(spacing, SIZING_ELEMENTS);
+            let next = self.small_mesh(load, extent, Some(&pass), run)?;
+            if !has_answer(&next.1) {
+                break;
+            }
+            (found, pass) = next;
         }
         Ok((found, pass))
     }
 
-    /// A small mesh for a contact of this extent, and what it finds of the contact.
+    /// A small mesh for a contact of this extent, from an answer on another one, and what it finds
+    /// of the contact.
     fn small_mesh(
         &self,
         load: ContactLoad,
         extent: ContactSizeEstimate,
+        previous: Option<&MeshSolve>,
         run: &mut Run<'_>,
     ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
+        let previous = previous.map(MeshSolve::nodal_fields);
         let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
         request.search_region = PlasticSearchRegion::WholeBody;
+        request.previous = previous.as_deref();
         let pass = self.solve_auxiliary(&request, None, run)?;
         let found = run.time(Phase::Output, || self.found(extent, &pass));
         Ok((found, pass))

@@ -30,11 +30,10 @@ const STEP: f64 = 0.002;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03
 /// %.
 const RING_GROWTH: f64 = 0.065;
-/// Part of an element by which a contact is wider than whole elements, of elastic bodies and of
-/// those that yield. On the mesh it then ends 0.2 to 0.6 of an element beyond the last whole one,
-/// the farther the more evenly it is pressed, and so away from where the next node comes into
-/// contact.
-const BEYOND_LAST: [f64; 2] = [0.4, 0.2];
+/// Part of an element by which a contact is wider than whole elements. Half an element would put
+/// its end in the middle between two nodes if half-widths found on a coarser mesh were not a
+/// little low.
+pub(super) const BEYOND_LAST: f64 = 0.4;
 /// How much finer a mesh may become than what was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
@@ -389,16 +388,9 @@ impl ContactSizeEstimate {
         (!problem.has_arcs() && needed < spacing).then_some(needed)
     }
 
-    /// Elements over the half-width, and the part of one more that it is wider.
-    fn elements(&self, whole: usize) -> f64 {
-        let [elastic, plastic] = BEYOND_LAST;
-        let is_elastic = self.plastic == RadialEnvelope::NONE;
-        whole as f64 + if is_elastic { elastic } else { plastic }
-    }
-
     /// Element size that is asked for, and the one up to it that the surfaces need \[mm\].
     fn spacings(&self, problem: &Problem, elements: usize) -> (f64, f64) {
-        let wanted = self.half_width / self.elements(elements);
+        let wanted = self.half_width / (elements as f64 + BEYOND_LAST);
         if problem.has_arcs() {
             return (wanted, wanted);
         }
@@ -424,26 +416,28 @@ impl ContactSizeEstimate {
         if parts.len() > 1 {
             parts.retain(|part| carried(part) >= least);
         }
-        let (half_width, smallest) = match parts.as_slice() {
-            [only] if !zone.is_symmetric() || only.left == 0.0 => {
-                let plastic = pass.yields().then(|| half_width_by_moments(pass)).flatten();
-                let half_width = plastic.unwrap_or(patch.half_width());
-                (half_width, half_width)
-            }
-            many => {
-                let half_width = patch.half_width();
-                let widths = many.iter().map(|part| own_width(part.left, part.right));
-                (half_width, widths.fold(half_width, f64::min))
-            }
+        let smallest = match parts.as_slice() {
+            [only] if !zone.is_symmetric() || only.left == 0.0 => patch.half_width(),
+            many => many
+                .iter()
+                .map(|part| own_width(part.left, part.right))
+                .fold(patch.half_width(), f64::min),
         };
         Self {
             centre: 0.5 * (patch.left + patch.right),
             // A single node says no more than that.
-            half_width: half_width.max(0.5 * zone.spacing()),
+            half_width: patch.half_width().max(0.5 * zone.spacing()),
             smallest_part: smallest.max(0.5 * zone.spacing()),
             plastic: pass.yielded_envelope(),
-            ..self
+            hertz_half_width: self.hertz_half_width,
+            refinement: self.refinement,
         }
+    }
+
+    /// This extent with elements of this size, so many over a half-width \[mm\].
+    pub fn with_spacing(self, spacing: f64, elements: usize) -> Self {
+        let half_width = spacing * (elements as f64 + BEYOND_LAST);
+        Self { half_width, smallest_part: half_width, ..self }
     }
 
     /// This extent with all lengths scaled.
@@ -465,7 +459,7 @@ impl ContactSizeEstimate {
     /// differ by rounding alone get the same mesh, and with it all that is known of it
     /// ([`crate::solver::FactorCache`]).
     pub fn spacing(&self, elements: usize) -> f64 {
-        let elements = self.elements(elements);
+        let elements = elements as f64 + BEYOND_LAST;
         if self.refinement > 1.0 {
             // Fine enough for the points of a trace, between which nothing is known: parts that it
             // has are no reason more.
@@ -504,35 +498,6 @@ impl ContactSizeEstimate {
             problem.zone(centre - half, centre + half, 2 * columns, symmetric)
         }
     }
-}
-
-/// Half-width a of the pressure `p ∝ (1 - x²/a²)^k` that has the second and the fourth moment of a
-/// contact \[mm\], with k = 1/2 of an elastic contact and 0 of an even pressure.
-///
-/// The end of a contact jumps from node to node as the load grows, and where bodies yield the
-/// pressure falls too steeply there for it to be interpolated. Moments hardly depend on where
-/// between two nodes it lies, so meshes of neighbouring loads are similar. `None` where
-/// fewer than four pairs touch, or no such pressure has these moments.
-///
-/// ```text
-/// <x²> = a²/(2k + 3)    <x⁴> = 3 a⁴/((2k + 3)(2k + 5))    plane
-/// <r²> = a²/(k + 2)     <r⁴> = 2 a⁴/((k + 2)(k + 3))      axisymmetric
-/// ```
-fn half_width_by_moments(pass: &MeshSolve) -> Option<f64> {
-    let (zone, contact) = (&pass.system.zone, &pass.outcome.state.response.contact);
-    let force = &contact.force;
-    let moment = |centre: f64, power: i32| {
-        let parts = zone.abscissae().iter().zip(force).map(|(x, r)| r * (x - centre).powi(power));
-        parts.sum::<f64>() / force.iter().sum::<f64>()
-    };
-    let centre = if zone.is_symmetric() { 0.0 } else { moment(0.0, 1) };
-    let square = moment(centre, 2);
-    let flatness = moment(centre, 4) / (square * square);
-    let ratio = match pass.system.stress_state {
-        StressState::Axisymmetric => flatness / (2.0 - flatness),
-        StressState::PlaneStrain | StressState::PlaneStress => 2.0 * flatness / (3.0 - flatness),
-    };
-    (ratio > 0.0 && contact.active_set.len() > 3).then(|| (square * ratio).sqrt())
 }
 
 /// The nearest whole number; of halves the one away from zero, whatever rounding has made of them.
