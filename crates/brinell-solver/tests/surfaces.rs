@@ -199,3 +199,30 @@ fn asperities_that_yield_leave_dents() {
     assert!(unloaded.flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap().depth > 0.0);
     assert_eq!(surface(unloaded).contact_ratio.to_bits(), 0.0f64.to_bits());
 }
+
+fn has_remark(step: &StepReport, code: &str) -> bool {
+    step.validity.iter().any(|note| note.code == code)
+}
+
+/// Heights that touch at their rim have a peak there that is that of the cells; single asperities
+/// end the contact of heights.
+#[test]
+fn heights_that_touch_at_their_rim_have_no_bar_of_the_peak() {
+    let wavy = |x: f64, y: f64| 1e-3 * (0.3 * (8.0 * x).cos() + (5.0 * y).sin());
+    let rim = json!({"shape": {"type": "flat"}, "surface": heights(16, 0.1, wavy)});
+    let step = &solve(&on_steel(&rim, None, &json!({"force": 4000}))).steps[0];
+    assert!(has_remark(step, "surface_end"), "{:?}", step.validity);
+    let bars = step.estimated_error.unwrap();
+    assert_eq!((bars.peak_pressure, bars.half_width), (None, None));
+    assert!(bars.approach.is_some_and(|bar| bar > 0.0));
+    assert_eq!(step.three_dimensional.as_ref().unwrap().estimated_error.as_ref().unwrap().b, None);
+}
+
+/// A spike that one cell bears is a coarse contact.
+#[test]
+fn a_contact_of_one_cell_is_coarse() {
+    let spike = |x: f64, y: f64| if x.hypot(y) < 0.08 { 0.01 } else { 0.0 };
+    let upper = json!({"shape": {"type": "flat"}, "surface": heights(17, 0.1, spike)});
+    let step = &solve(&on_steel(&upper, None, &json!({"force": 1}))).steps[0];
+    assert!(has_remark(step, "coarse_mesh"), "{:?}", step.validity);
+}
