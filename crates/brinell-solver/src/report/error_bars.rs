@@ -28,10 +28,10 @@ use super::{PerBody, plastic_strain, strength, target};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
-use crate::solver::{BodyFigures, CoarseFigures, StepSolution};
+use crate::solver::{BodyFigures, Figures, StepSolution};
 
 /// Floors of the figures over h/a: in plane analyses, and of bodies of revolution. The figures are
-/// in the order of `CoarseFigures`, with the figures of a body once.
+/// in the order of `Figures`, with the figures of a body once.
 const FLOORS: [(&str, [f64; 2]); 11] = [
     ("peak pressure", [0.03, 0.1]),
     ("half-width", [0.3, 0.3]),
@@ -230,10 +230,10 @@ struct Bars {
     bodies: [BodyFigures; 2],
     /// Element size over half-width, h/a.
     size: f64,
-    found: [f64; CoarseFigures::COUNT],
-    coarse: [f64; CoarseFigures::COUNT],
-    increments: [f64; CoarseFigures::COUNT],
-    scales: [f64; CoarseFigures::COUNT],
+    found: [f64; Figures::COUNT],
+    coarse: [f64; Figures::COUNT],
+    increments: [f64; Figures::COUNT],
+    scales: [f64; Figures::COUNT],
 }
 
 impl Bars {
