@@ -23,6 +23,7 @@ const MEANT: &str =
 
 impl Finding {
     /// Returns the finding as sentences in the units of a job.
+    #[expect(clippy::too_many_lines, reason = "one text for each finding")]
     pub fn text(&self, write: UnitConverter) -> String {
         let length = |core: f64| write.length_text(core);
         let small = |core: f64| write.length_about(core);
