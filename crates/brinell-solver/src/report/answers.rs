@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::findings::Finding;
 use super::{ErrorEstimate, FlowReport, PerBody, PlasticityReport, Side, StepReport};
-use crate::job::{Analysis, Job, Load, Material, Quantity, Theory};
+use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory};
 use crate::solver::SolveStatus;
 use crate::units::{UnitConverter, about, rounded};
 
@@ -89,6 +89,40 @@ pub enum AnswerQuantity {
     Number,
     /// An angle \[mrad\].
     Angle,
+}
+
+impl Named for AnswerQuantity {
+    const ALL: &'static [Self] = &[
+        Self::Length,
+        Self::Stress,
+        Self::Force,
+        Self::LineForce,
+        Self::Stiffness,
+        Self::LineStiffness,
+        Self::Energy,
+        Self::LineEnergy,
+        Self::Strain,
+        Self::Ratio,
+        Self::Number,
+        Self::Angle,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Stress => "stress",
+            Self::Force => "force",
+            Self::LineForce => "line_force",
+            Self::Stiffness => "stiffness",
+            Self::LineStiffness => "line_stiffness",
+            Self::Energy => "energy",
+            Self::LineEnergy => "line_energy",
+            Self::Strain => "strain",
+            Self::Ratio => "ratio",
+            Self::Number => "number",
+            Self::Angle => "angle",
+        }
+    }
 }
 
 /// The place of an answer, in the coordinates of `contact` and `plasticity`.
@@ -367,7 +401,7 @@ impl Facts<'_> {
         answers.extend(self.of_shapes());
         answers.extend(self.stiffness());
         if self.step.flow.is_some() {
-            answers.extend(self.surfaces("surface_depth", "Depth of the surface"));
+            answers.extend(self.surfaces("surface_depth", "Surface depth"));
             answers.extend(self.work());
         }
         answers
@@ -718,18 +752,13 @@ impl Facts<'_> {
         let core = self.measured.core.as_ref()?;
         let place = self.place_of(core);
         Some(
-            self.answer(
-                "core_utilization",
-                "Utilization of the core",
-                AnswerQuantity::Ratio,
-                core.value,
-            )
-            .of(place.body)
-            .place(Some(place))
-            .text(format!(
-                "von Mises stress over the yield stress below the case, largest of all {}",
-                self.measured.points
-            )),
+            self.answer("core_utilization", "Core utilization", AnswerQuantity::Ratio, core.value)
+                .of(place.body)
+                .place(Some(place))
+                .text(format!(
+                    "von Mises stress over the yield stress below the case, largest of all {}",
+                    self.measured.points
+                )),
         )
     }
 

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::answers::{AnswerBody, AnswerQuantity, Facts};
 use super::findings::Finding;
+use crate::job::Named;
 use crate::solver::SolveStatus;
 use crate::units::{about, rounded};
 
@@ -225,6 +226,32 @@ impl Facts<'_> {
                 VerdictLevel::NotKnown,
                 format!("{touches}; no yield stress is given: elastic by assumption."),
             ),
+        }
+    }
+}
+
+impl Named for VerdictLevel {
+    const ALL: &'static [Self] = &[
+        Self::NotConverged,
+        Self::Collapse,
+        Self::AboveShakedownLimit,
+        Self::Yields,
+        Self::Dented,
+        Self::Elastic,
+        Self::NotKnown,
+        Self::NoContact,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::NotConverged => "not_converged",
+            Self::Collapse => "collapse",
+            Self::AboveShakedownLimit => "above_shakedown_limit",
+            Self::Yields => "yields",
+            Self::Dented => "dented",
+            Self::Elastic => "elastic",
+            Self::NotKnown => "not_known",
+            Self::NoContact => "no_contact",
         }
     }
 }

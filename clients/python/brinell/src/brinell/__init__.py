@@ -55,7 +55,7 @@ from ._errors import (
 from ._fields import BodyFields, Fields
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
-from ._result import Pressure, Remark, Result, Step
+from ._result import Answer, Pressure, Remark, Result, Step, Verdict
 from ._surface import Surface, surface
 
 try:
@@ -64,6 +64,7 @@ except PackageNotFoundError:  # pragma: no cover - run from its source without b
     __version__ = "0"
 
 __all__ = [
+    "Answer",
     "AsyncClient",
     "AsyncJob",
     "AsyncResult",
@@ -88,10 +89,11 @@ __all__ = [
     "ServerNotFound",
     "ServiceError",
     "Step",
-    "Surface",
     "StillRunning",
+    "Surface",
     "Unauthorized",
     "Unavailable",
+    "Verdict",
     "bilinear",
     "block",
     "cone",

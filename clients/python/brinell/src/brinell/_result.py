@@ -32,6 +32,50 @@ class Remark(NamedTuple):
     message: str
 
 
+class Verdict(NamedTuple):
+    """The state of the bodies: `level` for programs, `text` for a person. Both are empty of
+    results of 0.2.
+    """
+
+    level: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A figure as the service answers it. Unknown numbers are NaN."""
+
+    name: str
+    label: str
+    body: str | None
+    """`upper`, `lower`, `both`; None of the contact."""
+    value: float
+    quantity: str
+    """`length`, `stress`, `force`; `strain` and `ratio` are shown in per cent."""
+    unit: str
+    error: float
+    """Bound of the relative error of the mesh; 0 where the figure is prescribed."""
+    bias: float
+    """Relative difference to flow theory; NaN where it is not known."""
+    elastic: float
+    """The figure by Hertz's theory."""
+    place: dict[str, Any] | None
+    text: str
+
+    @classmethod
+    def of(cls, data: dict[str, Any]) -> Answer:
+        """An answer as the service sends it."""
+        numbers = {name: number(data.get(name)) for name in ("value", "error", "bias", "elastic")}
+        words = {name: str(data.get(name) or "") for name in ("label", "quantity", "unit", "text")}
+        return cls(
+            name=data["name"],
+            body=data.get("body"),
+            place=data.get("place"),
+            **numbers,
+            **words,
+        )
+
+
 @dataclass(frozen=True)
 class Pressure:
     """Values at the pairs of nodes of a contact: over x, in axisymmetry over the radius."""
@@ -89,6 +133,17 @@ class Step:
     def converged(self) -> bool:
         """Whether the solution passes every check."""
         return self.status == "converged"
+
+    @property
+    def verdict(self) -> Verdict:
+        """The state of the bodies in one sentence."""
+        verdict = self.data.get("verdict") or {}
+        return Verdict(verdict.get("level", ""), verdict.get("text", ""))
+
+    @property
+    def answers(self) -> list[Answer]:
+        """The figures that answer the job, in the order in which it asks for them."""
+        return [Answer.of(answer) for answer in self.data.get("answers") or []]
 
     @property
     def force(self) -> float:
@@ -345,6 +400,16 @@ class Result:
     def analysis(self) -> str:
         """`plane_strain`, `plane_stress` or `axisymmetric`."""
         return str(self.data["analysis"])
+
+    @property
+    def verdict(self) -> Verdict:
+        """The state of the bodies in one sentence."""
+        return self.last.verdict
+
+    @property
+    def answers(self) -> list[Answer]:
+        """The figures that answer the job, in the order in which it asks for them."""
+        return self.last.answers
 
     @property
     def force(self) -> float:
