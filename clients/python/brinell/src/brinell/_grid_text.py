@@ -39,7 +39,7 @@ class Grid:
 
 
 HOLE = re.compile(
-    r"-?nan(\(.*\))?|n/?a|null|none|bad|void|masked|\*+|-{1,3}|\?+|no ?data|#n/[av]|#wert!"
+    r"-?nan(\(.*\))?|n/?a|null|none|bad|void|masked|\*+|-{1,3}|\?+|no ?data|#n/?[av]|#wert!"
     r"|#value!|[-+]?1[.,]#(qnan|snan|ind|inf).*|[-+]?inf(inity)?",
     re.IGNORECASE,
 )
@@ -420,7 +420,8 @@ class _Header:
             self.nodata = float(word)
             return True
         two = re.fullmatch(
-            r"([-+\d.,e]+)\s*([^\d\s]*)\s*[x×*,;\s]\s*([-+\d.,e]+)\s*([^\d\s]*)", value.strip()
+            r"([-+\d.,e]+)\s*([^\d\sx×*;]*)(?:\s*[x×*;]\s*|\s+)([-+\d.,e]+)\s*([^\d\s]*)",
+            value.strip(),
         )
         one = re.fullmatch(r"([-+\d.,e]+)\s*([^\d\s].*)?", value.strip())
         pairs = (
