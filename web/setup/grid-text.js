@@ -116,6 +116,15 @@ export function readGridText(text, skip = []) {
   return plainGrid(lines);
 }
 
+/** Whether a line begins with a sign, and not with a word for a hole such as `#N/A`. @param {string} line */
+function isComment(line) {
+  const [first] = line.trim().split(/[\s;,]/);
+  return SIGN.test(line) && first !== '' && !HOLE.test(first);
+}
+
+/** @param {string} line */
+const withoutSign = (line) => (isComment(line) ? line.replace(SIGN, '') : line);
+
 /** @param {number} number of its line @param {string} word */
 function float(number, word) {
   if (HOLE.test(word)) return NaN;
@@ -234,14 +243,14 @@ function esri(lines) {
 function plainGrid(lines) {
   const separator = separatorOf(lines);
   const rows = lines.map((one) => ({ ...one, cells: cellsOf(one.line, separator) }));
-  const isBody = rows.map(({ line, cells }) => !SIGN.test(line) && isData(cells));
+  const isBody = rows.map(({ line, cells }) => !isComment(line) && isData(cells));
   const start = isBody.indexOf(true);
   if (start < 0) throw new NotUnderstood('there are no figures in it');
   const head = rows.slice(0, start);
   let body = /** @type {Row[]} */ ([]);
   rows.slice(start).forEach((row, k) => {
     if (isBody[start + k]) body.push(row);
-    else if (SIGN.test(row.line)) head.push(row);
+    else if (isComment(row.line)) head.push(row);
     else {
       const wrong = row.cells.find((cell) => !isFigure(cell)) ?? row.line;
       throw new NotUnderstood(
@@ -284,7 +293,7 @@ function separatorOf(lines) {
 
 /** @param {string} line @param {string} separator */
 function cellsOf(line, separator) {
-  const bare = line.replace(SIGN, '');
+  const bare = withoutSign(line);
   const cells =
     separator === ', '
       ? bare.trim().split(/,\s+|\s+/)
@@ -362,9 +371,11 @@ class Header {
 
   /** @param {Row} row @param {boolean} isList */
   take({ number, line, cells }, isList) {
-    const bare = line.replace(SIGN, '').trim().replace(/^"|"$/g, '').trim();
+    const bare = withoutSign(line).trim().replace(/^"|"$/g, '').trim();
     if (!/[\p{L}\d]/u.test(bare) || (isList && this.#takesColumns(cells))) return;
-    let [key, value] = keyAndValue(bare);
+    const full = cells.filter(Boolean);
+    let [key, value] =
+      line.includes(',') && full.length === 2 && !/[:=]/.test(bare) ? full : keyAndValue(bare);
     let plain = plainKey(key);
     const bracketed = /[[(]\s*([^\])]+?)\s*[\])]$/.exec(key);
     if (bracketed && isLength(bracketed[1])) {
