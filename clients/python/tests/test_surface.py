@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -322,3 +323,53 @@ def test_a_trace_is_the_face_of_a_body(client: brinell.Client) -> None:
     block = brinell.block(width=20, depth=10, material=brinell.rigid)
     job = brinell.job(body, block, analysis="plane_strain", force=200, elements_per_half_width=6)
     assert client.solve(job).converged
+
+
+def test_the_page_of_the_documents_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its blocks, one after the other, on files that are written here."""
+    topography = pytest.importorskip("SurfaceTopography")
+    from SurfaceTopography.IO.NC import write_nc_uniform
+    from SurfaceTopography.IO.X3P import write_x3p
+
+    monkeypatch.chdir(tmp_path)
+    rng = np.random.default_rng(7)
+    kx, ky = np.fft.fftfreq(128)[:, None], np.fft.rfftfreq(96)[None, :]
+    k = np.hypot(kx, ky)
+    waves = np.where(k > 0, np.maximum(k, 0.02), np.inf) ** -1.8 * (k < 0.08)
+    noise = rng.normal(size=k.shape) + 1j * rng.normal(size=k.shape)
+    heights = np.fft.irfft2(waves * noise, (128, 96))
+    heights *= 0.2e-6 / heights.std()
+    heights += 1e-9 * np.arange(128)[:, None]
+    mask = np.zeros(heights.shape, bool)
+    mask[40:44, 50:55] = mask[90, 10] = True
+    step = 2e-6
+    masked = np.ma.masked_array(heights, mask=mask)
+    measured = topography.Topography(masked, (128 * step, 96 * step), unit="m")
+    write_x3p(measured, "scan.x3p")
+    write_nc_uniform(measured, "scan.nc")
+    rows = [
+        "\t".join("nan" if hole else f"{z:.9e}" for z, hole in zip(line, holes, strict=True))
+        for line, holes in zip(heights.T[::-1], mask.T[::-1], strict=True)
+    ]
+    head = ["# Channel: Z", "# Width: 256.0 µm", "# Height: 192.0 µm", "# Value units: m"]
+    Path("scan.txt").write_text("\n".join([*head, *rows]), "utf-8")
+    x = 1e-3 * np.arange(4000)
+    trace = [
+        f"{a:.3f}, {b:.6f}" for a, b in zip(x, np.cos(x) + rng.normal(size=4000), strict=True)
+    ]
+    Path("trace.csv").write_text("x [mm], z [µm]\n" + "\n".join(trace), "utf-8")
+
+    document = (ROOT / "docs/measured_surface.md").read_text("utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", document, re.DOTALL)
+    assert len(blocks) == 4
+    names: dict[str, Any] = {}
+    for block in blocks:
+        exec(compile(block, "docs/measured_surface.md", "exec"), names)
+    said = capsys.readouterr().out
+    assert "Surface of 64 × 48 heights, cells of 4 µm" in said
+    assert "21 of 12 288 heights filled in, harmonic" in said
+    assert "cut-off λ_c 800 µm" in said
+    assert names["result"].converged
+    assert 0 < names["result"].steps[0].data["three_dimensional"]["surface"]["contact_ratio"] < 1
