@@ -57,6 +57,7 @@ from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._result import Pressure, Remark, Result, Step
 from ._surface import Surface, surface
+from ._trace import Trace, trace
 
 try:
     __version__ = version("brinell")
@@ -89,6 +90,7 @@ __all__ = [
     "ServiceError",
     "Step",
     "Surface",
+    "Trace",
     "StillRunning",
     "Unauthorized",
     "Unavailable",
@@ -117,6 +119,7 @@ __all__ = [
     "surface",
     "swift",
     "table",
+    "trace",
     "voce",
     "wedge",
 ]
