@@ -18,7 +18,9 @@ from ._lengths import length_in_mm
 from ._plain import Number, Quantity, grouped, need
 
 MOST = 512
-"""Most heights along a side of a surface whose bodies yield."""
+"""Most heights along a side of a surface on a body that yields."""
+MOST_ELASTIC = 1024
+"""Most heights along a side where neither body yields."""
 
 # Figures that programs put where nothing was measured.
 _KNOWN = (-9999.0, 9999.0, -99999.0, 99999.0, -32768.0, 32767.0, 65535.0, -1e30, 1e30)
@@ -238,8 +240,9 @@ def surface(
     if max(made.heights.shape) > MOST:
         nx, ny = made.heights.shape
         note = (
-            f"{nx} × {ny} heights: a job takes {MOST} along a side where a body yields; "
-            f"size={MOST} thins them, .cropped({MOST}) keeps the middle"
+            f"{nx} × {ny} heights: a job takes {MOST} along a side where a body yields, and "
+            f"{MOST_ELASTIC} where none does; size={MOST} thins them, .cropped({MOST}) keeps the "
+            "middle"
         )
         made = replace(made, notes=(*made.notes, note))
     return made
