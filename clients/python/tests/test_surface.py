@@ -155,6 +155,12 @@ def test_blocks_of_one_value_are_named() -> None:
     heights[5:10, 6:12] = 0
     with pytest.warns(UserWarning, match="30 of 384 heights are 0 mm in blocks"):
         brinell.surface(heights, spacing=1)
+    apart = bumps() + 5
+    apart[[3, 8, 12], [4, 9, 2]] = 0
+    with pytest.warns(UserWarning, match="3 of 384 heights are 0 mm, further from all others"):
+        brinell.surface(apart, spacing=1)
+    steps = np.where(bumps() > 0, 0.0, -1.0)
+    assert brinell.surface(steps, spacing=1).notes == ()
     flat_tops = np.minimum(bumps(), 0.5e-3)
     with pytest.warns(UserWarning, match="in blocks"):
         brinell.surface(flat_tops, spacing=1)
@@ -373,3 +379,15 @@ def test_the_page_of_the_documents_runs(
     assert "cut-off λ_c 800 µm" in said
     assert names["result"].converged
     assert 0 < names["result"].steps[0].data["three_dimensional"]["surface"]["contact_ratio"] < 1
+
+
+def test_the_line_of_the_documents_saves_a_masked_array(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    heights = np.ma.masked_array(bumps(), mask=bumps() > 1e-3)
+    document = (ROOT / "docs/measured_surface.md").read_text("utf-8")
+    (line,) = re.findall(r"`(numpy\.save\(.*?\))`", document.replace("\n", " "))
+    exec(line, {"numpy": np, "heights": heights})
+    read = brinell.surface("heights.npy", spacing=1, unit="µm")
+    assert read.missing == np.count_nonzero(heights.mask)
