@@ -17,8 +17,6 @@ import { written } from './written.js';
 const LONG = 100_000;
 /** Most points of a profile, and what a trace with more of them is thinned to by a button. */
 const [MOST, FEWER] = [10_000, 2000];
-/** Largest trace that is read [bytes]. */
-const LARGEST = 64e6;
 
 /** @typedef {number[]} Point a line of the table */
 
@@ -64,6 +62,8 @@ export function pointsControl(field, id, change, { units, parent }) {
       const { points, notes } = inOrder(result.points);
       const read = [`${points.length} points read`, ...result.notes, ...notes];
       if (points.length <= MOST) put(points, read);
+      else if (points.some(([x], k) => k > 0 && !(x > points[k - 1][0])))
+        note.textContent = `Not taken: ${points.length} lines of figures: at most ${MOST} are taken of what is no trace, whose x rises`;
       else {
         const fewer = thinnedTrace(/** @type {Pair[]} */ (points), MOST);
         put(fewer.points, [
@@ -91,7 +91,7 @@ export function pointsControl(field, id, change, { units, parent }) {
   });
   const open = async (/** @type {File | undefined} */ file) => {
     if (!file) return;
-    const read = await textOf(file, isTrace ? LARGEST : undefined);
+    const read = await textOf(file);
     if ('problem' in read) {
       note.textContent = `Not taken: ${read.problem}`;
       return;
