@@ -55,8 +55,10 @@ from ._errors import (
 from ._fields import BodyFields, Fields
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
+from ._plain import document_of as document
 from ._result import Answer, Pressure, Remark, Result, Step, Verdict
 from ._surface import Surface, surface
+from ._trace import Trace, trace
 
 try:
     __version__ = version("brinell")
@@ -91,6 +93,7 @@ __all__ = [
     "Step",
     "StillRunning",
     "Surface",
+    "Trace",
     "Unauthorized",
     "Unavailable",
     "Verdict",
@@ -99,6 +102,7 @@ __all__ = [
     "cone",
     "curved",
     "cylinder",
+    "document",
     "ellipse",
     "flat",
     "groove",
@@ -119,6 +123,7 @@ __all__ = [
     "surface",
     "swift",
     "table",
+    "trace",
     "voce",
     "wedge",
 ]

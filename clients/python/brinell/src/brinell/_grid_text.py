@@ -39,7 +39,7 @@ class Grid:
 
 
 HOLE = re.compile(
-    r"-?nan(\(.*\))?|n/?a|null|none|bad|void|masked|\*+|-{1,3}|\?+|no ?data|#n/[av]|#wert!"
+    r"-?nan(\(.*\))?|n/?a|null|none|bad|void|masked|\*+|-{1,3}|\?+|no ?data|#n/?[av]|#wert!"
     r"|#value!|[-+]?1[.,]#(qnan|snan|ind|inf).*|[-+]?inf(inity)?",
     re.IGNORECASE,
 )
@@ -148,6 +148,16 @@ def read_grid(text: str, skip: tuple[int, ...] = ()) -> Grid:
     return _plain_grid(filled)
 
 
+def _is_comment(line: str) -> bool:
+    """Whether a line begins with a sign, and not with a word for a hole such as `#N/A`."""
+    first = re.split(r"[\s;,]", line.strip(), maxsplit=1)[0]
+    return bool(SIGN.match(line)) and first != "" and not HOLE.fullmatch(first)
+
+
+def _without_sign(line: str) -> str:
+    return SIGN.sub("", line, count=1) if _is_comment(line) else line
+
+
 def _float(number: int, word: str) -> float:
     if HOLE.fullmatch(word):
         return float("nan")
@@ -241,7 +251,7 @@ def _esri(lines: list[tuple[int, str]]) -> Grid:
 def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
     separator = _separator(lines)
     cells = [(number, line, _cells(line, separator)) for number, line in lines]
-    is_body = [not SIGN.match(line) and _is_data(row) for _, line, row in cells]
+    is_body = [not _is_comment(line) and _is_data(row) for _, line, row in cells]
     if True not in is_body:
         raise NotUnderstood("no figures in it")
     start = is_body.index(True)
@@ -250,7 +260,7 @@ def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
     for (number, line, row), data in zip(cells[start:], is_body[start:], strict=True):
         if data:
             body.append((number, row))
-        elif SIGN.match(line):
+        elif _is_comment(line):
             head.append((number, line, row))
         else:
             wrong = next((w for w in row if not _is_figure(w)), line)
@@ -292,7 +302,7 @@ def _separator(lines: list[tuple[int, str]]) -> str:
 
 
 def _cells(line: str, separator: str) -> list[str]:
-    bare = SIGN.sub("", line, count=1) if SIGN.match(line) else line
+    bare = _without_sign(line)
     if separator == ", ":
         row = re.split(r",\s+|\s+", bare.strip())
     elif separator == " ":
@@ -352,13 +362,18 @@ class _Header:
 
     def take(self, number: int, line: str, row: list[str], is_list: bool) -> None:
         """Understands a line, or raises `NotUnderstood`."""
-        bare = SIGN.sub("", line, count=1) if SIGN.match(line) else line
+        bare = _without_sign(line)
         bare = bare.strip().strip('"').strip()
         if not bare or not re.search(r"\w", bare):
             return
         if is_list and self._takes_columns(row):
             return
-        key, value = _key_and_value(bare)
+        filled = [cell for cell in row if cell]
+        key, value = (
+            (filled[0], filled[1])
+            if "," in line and len(filled) == 2 and not re.search("[:=]", bare)
+            else _key_and_value(bare)
+        )
         plain = re.sub(r"[\s._-]", "", key.lower())
         unit = re.search(r"[\[(]\s*([^\])]+?)\s*[\])]$", key)
         if unit and is_length(unit[1]):
@@ -420,7 +435,8 @@ class _Header:
             self.nodata = float(word)
             return True
         two = re.fullmatch(
-            r"([-+\d.,e]+)\s*([^\d\s]*)\s*[x×*,;\s]\s*([-+\d.,e]+)\s*([^\d\s]*)", value.strip()
+            r"([-+\d.,e]+)\s*([^\d\sx×*;]*)(?:\s*[x×*;]\s*|\s+)([-+\d.,e]+)\s*([^\d\s]*)",
+            value.strip(),
         )
         one = re.fullmatch(r"([-+\d.,e]+)\s*([^\d\s].*)?", value.strip())
         pairs = (
@@ -446,7 +462,13 @@ class _Header:
 
     def grid(self, rows: Floats) -> Grid:
         """A grid whose lines are those of the file."""
+        if _counts(rows[0]) and not _counts(rows[1]):
+            raise NotUnderstood("the first line counts the columns: take it out of the file")
         axes = _axes_of(rows)
+        if axes and _counts(rows[0, 1:]) and _counts(rows[1:, 0]):
+            raise NotUnderstood(
+                "the first line and the first column count: take them out of the file"
+            )
         notes = list(self.notes)
         along_x = self.is_gwyddion or bool(self.lengths) or bool(self.counts) or axes is not None
         spacing: tuple[float, float] | None = None
@@ -457,7 +479,7 @@ class _Header:
                 rows = rows[::-1]
             notes.append("the first line and the first column are x and y")
         if not along_x:
-            if (np.diff(rows[:, 0]) == 1).all() and not (np.diff(rows[:, 1]) == 1).all():
+            if _counts(rows[:, 0]) and not _counts(rows[:, 1]):
                 raise NotUnderstood("the first column counts the lines: take it out of the file")
             notes.append("lines along y, one for each x")
             return Grid(
@@ -524,6 +546,11 @@ def _key_and_value(line: str) -> tuple[str, str]:
         return match[1], match[2].strip().strip(";").strip().strip('"')
     match = re.match(r"(.*?\D)[\s,]+([-+]?[\d.,]+(?:e[-+]?\d+)?(?:\s*\D*)?)$", line)
     return (match[1], match[2]) if match else (line, "")
+
+
+def _counts(values: Floats) -> bool:
+    """Whether values are 0, 1, 2 or 1, 2, 3 and so on."""
+    return bool(values[0] in (0, 1) and (values == values[0] + np.arange(len(values))).all())
 
 
 def _axes_of(rows: Floats) -> tuple[float, float] | None:
