@@ -65,14 +65,18 @@ class Answer:
     @classmethod
     def of(cls, data: dict[str, Any]) -> Answer:
         """An answer as the service sends it."""
-        numbers = {name: number(data.get(name)) for name in ("value", "error", "bias", "elastic")}
-        words = {name: str(data.get(name) or "") for name in ("label", "quantity", "unit", "text")}
         return cls(
             name=data["name"],
+            label=data["label"],
             body=data.get("body"),
+            value=number(data.get("value")),
+            quantity=data["quantity"],
+            unit=data["unit"],
+            error=number(data.get("error")),
+            bias=number(data.get("bias")),
+            elastic=number(data.get("elastic")),
             place=data.get("place"),
-            **numbers,
-            **words,
+            text=data["text"],
         )
 
 

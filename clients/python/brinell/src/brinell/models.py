@@ -16,6 +16,24 @@ from pydantic import (
 from typing_extensions import TypeAliasType
 
 
+class AnswerPlace(BaseModel):
+    """
+    The place of an answer, in the coordinates of `contact` and `plasticity`.
+    """
+
+    body: Annotated[
+        Literal['upper', 'lower', 'both'], Field(description='In which body.')
+    ]
+    depth: Annotated[
+        float, Field(description='Depth below the surface. Unit: mm (SI: m).')
+    ]
+    x: Annotated[float, Field(description='x, or the radius. Unit: mm (SI: m).')]
+    y: Annotated[
+        float | None,
+        Field(description='y; only in three dimensions. Unit: mm (SI: m).'),
+    ] = None
+
+
 class ApproachLoad(BaseModel):
     """
     An approach; the force is an output.
@@ -3023,6 +3041,64 @@ class YieldOnset(BaseModel):
     ]
 
 
+class Answer(BaseModel):
+    """
+    One figure of a load step, made to be shown.
+    """
+
+    bias: Annotated[
+        float | None,
+        Field(
+            description='Relative difference to flow theory; positive where the figure is larger. `null` where it is not known. Without unit.'
+        ),
+    ]
+    body: Literal['upper', 'lower', 'both'] | None
+    elastic: Annotated[
+        float | None,
+        Field(description="The figure by Hertz's elastic theory, where that has one."),
+    ]
+    error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is prescribed, `null` where it is not known. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    label: Annotated[str, Field(description='Name for a person.')]
+    name: Annotated[
+        str,
+        Field(
+            description='Stable identifier, such as `peak_pressure`. An identifier may occur once for each body.'
+        ),
+    ]
+    place: AnswerPlace | None
+    quantity: Annotated[
+        str,
+        Field(
+            description='Its physical quantity. A `strain` and a `ratio` are shown in per cent.',
+            examples=['length', 'stress', 'force', 'line_force', 'stiffness', 'line_stiffness', 'energy', 'line_energy', 'strain', 'ratio', 'number', 'angle'],
+        ),
+    ]
+    text: Annotated[
+        str,
+        Field(
+            description='A note for a person: over which points a maximum was taken, or against what the figure counts.'
+        ),
+    ]
+    unit: Annotated[
+        str,
+        Field(
+            description='Symbol of its unit in the units of the job; empty of a strain, a ratio and a number.'
+        ),
+    ]
+    value: Annotated[
+        float | None,
+        Field(
+            description='The figure in `unit`; `null` where it is not known, and `text` says why.'
+        ),
+    ]
+
+
 class BatchOfIds(BaseModel):
     """
     Jobs that exist.
@@ -3347,83 +3423,6 @@ class SolverSettings(BaseModel):
     ] = None
 
 
-class Step(BaseModel):
-    """
-    One load step.
-    """
-
-    approach: Annotated[
-        float, Field(description='Approach α of the supports. Unit: mm (SI: m).')
-    ]
-    approach_datum: Annotated[
-        str, Field(description='Between which two boundaries α is counted.')
-    ]
-    contact: Annotated[
-        Contact, Field(description='Contact pressure and its resultants.')
-    ]
-    contact_stiffness: Annotated[
-        float | None,
-        Field(
-            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings; 0 where nothing touches. `null` where bodies yield as the load rises and `output.contact_stiffness` does not ask for it, where the answer did not converge, and where bodies flow at a constant stress in plane stress. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
-        ),
-    ]
-    estimated_error: ErrorEstimate | None
-    fields: Annotated[
-        FieldsOfBodies | None,
-        Field(description='Mesh and nodal fields; absent unless asked for.'),
-    ] = None
-    flow: Annotated[
-        Flow | None,
-        Field(
-            description='What only flow theory knows: increments, dents, energies; absent under deformation theory.'
-        ),
-    ] = None
-    hertz: Hertz | None
-    history: Annotated[list[Iteration1], Field(description='Every outer iteration.')]
-    layers: Annotated[
-        LayersOfBodies | None,
-        Field(
-            description='Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no mesh; absent unless `output.fields` asks for them.'
-        ),
-    ] = None
-    load: Annotated[
-        PrescribedForce | PrescribedApproach, Field(description='What was prescribed.')
-    ]
-    plasticity: Annotated[
-        PlasticZoneOfBodies,
-        Field(description='Plastic zone of each body; `null` for a rigid one.'),
-    ]
-    status: Annotated[
-        str,
-        Field(
-            description='How this step ended.',
-            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
-        ),
-    ]
-    subsurface: Annotated[
-        SubsurfaceOfBodies | None,
-        Field(
-            description='Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for, and where the step was stopped.'
-        ),
-    ] = None
-    subsurface_below_peak: Annotated[
-        SubsurfaceOfBodies | None,
-        Field(
-            description='The same below the largest pressure; absent where that is in the middle.'
-        ),
-    ] = None
-    three_dimensional: Annotated[
-        ThreeDimensional | None,
-        Field(
-            description='What only a contact in three dimensions has; absent in other analyses.'
-        ),
-    ] = None
-    validity: Annotated[
-        list[ValidityNote], Field(description='What to keep in mind about this answer.')
-    ]
-    yield_onset: YieldOnset | None
-
-
 class Swift(BaseModel):
     """
     q = σ_y (1 + ε_p/ε_0)^n.
@@ -3497,6 +3496,21 @@ class Table(BaseModel):
             min_length=1,
         ),
     ]
+
+
+class Verdict(BaseModel):
+    """
+    The verdict on a load step.
+    """
+
+    level: Annotated[
+        str,
+        Field(
+            description='The state of the bodies.',
+            examples=['not_converged', 'collapse', 'above_shakedown_limit', 'yields', 'dented', 'elastic', 'not_known', 'no_contact'],
+        ),
+    ]
+    text: Annotated[str, Field(description='One sentence for a person.')]
 
 
 class Voce(BaseModel):
@@ -3674,6 +3688,95 @@ class RambergOsgood(BaseModel):
     ]
 
 
+class Step(BaseModel):
+    """
+    One load step.
+    """
+
+    answers: Annotated[
+        list[Answer],
+        Field(
+            description='The figures that answer the job, in the order in which it asks for them; empty of results of 0.2 and of a step that was stopped.'
+        ),
+    ]
+    approach: Annotated[
+        float, Field(description='Approach α of the supports. Unit: mm (SI: m).')
+    ]
+    approach_datum: Annotated[
+        str, Field(description='Between which two boundaries α is counted.')
+    ]
+    contact: Annotated[
+        Contact, Field(description='Contact pressure and its resultants.')
+    ]
+    contact_stiffness: Annotated[
+        float | None,
+        Field(
+            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings; 0 where nothing touches. `null` where bodies yield as the load rises and `output.contact_stiffness` does not ask for it, where the answer did not converge, and where bodies flow at a constant stress in plane stress. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
+        ),
+    ]
+    estimated_error: ErrorEstimate | None
+    fields: Annotated[
+        FieldsOfBodies | None,
+        Field(description='Mesh and nodal fields; absent unless asked for.'),
+    ] = None
+    flow: Annotated[
+        Flow | None,
+        Field(
+            description='What only flow theory knows: increments, dents, energies; absent under deformation theory.'
+        ),
+    ] = None
+    hertz: Hertz | None
+    history: Annotated[list[Iteration1], Field(description='Every outer iteration.')]
+    layers: Annotated[
+        LayersOfBodies | None,
+        Field(
+            description='Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no mesh; absent unless `output.fields` asks for them.'
+        ),
+    ] = None
+    load: Annotated[
+        PrescribedForce | PrescribedApproach, Field(description='What was prescribed.')
+    ]
+    plasticity: Annotated[
+        PlasticZoneOfBodies,
+        Field(description='Plastic zone of each body; `null` for a rigid one.'),
+    ]
+    status: Annotated[
+        str,
+        Field(
+            description='How this step ended.',
+            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+        ),
+    ]
+    subsurface: Annotated[
+        SubsurfaceOfBodies | None,
+        Field(
+            description='Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for, and where the step was stopped.'
+        ),
+    ] = None
+    subsurface_below_peak: Annotated[
+        SubsurfaceOfBodies | None,
+        Field(
+            description='The same below the largest pressure; absent where that is in the middle.'
+        ),
+    ] = None
+    three_dimensional: Annotated[
+        ThreeDimensional | None,
+        Field(
+            description='What only a contact in three dimensions has; absent in other analyses.'
+        ),
+    ] = None
+    validity: Annotated[
+        list[ValidityNote], Field(description='What to keep in mind about this answer.')
+    ]
+    verdict: Annotated[
+        Verdict | None,
+        Field(
+            description='The state of the bodies in one sentence; absent of results of 0.2.'
+        ),
+    ] = None
+    yield_onset: YieldOnset | None
+
+
 class Report(BaseModel):
     """
     The answer to a job.
@@ -3712,6 +3815,49 @@ class Report(BaseModel):
         ),
     ]
     version: Annotated[str, Field(description='Version of the program.')]
+
+
+class Deformable(BaseModel):
+    """
+    An isotropic body, elastic unless it has a hardening curve.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    initial_stress: Annotated[
+        list[InitialStress] | None,
+        Field(
+            description='Stress before any load, by depth: straight between depths, constant beyond the ends. It is relaxed before the load; what is left is reported.',
+            max_length=1000,
+            min_length=1,
+        ),
+    ] = None
+    plasticity: Annotated[
+        Bilinear | RambergOsgood | Table | Swift | Ludwik | Voce | None,
+        Field(description='The hardening curve; a body without one stays elastic.'),
+    ] = None
+    poisson_ratio: Annotated[
+        float,
+        Field(
+            description="Poisson's ratio ν. What is incompressible has 0.499999. Without unit.",
+            examples=[0.3],
+            ge=0.0,
+            le=0.499999,
+        ),
+    ]
+    rigid: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    young_modulus: Annotated[
+        float,
+        Field(
+            description="Young's modulus E. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
+            examples=[210000.0],
+            ge=0.001,
+            le=100000000000000.0,
+        ),
+    ]
 
 
 class Job(BaseModel):
@@ -3821,64 +3967,6 @@ class BatchItem(BaseModel):
     ]
 
 
-class Deformable(BaseModel):
-    """
-    An isotropic body, elastic unless it has a hardening curve.
-    """
-
-    model_config = ConfigDict(
-        extra='forbid',
-    )
-    initial_stress: Annotated[
-        list[InitialStress] | None,
-        Field(
-            description='Stress before any load, by depth: straight between depths, constant beyond the ends. It is relaxed before the load; what is left is reported.',
-            max_length=1000,
-            min_length=1,
-        ),
-    ] = None
-    plasticity: Annotated[
-        Bilinear | RambergOsgood | Table | Swift | Ludwik | Voce | None,
-        Field(description='The hardening curve; a body without one stays elastic.'),
-    ] = None
-    poisson_ratio: Annotated[
-        float,
-        Field(
-            description="Poisson's ratio ν. What is incompressible has 0.499999. Without unit.",
-            examples=[0.3],
-            ge=0.0,
-            le=0.499999,
-        ),
-    ]
-    rigid: Annotated[
-        None, Field(description='Belongs to another kind of object; not given here.')
-    ] = None
-    young_modulus: Annotated[
-        float,
-        Field(
-            description="Young's modulus E. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
-            examples=[210000.0],
-            ge=0.001,
-            le=100000000000000.0,
-        ),
-    ]
-
-
-class BatchAnswer(BaseModel):
-    """
-    What became of the jobs of a request, in their order.
-    """
-
-    accepted: Annotated[
-        int, Field(description='How many there were of which nothing is wrong.', ge=0)
-    ]
-    jobs: Annotated[
-        list[BatchItem],
-        Field(description='One for each job of the request, in the same order.'),
-    ]
-    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
-
-
 class ContactBody(BaseModel):
     """
     One body, described in its own frame: the contact starts at the origin, heights are counted along the outward normal. At most one of the two is rigid.
@@ -3970,6 +4058,21 @@ class ExampleList(BaseModel):
     """
 
     examples: Annotated[list[Example], Field(description='Each under its name.')]
+
+
+class BatchAnswer(BaseModel):
+    """
+    What became of the jobs of a request, in their order.
+    """
+
+    accepted: Annotated[
+        int, Field(description='How many there were of which nothing is wrong.', ge=0)
+    ]
+    jobs: Annotated[
+        list[BatchItem],
+        Field(description='One for each job of the request, in the same order.'),
+    ]
+    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
 
 
 class BatchedJob(BaseModel):
