@@ -9,6 +9,9 @@ use crate::jobs::{Delivery, KeyId};
 /// Attempts at the same time.
 const AT_ONCE: usize = 64;
 
+/// Part of the attempts, and of the announcements in memory, that one API key may have.
+const OF_KEY: usize = 4;
+
 /// Attempts at the same time to one receiver, and to one that is slow.
 const TO_ONE: usize = 4;
 const TO_ONE_SLOW: usize = 1;
@@ -81,8 +84,9 @@ impl Receivers {
         if self.queues.len() >= REMEMBERED {
             self.queues.retain(|_, queue| !queue.is_idle());
         }
+        let of_key = self.of_key(receiver.1, |queue| queue.running + queue.waiting.len());
         let queue = self.queues.entry(receiver).or_default();
-        if queue.waiting.len() >= queue.room() {
+        if of_key >= HELD / OF_KEY || queue.waiting.len() >= queue.room() {
             return Some((delivery, queue.pause()));
         }
         queue.waiting.push_back(delivery);
@@ -95,12 +99,21 @@ impl Receivers {
             return None;
         }
         let may = |queue: &Queue| !queue.waiting.is_empty() && queue.running < queue.at_once();
-        let ready = self.queues.iter_mut().filter(|(_, queue)| may(queue));
-        let (receiver, queue) = ready.min_by_key(|(_, queue)| queue.running)?;
+        let ready = self.queues.iter().filter(|(_, queue)| may(queue));
+        let ready = ready.map(|(to, queue)| (self.of_key(to.1, |queue| queue.running), queue, to));
+        let ready = ready.filter(|(of_key, ..)| *of_key < AT_ONCE / OF_KEY);
+        let (_, _, receiver) = ready.min_by_key(|(of_key, queue, _)| (*of_key, queue.running))?;
+        let receiver = receiver.clone();
+        let queue = self.queues.get_mut(&receiver)?;
         let delivery = queue.waiting.pop_front()?;
         queue.running += 1;
         self.running += 1;
-        Some((receiver.clone(), delivery))
+        Some((receiver, delivery))
+    }
+
+    /// Sums a number over all receivers of a key.
+    fn of_key(&self, key: Option<KeyId>, number: impl Fn(&Queue) -> usize) -> usize {
+        self.queues.iter().filter(|((_, of), _)| *of == key).map(|(_, queue)| number(queue)).sum()
     }
 
     /// Records the end and duration of an attempt. If the receiver proves slow, returns the

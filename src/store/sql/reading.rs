@@ -41,7 +41,8 @@ const FIELDS: &str = "SELECT f.first, f.body FROM result_steps s
 const HEALTH_ROWS: &str = "SELECT count(*) FROM health";
 const WITHOUT_ACCOUNT: &str = "SELECT id FROM jobs WHERE state = 'queued'
      AND NOT EXISTS (SELECT 1 FROM accounts a WHERE a.id = jobs.account) ORDER BY id";
-const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
+const COUNTS: &str =
+    "SELECT state, count(*) FROM jobs WHERE state IN ('queued', 'running') GROUP BY state";
 
 /// Converts a row to a job; `None` and a line in the log where the row is damaged, so that a list
 /// still shows its other rows.
