@@ -193,12 +193,14 @@ mod tests {
     #[test]
     fn no_more_are_made_at_once_than_may_be_and_the_idle_are_forgotten() {
         let mut receivers = Receivers::default();
+        let keys: Vec<KeyId> = (0..2 * OF_KEY).map(|_| KeyId::generate()).collect();
+        let to = |host: usize| (host.to_string(), Some(keys[host % keys.len()]));
         for host in 0..2 * AT_ONCE {
-            assert_eq!(receivers.offer(receiver(&host.to_string()), delivery()), None);
+            assert_eq!(receivers.offer(to(host), delivery()), None);
         }
         assert_eq!(begin(&mut receivers), AT_ONCE);
         for host in 0..2 * AT_ONCE {
-            receivers.ended(&receiver(&host.to_string()), Duration::ZERO);
+            receivers.ended(&to(host), Duration::ZERO);
             begin(&mut receivers);
         }
         for host in 0..2 * REMEMBERED {
@@ -208,5 +210,16 @@ mod tests {
             }
         }
         assert!(receivers.queues.len() <= REMEMBERED, "{}", receivers.queues.len());
+    }
+    #[test]
+    fn a_key_has_a_quarter_of_the_attempts_whatever_hosts_it_names() {
+        let mut receivers = Receivers::default();
+        let (greedy, modest) = (Some(KeyId::generate()), Some(KeyId::generate()));
+        let taken = (0..1000)
+            .filter(|host| receivers.offer((host.to_string(), greedy), delivery()).is_none());
+        assert_eq!(taken.count(), HELD / OF_KEY);
+        assert_eq!(begin(&mut receivers), AT_ONCE / OF_KEY);
+        assert_eq!(receivers.offer(("0".to_owned(), modest), delivery()), None);
+        assert_eq!(begin(&mut receivers), 1);
     }
 }
