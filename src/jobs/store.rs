@@ -185,7 +185,7 @@ pub trait JobStore: Send + Sync + 'static {
 pub const HISTORY_PAGE: usize = 256;
 
 /// Most jobs one [`JobStore::sweep`] removes.
-pub const SWEEP: usize = 500;
+pub const SWEEP: usize = 200;
 
 /// How long finished jobs are kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
