@@ -55,7 +55,10 @@ from ._errors import (
 from ._fields import BodyFields, Fields
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
+from ._plain import document_of as document
 from ._result import Pressure, Remark, Result, Step
+from ._surface import Surface, surface
+from ._trace import Trace, trace
 
 try:
     __version__ = version("brinell")
@@ -87,6 +90,8 @@ __all__ = [
     "ServerNotFound",
     "ServiceError",
     "Step",
+    "Surface",
+    "Trace",
     "StillRunning",
     "Unauthorized",
     "Unavailable",
@@ -95,6 +100,7 @@ __all__ = [
     "cone",
     "curved",
     "cylinder",
+    "document",
     "ellipse",
     "flat",
     "groove",
@@ -112,8 +118,10 @@ __all__ = [
     "roller",
     "sphere",
     "steels",
+    "surface",
     "swift",
     "table",
+    "trace",
     "voce",
     "wedge",
 ]
