@@ -9,6 +9,7 @@
 //! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening;
 //! - [`Inhomogeneous`] gives one of these models a strength that varies over depth, and a residual
 //!   stress of the unloaded body;
+//! - [`tensile`] makes a curve of a tensile test;
 //! - [`analytical`]: closed forms of Hertz, McEwen, Hill, Prandtl, Persson and others, for
 //!   comparison.
 
@@ -16,6 +17,7 @@ pub mod analytical;
 mod deformation;
 mod flow;
 pub mod hardening;
+pub mod hardness;
 mod inhomogeneous;
 mod interpolant;
 mod model;
@@ -23,6 +25,7 @@ mod moduli;
 mod return_mapping;
 mod strength;
 mod tangent;
+pub mod tensile;
 
 pub use analytical::von_mises;
 pub use deformation::DeformationPlasticity;

@@ -6,7 +6,7 @@ use serde::ser::{SerializeStruct, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FaultCode, Named, Quantity, Units, npy};
+use super::{FaultCode, Named, Quantity, Units, no_data, npy};
 
 /// Heights over the shape of a body at the middles of equal cells, along the outward normal.
 /// Lengths in mm.
@@ -60,6 +60,11 @@ impl Surface {
     /// Returns the sides of a cell along x and y \[mm\].
     pub const fn spacing(&self) -> [f64; 2] {
         self.spacing
+    }
+
+    /// Returns the heights as they are given, in the order `[i * cells[1] + j]` \[mm\].
+    pub(super) fn heights(&self) -> &[f64] {
+        &self.heights
     }
 
     /// Whether both surfaces have their heights at the same points.
@@ -149,7 +154,11 @@ impl Surface {
         let object = cursor.object()?;
         object.only(Self::KEYS);
         let rows = object.required("heights", |c| {
-            if c.is_object() { Self::read_npy(c, units) } else { Self::read_rows(c, units) }
+            let rows =
+                if c.is_object() { Self::read_npy(c, units) } else { Self::read_rows(c, units) };
+            rows.filter(|(cells, heights)| {
+                units.is_none_or(|u| is_all_data(c, *cells, heights, u))
+            })
         });
         let spacing = |key| object.required(key, |c| c.quantity::<f64>(Quantity::Length, units));
         let (spacing_x, spacing_y) = (spacing("spacing_x"), spacing("spacing_y"));
@@ -157,6 +166,35 @@ impl Surface {
         let (cells, heights) = rows?;
         Some(Self { cells, heights, spacing: [spacing_x?, spacing_y?], detrend: detrend? })
     }
+}
+
+/// Refuses heights that stand for no data, with their number and first places.
+fn is_all_data(c: Cursor<'_>, cells: [usize; 2], heights: &[f64], units: Units) -> bool {
+    let to_core = |mark| Quantity::Position.to_core(units, mark);
+    let Some(found) = no_data::far_off(heights, cells[1], to_core) else { return true };
+    let wire = |height| Quantity::Position.to_wire(units, height);
+    let unit = Quantity::Position.symbol(units);
+    let places: Vec<_> = found.places.iter().map(|[i, j]| format!("[{i}, {j}]")).collect();
+    let more = if found.count > places.len() { ", …" } else { "" };
+    c.fault(
+        FaultCode::Inconsistent,
+        format_args!(
+            "{} of {} heights stand for no data: {} {unit} at {}{more}, where the others span {} \
+             {unit}. Fill them from their neighbours, or cut them off; a pit that is meant may be \
+             as deep as 1000 times that span",
+            found.count,
+            found.of,
+            wire(found.height),
+            places.join(", "),
+            rounded(wire(found.range)),
+        ),
+    );
+    false
+}
+
+/// Returns a figure to three digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 impl Serialize for InUnits<'_, Surface> {
