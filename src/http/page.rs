@@ -1,9 +1,13 @@
 //! The web page: the files under `web/`, which a release build contains.
 //!
-//! Files keep their names between versions, so browsers revalidate them each time; a strong `ETag`
-//! of the content allows the answer 304. Each file is compressed once. The page loads nothing from
-//! other origins, and its `Content-Security-Policy` forbids it.
+//! The first document names every file below `web/DIGEST/`, where the digest is that of the whole
+//! folder: browsers keep these for good, and a reload asks for the document alone. Relative imports
+//! stay within the digest. Under their plain names, and under the digest of another version, files
+//! are asked for anew each time; a strong `ETag` of the content allows the answer 304. Modules are
+//! sent without their comments, whose lines stay as empty ones. Each file is compressed once. The
+//! page loads nothing from other origins, and its `Content-Security-Policy` forbids it.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::io::{self, Write};
 use std::sync::{LazyLock, Mutex, PoisonError};
@@ -33,12 +37,36 @@ struct Web;
 pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; \
                                  form-action 'self'; frame-ancestors 'none'";
 
-/// Compressed files by digest: in a debug build, files change while the program runs.
-static COMPRESSED: LazyLock<Mutex<HashMap<[u8; 32], Bytes>>> = LazyLock::new(Mutex::default);
+/// Compressed files by their tags: in a debug build, files change while the program runs.
+static COMPRESSED: LazyLock<Mutex<HashMap<u128, Bytes>>> = LazyLock::new(Mutex::default);
 
-/// `GET /`.
+/// Digest of the folder in the last document that was sent.
+static NAMED: Mutex<Option<String>> = Mutex::new(None);
+
+/// How long a file that never changes is kept.
+const FOR_GOOD: &str = "public, max-age=31536000, immutable";
+
+/// Length of the digest in an address.
+const DIGITS: usize = 16;
+
+/// A file as it is sent.
+struct Sent<'a> {
+    path: &'a str,
+    data: Cow<'static, [u8]>,
+    /// Identifies the bytes.
+    digest: u128,
+    kept: &'static str,
+}
+
+/// `GET /`: with the digest of the folder in every address.
 pub(super) async fn index(headers: HeaderMap) -> Result<Response, Problem> {
-    answer("index.html", &headers)
+    let file = Web::get("index.html").ok_or_else(nothing)?;
+    let folder = folder();
+    let named = format!("{:016x}", folder >> 64);
+    let text = String::from_utf8_lossy(&file.data).replace("\"web/", &format!("\"web/{named}/"));
+    *NAMED.lock().unwrap_or_else(PoisonError::into_inner) = Some(named);
+    let data = Cow::Owned(text.into_bytes());
+    answer(Sent { path: "index.html", data, digest: folder, kept: "no-cache" }, &headers)
 }
 
 /// `GET /web/{path}`.
@@ -46,22 +74,39 @@ pub(super) async fn file(
     path: Result<Path<String>, PathRejection>,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    answer(path.as_ref().map_or("", |Path(path)| path), &headers)
+    let given = path.as_ref().map_or("", |Path(path)| path);
+    let (digest, path) = match given.split_once('/') {
+        Some((first, rest)) if is_digest(first) => (Some(first), rest),
+        _ => (None, given),
+    };
+    let file = Web::get(path).ok_or_else(nothing)?;
+    let named = NAMED.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    let kept = if digest.is_some() && digest == named.as_deref() { FOR_GOOD } else { "no-cache" };
+    let digest = digest_of(&file);
+    let data = if path.ends_with(".js") { bare(&file.data).into() } else { file.data };
+    answer(Sent { path, data, digest, kept }, &headers)
 }
 
-fn answer(path: &str, headers: &HeaderMap) -> Result<Response, Problem> {
-    let nothing = || Problem::new(ProblemType::NotFound, "the page has no such file");
-    let file = Web::get(path).ok_or_else(nothing)?;
+fn nothing() -> Problem {
+    Problem::new(ProblemType::NotFound, "the page has no such file")
+}
+
+fn is_digest(part: &str) -> bool {
+    part.len() == DIGITS && part.bytes().all(|one| one.is_ascii_hexdigit())
+}
+
+fn answer(file: Sent, headers: &HeaderMap) -> Result<Response, Problem> {
     let gzip = takes_gzip(headers);
-    let tag = tag(&file, gzip);
+    // A strong tag identifies bytes, so the compressed file has its own.
+    let tag = format!("\"{:032x}{}\"", file.digest, if gzip { "-gzip" } else { "" });
     let common: [(HeaderName, &str); 7] = [
         (ETAG, &tag),
-        (CACHE_CONTROL, "no-cache"),
+        (CACHE_CONTROL, file.kept),
         (VARY, "accept-encoding"),
         (CONTENT_SECURITY_POLICY, POLICY),
         (X_CONTENT_TYPE_OPTIONS, "nosniff"),
         (REFERRER_POLICY, "no-referrer"),
-        (CONTENT_TYPE, media_type(path)),
+        (CONTENT_TYPE, media_type(file.path)),
     ];
     if is_known(&tag, headers) {
         return Ok((StatusCode::NOT_MODIFIED, common).into_response());
@@ -84,22 +129,66 @@ fn media_type(path: &str) -> &'static str {
     }
 }
 
-/// A strong tag identifies bytes, so the compressed file has its own tag.
-fn tag(file: &EmbeddedFile, gzip: bool) -> String {
-    let digest = file.metadata.sha256_hash().first_chunk().copied().map_or(0, u128::from_be_bytes);
-    let coding = if gzip { "-gzip" } else { "" };
-    format!("\"{digest:032x}{coding}\"")
+fn digest_of(file: &EmbeddedFile) -> u128 {
+    file.metadata.sha256_hash().first_chunk().copied().map_or(0, u128::from_be_bytes)
 }
 
-fn compressed(file: &EmbeddedFile) -> io::Result<Bytes> {
-    let digest = file.metadata.sha256_hash();
+/// Digest of all files and their names: an FNV hash of theirs, which are SHA-256.
+fn folder() -> u128 {
+    let mut names: Vec<_> = Web::iter().collect();
+    names.sort_unstable();
+    names.iter().fold(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d, |sum, name| {
+        let content = Web::get(name).map_or(0, |file| digest_of(&file));
+        name.bytes().chain(content.to_be_bytes()).fold(sum, |sum: u128, byte| {
+            (sum ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b)
+        })
+    })
+}
+
+/// A module without the comments that stand on lines of their own. The formatter puts every
+/// comment at the beginning of a line, and no text of the page has a line that begins like one.
+fn bare(module: &[u8]) -> Vec<u8> {
+    let mut sent = Vec::with_capacity(module.len());
+    let mut within = false;
+    for line in module.split(|&byte| byte == b'\n') {
+        let text = line.trim_ascii();
+        let begins = text.starts_with(b"/**");
+        let ends = text.ends_with(b"*/");
+        let plain = !within && !text.starts_with(b"//") && !(begins && (ends || !has_end(text)));
+        within = (within || (begins && !has_end(text))) && !ends;
+        if plain {
+            sent.extend_from_slice(line);
+        }
+        sent.push(b'\n');
+    }
+    sent
+}
+
+fn has_end(text: &[u8]) -> bool {
+    text.windows(2).any(|two| two == b"*/")
+}
+
+fn compressed(file: &Sent) -> io::Result<Bytes> {
     let known = || COMPRESSED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(body) = known().get(&digest) {
+    if let Some(body) = known().get(&file.digest) {
         return Ok(body.clone());
     }
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(&file.data)?;
     let body = Bytes::from(encoder.finish()?);
-    known().insert(digest, body.clone());
+    known().insert(file.digest, body.clone());
     Ok(body)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_of_modules_are_empty_lines() {
+        let module =
+            "/** A. */\nconst a = /** @type {any} */ (1); // b\n  // c\n/**\n * d\n */\nf();";
+        let sent = "\nconst a = /** @type {any} */ (1); // b\n\n\n\n\nf();\n";
+        assert_eq!(String::from_utf8(bare(module.as_bytes())).unwrap(), sent);
+    }
 }

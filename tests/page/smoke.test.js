@@ -45,7 +45,7 @@ service.test('a load that is taken away leaves a dent and stresses over depth', 
     (await page.locator('#panel-dent .plot').getAttribute('aria-label')) ?? '',
     /^Residual height/,
   );
-  await page.locator('#panel-depth .plot canvas').waitFor();
+  await page.locator('#panel-depth .plot svg').waitFor();
 });
 
 service.test('a sweep has a row for every load', async (page) => {

@@ -87,7 +87,7 @@ const part = (example) => async (page) => {
 
 /** @param {Page} page */
 async function first(page) {
-  await page.locator('#panel-pressure .plot canvas').waitFor();
+  await page.locator('#panel-pressure .plot svg').waitFor();
   await page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
   );

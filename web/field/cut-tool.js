@@ -132,7 +132,6 @@ export class CutTool {
               colour: COLOURS[body.name],
               x: x.map((at) => at * scales.length),
               y: y.map((value) => (value === null ? null : value * factor)),
-              gaps: true,
             },
           ];
     });

@@ -48,6 +48,9 @@ function paint(context, of, width, height) {
         context.fillRect(0, 0, width, height);
         break;
       case 'path':
+        context.globalAlpha = Number(text('fill-opacity') || 1);
+        if (fill && fill !== 'none') context.fill(new Path2D(text('d')));
+        context.globalAlpha = 1;
         if (stroke) context.stroke(new Path2D(text('d')));
         break;
       case 'circle':

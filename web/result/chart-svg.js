@@ -1,13 +1,17 @@
-/** A chart as an SVG by itself: title, legend, axes with units, in the light colours of paper. */
+/**
+ * A chart as SVG: on the page, and by itself with title and legend in the light colours of paper.
+ */
 
 import { svg } from '../lib/dom.js';
-import { colour, paper } from '../lib/theme.js';
+import { paper } from '../lib/theme.js';
 import { plain } from '../lib/units.js';
 import { placeWords } from './labels.js';
 
 /** @typedef {import('./chart.js').Plot} Plot */
 /** @typedef {import('./chart.js').Curve} Curve */
-/** @typedef {{at: (value: number) => number, ticks: number[], from: number, to: number}} Axis */
+/** @typedef {{at: (value: number) => number, of: (pixel: number) => number, ticks: number[], from: number, to: number}} Axis `of`: the value at a pixel */
+/** @typedef {{x: [number, number], y: [number, number], right: [number, number]}} Ranges of the axes */
+/** @typedef {{root: SVGSVGElement, width: number, box: import('./labels.js').Box, x: Axis, y: Axis, right: Axis}} Layout */
 
 /** Width of a letter at 11 px, on average. */
 const LETTER = 6;
@@ -26,57 +30,57 @@ let ink = paper;
  * @param {(name: string) => string} [colours] by name
  * @returns {SVGSVGElement}
  */
-export function chartSvg(plot, title, width, height, colours = paper) {
-  return drawing(plot, title, width, height, colours);
+export const chartSvg = (plot, title, width, height, colours = paper) =>
+  laidOut(plot, title, width, height, colours).root;
+
+/** What the axes of a plot show. @param {Plot} plot @returns {Ranges} */
+export function rangesOf({ curves, range, marks = [], log, held }) {
+  const own = range ?? extent(curves.flatMap(({ x }) => x));
+  const x = held ? united(own, held.x) : own;
+  const seen = (/** @type {boolean} */ right) =>
+    curves
+      .filter((curve) => Boolean(curve.right) === right)
+      .flatMap((curve) =>
+        [curve.y, curve.to ?? []].flatMap((values) =>
+          values.filter((value, k) => value !== null && curve.x[k] >= x[0] && curve.x[k] <= x[1]),
+        ),
+      );
+  const level = marks.filter(({ across }) => across === 'y').map(({ at }) => at);
+  const [y, right] = [grown(seen(false), log, level), grown(seen(true), false, [])];
+  return held ? { x, y: united(y, held.y), right: united(right, held.right) } : { x, y, right };
 }
 
-/**
- * The same without title and legend, in the colours of the page: for curves that turn back.
- * @param {Plot} plot
- * @param {number} width
- * @param {number} height
- */
-export const bareChart = (plot, width, height) => drawing(plot, '', width, height, colour);
+/** @param {[number, number]} a @param {[number, number]} b @returns {[number, number]} */
+const united = (a, b) => [Math.min(a[0], b[0]), Math.max(a[1], b[1])];
 
 /**
  * @param {Plot} plot
- * @param {string} title
+ * @param {string} title with a legend below it; none on the page, which has its own
  * @param {number} width
  * @param {number} height
  * @param {(name: string) => string} colours by name
+ * @returns {Layout}
  */
-function drawing(plot, title, width, height, colours) {
+export function laidOut(plot, title, width, height, colours) {
   ink = colours;
   const legend = title ? legendRows(plot.curves, width) : [];
   const head = title ? 22 + LINE * legend.length : 0;
-  const left = plot.curves.filter(({ right }) => !right);
-  const right = plot.curves.filter((curve) => curve.right);
-  const [x0, x1] = plot.range ?? extent(plot.curves.flatMap(({ x }) => x));
-  const seen = (/** @type {Curve[]} */ curves) =>
-    curves.flatMap(({ x, y }) =>
-      y.filter((value, k) => value !== null && x[k] >= x0 && x[k] <= x1),
-    );
-  const yRange = grown(
-    seen(left),
-    plot.log,
-    (plot.marks ?? []).filter(({ across }) => across === 'y').map(({ at }) => at),
-  );
-  const rightRange = grown(seen(right), false, []);
+  const ranges = rangesOf(plot);
   const labels = (/** @type {number[]} */ ticks) =>
     Math.max(0, ...ticks.map((tick) => plain(tick).length)) * LETTER;
   const box = { left: 0, right: width - 10, top: head + 6, bottom: head + height - 38 };
-  const yTicks = ticksOf(yRange, 5, plot.log);
+  const yTicks = ticksOf(ranges.y, 5, plot.log);
   box.left = labels(yTicks) + 30;
-  const rightTicks = plot.right ? ticksOf(rightRange, 5) : [];
+  const rightTicks = plot.right ? ticksOf(ranges.right, 5) : [];
   if (plot.right) box.right = width - labels(rightTicks) - 30;
   // Room for the figures at the ends, and some between them.
-  const apart = Math.max(80, labels([x0, x1].map((end) => Number(end.toPrecision(3)))) + 24);
-  const xTicks = ticksOf([x0, x1], Math.floor((box.right - box.left) / apart));
+  const apart = Math.max(80, labels(ranges.x.map((end) => Number(end.toPrecision(3)))) + 24);
+  const xTicks = ticksOf(ranges.x, Math.floor((box.right - box.left) / apart));
   // A figure stands with its middle below its place, that at the right end too.
   if (!plot.right) box.right = width - Math.max(10, labels(xTicks.slice(-1)) / 2 + 4);
-  const x = axis([x0, x1], [box.left, box.right], xTicks);
-  const y = axis(yRange, [box.bottom, box.top], yTicks, plot.log);
-  const yr = axis(rightRange, [box.bottom, box.top], rightTicks);
+  const x = axis(ranges.x, [box.left, box.right], xTicks);
+  const y = axis(ranges.y, [box.bottom, box.top], yTicks, plot.log);
+  const right = axis(ranges.right, [box.bottom, box.top], rightTicks);
   const clip = `clip-${++count}`;
   const root = svg('svg', {
     xmlns: 'http://www.w3.org/2000/svg',
@@ -89,7 +93,23 @@ function drawing(plot, title, width, height, colours) {
     'font-size': 11,
   });
   // By itself it lies on whatever the viewer has.
-  if (title) root.append(svg('rect', { width: '100%', height: '100%', fill: ink('--panel') }));
+  if (title)
+    root.append(
+      svg('rect', { width: '100%', height: '100%', fill: ink('--panel') }),
+      svg(
+        'text',
+        {
+          x: 4,
+          y: 14,
+          'font-weight': 'bold',
+          'font-size': 12,
+          fill: ink('--ink'),
+          ...squeezed(title, width - 8),
+        },
+        title,
+      ),
+    );
+  const of = (/** @type {Curve} */ curve) => (curve.right ? right : y);
   root.append(
     svg(
       'defs',
@@ -100,39 +120,38 @@ function drawing(plot, title, width, height, colours) {
         svg('rect', {
           x: box.left,
           y: box.top,
-          width: box.right - box.left,
-          height: box.bottom - box.top,
+          width: Math.max(0, box.right - box.left),
+          height: Math.max(0, box.bottom - box.top),
         }),
       ),
-    ),
-    svg(
-      'text',
-      {
-        x: 4,
-        y: 14,
-        'font-weight': 'bold',
-        'font-size': 12,
-        fill: ink('--ink'),
-        ...squeezed(title, width - 8),
-      },
-      title,
     ),
     ...legend.flatMap((row, k) =>
       row.map(({ curve, at }) => legendItem(curve, at, 30 + LINE * k)),
     ),
-    ...grid(plot, x, y, yr, box),
+    ...grid(plot, x, y, right, box),
     svg(
       'g',
       { 'clip-path': `url(#${clip})`, fill: 'none' },
-      plot.curves.map((curve) => path(curve, x, curve.right ? yr : y)),
+      plot.curves.flatMap((curve) => [
+        ...area(curve, x, of(curve)),
+        ...(curve.to ? [] : [path(curve, x, of(curve))]),
+      ]),
     ),
     // Whole where they lie on the frame.
-    ...plot.curves.flatMap((curve) =>
-      curve.points ? dots(curve, x, curve.right ? yr : y, box) : [],
-    ),
-    ...marksOf(plot, x, y, yr, box),
+    ...plot.curves.flatMap((curve) => (curve.points ? dots(curve, x, of(curve), box) : [])),
+    ...marksOf(plot, x, y, right, box),
   );
-  return root;
+  return { root, width, box, x, y, right };
+}
+
+/** What lies below a curve, or between both sides of a band. @param {Curve} curve @param {Axis} x @param {Axis} y */
+function area({ x: along, y: up, to, filled, colour: name }, x, y) {
+  if (!to && !filled) return [];
+  const point = (/** @type {number} */ value, /** @type {number | null} */ height) =>
+    `${x.at(value).toFixed(1)} ${y.at(height ?? 0).toFixed(1)}`;
+  const back = along.map((value, k) => point(value, to?.[k] ?? 0)).reverse();
+  const d = `M${[...along.map((value, k) => point(value, up[k])), ...back].join('L')}Z`;
+  return [svg('path', { d, fill: ink(name), 'fill-opacity': to ? 0.18 : 0.09 })];
 }
 
 /** Width of a bold letter at 12 px, on average. */
@@ -344,6 +363,7 @@ function grown(values, log, marks) {
   );
   if (log) {
     const [low, high] = extent(given.filter((value) => value > 0));
+    if (!(low > 0)) return [0.1, 1];
     return [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
   }
   const [low, high] = extent([0, ...given, ...marks]);
@@ -360,7 +380,11 @@ function grown(values, log, marks) {
 function ticksOf([from, to], many, log) {
   if (log) {
     const [first, last] = [Math.round(Math.log10(from)), Math.round(Math.log10(to))];
-    return Array.from({ length: last - first + 1 }, (_, k) => 10 ** (first + k));
+    // Of many powers there is room for some.
+    const every = Math.ceil((last - first + 1) / 9);
+    return Array.from({ length: last - first + 1 }, (_, k) => 10 ** (first + k)).filter(
+      (_, k) => (first + k) % every === 0,
+    );
   }
   const rough = (to - from) / Math.max(2, many);
   const power = 10 ** Math.floor(Math.log10(rough));
@@ -387,5 +411,9 @@ function axis([from, to], [low, high], ticks, log) {
     to,
     ticks,
     at: (value) => low + ((place(value) - a) / (b - a || 1)) * (high - low),
+    of: (pixel) => {
+      const value = a + ((pixel - low) / (high - low || 1)) * (b - a);
+      return log ? 10 ** value : value;
+    },
   };
 }

@@ -360,7 +360,7 @@ service.test('initial stresses in the chart have the unit of its axis', async (p
   await page.getByText('Units shown').click();
   await page.getByLabel('Unit of stress').selectOption('GPa');
   await page.keyboard.press('Escape');
-  const plot = page.locator('#panel-depth .u-over');
+  const plot = page.locator('#panel-depth .plot .over');
   await plot.hover({ position: { x: 3, y: 30 } });
   const before = page
     .locator('#panel-depth .legend li', { hasText: 'before the load' })
@@ -400,9 +400,7 @@ service.test('a part of a chart that was dragged up is not kept for another job'
   ];
   const pixels = () =>
     page.evaluate(() =>
-      /** @type {HTMLCanvasElement | null} */ (
-        document.querySelector('#panel-pressure .plot canvas')
-      )?.toDataURL(),
+      document.querySelector('#panel-pressure .plot svg')?.outerHTML.replace(/clip-\d+/g, ''),
     );
   const words = (/** @type {string} */ force) =>
     page.locator('#headline').getByText(`${force}.00`, { exact: false }).first().waitFor();
@@ -418,7 +416,7 @@ service.test('a part of a chart that was dragged up is not kept for another job'
   const whole = await pixels();
   await follow(page, `job=${one}`);
   await words('300');
-  const box = await page.locator('#panel-pressure .u-over').boundingBox();
+  const box = await page.locator('#panel-pressure .plot .over').boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + box.width / 2, box.y + 50);
   await page.mouse.down();
@@ -430,9 +428,8 @@ service.test('a part of a chart that was dragged up is not kept for another job'
   await words('600');
   await page.waitForFunction(
     (whole) =>
-      /** @type {HTMLCanvasElement | null} */ (
-        document.querySelector('#panel-pressure .plot canvas')
-      )?.toDataURL() === whole,
+      document.querySelector('#panel-pressure .plot svg')?.outerHTML.replace(/clip-\d+/g, '') ===
+      whole,
     whole,
   );
 });
