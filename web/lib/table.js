@@ -317,7 +317,7 @@ function namedBy(headers, body, quantities, units, symbols) {
     if (strange >= 0) return refuse(cells[strange], 'is not known here');
     const missing = quantities.findIndex((_, axis) => !axes.includes(axis));
     if (missing >= 0) {
-      if (isTitle(cells.join(' '))) continue;
+      if (axes.every((axis) => axis < 0) && isTitle(cells.join(' '))) continue;
       return refuse(cells.join(' '), `has no column called ${example[missing]}`);
     }
     for (const [k, [, name]] of parts.entries()) {

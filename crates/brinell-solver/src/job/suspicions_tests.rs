@@ -80,7 +80,6 @@ fn units_that_no_solid_has_are_told_with_a_guess() {
         (210_000.0, 500_000.0, Some(Guess::Stress(1e-3))),
         (210_000.0, 0.5, Some(Guess::Stress(1e3))),
         (210_000.0, 80_000.0, Some(Guess::Stress(1e-3))),
-        (1e7, 5e6, None),
     ] {
         let found = of_material(&material(modulus, stress));
         let [Suspicion { code: UNITS, finding, .. }] = &found[..] else { panic!("{found:?}") };
