@@ -35,7 +35,7 @@ fn rockwell(text: &mut String) {
     text.push_str(
         "/** Rockwell C and Vickers hardness, ISO 18265, table A.1. @type {[number, number][]} */\n",
     );
-    writeln!(text, "export const ROCKWELL = {};", json!(hardness::ROCKWELL_C)).unwrap();
+    writeln!(text, "export const ROCKWELL = {};", json!(hardness::ROCKWELL_C[..])).unwrap();
 }
 
 /// The ways to give strength over depth, with keys from the hardening law on.

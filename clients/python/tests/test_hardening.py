@@ -51,7 +51,10 @@ def test_holes_are_named() -> None:
     masked = np.ma.masked_array(stress, mask=np.arange(len(stress)) == 7)
     missing = pd.Series(strain)
     missing[3] = None
-    for columns, pointer in [((strain, masked), "#/points/7/1"), ((missing, stress), "#/points/3/0")]:
+    for columns, pointer in [
+        ((strain, masked), "#/points/7/1"),
+        ((missing, stress), "#/points/3/0"),
+    ]:
         with pytest.raises(InvalidJob) as caught:
             hardening.from_tensile(*columns)
         assert [fault.pointer for fault in caught.value.errors] == [pointer]

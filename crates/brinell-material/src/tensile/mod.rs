@@ -109,6 +109,8 @@ pub enum TestFault {
     NoLengthLeft(usize),
     /// The largest stress and its strain have opposite signs.
     OppositeSigns(usize),
+    /// A stress far above that of both neighbours: a figure that stands for no data.
+    Stray(usize),
     /// Strain or stress are zero throughout, or nothing rises.
     NoRise,
     /// No part of the rise is straight, and no Young's modulus is given.
@@ -139,6 +141,10 @@ const NEAR: f64 = 1.25;
 const EARLY: f64 = 0.03;
 /// Fall of the stress over its largest value that counts as necking.
 const FALL: f64 = 0.01;
+
+/// Stress over that of its neighbours beyond which it is none: the largest stress of a test has
+/// others near it.
+const STRAY: f64 = 5.0;
 
 /// A point of a record in all of its measures.
 #[derive(Debug, Clone, Copy)]
@@ -245,6 +251,11 @@ fn oriented(record: &[[f64; 2]], measure: Measure) -> Result<(Vec<Sample>, bool)
     }
     if strain.signum() * stress.signum() < 0.0 {
         return Err(TestFault::OppositeSigns(k));
+    }
+    let neighbours = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
+    let beside = neighbours.filter_map(|k| record.get(k)).map(|point| point[1].abs());
+    if record.len() > 3 && stress.abs() > STRAY * beside.fold(0.0, f64::max) {
+        return Err(TestFault::Stray(k));
     }
     let sign = stress.signum();
     let sample = |(k, &[e, s]): (usize, &[f64; 2])| match measure {

@@ -284,6 +284,9 @@ fn what_is_no_test_is_refused() {
     {
         assert!(matches!(fault(&record), TestFault::Units { power: found, .. } if found == power));
     }
+    let mut spiked = plain.clone();
+    spiked[60][1] = 99_999.0;
+    assert_eq!(fault(&spiked), TestFault::Stray(60));
     assert_eq!(fault(&plain[..2]), TestFault::TooFewPoints);
     assert_eq!(fault(&[[0.0, 0.0], [f64::NAN, 1.0], [1.0, 1.0]]), TestFault::NotFinite(1));
     assert_eq!(fault(&[[0.0; 2]; 9]), TestFault::NoRise);

@@ -49,8 +49,10 @@ impl Surface {
     pub const NPY: &'static str = "npy_base64";
     /// Least number of cells along a side.
     pub const MIN_CELLS: usize = 8;
-    /// Largest number of cells along a side.
-    pub const MAX_CELLS: usize = 512;
+    /// Largest number of cells along a side, of elastic bodies.
+    pub const MAX_CELLS: usize = 1024;
+    /// Largest number of cells along a side where a body yields: layers below the cells are kept.
+    pub const MAX_CELLS_OF_YIELD: usize = 512;
 
     /// Returns the number of cells along x and y.
     pub const fn cells(&self) -> [usize; 2] {

@@ -248,6 +248,10 @@ impl Words {
                 format!("/points/{k}"),
                 "has strain and stress of opposite signs; in compression both are negative",
             ),
+            TestFault::Stray(k) => out_of_range(
+                format!("/points/{k}/1"),
+                "is far above the stress before and after it: it stands for no data".to_owned(),
+            ),
             TestFault::NoRise => points("must rise: strain and stress of a test grow".to_owned()),
             TestFault::NoStraightPart => points(
                 "has no straight part that could be the elastic one; give `young_modulus` to take \

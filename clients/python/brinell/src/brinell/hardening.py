@@ -101,9 +101,7 @@ def from_tensile(
         return TestedCurve.model_validate(own._hardening_curve(test))
 
 
-def profile(
-    depth: Any, hardness: Any, *, scale: Literal["HV", "HRC"] = "HV"
-) -> dict[str, Any]:
+def profile(depth: Any, hardness: Any, *, scale: Literal["HV", "HRC"] = "HV") -> dict[str, Any]:
     """Measured hardness over depth [mm (SI: m)], for `over_depth` of a law.
 
     HRC becomes HV by ISO 18265, table A.1, in the service.
@@ -115,7 +113,9 @@ def profile(
     points = np.column_stack(columns)
     missing = np.argwhere(~np.isfinite(points))
     if len(missing):
-        faults = [Fault(f"#/profile/{k}/{axis}", "wrong_type", "is missing") for k, axis in missing]
+        faults = [
+            Fault(f"#/profile/{k}/{axis}", "wrong_type", "is missing") for k, axis in missing
+        ]
         raise InvalidJob(faults, "hardness over depth has gaps: leave out these points")
     values = {"profile": points.tolist(), "hardness_scale": scale}
     checked(models.HardnessProfile, values)
