@@ -106,25 +106,25 @@ const LONGEST: f64 = 5.0;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct TestedCurve {
-    /// Points `[plastic_strain, stress]` of the law `table`: true stress \[MPa (SI: Pa)\].
+    /// Points `[plastic_strain, stress]` of the law `table`, true stress. Unit: MPa (SI: Pa).
     pub points: Vec<[f64; 2]>,
-    /// Stress at the place that counts as yield \[MPa (SI: Pa)\].
+    /// Stress at the place that counts as yield. Unit: MPa (SI: Pa).
     pub yield_stress: f64,
-    /// First slope of the record \[MPa (SI: Pa)\]; Young's modulus where no part is straight.
+    /// First slope of the record; Young's modulus where no part is straight. Unit: MPa (SI: Pa).
     pub slope: f64,
-    /// Standard error of the slope over the slope.
+    /// Standard error of the slope over the slope. Without unit.
     pub slope_error: f64,
-    /// Stresses between which the record is straight \[MPa (SI: Pa)\]; `null` if no part is.
+    /// Stresses between which the record is straight; `null` if no part is. Unit: MPa (SI: Pa).
     #[cfg_attr(feature = "openapi", schema(required))]
     pub straight: Option<[f64; 2]>,
-    /// Strain at which the first line meets the axis; it is removed.
+    /// Strain at which the first line meets the axis; it is removed. Without unit.
     pub toe: f64,
     /// Engineering strain and stress at which the specimen necks; `null` if it does not.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub necking: Option<[f64; 2]>,
-    /// Root mean square of the distance of the points from the curve \[MPa (SI: Pa)\].
+    /// Root mean square of the distance of the points from the curve. Unit: MPa (SI: Pa).
     pub fit_rms: f64,
-    /// Largest distance of a point from the curve \[MPa (SI: Pa)\].
+    /// Largest distance of a point from the curve. Unit: MPa (SI: Pa).
     pub fit_largest: f64,
     /// Number of points beyond yield that the curve is fitted to.
     pub fitted: usize,
