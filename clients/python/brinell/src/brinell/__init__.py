@@ -53,6 +53,7 @@ from ._errors import (
     Unavailable,
 )
 from ._fields import BodyFields, Fields
+from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
@@ -75,6 +76,7 @@ __all__ = [
     "Event",
     "Fault",
     "Fields",
+    "Identification",
     "InvalidJob",
     "Job",
     "JobFailed",
@@ -105,6 +107,7 @@ __all__ = [
     "flat",
     "groove",
     "hole",
+    "identify",
     "job",
     "ludwik",
     "material",
