@@ -22,9 +22,9 @@ COMPLIANCE = "frame_compliance"
 
 # Most loads of one job; a longer curve is taken as means of neighbouring points.
 _LOADS = 24
-# Relative step of differences: meshes change with the parameters by leaps, which a shorter one
-# would take for slopes.
-_STEP = 0.08
+# Relative steps of differences: of the search, and of the slopes that tell deviations. Meshes change
+# with the parameters by small leaps, which the shorter step takes for slopes.
+_STEP, _WIDE_STEP = 0.02, 0.08
 # A direction of the parameters is told by the data if they fix it within this factor.
 _TOLD = 0.5
 
@@ -203,16 +203,16 @@ def identify(
 
     cache: dict[bytes, tuple[Floats, Floats]] = {}
 
-    def evaluated(point: Floats) -> tuple[Floats, Floats]:
+    def evaluated(point: Floats, step: float = _STEP) -> tuple[Floats, Floats]:
         """Residuals and their derivatives, whose jobs are solved side by side."""
         key = point.tobytes()
-        if key not in cache:
-            moves = [_STEP * row for row in np.eye(len(point))[solved]]
+        if key not in cache or step != _STEP:
+            moves = [step * row for row in np.eye(len(point))[solved]]
             steps = [point, *(p for move in moves for p in (point + move, point - move))]
             middle, *around = approaches(steps)
             slopes = np.zeros((len(force), len(point)))
             for at, k in enumerate(solved):
-                slopes[:, k] = (around[2 * at] - around[2 * at + 1]) / (2 * _STEP)
+                slopes[:, k] = (around[2 * at] - around[2 * at + 1]) / (2 * step)
             if stiff is not None:
                 slopes[:, stiff] = compliance_scale * force
             cache[key] = ((with_frame(middle, point) - approach) / scale, slopes / scale[:, None])
@@ -236,7 +236,7 @@ def identify(
             service.close()
     # Meshes change with the parameters by small leaps: the best point need not be the last.
     best = np.frombuffer(min(cache, key=lambda key: float(cache[key][0] @ cache[key][0])))
-    residuals, slopes = evaluated(best)
+    residuals, slopes = evaluated(best, _WIDE_STEP)
     variance = (
         (noise if scatter == "relative" else noise / float(scale[0])) ** 2
         if noise is not None
