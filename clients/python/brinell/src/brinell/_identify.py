@@ -22,8 +22,8 @@ COMPLIANCE = "frame_compliance"
 
 # Most loads of one job; a longer curve is taken as means of neighbouring points.
 _LOADS = 24
-# Relative steps of differences: of the search, and of the slopes that tell deviations. Meshes change
-# with the parameters by small leaps, which the shorter step takes for slopes.
+# Relative steps of differences: of the search, and of the slopes that tell deviations. Meshes
+# change with the parameters by small leaps, which the shorter step takes for slopes.
 _STEP, _WIDE_STEP = 0.02, 0.08
 # A direction of the parameters is told by the data if they fix it within this factor.
 _TOLD = 0.5
