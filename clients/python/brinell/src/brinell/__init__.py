@@ -54,6 +54,7 @@ from ._errors import (
     Unavailable,
 )
 from ._fields import BodyFields, Fields
+from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
@@ -76,6 +77,7 @@ __all__ = [
     "Event",
     "Fault",
     "Fields",
+    "Identification",
     "InvalidJob",
     "Job",
     "JobFailed",
@@ -107,6 +109,7 @@ __all__ = [
     "groove",
     "hardening",
     "hole",
+    "identify",
     "job",
     "ludwik",
     "material",
