@@ -24,6 +24,7 @@ mod sentences;
 mod strength;
 mod subsurface;
 mod surface_stress;
+mod suspicions;
 mod target;
 mod validity;
 mod verdict;

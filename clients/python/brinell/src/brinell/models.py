@@ -16,24 +16,6 @@ from pydantic import (
 from typing_extensions import TypeAliasType
 
 
-class AnswerPlace(BaseModel):
-    """
-    The place of an answer, in the coordinates of `contact` and `plasticity`.
-    """
-
-    body: Annotated[
-        Literal['upper', 'lower', 'both'], Field(description='In which body.')
-    ]
-    depth: Annotated[
-        float, Field(description='Depth below the surface. Unit: mm (SI: m).')
-    ]
-    x: Annotated[float, Field(description='x, or the radius. Unit: mm (SI: m).')]
-    y: Annotated[
-        float | None,
-        Field(description='y; only in three dimensions. Unit: mm (SI: m).'),
-    ] = None
-
-
 class ApproachLoad(BaseModel):
     """
     An approach; the force is an output.
@@ -944,49 +926,6 @@ class HalfWidthTarget(BaseModel):
     ] = None
 
 
-class HardenedCase(BaseModel):
-    """
-    Vickers hardness of a hardened case.
-    """
-
-    model_config = ConfigDict(
-        extra='forbid',
-    )
-    case_depth: Annotated[
-        float,
-        Field(
-            description='Case depth: where the hardness has fallen to 550 HV. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
-            examples=[1.0],
-            ge=1e-09,
-            le=1000000.0,
-        ),
-    ]
-    core: Annotated[
-        float,
-        Field(
-            description='Vickers hardness HV of the core. Without unit.',
-            examples=[380.0],
-            ge=50.0,
-            le=2000.0,
-        ),
-    ]
-    curve: Annotated[
-        Literal['error_function', 'lang'] | None,
-        Field(
-            description='Profile between surface and core: `error_function` unless given.'
-        ),
-    ] = None
-    surface: Annotated[
-        float,
-        Field(
-            description='Vickers hardness HV of the surface. Without unit.',
-            examples=[720.0],
-            ge=50.0,
-            le=2000.0,
-        ),
-    ]
-
-
 class ProfileItemItem(RootModel[float]):
     root: Annotated[
         float,
@@ -1000,7 +939,12 @@ class ProfileItemItem(RootModel[float]):
 
 class ProfileItemItem1(RootModel[float]):
     root: Annotated[
-        float, Field(description='Vickers hardness. Without unit.', ge=50.0, le=2000.0)
+        float,
+        Field(
+            description='Hardness, HV unless `hardness_scale` says HRC. Without unit.',
+            ge=20.3,
+            le=2000.0,
+        ),
     ]
 
 
@@ -1008,25 +952,6 @@ class ProfileItem(RootModel[tuple[ProfileItemItem, ProfileItemItem1]]):
     root: Annotated[
         tuple[ProfileItemItem, ProfileItemItem1],
         Field(description='One point.', max_length=2, min_length=2),
-    ]
-
-
-class HardnessProfile(BaseModel):
-    """
-    Vickers hardness at points.
-    """
-
-    model_config = ConfigDict(
-        extra='forbid',
-    )
-    profile: Annotated[
-        list[ProfileItem],
-        Field(
-            description='Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.',
-            examples=[[[0.0, 720.0], [0.5, 640.0], [1.0, 500.0], [1.5, 400.0], [2.0, 380.0]]],
-            max_length=1000,
-            min_length=1,
-        ),
     ]
 
 
@@ -2623,13 +2548,13 @@ class Surface(BaseModel):
 
 
 class Height(RootModel[list[float]]):
-    root: Annotated[list[float], Field(max_length=512, min_length=8)]
+    root: Annotated[list[float], Field(max_length=1024, min_length=8)]
 
 
 class Heights(RootModel[list[Height]]):
     root: Annotated[
         list[Height],
-        Field(description='Rows of one length.', max_length=512, min_length=8),
+        Field(description='Rows of one length.', max_length=1024, min_length=8),
     ]
 
 
@@ -2820,6 +2745,114 @@ class TargetResult(BaseModel):
     ]
 
 
+class Point3Item(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Strain, elastic part included. Without unit.',
+            ge=-10000000.0,
+            le=10000000.0,
+        ),
+    ]
+
+
+class Point3Item1(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Stress. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
+            ge=-10000000000000.0,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Point3(RootModel[tuple[Point3Item, Point3Item1]]):
+    root: Annotated[
+        tuple[Point3Item, Point3Item1],
+        Field(description='One point.', max_length=2, min_length=2),
+    ]
+
+
+class TestedCurve(BaseModel):
+    """
+    A hardening curve from a test, in the units of the test.
+    """
+
+    beyond_necking: Annotated[
+        int, Field(description='Number of points beyond necking, left out.', ge=0)
+    ]
+    elastic: Annotated[int, Field(description='Number of points up to yield.', ge=0)]
+    fit_largest: Annotated[
+        float,
+        Field(
+            description='Largest distance of a point from the curve. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    fit_rms: Annotated[
+        float,
+        Field(
+            description='Root mean square of the distance of the points from the curve. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    fitted: Annotated[
+        int,
+        Field(
+            description='Number of points beyond yield that the curve is fitted to.',
+            ge=0,
+        ),
+    ]
+    necking: Annotated[
+        list[float] | None,
+        Field(
+            description='Engineering strain and stress at which the specimen necks; `null` if it does not.'
+        ),
+    ]
+    points: Annotated[
+        list[list[float]],
+        Field(
+            description='Points `[plastic_strain, stress]` of the law `table`, true stress. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    remarks: Annotated[
+        list[str], Field(description='What was done to the record, in sentences.')
+    ]
+    slope: Annotated[
+        float,
+        Field(
+            description="First slope of the record; Young's modulus where no part is straight. Unit: MPa (SI: Pa)."
+        ),
+    ]
+    slope_error: Annotated[
+        float,
+        Field(description='Standard error of the slope over the slope. Without unit.'),
+    ]
+    straight: Annotated[
+        list[float] | None,
+        Field(
+            description='Stresses between which the record is straight; `null` if no part is. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    toe: Annotated[
+        float,
+        Field(
+            description='Strain at which the first line meets the axis; it is removed. Without unit.'
+        ),
+    ]
+    unloading: Annotated[
+        int,
+        Field(
+            description='Number of points of unloading and reloading, left out.', ge=0
+        ),
+    ]
+    yield_stress: Annotated[
+        float,
+        Field(
+            description='Stress at the place that counts as yield. Unit: MPa (SI: Pa).'
+        ),
+    ]
+
+
 class ThreeDimensional(BaseModel):
     """
     What only a contact in three dimensions has. x lies along the shorter semi-axis of the contact, y along the longer one, z into the body; every place, map and stress of this step is in these axes.
@@ -2954,7 +2987,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'half_spaces', 'roller_end', 'surface_end'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -3037,64 +3070,6 @@ class YieldOnset(BaseModel):
         float,
         Field(
             description='x of the middle of the first element to yield; a symmetric contact has its mirror image as well. Unit: mm (SI: m).'
-        ),
-    ]
-
-
-class Answer(BaseModel):
-    """
-    One figure of a load step, made to be shown.
-    """
-
-    bias: Annotated[
-        float | None,
-        Field(
-            description='Relative difference to flow theory; positive where the figure is larger. `null` where it is not known. Without unit.'
-        ),
-    ]
-    body: Literal['upper', 'lower', 'both'] | None
-    elastic: Annotated[
-        float | None,
-        Field(description="The figure by Hertz's elastic theory, where that has one."),
-    ]
-    error: Annotated[
-        float | None,
-        Field(
-            description='Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is prescribed, `null` where it is not known. Without unit.',
-            ge=0.0,
-        ),
-    ]
-    label: Annotated[str, Field(description='Name for a person.')]
-    name: Annotated[
-        str,
-        Field(
-            description='Stable identifier, such as `peak_pressure`. An identifier may occur once for each body.'
-        ),
-    ]
-    place: AnswerPlace | None
-    quantity: Annotated[
-        str,
-        Field(
-            description='Its physical quantity. A `strain` and a `ratio` are shown in per cent.',
-            examples=['length', 'stress', 'force', 'line_force', 'stiffness', 'line_stiffness', 'energy', 'line_energy', 'strain', 'ratio', 'number', 'angle'],
-        ),
-    ]
-    text: Annotated[
-        str,
-        Field(
-            description='A note for a person: over which points a maximum was taken, or against what the figure counts.'
-        ),
-    ]
-    unit: Annotated[
-        str,
-        Field(
-            description='Symbol of its unit in the units of the job; empty of a strain, a ratio and a number.'
-        ),
-    ]
-    value: Annotated[
-        float | None,
-        Field(
-            description='The figure in `unit`; `null` where it is not known, and `text` says why.'
         ),
     ]
 
@@ -3275,17 +3250,85 @@ class Flow(BaseModel):
     ]
 
 
-class HardnessOverDepth(BaseModel):
+class HardenedCase(BaseModel):
     """
-    Vickers hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.
+    Hardness of a hardened case.
     """
 
     model_config = ConfigDict(
         extra='forbid',
     )
-    hardness: Annotated[
-        HardnessProfile | HardenedCase,
-        Field(description='Measured at points, or of a case.'),
+    case_depth: Annotated[
+        float,
+        Field(
+            description='Case depth: where the hardness has fallen to `limit`. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[1.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    core: Annotated[
+        float,
+        Field(
+            description='Hardness of the core. Without unit.',
+            examples=[380.0],
+            ge=20.3,
+            le=2000.0,
+        ),
+    ]
+    curve: Annotated[
+        Literal['error_function', 'lang'] | None,
+        Field(
+            description='Profile between surface and core: `error_function` unless given.'
+        ),
+    ] = None
+    hardness_scale: Annotated[
+        Literal['HV', 'HRC'] | None,
+        Field(
+            description='Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.'
+        ),
+    ] = None
+    limit: Annotated[
+        float | None,
+        Field(
+            description='Hardness at the case depth: 550 HV unless given, as ISO 18203 has it for carburized cases. Nitrided cases have that of the core + 50 HV, induction-hardened ones 80 % of that of the surface. Without unit.',
+            ge=20.3,
+            le=2000.0,
+        ),
+    ] = None
+    surface: Annotated[
+        float,
+        Field(
+            description='Hardness of the surface, HV unless `hardness_scale` says HRC. Without unit.',
+            examples=[720.0],
+            ge=20.3,
+            le=2000.0,
+        ),
+    ]
+
+
+class HardnessProfile(BaseModel):
+    """
+    Hardness at points.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    hardness_scale: Annotated[
+        Literal['HV', 'HRC'] | None,
+        Field(
+            description='Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.'
+        ),
+    ] = None
+    profile: Annotated[
+        list[ProfileItem],
+        Field(
+            description='Points `[depth, hardness]`, depths rising, joined by straight lines, constant beyond the ends.',
+            examples=[[[0.0, 720.0], [0.5, 640.0], [1.0, 500.0], [1.5, 400.0], [2.0, 380.0]]],
+            max_length=1000,
+            min_length=1,
+        ),
     ]
 
 
@@ -3423,6 +3466,192 @@ class SolverSettings(BaseModel):
     ] = None
 
 
+class Step(BaseModel):
+    """
+    One load step.
+    """
+
+    approach: Annotated[
+        float, Field(description='Approach α of the supports. Unit: mm (SI: m).')
+    ]
+    approach_datum: Annotated[
+        str, Field(description='Between which two boundaries α is counted.')
+    ]
+    contact: Annotated[
+        Contact, Field(description='Contact pressure and its resultants.')
+    ]
+    contact_stiffness: Annotated[
+        float | None,
+        Field(
+            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings; 0 where nothing touches. `null` where bodies yield as the load rises and `output.contact_stiffness` does not ask for it, where the answer did not converge, and where bodies flow at a constant stress in plane stress. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
+        ),
+    ]
+    estimated_error: ErrorEstimate | None
+    fields: Annotated[
+        FieldsOfBodies | None,
+        Field(description='Mesh and nodal fields; absent unless asked for.'),
+    ] = None
+    flow: Annotated[
+        Flow | None,
+        Field(
+            description='What only flow theory knows: increments, dents, energies; absent under deformation theory.'
+        ),
+    ] = None
+    hertz: Hertz | None
+    history: Annotated[list[Iteration1], Field(description='Every outer iteration.')]
+    layers: Annotated[
+        LayersOfBodies | None,
+        Field(
+            description='Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no mesh; absent unless `output.fields` asks for them.'
+        ),
+    ] = None
+    load: Annotated[
+        PrescribedForce | PrescribedApproach, Field(description='What was prescribed.')
+    ]
+    plasticity: Annotated[
+        PlasticZoneOfBodies,
+        Field(description='Plastic zone of each body; `null` for a rigid one.'),
+    ]
+    status: Annotated[
+        str,
+        Field(
+            description='How this step ended.',
+            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+        ),
+    ]
+    subsurface: Annotated[
+        SubsurfaceOfBodies | None,
+        Field(
+            description='Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for, and where the step was stopped.'
+        ),
+    ] = None
+    subsurface_below_peak: Annotated[
+        SubsurfaceOfBodies | None,
+        Field(
+            description='The same below the largest pressure; absent where that is in the middle.'
+        ),
+    ] = None
+    three_dimensional: Annotated[
+        ThreeDimensional | None,
+        Field(
+            description='What only a contact in three dimensions has; absent in other analyses.'
+        ),
+    ] = None
+    validity: Annotated[
+        list[ValidityNote], Field(description='What to keep in mind about this answer.')
+    ]
+    yield_onset: YieldOnset | None
+
+
+class TensileTest(BaseModel):
+    """
+    Strain and stress of a tensile or compression test, elastic part included.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    measure: Annotated[
+        Literal['engineering', 'true'] | None,
+        Field(
+            description='`engineering` (over first length and section), unless given, or `true`.'
+        ),
+    ] = None
+    offset: Annotated[
+        float | None,
+        Field(
+            description='Plastic strain at yield: 0.0001, R_p0.01, unless given; 0.002 is R_p0.2. Without unit.',
+            ge=1e-07,
+            le=0.05,
+        ),
+    ] = None
+    points: Annotated[
+        list[Point3],
+        Field(
+            description='Points `[strain, stress]` in the order of their recording. Negative strain and stress are compression.',
+            examples=[[[0.0, 0.0], [0.001, 210.0], [0.0024, 500.0], [0.02, 540.0], [0.05, 580.0]]],
+            max_length=100000,
+            min_length=3,
+        ),
+    ]
+    strain_unit: Annotated[
+        Literal['1', 'percent', 'microstrain'] | None,
+        Field(description='Unit of the strain: `1` unless given.'),
+    ] = None
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'] | None,
+        Field(description='Units of the stresses. Default: `mm_N_MPa`.'),
+    ] = None
+    yield_at: Annotated[
+        Literal['offset', 'departure'] | None,
+        Field(
+            description='What counts as yield: `offset`, unless given, or `departure`, where the record leaves its first line for good.'
+        ),
+    ] = None
+    young_modulus: Annotated[
+        float | None,
+        Field(
+            description="Young's modulus of the job, which the first slope is compared with, and which takes its place where no part of the record is straight. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
+            ge=0.001,
+            le=100000000000000.0,
+        ),
+    ] = None
+
+
+class HardnessOverDepth(BaseModel):
+    """
+    Hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    hardness: Annotated[
+        HardnessProfile | HardenedCase,
+        Field(description='Measured at points, or of a case.'),
+    ]
+
+
+class Report(BaseModel):
+    """
+    The answer to a job.
+    """
+
+    analysis: Annotated[
+        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
+        Field(
+            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
+        ),
+    ]
+    load_approach: Annotated[
+        LoadApproach | None, Field(description='The load–approach curve of a sweep.')
+    ] = None
+    mesh: Annotated[Mesh, Field(description='The mesh of the last step.')]
+    status: Annotated[
+        str,
+        Field(
+            description='The least good status of all steps.',
+            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+        ),
+    ]
+    steps: Annotated[list[Step], Field(description='One entry for each load.')]
+    tags: Tags | None = None
+    target: Annotated[
+        TargetResult | None,
+        Field(
+            description='The force that was asked for by what it does; only of a job with `load.target`.'
+        ),
+    ] = None
+    timings_ms: Annotated[Timings, Field(description='Where the time went.')]
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'],
+        Field(
+            description='Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.'
+        ),
+    ]
+    version: Annotated[str, Field(description='Version of the program.')]
+
+
 class Swift(BaseModel):
     """
     q = σ_y (1 + ε_p/ε_0)^n.
@@ -3496,21 +3725,6 @@ class Table(BaseModel):
             min_length=1,
         ),
     ]
-
-
-class Verdict(BaseModel):
-    """
-    The verdict on a load step.
-    """
-
-    level: Annotated[
-        str,
-        Field(
-            description='The state of the bodies.',
-            examples=['not_converged', 'collapse', 'above_shakedown_limit', 'yields', 'dented', 'elastic', 'not_known', 'no_contact'],
-        ),
-    ]
-    text: Annotated[str, Field(description='One sentence for a person.')]
 
 
 class Voce(BaseModel):
@@ -3593,6 +3807,82 @@ class Bilinear(BaseModel):
             le=10000000000000.0,
         ),
     ]
+
+
+class Job(BaseModel):
+    """
+    A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
+    """
+
+    attempts: Annotated[int, Field(description='How often it was taken up.', ge=0)]
+    callback: Annotated[
+        Callback | None,
+        Field(
+            description='The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.'
+        ),
+    ] = None
+    cancel_requested: Annotated[
+        bool, Field(description='Whether somebody asked it to stop.')
+    ]
+    created_at: Annotated[AwareDatetime, Field(description='When it was accepted.')]
+    done: Annotated[
+        bool, Field(description='Whether nothing can happen to it any more.')
+    ]
+    error: Annotated[Problem | None, Field(description='Why it failed.')] = None
+    expires_at: Annotated[
+        AwareDatetime | None,
+        Field(
+            description='When it is removed with its result; `null` until it is done.'
+        ),
+    ]
+    finished_at: Annotated[
+        AwareDatetime | None, Field(description='When it reached its final state.')
+    ]
+    has_result: Annotated[
+        bool,
+        Field(
+            description='Whether there is a result to fetch, of a stopped job as far as it came.'
+        ),
+    ]
+    id: Annotated[UUID, Field(description='Its name.')]
+    links: Annotated[Links, Field(description='Where to go from here.')]
+    priority: Annotated[int, Field(description='Larger goes first.', ge=-100, le=100)]
+    progress: Annotated[Progress, Field(description='How far it has come.')]
+    queue_position: Annotated[
+        int | None,
+        Field(description='Jobs before it in the queue, while it is queued.', ge=0),
+    ] = None
+    result: Annotated[
+        Report | None,
+        Field(
+            description='The result; only in the answer to a client that waits, and only if the job is done by then.'
+        ),
+    ] = None
+    started_at: Annotated[
+        AwareDatetime | None, Field(description='When its latest attempt began.')
+    ]
+    status: Annotated[
+        str,
+        Field(
+            description='Where it stands.',
+            examples=['queued', 'running', 'succeeded', 'not_converged', 'failed', 'cancelled', 'timed_out'],
+        ),
+    ]
+    tags: Tags | None = None
+
+
+class JobList(BaseModel):
+    """
+    A page of jobs.
+    """
+
+    jobs: Annotated[
+        list[Job],
+        Field(
+            description='Newest first. Places in the queue are told job by job only.'
+        ),
+    ]
+    next_cursor: UUID | None
 
 
 class Ludwik(BaseModel):
@@ -3688,133 +3978,50 @@ class RambergOsgood(BaseModel):
     ]
 
 
-class Step(BaseModel):
+class BatchItem(BaseModel):
     """
-    One load step.
+    What became of one job: `job` or `problem`.
     """
 
-    answers: Annotated[
-        list[Answer],
+    id: Annotated[
+        UUID | None,
         Field(
-            description='The figures that answer the job, in the order in which it asks for them; empty of results of 0.2 and of a step that was stopped.'
-        ),
-    ]
-    approach: Annotated[
-        float, Field(description='Approach α of the supports. Unit: mm (SI: m).')
-    ]
-    approach_datum: Annotated[
-        str, Field(description='Between which two boundaries α is counted.')
-    ]
-    contact: Annotated[
-        Contact, Field(description='Contact pressure and its resultants.')
-    ]
-    contact_stiffness: Annotated[
-        float | None,
-        Field(
-            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings; 0 where nothing touches. `null` where bodies yield as the load rises and `output.contact_stiffness` does not ask for it, where the answer did not converge, and where bodies flow at a constant stress in plane stress. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
-        ),
-    ]
-    estimated_error: ErrorEstimate | None
-    fields: Annotated[
-        FieldsOfBodies | None,
-        Field(description='Mesh and nodal fields; absent unless asked for.'),
-    ] = None
-    flow: Annotated[
-        Flow | None,
-        Field(
-            description='What only flow theory knows: increments, dents, energies; absent under deformation theory.'
+            description='The job that was asked for; of jobs that are handed in, its new id is in `job`.'
         ),
     ] = None
-    hertz: Hertz | None
-    history: Annotated[list[Iteration1], Field(description='Every outer iteration.')]
-    layers: Annotated[
-        LayersOfBodies | None,
-        Field(
-            description='Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no mesh; absent unless `output.fields` asks for them.'
-        ),
+    job: Annotated[Job | None, Field(description='The job as it is now.')] = None
+    problem: Annotated[
+        Problem | None,
+        Field(description='Why not; pointers are those of the job by itself.'),
     ] = None
-    load: Annotated[
-        PrescribedForce | PrescribedApproach, Field(description='What was prescribed.')
-    ]
-    plasticity: Annotated[
-        PlasticZoneOfBodies,
-        Field(description='Plastic zone of each body; `null` for a rigid one.'),
-    ]
+    replayed: Annotated[
+        bool | None,
+        Field(description='The same submission came before under its idempotency key.'),
+    ] = None
     status: Annotated[
-        str,
+        int,
         Field(
-            description='How this step ended.',
-            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+            description='The HTTP status that a request for this job alone would have been answered with.',
+            examples=[202],
+            ge=200,
+            le=599,
         ),
     ]
-    subsurface: Annotated[
-        SubsurfaceOfBodies | None,
-        Field(
-            description='Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for, and where the step was stopped.'
-        ),
-    ] = None
-    subsurface_below_peak: Annotated[
-        SubsurfaceOfBodies | None,
-        Field(
-            description='The same below the largest pressure; absent where that is in the middle.'
-        ),
-    ] = None
-    three_dimensional: Annotated[
-        ThreeDimensional | None,
-        Field(
-            description='What only a contact in three dimensions has; absent in other analyses.'
-        ),
-    ] = None
-    validity: Annotated[
-        list[ValidityNote], Field(description='What to keep in mind about this answer.')
-    ]
-    verdict: Annotated[
-        Verdict | None,
-        Field(
-            description='The state of the bodies in one sentence; absent of results of 0.2.'
-        ),
-    ] = None
-    yield_onset: YieldOnset | None
 
 
-class Report(BaseModel):
+class BatchAnswer(BaseModel):
     """
-    The answer to a job.
+    What became of the jobs of a request, in their order.
     """
 
-    analysis: Annotated[
-        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
-        Field(
-            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
-        ),
+    accepted: Annotated[
+        int, Field(description='How many there were of which nothing is wrong.', ge=0)
     ]
-    load_approach: Annotated[
-        LoadApproach | None, Field(description='The load–approach curve of a sweep.')
-    ] = None
-    mesh: Annotated[Mesh, Field(description='The mesh of the last step.')]
-    status: Annotated[
-        str,
-        Field(
-            description='The least good status of all steps.',
-            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
-        ),
+    jobs: Annotated[
+        list[BatchItem],
+        Field(description='One for each job of the request, in the same order.'),
     ]
-    steps: Annotated[list[Step], Field(description='One entry for each load.')]
-    tags: Tags | None = None
-    target: Annotated[
-        TargetResult | None,
-        Field(
-            description='The force that was asked for by what it does; only of a job with `load.target`.'
-        ),
-    ] = None
-    timings_ms: Annotated[Timings, Field(description='Where the time went.')]
-    units: Annotated[
-        Literal['mm_N_MPa', 'SI'],
-        Field(
-            description='Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.'
-        ),
-    ]
-    version: Annotated[str, Field(description='Version of the program.')]
+    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
 
 
 class Deformable(BaseModel):
@@ -3856,113 +4063,6 @@ class Deformable(BaseModel):
             examples=[210000.0],
             ge=0.001,
             le=100000000000000.0,
-        ),
-    ]
-
-
-class Job(BaseModel):
-    """
-    A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
-    """
-
-    attempts: Annotated[int, Field(description='How often it was taken up.', ge=0)]
-    callback: Annotated[
-        Callback | None,
-        Field(
-            description='The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.'
-        ),
-    ] = None
-    cancel_requested: Annotated[
-        bool, Field(description='Whether somebody asked it to stop.')
-    ]
-    created_at: Annotated[AwareDatetime, Field(description='When it was accepted.')]
-    done: Annotated[
-        bool, Field(description='Whether nothing can happen to it any more.')
-    ]
-    error: Annotated[Problem | None, Field(description='Why it failed.')] = None
-    expires_at: Annotated[
-        AwareDatetime | None,
-        Field(
-            description='When it is removed with its result; `null` until it is done.'
-        ),
-    ]
-    finished_at: Annotated[
-        AwareDatetime | None, Field(description='When it reached its final state.')
-    ]
-    has_result: Annotated[
-        bool,
-        Field(
-            description='Whether there is a result to fetch, of a stopped job as far as it came.'
-        ),
-    ]
-    id: Annotated[UUID, Field(description='Its name.')]
-    links: Annotated[Links, Field(description='Where to go from here.')]
-    priority: Annotated[int, Field(description='Larger goes first.', ge=-100, le=100)]
-    progress: Annotated[Progress, Field(description='How far it has come.')]
-    queue_position: Annotated[
-        int | None,
-        Field(description='Jobs before it in the queue, while it is queued.', ge=0),
-    ] = None
-    result: Annotated[
-        Report | None,
-        Field(
-            description='The result; only in the answer to a client that waits, and only if the job is done by then.'
-        ),
-    ] = None
-    started_at: Annotated[
-        AwareDatetime | None, Field(description='When its latest attempt began.')
-    ]
-    status: Annotated[
-        str,
-        Field(
-            description='Where it stands.',
-            examples=['queued', 'running', 'succeeded', 'not_converged', 'failed', 'cancelled', 'timed_out'],
-        ),
-    ]
-    tags: Tags | None = None
-
-
-class JobList(BaseModel):
-    """
-    A page of jobs.
-    """
-
-    jobs: Annotated[
-        list[Job],
-        Field(
-            description='Newest first. Places in the queue are told job by job only.'
-        ),
-    ]
-    next_cursor: UUID | None
-
-
-class BatchItem(BaseModel):
-    """
-    What became of one job: `job` or `problem`.
-    """
-
-    id: Annotated[
-        UUID | None,
-        Field(
-            description='The job that was asked for; of jobs that are handed in, its new id is in `job`.'
-        ),
-    ] = None
-    job: Annotated[Job | None, Field(description='The job as it is now.')] = None
-    problem: Annotated[
-        Problem | None,
-        Field(description='Why not; pointers are those of the job by itself.'),
-    ] = None
-    replayed: Annotated[
-        bool | None,
-        Field(description='The same submission came before under its idempotency key.'),
-    ] = None
-    status: Annotated[
-        int,
-        Field(
-            description='The HTTP status that a request for this job alone would have been answered with.',
-            examples=[202],
-            ge=200,
-            le=599,
         ),
     ]
 
@@ -4058,21 +4158,6 @@ class ExampleList(BaseModel):
     """
 
     examples: Annotated[list[Example], Field(description='Each under its name.')]
-
-
-class BatchAnswer(BaseModel):
-    """
-    What became of the jobs of a request, in their order.
-    """
-
-    accepted: Annotated[
-        int, Field(description='How many there were of which nothing is wrong.', ge=0)
-    ]
-    jobs: Annotated[
-        list[BatchItem],
-        Field(description='One for each job of the request, in the same order.'),
-    ]
-    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
 
 
 class BatchedJob(BaseModel):
