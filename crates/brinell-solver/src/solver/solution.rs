@@ -283,6 +283,7 @@ impl StepSolution {
             approach: self.approach,
             force: self.force(),
             bodies: self.bodies.each_ref().map(of),
+            ..Figures::default()
         }
     }
 
@@ -479,6 +480,7 @@ impl BodySolution {
             pile_up: self.pile_up(),
             least_stress,
             largest_von_mises,
+            ..BodyFigures::default()
         }
     }
 
