@@ -130,6 +130,8 @@ figures! {
         mean_plastic_strain MeanPlasticStrain Strain member,
         /// Area of the section that has yielded \[mm²\].
         plastic_area PlasticArea Area member,
+        /// Depth down to which there is plastic strain \[mm\].
+        plastic_depth PlasticDepth Length answer,
         /// Depth of the deepest point of the surface below the undeformed one \[mm\].
         dent Dent Length member,
         /// Height of the highest point of the surface above the undeformed one \[mm\].

@@ -118,12 +118,17 @@ fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
 fn of_body(body: &HalfSpaceBody, peak_position: [f64; 2]) -> BodyFigures {
     let displacement = || body.plastic_displacement.iter().copied();
     let column = body.column(peak_position);
+    let n_cells = body.grid.n_cells();
+    let strains = body.equivalent_plastic_strain.chunks(n_cells.max(1)).enumerate();
+    let yielded =
+        strains.filter(|(_, strains)| strains.iter().any(|e| *e > 0.0)).map(|(layer, _)| layer);
     let below = column.iter().skip(1).map(|point| point.stress[0].min(point.stress[1]));
     BodyFigures {
         max_plastic_strain: body.largest_strain.map_or(0.0, |most| most.value),
         dent: displacement().fold(0.0, f64::max),
         pile_up: -displacement().fold(0.0, f64::min),
         least_stress: below.fold(0.0, f64::min),
+        plastic_depth: yielded.map(|layer| body.layers.middle(layer)).fold(0.0, f64::max),
         ..BodyFigures::default()
     }
 }
