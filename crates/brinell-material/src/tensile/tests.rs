@@ -273,6 +273,24 @@ fn a_round_curve_has_the_slope_of_its_start() {
     assert!(off(&curve, &law, 1e-3) < 0.01, "{}", off(&curve, &law, 1e-3));
 }
 
+/// Annealed copper with six elastic points among two thousand noisy ones: hardening is no first
+/// slope.
+#[test]
+fn a_rise_that_noise_hides_is_that_of_the_modulus() {
+    let law = crate::hardening::Ludwik { yield_stress: 33.0, coefficient: 400.0, exponent: 0.5 };
+    for seed in 1..=4 {
+        let noisy = noisy(&record(&law, 6, 2000, 0.3), 1e-5, 0.5, seed);
+        let curve = hardening_curve(&noisy, settings()).unwrap();
+        assert!(curve.line.straight.is_none(), "{:?}", curve.line);
+        assert!(
+            (curve.yield_stress / law.stress(1e-4) - 1.0).abs() < 0.1,
+            "{}",
+            curve.yield_stress
+        );
+        assert!(off(&curve, &law, 2e-3) < 0.02, "{}", off(&curve, &law, 2e-3));
+    }
+}
+
 #[test]
 fn what_is_no_test_is_refused() {
     let plain = record(&straight(), 40, 40, 0.05);
