@@ -90,10 +90,12 @@ pub(super) async fn authenticate(
         return Err(Problem::new(ProblemType::Forbidden, "this API key may only read"));
     }
     request.extensions_mut().insert(caller);
-    let response = tokio::select! {
+    let mut response = tokio::select! {
         response = next.run(request) => response,
         () = caller.ends(&state) => return Err(no_longer_good()),
     };
+    // For the log of the request.
+    response.extensions_mut().insert(caller);
     Ok(ending(response, async move { caller.ends(&state).await }))
 }
 

@@ -231,6 +231,36 @@ service.test('tables are pasted as spreadsheets have them', async (page) => {
   await page.locator('.preview svg[aria-label="Profile, 3 points"]').waitFor();
 });
 
+service.test('a long trace of a stylus is levelled and filtered', async (page) => {
+  await profile(page);
+  const place = page.locator('[data-place="/upper/shape/points"]');
+  const lines = Array.from({ length: 12_000 }, (_, k) => {
+    const x = 5e-4 * k;
+    const height = 40 * x - 30 * (x - 3) ** 2 + Math.sin(2100 * x) + Math.cos(571 * x);
+    return `${x.toFixed(4)};${height.toFixed(3)}`;
+  });
+  const text = `x [mm];z [µm]\n${lines.join('\n')}`.replaceAll('.', ',');
+  await place
+    .locator('input[type=file]')
+    .setInputFiles({ name: 'trace.csv', mimeType: 'text/csv', buffer: Buffer.from(text) });
+  await place
+    .getByText(/12000 points read; .*12\u202f000 points thinned to 6\u202f001;/)
+    .waitFor();
+  await page.getByRole('button', { name: 'Level', exact: true }).click();
+  await place.getByText(/levelled: a slope of 0.0[34]/).waitFor();
+  await place.getByLabel(/^Long waves/).selectOption('0.8 mm');
+  await place.getByText(/ISO 16610-21, λ_c 0.800 mm: shorter waves are taken away/).waitFor();
+  await page.getByRole('button', { name: 'Top to 0' }).click();
+  /** @type {[number, number][]} */
+  const points = (await draft(page)).upper.shape.points;
+  assert.ok(points.length > 50 && points.length < 80, `${points.length}`);
+  const top = points.find(([x]) => x === 0);
+  assert.equal(top?.[1], 0);
+  // The roughness is gone: a parabola of 30 µm/mm² is left.
+  const near = points.filter(([x]) => Math.abs(x) < 1);
+  assert.ok(near.every(([x, z]) => Math.abs(z + 0.03 * x * x) < 1e-3));
+});
+
 service.test('a smooth profile is drawn smooth, one of straight lines straight', async (page) => {
   const points = await profile(page);
   await points.fill('-10 -2.5\n-4 -0.4\n0 0\n4 -0.4\n10 -2.5');

@@ -54,8 +54,10 @@ from ._errors import (
     Unavailable,
 )
 from ._fields import BodyFields, Fields
+from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
+from ._plain import document_of as document
 from ._result import Pressure, Remark, Result, Step
 from ._surface import Surface, surface
 from ._trace import Trace, trace
@@ -75,6 +77,7 @@ __all__ = [
     "Event",
     "Fault",
     "Fields",
+    "Identification",
     "InvalidJob",
     "Job",
     "JobFailed",
@@ -100,11 +103,13 @@ __all__ = [
     "cone",
     "curved",
     "cylinder",
+    "document",
     "ellipse",
     "flat",
     "groove",
     "hardening",
     "hole",
+    "identify",
     "job",
     "ludwik",
     "material",

@@ -13,17 +13,21 @@ import numpy as np
 
 from ._arrays import Floats, grid_of
 from ._errors import Fault, InvalidJob
-from ._grid_text import NotUnderstood, read_grid
+from ._grid_text import NotUnderstood, grid_of_points, read_grid
 from ._lengths import length_in_mm
 from ._plain import Number, Quantity, grouped, need
 
 MOST = 512
-"""Most heights along a side of a surface whose bodies yield."""
+"""Most heights along a side of a surface on a body that yields."""
+MOST_ELASTIC = 1024
+"""Most heights along a side where neither body yields."""
 
 # Figures that programs put where nothing was measured.
 _KNOWN = (-9999.0, 9999.0, -99999.0, 99999.0, -32768.0, 32767.0, 65535.0, -1e30, 1e30)
 # How many times as far as all others reach a figure is away that is no height.
 _FAR = 1e4
+# How often one figure stands apart that may be no height.
+_SEVERAL = 3
 
 Pair: TypeAlias = Number | Sequence[Number]
 Level: TypeAlias = Literal["mean", "plane", "paraboloid"]
@@ -238,8 +242,9 @@ def surface(
     if max(made.heights.shape) > MOST:
         nx, ny = made.heights.shape
         note = (
-            f"{nx} × {ny} heights: a job takes {MOST} along a side where a body yields; "
-            f"size={MOST} thins them, .cropped({MOST}) keeps the middle"
+            f"{nx} × {ny} heights: a job takes {MOST} along a side where a body yields, and "
+            f"{MOST_ELASTIC} where none does; size={MOST} thins them, .cropped({MOST}) keeps the "
+            "middle"
         )
         made = replace(made, notes=(*made.notes, note))
     return made
@@ -291,6 +296,17 @@ class _Raw:
 def _made(raw: _Raw, no_data: float | Iterable[float] | None) -> Surface:
     """A surface of heights whose units are known; names all that is not."""
     array, spacing, across, up = grid_of(raw.heights), raw.spacing, raw.across, raw.up
+    points = array.ndim == 2 and array.shape[1] == 3 and array.shape[0] > 3
+    if points:
+        # No grid of a job is three heights wide.
+        if spacing is not None:
+            raise _refuse("inconsistent", "spacing is given, and points x, y, z bring it")
+        try:
+            grid = grid_of_points(array)
+        except NotUnderstood as error:
+            raise _refuse("not_understood", str(error)) from None
+        array, spacing = grid.heights, grid.spacing
+        raw.notes += grid.notes
     lacking = []
     if array.ndim != 2 or min(array.shape) < 2:
         lacking.append(f"heights are an array of two dimensions, not {array.shape}")
@@ -454,6 +470,12 @@ def _of_xarray(
     notes: list[str] = []
     if array.ndim != 2:
         raise _refuse("invalid", f"heights have two dimensions, not {tuple(array.dims)}")
+    packed = [one for one in ("scale_factor", "add_offset", "_FillValue") if one in array.attrs]
+    if packed:
+        raise _refuse(
+            "invalid",
+            f"the array is packed ({', '.join(packed)}): open it with mask_and_scale=True",
+        )
     order = [str(one).lower() for one in array.dims]
     if order[0] in ("y", "lat", "row") or order[1] == "x":
         array = array.T
@@ -561,7 +583,18 @@ def _no_heights(heights: Floats, unit: str) -> list[tuple[tuple[int, int], str]]
 
 
 def _islands(heights: Floats, unit: str) -> list[str]:
-    """Blocks of one value in a map that else has none."""
+    """Blocks of one value in a map that else has none, and ends that stand apart."""
+    left = heights[np.isfinite(heights)]
+    for end in {float(left.min()), float(left.max())} if len(left) else ():
+        rest = left[left != end]
+        count = len(left) - len(rest)
+        if len(rest) and count >= _SEVERAL and np.abs(rest - end).min() > np.ptp(rest) > 0:
+            i, j = np.argwhere(heights == end)[0]
+            return [
+                f"{grouped(count)} of {grouped(heights.size)} heights are {end:g} {unit}, further "
+                f"from all others than these reach, the first at [{i}, {j}]: no data? "
+                f"no_data={end:g} makes holes of them"
+            ]
     same = np.isfinite(heights[:-1, :-1])
     for other in (heights[1:, :-1], heights[:-1, 1:], heights[1:, 1:]):
         same = same & (heights[:-1, :-1] == other)
