@@ -126,7 +126,7 @@ service.test(
     await paste(place.locator('textarea'), '0 0\n0.001 210\n0.002 420\n0.01 500\n0.1 600');
     await place.getByText('5 points read').waitFor();
     await page.getByRole('button', { name: 'From total strain' }).click();
-    await place.getByText('converted to plastic strain').waitFor();
+    await place.getByText('The test rises with 210000 MPa').waitFor();
     await page.getByRole('button', { name: 'Undo' }).click();
     assert.equal((await draft(page)).upper.material.plasticity.points.length, 5);
     assert.equal(await place.locator('.note').textContent(), '');
@@ -358,12 +358,12 @@ service.test('a tensile test becomes a hardening table', async (page) => {
     .getByText('6 points read; 1 header line read; decimal commas read; column 1 converted from %')
     .waitFor();
   await page.getByRole('button', { name: 'From engineering values' }).click();
-  await place.getByText('3 elastic points left out').waitFor();
+  await place.getByText('The test rises with 210').waitFor();
   const { points } = (await draft(page)).upper.material.plasticity;
   // The last point: ε = ln 1.1, σ = 580 · 1.1, ε_p = ε − σ/E.
   const [strain, stress] = points.at(-1);
   assert.ok(Math.abs(stress - 638) < 1e-3, `${stress}`);
-  assert.ok(Math.abs(strain - (Math.log(1.1) - 638 / 210000)) < 1e-6, `${strain}`);
+  assert.ok(Math.abs(strain - (Math.log(1.1) - 638 / 210000)) < 1e-5, `${strain}`);
   assert.equal(points[0][0], 0);
   await page.locator('.preview svg[aria-label="Hardening curve"]').first().waitFor();
 });

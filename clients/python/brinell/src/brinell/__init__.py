@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from importlib.metadata import PackageNotFoundError, version
 
+from . import hardening
 from ._build import job, material, rigid
 from ._builders import (
     bilinear,
@@ -106,6 +107,7 @@ __all__ = [
     "ellipse",
     "flat",
     "groove",
+    "hardening",
     "hole",
     "identify",
     "job",
