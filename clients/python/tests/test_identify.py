@@ -46,6 +46,8 @@ def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -
     assert found.plot().get_ylabel() == "force [N]"
     assert found.plot_residuals().get_xlabel() == "force [N]"
     assert str(found).startswith("yield_stress 480")
+    assert 0 < found.mesh_error < 0.1
+    assert "of the approach open" in str(found)
 
 
 @pytest.mark.full
