@@ -171,7 +171,9 @@ impl<B: SqlBackend> SqlStore<B> {
     /// Announces changes that no transaction of this process has made.
     fn announce(&self, changes: &[Change]) {
         self.backend.announce(changes);
-        changes.iter().for_each(|change| change.announce(&self.notifier));
+        for change in changes {
+            change.announce(&self.notifier);
+        }
     }
 
     /// Queues the jobs again whose worker is lost, or ends them.
