@@ -21,7 +21,8 @@ use super::written_body::ending;
 use crate::jobs::{JobRecord, KeyId, Scope};
 
 /// Routes that change nothing although their method is POST.
-pub(super) const HARMLESS: [&str; 3] = ["/v1/validate", "/v1/hertz", "/v1/batch/fetch"];
+pub(super) const HARMLESS: [&str; 4] =
+    ["/v1/validate", "/v1/hertz", "/v1/hardening-curves", "/v1/batch/fetch"];
 
 /// The caller of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

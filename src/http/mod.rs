@@ -66,7 +66,8 @@ use result_body::CodingChosen;
 use routes::{
     batch_cancel, batch_fetch, batch_submit, cancel_job, delete_job, get_capacity, get_events,
     get_examples, get_export, get_fields, get_job, get_metrics, get_openapi, get_problem,
-    get_request, get_result, health, list_jobs, post_hertz, post_job, post_solve, post_validate,
+    get_request, get_result, health, list_jobs, post_hardening_curve, post_hertz, post_job,
+    post_solve, post_validate,
 };
 
 use streams::EventStreamLimit;
@@ -280,6 +281,7 @@ fn guarded_routes() -> OpenApiRouter<HttpState> {
         .routes(routes!(post_solve::post_solve))
         .routes(routes!(post_validate::post_validate))
         .routes(routes!(post_hertz::post_hertz))
+        .routes(routes!(post_hardening_curve::post_hardening_curve))
         .routes(routes!(get_examples::get_examples))
         .routes(routes!(get_capacity::get_capacity))
         .routes(routes!(get_metrics::get_metrics));

@@ -23,6 +23,7 @@ use super::{
     ResultHead, StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
+use brinell_solver::job::tensile::{TensileTest, TestedCurve};
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
 
@@ -291,6 +292,18 @@ impl JobService {
             Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
         };
         self.checks.run(key, closed_form).await
+    }
+
+    /// Computes the hardening curve of a tensile test.
+    ///
+    /// # Errors
+    /// [`Rejection`] with every fault, also where the record gives no curve.
+    pub async fn hardening_curve(
+        &self,
+        request: Bytes,
+        key: Option<KeyId>,
+    ) -> Result<TestedCurve, Rejection> {
+        self.checks.run(key, move || Ok(TensileTest::solve(&request)?)).await
     }
 
     /// Checks a job and queues it.

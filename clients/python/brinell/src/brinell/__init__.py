@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from importlib.metadata import PackageNotFoundError, version
 
+from . import hardening
 from ._build import job, material, rigid
 from ._builders import (
     bilinear,
@@ -53,6 +54,7 @@ from ._errors import (
     Unavailable,
 )
 from ._fields import BodyFields, Fields
+from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
@@ -75,6 +77,7 @@ __all__ = [
     "Event",
     "Fault",
     "Fields",
+    "Identification",
     "InvalidJob",
     "Job",
     "JobFailed",
@@ -104,7 +107,9 @@ __all__ = [
     "ellipse",
     "flat",
     "groove",
+    "hardening",
     "hole",
+    "identify",
     "job",
     "ludwik",
     "material",
