@@ -16,6 +16,7 @@ import { DEFAULTS } from './setup/fields.js';
 import { examplesOf } from './setup/examples.js';
 import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
+import { allMaterials } from './setup/library.js';
 import { Live } from './setup/live.js';
 import { refusalWords, send, sentence, waitingWords } from './setup/send.js';
 import { startSketch } from './setup/sketch.js';
@@ -53,6 +54,7 @@ const sourceOf = (id, report) =>
 startMemory();
 startTheme();
 const draft = new Draft();
+draft.known = (/** @type {unknown} */ name) => allMaterials().some((one) => one.name === name);
 const form = new Form(draft, (moving) => live.ask(draft.job, moving));
 const json = startJson(draft);
 const sketch = startSketch(draft);
@@ -64,6 +66,12 @@ const view = new View({
     solve();
   },
   stepped: () => {},
+  spread: (ids) => {
+    if (current?.id) location.hash = link.jobFragment(current.id, ids);
+  },
+  open: openBeside,
+  use: (job) => draft.replace(job, 'page'),
+  listed: () => list.refresh(),
 });
 const check = new Check(draft, form, json, (hertz) => {
   sketch(hertz);
@@ -135,7 +143,7 @@ const live = new Live({
       `solved in ${duration(total)}${coarse}; press Solve to keep it as a job with a link`,
     );
     compareWithDraft();
-    show();
+    show(true);
   },
   failed: ({ status, message }) => {
     if (current?.id === '')
@@ -176,12 +184,16 @@ function leaveUnlike() {
     );
 }
 
-function show() {
+/** @param {boolean} [moving] whether a slider moves */
+function show(moving = false) {
   if (!first) return;
   leaveUnlike();
   const shown = [first, ...[...compared.values()].filter(({ id }) => id !== first?.id)];
   const labels = names(shown);
-  view.show(shown.map((one, k) => ({ ...one, label: labels[k] })));
+  view.show(
+    shown.map((one, k) => ({ ...one, label: labels[k] })),
+    moving,
+  );
 }
 
 /** @param {string} text */

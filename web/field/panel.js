@@ -5,7 +5,7 @@ import { reconnected } from '../api/connection.js';
 import { h } from '../lib/dom.js';
 import { colour } from '../lib/theme.js';
 import { figure, loaded } from '../lib/units.js';
-import { isUnloaded } from '../result/answers.js';
+import { isUnloaded } from '../result/loads.js';
 import { Panel } from '../result/panel.js';
 import { ColourRange } from './colours.js';
 import { CutTool } from './cut-tool.js';
@@ -37,7 +37,7 @@ export class FieldPanel {
   settled = Promise.resolve();
   /** Whether something is on its way. */
   busy = false;
-  /** What is shown unless one chooses: the stress that is left when the load is gone. @type {Quantity} */
+  /** What is shown unless one chooses: the stress that is left when the load is gone, plastic strain where a body yields. @type {Quantity} */
   #preset = 'von_mises';
   /** Analysis whose names the quantities have. */
   #named = '';
@@ -165,8 +165,12 @@ export class FieldPanel {
     if (this.#source !== source) this.#forget();
     this.#source = source;
     this.#wanted = asked;
-    const left = isUnloaded(asked.report.steps[asked.at]);
-    if (!this.#touched) this.#preset = left ? 'sigma_x' : 'von_mises';
+    if (!this.#touched)
+      this.#preset = isUnloaded(asked.report.steps[asked.at])
+        ? 'sigma_x'
+        : asked.yields
+          ? 'equivalent_plastic_strain'
+          : 'von_mises';
     this.#update();
   }
 
@@ -330,6 +334,7 @@ export class FieldPanel {
       limits: (step) => this.#limitsOf(step),
       own: [own.low, own.high],
       signed: QUANTITIES[this.scene.quantity].signed ?? false,
+      residual: isUnloaded(report.steps[this.scene.shown.at]),
       factor: times,
       unit: name,
       kind: QUANTITIES[this.scene.quantity].kind,

@@ -3,11 +3,13 @@
  * curves.
  */
 
-import { byId, h } from '../lib/dom.js';
+import { arrange, byId, h } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
 import { setOf, unit, unitsOf } from '../lib/units.js';
 import { LayerSource, reportOf } from '../field/layers.js';
+import { stemOf } from '../jobs/names.js';
 import { FieldPanel } from '../field/panel.js';
+import { axesOf } from './axes.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
 import { DentPanel } from './dent.js';
@@ -17,7 +19,7 @@ import { DisplayUnits } from './display.js';
 import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
 import { HistoryPanel } from './history.js';
-import { loadWords } from './loads.js';
+import { isUnloaded, loadWords } from './loads.js';
 import { MapPanel } from './map.js';
 import { segments } from './panel.js';
 import { PressurePanel } from './pressure.js';
@@ -25,9 +27,21 @@ import { SpreadPanel } from './spread.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
 import { SweepPanel } from './sweep.js';
+import { VaryPanel } from './vary.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Iteration} Iteration */
+
+/** Least width of a column [px]. */
+const COLUMN = 440;
+/** About how high panels are [px], so that columns end together. */
+const HEIGHTS = new Map([
+  ['field', 560],
+  ['map', 560],
+  ['depth', 400],
+  ['spread', 300],
+  ['dent', 320],
+]);
 
 export class View {
   /** Results in the units of their jobs. @type {Shown[]} */
@@ -40,7 +54,7 @@ export class View {
   /** Along which a section of half-spaces lies. @type {'x' | 'y'} */
   #axis = 'x';
 
-  /** @param {{fieldsWanted: () => void, stepped: (step: number) => void}} on */
+  /** @param {{fieldsWanted: () => void, stepped: (step: number) => void} & ConstructorParameters<typeof VaryPanel>[0]} on */
   constructor(on) {
     this.on = on;
     this.pressure = new PressurePanel();
@@ -55,6 +69,7 @@ export class View {
     this.convergence = new ConvergencePanel();
     this.sweep = new SweepPanel();
     this.dent = new DentPanel();
+    this.vary = new VaryPanel(on);
     this.figures = new FiguresPanel((step) => this.#go(step));
     this.differences = new DifferencesPanel();
     this.history = new HistoryPanel();
@@ -75,20 +90,22 @@ export class View {
       report,
       this.units.element,
     );
-    const column = (/** @type {{panel: import('./panel.js').Panel}[]} */ ...parts) =>
-      h(
-        'div',
-        { class: 'column' },
-        parts.map(({ panel }) => panel.element),
-      );
+    const solver = h(
+      'details',
+      { class: 'solver', hidden: true },
+      h('summary', {}, 'Convergence and iterations'),
+      h('div', { class: 'pair' }, this.convergence.panel.element, this.history.panel.element),
+    );
+    this.solver = solver;
+    this.columns = h('div', { class: 'columns' });
     byId('panels').replaceChildren(
       this.tools,
-      column(this.pressure, this.spread, this.dent, this.depth, this.sweep),
-      column(this.field, this.map, this.convergence),
+      this.columns,
       this.figures.panel.element,
       this.differences.panel.element,
-      this.history.panel.element,
+      solver,
     );
+    new ResizeObserver(() => this.#arrange()).observe(this.columns);
     addEventListener('beforeprint', () => {
       if (this.#shown.length) this.#sheet();
     });
@@ -97,6 +114,58 @@ export class View {
   /** The step of the first job that is shown, counted from 0. */
   get step() {
     return this.#at;
+  }
+
+  get #charts() {
+    return [this.pressure, this.spread, this.map, this.depth, this.sweep, this.dent];
+  }
+
+  /**
+   * Puts the panels that are seen into as many columns as there is room for, the one that answers
+   * the question first: the curve of a sweep, the dent of a history, the map of half-spaces.
+   */
+  #arrange() {
+    const { sweep, dent, map, pressure, field, spread, depth, vary } = this;
+    const step = this.#shown[0]?.report.steps[this.#at];
+    const left = step && isUnloaded(step);
+    const all = [
+      ...(vary.hasCurve ? [vary] : []),
+      ...(left ? [dent] : []),
+      ...(step && !step.flow ? [sweep] : []),
+      map,
+      pressure,
+      field,
+      spread,
+      depth,
+      dent,
+      sweep,
+      vary,
+    ];
+    const seen = [...new Set(all)].filter(({ panel }) => !panel.element.hidden);
+    const many = Math.max(
+      1,
+      Math.min(seen.length, Math.floor(this.columns.clientWidth / COLUMN) || 1),
+    );
+    while (this.columns.children.length < many) this.columns.append(h('div', { class: 'column' }));
+    while (this.columns.children.length > many && this.columns.lastElementChild) {
+      const last = this.columns.lastElementChild;
+      this.columns.firstElementChild?.append(...last.children);
+      last.remove();
+    }
+    const columns = [...this.columns.children].map((element) => ({
+      element,
+      high: 0,
+      own: /** @type {Node[]} */ ([]),
+    }));
+    for (const one of seen) {
+      const least = columns.reduce((a, b) => (b.high < a.high - 1 ? b : a));
+      least.own.push(one.panel.element);
+      least.high += HEIGHTS.get(one.panel.id) ?? 360;
+    }
+    const hidden = [...new Set(all)]
+      .filter(({ panel }) => panel.element.hidden)
+      .map(({ panel }) => panel.element);
+    columns.forEach(({ element, own }, k) => arrange(element, k ? own : [...own, ...hidden]));
   }
 
   /** Shows a message instead of a result. @param {Node} content */
@@ -111,6 +180,7 @@ export class View {
       this.spread,
       this.map,
       this.depth,
+      this.vary,
       this.convergence,
       this.figures,
       this.differences,
@@ -118,6 +188,7 @@ export class View {
     ])
       panel.show(false);
     this.field.clear();
+    this.solver.hidden = true;
     byId('headline').replaceChildren(content);
   }
 
@@ -130,6 +201,7 @@ export class View {
     const highest = hertz?.steps.reduce((a, b) => (b.force > a.force ? b : a), hertz.steps[0]);
     if (highest) this.pressure.preview(highest, unitsOf(job), job.analysis === 'axisymmetric');
     else this.pressure.panel.show(false);
+    this.#arrange();
   }
 
   /** While it runs. @param {Iteration[]} history @param {import('../types.js').Job} job */
@@ -138,10 +210,14 @@ export class View {
     const set = this.units.set(units);
     const shown = inUnits(history, { analysis: job.analysis, units }, set);
     this.convergence.show(shown, set, Number(job.solver?.tolerance ?? 1e-6));
+    // Until there is an answer, it is all there is to see.
+    if (this.solver.hidden) this.solver.open = true;
+    this.solver.hidden = false;
   }
 
-  /** @param {Shown[]} shown the first is the one in figures */
-  show(shown) {
+  /** @param {Shown[]} shown the first is the one in figures @param {boolean} [moving] whether a slider moves: axes hold, and what was before it stays in grey */
+  show(shown, moving = false) {
+    for (const { chart } of this.#charts) chart.hold(moving);
     const anew = shown[0]?.id !== this.#given[0]?.id;
     if (this.#given[0]?.fields !== shown[0]?.fields) this.#given[0]?.fields?.close();
     this.#given = shown;
@@ -150,16 +226,10 @@ export class View {
     this.#at = anew ? last : Math.min(this.#at, last);
     this.#anew ||= anew;
     // A part of a chart that was dragged up is a part of that job's.
-    if (anew)
-      for (const { chart } of [
-        this.pressure,
-        this.spread,
-        this.map,
-        this.depth,
-        this.sweep,
-        this.dent,
-      ])
-        chart.whole();
+    if (anew && !moving) {
+      for (const { chart } of this.#charts) chart.whole();
+      this.solver.open = false;
+    }
     this.#again();
   }
 
@@ -235,7 +305,7 @@ export class View {
     const step = report.steps[this.#at];
     const many = report.steps.length;
     const load = loadWords(report, this.#at);
-    const stem = (id.slice(-8) || 'live') + otherUnits(raw?.units ?? report.units, report.units);
+    const stem = stemOf(job, id) + otherUnits(raw?.units ?? report.units, report.units);
     for (const { panel } of [
       this.pressure,
       this.spread,
@@ -255,21 +325,25 @@ export class View {
       for (const { panel } of [this.pressure, this.spread, this.depth]) panel.of = '';
     // So have those of sweeps, among which the first job need not be.
     this.sweep.panel.of = shown.length > 1 ? '' : label;
-    for (const { panel } of [this.sweep, this.figures, this.differences]) panel.stem = stem;
+    for (const { panel } of [this.sweep, this.vary, this.figures, this.differences])
+      panel.stem = stem;
     this.steps.show(many, this.#at, load);
-    showHeadline(shown[0], this.#at);
+    showHeadline(shown, this.#at);
     this.sweep.show(shown, this.#at);
     this.pressure.show(shown, this.#at);
     this.spread.show(shown, this.#at);
     this.map.show(shown, this.#at);
     this.dent.show(shown, this.#at);
     this.depth.show(shown, this.#at);
+    this.vary.show(shown, this.#at);
     this.figures.show(shown, this.#at);
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.history.show(step.history, report.units);
+    this.solver.hidden = step.history.length === 0;
     this.#showField(this.#anew);
     this.#anew = false;
+    this.#arrange();
   }
 
   /** @param {boolean} anew whether the whole contact is to be seen */
@@ -278,7 +352,10 @@ export class View {
     const solid = report.analysis === 'three_dimensional';
     this.plane.hidden = !solid;
     if (!raw) return;
-    const asked = { job, at: this.#at, units: setOf(report.units) };
+    if (solid) namePlanes(this.plane, report.steps[this.#at]);
+    const { upper, lower } = raw.steps[this.#at].plasticity;
+    const yields = Boolean(upper?.yielded || lower?.yielded);
+    const asked = { job, at: this.#at, yields, units: setOf(report.units) };
     if (!solid) this.field.show({ ...asked, report: raw }, anew, /** @type {any} */ (fields));
     // The map offers to solve again with both.
     else if (!job.output?.fields) this.field.clear();
@@ -287,6 +364,14 @@ export class View {
       this.field.show({ ...asked, report: reportOf(raw, this.#axis) }, anew, source);
     }
   }
+}
+
+/** Names the sections of half-spaces in the axes of the job. @param {HTMLElement} choice @param {import('../types.js').Step} step */
+function namePlanes(choice, { three_dimensional: ellipse }) {
+  const axes = axesOf(ellipse ?? { orientation: 0 });
+  const [along, across] = choice.querySelectorAll('span');
+  along.textContent = `${axes.y.name} = 0`;
+  across.textContent = `${axes.x.name} = 0`;
 }
 
 /**

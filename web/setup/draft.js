@@ -45,9 +45,16 @@ export class Draft extends EventTarget {
   set(place, value, source) {
     if (pointer.same(pointer.get(this.job, place), value)) return;
     this.#keep(place + source);
+    const [, material] = /^(\/(?:upper|lower)\/material)\/(?!name$)/.exec(place) ?? [];
+    // A figure that is changed makes another material of one that is known by its name.
+    if (material && this.known(pointer.get(this.job, `${material}/name`)))
+      pointer.set(this.job, `${material}/name`, undefined);
     pointer.set(this.job, place, value);
     this.#changed(source);
   }
+
+  /** Whether a material of this name has figures of its own. @type {(name: unknown) => boolean} */
+  known = () => false;
 
   /** @param {Job} job @param {string} source */
   replace(job, source) {

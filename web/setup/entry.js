@@ -183,6 +183,15 @@ function control(field, id, change, surroundings) {
         typeof value === 'string' ? faultOfTags(value) : '';
       return { input, ...text(input, readTags, writeTags), problem };
     }
+    case 'text': {
+      const input = h('input', {
+        id,
+        type: 'text',
+        maxlength: field.longest,
+        autocomplete: 'off',
+      });
+      return { input, ...text(input, (typed) => typed.trim() || undefined, written) };
+    }
     case 'history':
       return historyControl(field, id, change, surroundings);
     case 'list':

@@ -16,7 +16,7 @@ import * as tables from './tables.js';
  * @property {string} label
  * @property {string} [symbol]
  * @property {Quantity | 'load'} [quantity] `load`: a force, in the unit of the analysis
- * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags' | 'heights'} [kind] `number` unless said otherwise
+ * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags' | 'heights' | 'text'} [kind] `number` unless said otherwise
  * @property {Record<string, string>} [choices] value: label
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
@@ -26,6 +26,7 @@ import * as tables from './tables.js';
  * @property {string} [description]
  * @property {number | [number, number][]} [example] typical, in mm, N, MPa
  * @property {string} [unit] of figures that have the same in every system
+ * @property {number} [longest] letters that a text may have
  * @property {string} [none] what a choice that is not made is called
  * @property {boolean} [optional] a choice that is not made is the service's, where {@link DEFAULTS} does not say which
  */
@@ -214,6 +215,15 @@ function mapValues(record, change) {
 function named(record) {
   return Object.assign(Object.create(null), record);
 }
+
+/** Letters of a name. */
+const LONGEST = 80;
+
+/** What the job is called, in lists, links, reports and files. @type {Field} */
+export const TITLE = { key: 'title', label: 'Title', kind: 'text', longest: LONGEST };
+
+/** What a material is called. @type {Field} */
+export const NAME = { key: 'name', label: 'Material’s name', kind: 'text', longest: LONGEST };
 
 /** @type {Field[]} */
 export const ELASTIC = [

@@ -17,11 +17,13 @@ import {
   LAWS,
   OVER_DEPTH,
   LOADS,
+  NAME,
   SETTINGS,
   SUPPORTS,
   SURFACE,
   TARGETS,
   THEORIES,
+  TITLE,
   UNIT_SYSTEMS,
   ANALYSES,
   hasInitialStress,
@@ -224,6 +226,7 @@ export class Form {
 
   #build() {
     [this.#before, this.#fields] = [this.#fields, new Map()];
+    arrange(this.parts.title, [this.#field('', TITLE)]);
     arrange(this.parts.general, [
       this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) =>
         this.#useAnalysis(String(analysis)),
@@ -274,6 +277,7 @@ export class Form {
       return { fields, rare, copy, more: h('details', {}, h('summary'), rare) };
     };
     const parts = {
+      title: grid(),
       general: h('div', { class: 'pair' }),
       upper: body('upper', 'lower'),
       lower: body('lower', 'upper'),
@@ -285,6 +289,7 @@ export class Form {
       /** @type {string} */ title,
     ) => h('fieldset', {}, h('legend', {}, title, copy), fields, more);
     this.root.replaceChildren(
+      parts.title,
       parts.general,
       fieldset(parts.upper, 'Upper body'),
       fieldset(parts.lower, 'Lower body'),
@@ -318,6 +323,7 @@ export class Form {
       ...this.#surface(body),
       ofShape,
       ...this.materials[body].elements,
+      this.#field(`${at}/material`, NAME),
       ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
       this.#choice(`${at}/material/law`, 'Hardening', laws, (law) =>
         this.kinds.useLaw(body, String(law)),

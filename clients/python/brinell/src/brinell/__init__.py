@@ -53,6 +53,7 @@ from ._errors import (
     Unavailable,
 )
 from ._fields import BodyFields, Fields
+from ._find import Found
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._result import Pressure, Remark, Result, Step
@@ -72,6 +73,7 @@ __all__ = [
     "Event",
     "Fault",
     "Fields",
+    "Found",
     "InvalidJob",
     "Job",
     "JobFailed",

@@ -1,0 +1,35 @@
+/** Every number of a job that can be varied: of one body, of both where they have the same, and of the load. */
+
+import { set } from '../lib/pointer.js';
+import { leaves, nameOf } from './names.js';
+
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {{key: string, pointers: string[], label: string, symbol: string, unit: string, value: number}} Numeric */
+
+/** Members that are no figure of the contact. */
+const LEFT = /^\/(mesh|solver|output|tags|units)|\/surface\/|\/(detrend|rotation)$/;
+
+/** @param {Job} job @returns {Numeric[]} the load first */
+export function numbersOf(job) {
+  const found = [...leaves(job)].flatMap(([pointer, value]) =>
+    typeof value === 'number' && !LEFT.test(pointer)
+      ? [{ key: pointer, pointers: [pointer], ...nameOf(pointer, job), value }]
+      : [],
+  );
+  const both = found.flatMap((one) => {
+    const other = one.key.startsWith('/upper/') && one.key.replace('/upper/', '/lower/');
+    const twin = other && found.find(({ key, value }) => key === other && value === one.value);
+    if (!twin) return [];
+    const label = one.label.replace(/^Upper /, 'Both bodies: ');
+    return [{ ...one, key: `both${one.key}`, pointers: [one.key, twin.key], label }];
+  });
+  const load = found.filter(({ key }) => key.startsWith('/load/'));
+  return [...load, ...both, ...found.filter((one) => !load.includes(one))];
+}
+
+/** The job with another value. @param {Job} job @param {Numeric} number @param {number} value @returns {Job} */
+export function withValue(job, { pointers }, value) {
+  const changed = structuredClone(job);
+  for (const pointer of pointers) set(changed, pointer, value);
+  return changed;
+}
