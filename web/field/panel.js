@@ -259,6 +259,12 @@ export class FieldPanel {
       this.#load();
     }
     this.scene.fit();
+    // A body may have yielded elsewhere than in this section.
+    const strain = this.#chosen === 'equivalent_plastic_strain';
+    if (!this.#touched && strain && this.scene.ends.every(({ value }) => value === 0)) {
+      this.#preset = 'von_mises';
+      return this.#update();
+    }
     if (this.#homeless) this.scene.home();
     this.#homeless = false;
     this.#survey(report);

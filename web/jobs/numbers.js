@@ -23,9 +23,22 @@ export function numbersOf(job) {
     const label = one.label.replace(/^Upper /, 'Both bodies: ');
     return [{ ...one, key: `both${one.key}`, pointers: [one.key, twin.key], label }];
   });
-  const load = found.filter(({ key }) => key.startsWith('/load/'));
-  return [...load, ...both, ...found.filter((one) => !load.includes(one))];
+  return [...both, ...found].sort((a, b) => rank(a.pointers[0]) - rank(b.pointers[0]));
 }
+
+/** Numbers that are varied most first. */
+const ORDER = [
+  /^\/load/,
+  /radius|semi_axis/,
+  /tilt|moment|case_depth/,
+  /yield_stress|reference_stress/,
+];
+
+/** @param {string} pointer */
+const rank = (pointer) => {
+  const found = ORDER.findIndex((one) => one.test(pointer));
+  return found < 0 ? (/young|poisson/.test(pointer) ? ORDER.length + 1 : ORDER.length) : found;
+};
 
 /** The job with another value. @param {Job} job @param {Numeric} number @param {number} value @returns {Job} */
 export function withValue(job, { pointers }, value) {

@@ -5,7 +5,8 @@
 
 import { arrange, byId, h } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
-import { setOf, unit, unitsOf } from '../lib/units.js';
+import { figure, setOf, unit, unitsOf } from '../lib/units.js';
+import { sentence } from '../setup/send.js';
 import { LayerSource, reportOf } from '../field/layers.js';
 import { stemOf } from '../jobs/names.js';
 import { FieldPanel } from '../field/panel.js';
@@ -23,6 +24,7 @@ import { isUnloaded, loadWords } from './loads.js';
 import { MapPanel } from './map.js';
 import { segments } from './panel.js';
 import { PressurePanel } from './pressure.js';
+import { progressWords } from './progress.js';
 import { SpreadPanel } from './spread.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
@@ -210,6 +212,7 @@ export class View {
     const set = this.units.set(units);
     const shown = inUnits(history, { analysis: job.analysis, units }, set);
     this.convergence.show(shown, set, Number(job.solver?.tolerance ?? 1e-6));
+    byId('headline').replaceChildren(soFar(shown, job, set));
     // Until there is an answer, it is all there is to see.
     if (this.solver.hidden) this.solver.open = true;
     this.solver.hidden = false;
@@ -364,6 +367,47 @@ export class View {
       this.field.show({ ...asked, report: reportOf(raw, this.#axis) }, anew, source);
     }
   }
+}
+
+/** The figures of the last iteration, until there is an answer. @param {Iteration[]} history @param {import('../types.js').Job} job @param {import('../lib/units.js').UnitSet} set */
+function soFar(history, job, set) {
+  const last = history[history.length - 1];
+  const row = (
+    /** @type {string} */ name,
+    /** @type {number} */ value,
+    /** @type {string} */ of,
+  ) =>
+    h(
+      'div',
+      {},
+      h('dt', {}, name),
+      h(
+        'dd',
+        {},
+        h('span', { class: 'figure' }, figure(value, 4), h('span', { class: 'unit' }, of)),
+        h('span', { class: 'bar-of-error' }, 'so far'),
+      ),
+    );
+  return last
+    ? h(
+        'div',
+        {},
+        h(
+          'p',
+          { class: 'verdict-text neutral' },
+          h('span', { class: 'mark', 'aria-hidden': 'true' }, '…'),
+          h('span', {}, sentence(progressWords(history, job))),
+        ),
+        h(
+          'dl',
+          { class: 'figures' },
+          row('Peak pressure', last.peak_pressure, unit('stress', set)),
+          row('Approach', last.approach, unit('length', set)),
+          row('Contact pairs', last.contact_pairs, ''),
+          row('Points that yield', last.plastic_points, ''),
+        ),
+      )
+    : h('p', { class: 'empty' }, 'Meshing and factorizing.');
 }
 
 /** Names the sections of half-spaces in the axes of the job. @param {HTMLElement} choice @param {import('../types.js').Step} step */

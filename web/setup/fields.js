@@ -34,6 +34,9 @@ import * as tables from './tables.js';
 
 /** @type {Record<string, Kind>} */
 export const SHAPES = mapValues(tables.SHAPES, withHints);
+for (const field of SHAPES.curved.fields)
+  if (field.key.startsWith('radius'))
+    field.hint = 'Concave: a negative radius. Straight: left empty.';
 // What is said of the width of a block is not so of a plate that is held all round.
 for (const field of SHAPES.hole.fields) if (field.key === 'width') field.help = 'plate_width';
 
@@ -319,6 +322,25 @@ export const TARGETS = {
   permanent_approach: target('permanent_approach', 'Permanent approach', 'α_p', 'length', 0.002),
   dent_depth: target('dent_depth', 'Depth of the dent', 'δ', 'length', 0.001),
 };
+
+/** Both dents together over the diameter of the rolling body, by ISO 76. */
+const RATING = 1e-4;
+
+/** What ISO 76 has beside the other figures. */
+export const ISO_76 = { key: 'iso_76', label: 'Static rating: 1e-4 of the diameter (ISO 76)' };
+
+/**
+ * The permanent approach of ISO 76: ball and raceway together.
+ * @param {import('../types.js').Job} job
+ * @returns {number | undefined} where a body is round
+ */
+export function ratedApproach(job) {
+  const radii = [job.upper, job.lower].flatMap((body) => {
+    const { radius, radius_x: across } = body?.shape ?? {};
+    return [numberOf(radius ?? across)].filter((one) => one > 0);
+  });
+  return radii.length ? Number((2 * RATING * Math.min(...radii)).toPrecision(12)) : undefined;
+}
 
 /** What is left behind, of which flow theory alone knows. */
 export const PERMANENT = new Set(['permanent_approach', 'dent_depth']);
