@@ -347,7 +347,10 @@ async fn open_store(
 ) -> Result<Arc<dyn Store>, AppError> {
     let (limits, notifier, clock) = (config.limits(), Arc::clone(notifier), Arc::new(SystemClock));
     Ok(match &config.database_url {
-        Some(url) => open_postgres(url.as_str(), limits, notifier, None).await?,
+        Some(url) => {
+            open_postgres(url.as_str(), config.database_connections, limits, notifier, None)
+                .await?
+        }
         None if config.is_in_memory() => {
             open_sqlite_in_memory(config.memory_bytes(), limits, notifier, clock).await?
         }

@@ -55,6 +55,13 @@ pub struct StorageConfig {
     #[arg(long, env = "BRINELL_DATABASE_URL", value_name = "URL", hide_env_values = true)]
     pub database_url: Option<DatabaseUrl>,
 
+    /// Most connections to the shared database, and two more that carry notifications
+    #[arg(
+        long, env = "BRINELL_DATABASE_CONNECTIONS", value_name = "N", default_value = "10",
+        value_parser = clap::value_parser!(u32).range(2..=1000),
+    )]
+    pub database_connections: u32,
+
     /// Most jobs that may wait in the queue
     #[arg(long, env = "BRINELL_QUEUE_CAPACITY", value_name = "N", default_value = "10000")]
     pub queue_capacity: usize,
@@ -113,6 +120,7 @@ impl Default for StorageConfig {
         Self {
             data_dir: PathBuf::from("brinell-data"),
             database_url: None,
+            database_connections: 10,
             queue_capacity: 10_000,
             queue_capacity_per_key: None,
             max_running_per_key: None,

@@ -252,6 +252,8 @@ pub struct ClaimRequest {
     pub lease: Duration,
     /// Number of lost workers after which a job fails.
     pub max_attempts: u32,
+    /// Whether to take over jobs whose lease has expired.
+    pub expires: bool,
 }
 
 /// The jobs leased by one claim.
@@ -261,6 +263,8 @@ pub struct Claims {
     pub jobs: Vec<Claim>,
     /// Whether a job waits for an idle worker.
     pub exclusive_pending: bool,
+    /// Whether a job waits for memory.
+    pub large_pending: bool,
 }
 
 /// The right of a worker to write to a running job. It ends when the job is leased again.

@@ -1,7 +1,7 @@
 //! Brings a database up to date. Steps are applied in order, each once, and are never changed
 //! afterwards.
 
-use sqlx::migrate::{Migrate, Migration, MigrationType, Migrator};
+use sqlx::migrate::{Migrate, MigrateError, Migration, MigrationType, Migrator};
 use sqlx::{Acquire, SqlSafeStr};
 
 /// One change of the tables.
@@ -44,6 +44,16 @@ where
         let sql = step.sql.into_sql_str();
         Migration::new(step.version, step.name.into(), MigrationType::Simple, sql, false)
     };
-    Migrator::with_migrations(steps.iter().map(step).collect()).run(database).await?;
-    Ok(())
+    let migrator = Migrator::with_migrations(steps.iter().map(step).collect());
+    migrator.run(database).await.map_err(|error| match error {
+        MigrateError::VersionMissing(step) => sqlx::Error::Configuration(
+            format!(
+                "it was made by a newer version of brinell (version {} does not know its step \
+                 {step}); run that version, or restore a backup of before",
+                env!("CARGO_PKG_VERSION")
+            )
+            .into(),
+        ),
+        error => error.into(),
+    })
 }

@@ -6,6 +6,7 @@
 //! | [`open_sqlite_in_memory`] | demonstrations and tests: the same tables, in memory |
 //! | [`open_postgres`] | any number of processes on any number of machines |
 
+mod deadline;
 mod migration;
 mod postgres;
 mod sql;

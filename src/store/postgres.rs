@@ -5,17 +5,21 @@
 
 mod notifications;
 
+use std::ops::{Deref, DerefMut};
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use async_trait::async_trait;
-use sqlx::postgres::PgPoolOptions;
-use sqlx::{Executor, PgPool, Postgres, Transaction};
+use sqlx::pool::PoolConnection;
+use sqlx::postgres::{PgConnectOptions, PgPoolOptions};
+use sqlx::{Connection, Executor, PgConnection, PgPool, Postgres, Transaction};
 use thiserror::Error;
 use tokio::task::AbortHandle;
+use tokio::time::timeout;
 
 use self::notifications::{Announcer, listen};
+use super::deadline::Timely;
 use super::migration::{self, Step, steps};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
@@ -23,11 +27,37 @@ use crate::jobs::{Clock, JobNotifier, StoreError, WorkerId};
 
 const STEPS: &[Step] = steps!("postgres");
 
-/// Connections of one process.
-const CONNECTIONS: u32 = 10;
+/// Longest wait for a connection: to read or execute single statements, and for a transaction.
+const LINE_WAIT: Duration = Duration::from_secs(2);
+const TRANSACTION_WAIT: Duration = Duration::from_secs(5);
 
-/// Longest wait for a connection.
-const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(10);
+/// Longest time that a connection may be in use for one purpose. One that is given back later is
+/// closed: its line may be dead.
+const LINE_TIME: Duration = Duration::from_secs(10);
+
+/// Longest wait for the answer to a ping, and the rest after which a connection is pinged before
+/// it is used.
+const PING_WAIT: Duration = Duration::from_secs(1);
+const REST: Duration = Duration::from_secs(1);
+
+/// Settings of every session. The server ends what a client that has vanished, or stopped, has
+/// left behind: a transaction that nothing is done in, a statement whose answer nobody takes.
+///
+/// A claim takes half a millisecond. On tables without statistics the planner overestimates its
+/// cost and would compile it first (JIT), for fifty milliseconds each time.
+const SESSION: &str = "
+    SET jit = off;
+    SET lock_timeout = '2s';
+    SET statement_timeout = '10s';
+    SET idle_in_transaction_session_timeout = '5s';
+    SET tcp_keepalives_idle = 10;
+    SET tcp_keepalives_interval = 5;
+    SET tcp_keepalives_count = 3;
+    SET tcp_user_timeout = '15s';";
+
+/// Single statements do not wait for the disk: claims, heartbeats, progress and steps. The end of
+/// a job does, and everything before it is then on the disk as well.
+const OF_LINES: &str = "SET synchronous_commit = off";
 
 /// An error that keeps the store from opening.
 #[derive(Debug, Error)]
@@ -40,38 +70,99 @@ pub enum PostgresError {
     Migrate(#[source] sqlx::Error),
 }
 
-/// A pool of connections to the database.
+/// Two pools of connections to the database. Transactions may wait for the lock of a row, which no
+/// reader does.
 struct PostgresPool {
-    pool: PgPool,
+    lines: PgPool,
+    transactions: PgPool,
     clock: Option<Arc<dyn Clock>>,
     announcer: Announcer,
     listener: AbortHandle,
 }
 
-/// Connects to the store at a `postgres://` address and runs the migrations. A test may pass a
-/// `clock` in place of the database's.
+/// Options of a pool whose connections are never waited for without bound.
+fn pool(connections: u32, wait: Duration, more: &'static str) -> PgPoolOptions {
+    let options = PgPoolOptions::new().max_connections(connections).acquire_timeout(wait);
+    let options = options.test_before_acquire(false).after_connect(move |connection, _| {
+        Box::pin(async move {
+            connection.execute(SESSION).await?;
+            connection.execute(more).await.map(drop)
+        })
+    });
+    let options = options.before_acquire(|connection, of| {
+        Box::pin(async move { Ok(of.idle_for < REST || answers(connection).await.is_ok()) })
+    });
+    options.after_release(|connection, _| {
+        Box::pin(async move { answers(connection).await.map(|()| true) })
+    })
+}
+
+/// Pings the server, which also rolls an abandoned transaction back.
+async fn answers(connection: &mut PgConnection) -> Result<(), sqlx::Error> {
+    let pinged = timeout(PING_WAIT, connection.ping()).await;
+    pinged.unwrap_or_else(|late| Err(sqlx::Error::Io(late.into())))
+}
+
+/// Connects to the store at a `postgres://` address, by so many `connections` in all, and runs the
+/// migrations. A test may pass a `clock` in place of the database's.
 ///
 /// # Errors
 /// [`PostgresError`].
 pub async fn open_postgres(
     url: &str,
+    connections: u32,
     limits: StoreLimits,
     notifier: Arc<JobNotifier>,
     clock: Option<Arc<dyn Clock>>,
 ) -> Result<Arc<dyn Store>, PostgresError> {
-    let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(ACQUIRE_TIMEOUT);
-    let pool = pool.after_connect(|connection, _| {
-        // A claim takes half a millisecond. On tables without statistics the planner overestimates
-        // its cost and would compile it first (JIT), for fifty milliseconds each time.
-        Box::pin(async move { connection.execute("SET jit = off").await.map(drop) })
-    });
-    let pool = pool.connect(url).await.map_err(PostgresError::Connect)?;
-    migration::run(STEPS, &pool).await.map_err(PostgresError::Migrate)?;
+    let address: PgConnectOptions = url.parse().map_err(PostgresError::Connect)?;
+    let address = match address.get_application_name() {
+        Some(_) => address,
+        None => address.application_name(concat!("brinell ", env!("CARGO_PKG_VERSION"))),
+    };
+    // A migration takes as long as it takes.
+    let first = PgPoolOptions::new().max_connections(1).connect_with(address.clone()).await;
+    let first = first.map_err(PostgresError::Connect)?;
+    migration::run(STEPS, &first).await.map_err(PostgresError::Migrate)?;
+    first.close().await;
+    let of_transactions = (connections / 2).max(1);
+    let transactions = pool(of_transactions, TRANSACTION_WAIT, "");
+    let lines = pool((connections - of_transactions).max(1), LINE_WAIT, OF_LINES);
+    let (lines, transactions) =
+        (lines.connect_lazy_with(address.clone()), transactions.connect_lazy_with(address));
     let node = WorkerId::generate();
-    let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&notifier))).abort_handle();
-    let announcer = Announcer::start(&pool, node);
-    let backend = PostgresPool { pool, clock, announcer, listener };
-    Ok(Arc::new(SqlStore { backend, notifier, limits }))
+    let listener = tokio::spawn(listen(lines.clone(), node, Arc::clone(&notifier))).abort_handle();
+    let announcer = Announcer::start(&lines, node);
+    let backend = PostgresPool { lines, transactions, clock, announcer, listener };
+    Ok(Arc::new(Timely(SqlStore { backend, notifier, limits })))
+}
+
+/// A connection without a transaction.
+struct Line {
+    connection: PoolConnection<Postgres>,
+    until: Instant,
+}
+
+impl Deref for Line {
+    type Target = PgConnection;
+
+    fn deref(&self) -> &PgConnection {
+        &self.connection
+    }
+}
+
+impl DerefMut for Line {
+    fn deref_mut(&mut self) -> &mut PgConnection {
+        &mut self.connection
+    }
+}
+
+impl Drop for Line {
+    fn drop(&mut self) {
+        if Instant::now() >= self.until {
+            self.connection.close_on_drop();
+        }
+    }
 }
 
 #[async_trait]
@@ -89,17 +180,27 @@ impl Drop for PostgresPool {
 
 #[async_trait]
 impl Backend for PostgresPool {
-    type Database = Postgres;
+    type Connection = PgConnection;
+    type Line = Line;
     type Write = Transaction<'static, Postgres>;
 
-    fn readers(&self) -> &PgPool {
-        &self.pool
+    async fn read(&self) -> Result<Line, StoreError> {
+        let connection = self.lines.acquire().await?;
+        Ok(Line { connection, until: Instant::now() + LINE_TIME })
+    }
+
+    async fn statements(&self) -> Result<Line, StoreError> {
+        self.read().await
+    }
+
+    fn now(&self) -> Option<i64> {
+        self.clock.as_ref().map(|clock| clock.now().as_microsecond())
     }
 
     async fn write(&self) -> Result<(Self::Write, i64), StoreError> {
-        let mut transaction = self.pool.begin().await?;
-        if let Some(clock) = &self.clock {
-            return Ok((transaction, clock.now().as_microsecond()));
+        let mut transaction = self.transactions.begin().await?;
+        if let Some(now) = self.now() {
+            return Ok((transaction, now));
         }
         let now =
             sqlx::query_scalar("SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::bigint");

@@ -27,6 +27,7 @@ use sqlx::sqlite::{
 };
 use sqlx::{Sqlite, SqliteConnection, SqlitePool};
 use thiserror::Error;
+use tokio::time::timeout;
 
 use self::own_file::OwnFile;
 pub use self::restore::restore_sqlite;
@@ -44,6 +45,9 @@ pub const DATABASE: &str = "brinell.db";
 
 /// Readers beside the writer.
 const READERS: u32 = 4;
+
+/// Longest wait for a connection to read from.
+const READER_WAIT: Duration = Duration::from_secs(2);
 
 /// Longest wait for a lock that another process holds (a command beside a running service).
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
@@ -198,6 +202,14 @@ fn lock_directory(directory: &Path) -> Result<DirectoryLock, SqliteError> {
     }
 }
 
+/// Makes the file of a new database, for its owner alone; SQLite gives its log the same rights.
+fn private(path: &Path) -> io::Result<()> {
+    let mut options = File::options();
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options.append(true).create(true).open(path).map(drop)
+}
+
 /// Options of all connections. Automatic indices are off: SQLite would build one for a single
 /// statement by reading the whole table, and every statement here has its own index.
 fn connect_options() -> SqliteConnectOptions {
@@ -218,6 +230,7 @@ impl SqliteDatabase {
             .synchronous(SqliteSynchronous::Normal)
             .pragma("journal_size_limit", WAL_BYTES)
             .busy_timeout(BUSY_TIMEOUT);
+        private(path).map_err(sqlx::Error::Io)?;
         let writer = writer_pool().connect_with(options.clone()).await?;
         migration::run(STEPS, &writer).await?;
         if lock.is_some() {
@@ -288,11 +301,21 @@ fn pool() -> SqlitePoolOptions {
 
 #[async_trait]
 impl Backend for SqliteDatabase {
-    type Database = Sqlite;
+    type Connection = SqliteConnection;
+    type Line = PoolConnection<Sqlite>;
     type Write = SqliteTransaction;
 
-    fn readers(&self) -> &SqlitePool {
-        &self.readers
+    async fn read(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
+        let reader = timeout(READER_WAIT, self.readers.acquire()).await;
+        Ok(reader.map_err(StoreError::unavailable)??)
+    }
+
+    async fn statements(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
+        Ok(self.writer.acquire().await?)
+    }
+
+    fn now(&self) -> Option<i64> {
+        Some(self.clock.now().as_microsecond())
     }
 
     async fn write(&self) -> Result<(SqliteTransaction, i64), StoreError> {

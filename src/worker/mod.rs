@@ -23,7 +23,7 @@ use tokio_util::task::TaskTracker;
 
 use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerId};
 use memory::WorkerMemory;
-use running::Running;
+use running::{Outage, Running};
 use slots::{Memory, Reservation, Slots};
 
 /// Time that solves have to stop once the grace time is over.
@@ -66,6 +66,7 @@ pub(crate) struct WorkerState {
     solver: Arc<dyn JobSolver>,
     slots: Arc<Slots>,
     running: Running,
+    outage: Outage,
     memory: Arc<WorkerMemory>,
     tasks: TaskTracker,
     drain: CancellationToken,
@@ -89,6 +90,7 @@ impl Worker {
             solver,
             slots: Arc::new(Slots::new(settings.slots, memory)),
             running: Running::default(),
+            outage: Outage::default(),
             memory: WorkerMemory::new(
                 settings.memory + settings.memory_of_place * (settings.slots as u64 + 1),
             ),
@@ -135,6 +137,7 @@ impl WorkerState {
             match self.store.claim(&self.request(&reservation)).await {
                 Ok(claims) => {
                     exclusive_pending = claims.exclusive_pending && !reservation.all;
+                    self.slots.set_large_pending(claims.large_pending);
                     if claims.jobs.is_empty() && !exclusive_pending {
                         drop(reservation);
                         if self.drain.is_cancelled() {
@@ -146,6 +149,7 @@ impl WorkerState {
                     self.start(claims.jobs, reservation);
                 }
                 Err(error) => {
+                    self.outage.begin();
                     tracing::error!(error = &error as &dyn std::error::Error, "cannot claim jobs");
                     drop(reservation);
                     tokio::select! {
@@ -169,6 +173,7 @@ impl WorkerState {
             memory: memory.shared,
             lease: self.settings.lease,
             max_attempts: self.settings.max_attempts,
+            expires: self.outage.is_over(self.settings.lease / 2),
         }
     }
 

@@ -2,12 +2,16 @@
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
-use tokio::time::sleep;
+use tokio::time::{Instant, sleep};
 
 use super::WorkerState;
 use super::observer::StopFlag;
 use crate::jobs::{Lease, LeaseStatus};
+
+/// Pause behind a heartbeat that the store did not answer.
+const RETRY: Duration = Duration::from_secs(1);
 
 /// Leases of the running jobs, each with the flag that stops its solve. Without a flag, the solve
 /// has ended and its outcome is being written.
@@ -49,12 +53,35 @@ impl Running {
     }
 }
 
+/// When the store last failed to answer. Workers that were all cut off from it come back at
+/// different moments; who is first leaves the others time to extend their leases.
+#[derive(Debug, Default)]
+pub(super) struct Outage(Mutex<Option<Instant>>);
+
+impl Outage {
+    /// Records that the store does not answer.
+    pub(super) fn begin(&self) {
+        *self.lock() = Some(Instant::now());
+    }
+
+    /// Whether the store has answered for so long.
+    pub(super) fn is_over(&self, grace: Duration) -> bool {
+        self.lock().is_none_or(|at| at.elapsed() >= grace)
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Option<Instant>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
 impl WorkerState {
     /// Extends all leases periodically and stops the solves that were cancelled or whose lease is
     /// lost.
     pub(super) async fn beat(self: Arc<Self>) {
+        let mut pause = self.settings.lease / 3;
         loop {
-            sleep(self.settings.lease / 3).await;
+            sleep(pause).await;
+            pause = self.settings.lease / 3;
             let leases = self.running.leases();
             if leases.is_empty() {
                 continue;
@@ -66,6 +93,8 @@ impl WorkerState {
                     }
                 }
                 Err(error) => {
+                    self.outage.begin();
+                    pause = pause.min(RETRY);
                     tracing::error!(
                         error = &error as &dyn std::error::Error,
                         "cannot extend leases"

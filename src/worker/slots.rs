@@ -1,6 +1,6 @@
 //! Places of a worker, one more than it has solvers: a key may hold as many places as there are
 //! solvers, and leaves one place to other keys. Each place has memory of its own; larger jobs
-//! share the rest.
+//! share the rest. A long job gives its place back and takes shared memory instead.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -14,9 +14,19 @@ pub(super) struct Slots {
     places: Arc<Semaphore>,
     n_places: usize,
     memory: Memory,
-    /// Shared memory \[bytes\] that large jobs have taken.
-    used: Mutex<u64>,
+    shared: Mutex<Shared>,
     freed: Notify,
+}
+
+/// What jobs share beside their places.
+#[derive(Debug, Default)]
+struct Shared {
+    /// Memory \[bytes\] that large and long jobs have taken.
+    used: u64,
+    /// Jobs that have given their places back.
+    without_place: usize,
+    /// Whether a large job waits for memory, which long jobs leave to it.
+    large_pending: bool,
 }
 
 /// Memory \[bytes\] of a worker.
@@ -41,7 +51,7 @@ pub(super) struct Reservation {
 pub(super) struct Slot {
     slots: Arc<Slots>,
     memory: u64,
-    _permits: Vec<OwnedSemaphorePermit>,
+    permits: Vec<OwnedSemaphorePermit>,
 }
 
 impl Slots {
@@ -51,7 +61,7 @@ impl Slots {
             places: Arc::new(Semaphore::new(n_places)),
             n_places,
             memory,
-            used: Mutex::default(),
+            shared: Mutex::default(),
             freed: Notify::new(),
         }
     }
@@ -63,7 +73,8 @@ impl Slots {
         while let Ok(permit) = Arc::clone(&self.places).try_acquire_owned() {
             permits.push(permit);
         }
-        Reservation { all: permits.len() == self.n_places, permits }
+        let all = permits.len() == self.n_places && self.shared().without_place == 0;
+        Reservation { all, permits }
     }
 
     /// Waits until no job runs and takes all places.
@@ -71,6 +82,9 @@ impl Slots {
         let mut permits = Vec::with_capacity(self.n_places);
         while permits.len() < self.n_places {
             permits.extend(Arc::clone(&self.places).acquire_owned().await);
+        }
+        while self.shared().without_place > 0 {
+            self.freed.notified().await;
         }
         Reservation { all: true, permits }
     }
@@ -82,7 +96,7 @@ impl Slots {
 
     /// Returns the memory \[bytes\] still free for large jobs.
     pub(super) fn free_memory(&self) -> u64 {
-        self.memory.shared.saturating_sub(*self.used())
+        self.memory.shared.saturating_sub(self.shared().used)
     }
 
     /// Waits until a job releases its places and memory.
@@ -90,8 +104,13 @@ impl Slots {
         self.freed.notified().await;
     }
 
-    fn used(&self) -> MutexGuard<'_, u64> {
-        self.used.lock().unwrap_or_else(PoisonError::into_inner)
+    /// Tells whether a large job waits for memory.
+    pub(super) fn set_large_pending(&self, is_pending: bool) {
+        self.shared().large_pending = is_pending;
+    }
+
+    fn shared(&self) -> MutexGuard<'_, Shared> {
+        self.shared.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -107,15 +126,37 @@ impl Reservation {
         let kept = if claim.exclusive { 0 } else { self.permits.len().checked_sub(1)? };
         let permits = self.permits.split_off(kept);
         let memory = if claim.memory > slots.memory.of_place { claim.memory } else { 0 };
-        *slots.used() += memory;
-        Some(Slot { slots: Arc::clone(slots), memory, _permits: permits })
+        slots.shared().used += memory;
+        Some(Slot { slots: Arc::clone(slots), memory, permits })
+    }
+}
+
+impl Slot {
+    /// Gives the place of a long job to another job, if there is memory for it beside the places.
+    /// Returns whether the job still holds one. A job that must run alone keeps all places.
+    pub(super) fn give_place_back(&mut self) -> bool {
+        let mut shared = self.slots.shared();
+        let needed = if self.memory == 0 { self.slots.memory.of_place } else { 0 };
+        let used = shared.used + needed;
+        if self.permits.len() == 1 && !shared.large_pending && used <= self.slots.memory.shared {
+            shared.used = used;
+            shared.without_place += 1;
+            drop(shared);
+            self.memory += needed;
+            self.permits.clear();
+            self.slots.freed.notify_one();
+        }
+        !self.permits.is_empty()
     }
 }
 
 impl Drop for Slot {
     fn drop(&mut self) {
-        let mut used = self.slots.used();
-        *used = used.saturating_sub(self.memory);
+        let mut shared = self.slots.shared();
+        shared.used = shared.used.saturating_sub(self.memory);
+        shared.without_place -= usize::from(self.permits.is_empty());
+        drop(shared);
+        self.permits.clear();
         self.slots.freed.notify_one();
     }
 }
@@ -156,5 +197,31 @@ mod tests {
         assert_eq!(reservation.len(), 0);
         assert!(reservation.assign(&slots, &claim(0)).is_none());
         drop((first, exclusive));
+    }
+
+    #[tokio::test]
+    async fn long_jobs_give_their_places_back_while_there_is_memory() {
+        let slots = Arc::new(Slots::new(1, MEMORY));
+        let mut long = Vec::new();
+        for free in (0..10).rev() {
+            let mut slot = slots.take().await.assign(&slots, &claim(5)).unwrap();
+            assert!(!slot.give_place_back());
+            assert_eq!(slots.free_memory(), free * 10);
+            long.push(slot);
+        }
+        let mut reservation = slots.take().await;
+        assert_eq!((reservation.len(), reservation.all), (2, false), "ten jobs run");
+        let mut last = reservation.assign(&slots, &claim(5)).unwrap();
+        assert!(last.give_place_back(), "no memory is left");
+        drop(long.pop());
+        slots.set_large_pending(true);
+        assert!(last.give_place_back(), "the memory is for the large job");
+        slots.set_large_pending(false);
+        assert!(!last.give_place_back());
+        drop((reservation, last, long));
+        let mut reservation = slots.take_all().await;
+        let alone = Claim { exclusive: true, ..claim(5) };
+        let mut alone = reservation.assign(&slots, &alone).unwrap();
+        assert!(alone.give_place_back(), "it runs alone");
     }
 }

@@ -33,9 +33,14 @@ const STEP_RETRY: Duration = Duration::from_secs(1);
 /// Time between two writes of progress. A job that ends sooner is written once, with its result.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 
-/// Pauses between attempts to write an outcome to a store that does not answer. Together they last
-/// about as long as a lease, after which another worker may claim the job.
-const RETRIES_MS: [u64; 8] = [100, 500, 2000, 5000, 5000, 5000, 5000, 5000];
+/// First and longest pause between attempts to write an outcome to a store that does not answer.
+/// The attempts go on until the job's time is over once more: while the store is away, nobody else
+/// takes the job either.
+const FIRST_RETRY: Duration = Duration::from_millis(100);
+const LONGEST_RETRY: Duration = Duration::from_secs(5);
+
+/// Pause before a long job tries again to give its place back.
+const PLACE_RETRY: Duration = Duration::from_secs(1);
 
 /// The channels of a solver thread.
 struct SolveChannels {
@@ -75,7 +80,7 @@ impl WorkerState {
         self.see_through(claim, slot).instrument(span).await;
     }
 
-    async fn see_through(self: Arc<Self>, claim: Claim, slot: Slot) {
+    async fn see_through(self: Arc<Self>, claim: Claim, mut slot: Slot) {
         let lease = claim.lease;
         tracing::info!(job = %lease.job, attempt = lease.attempt, "started");
         let stop = StopFlag::default();
@@ -83,9 +88,8 @@ impl WorkerState {
         let started = Instant::now();
         let channels = self.start_solve(claim, stop.clone());
         let SolveEnd { steps, records, iterations, outcome } =
-            self.follow(&lease, channels, &stop, started).await;
+            self.follow(&lease, channels, &stop, started, &mut slot).await;
         let time = started.elapsed();
-        drop(slot);
         self.running.settle(&lease);
         let state = outcome.state();
         let stopped_by_shutdown = state == JobState::Cancelled && self.halt.is_cancelled();
@@ -96,6 +100,8 @@ impl WorkerState {
             self.write_outcome(&lease, &records, &steps, outcome).await
         };
         self.running.remove(&lease);
+        // A claim counts the job until its end is stored.
+        drop(slot);
         match written {
             Ok(()) if stopped_by_shutdown => tracing::info!(job = %lease.job, "given back"),
             Ok(()) => tracing::info!(job = %lease.job, %state, "finished"),
@@ -138,6 +144,7 @@ impl WorkerState {
         channels: SolveChannels,
         stop: &StopFlag,
         started: Instant,
+        slot: &mut Slot,
     ) -> SolveEnd {
         let SolveChannels { mut messages, steps: mut received } = channels;
         let mut subscription = self.notifier.subscribe(lease.job);
@@ -157,6 +164,7 @@ impl WorkerState {
         let mut steps = Vec::new();
         let mut unwritten = None;
         let mut write_at = Instant::now() + PROGRESS_INTERVAL;
+        let (mut has_place, mut long_at) = (true, started + thread::LONG);
         loop {
             tokio::select! {
                 count = messages.recv_many(&mut batch, BATCH) => {
@@ -194,6 +202,10 @@ impl WorkerState {
                 () = sleep_until(write_at), if !records.is_empty() => {
                     self.write_progress(lease, &mut records, stop).await;
                     write_at = Instant::now() + PROGRESS_INTERVAL;
+                }
+                () = sleep_until(long_at), if has_place => {
+                    has_place = slot.give_place_back();
+                    long_at = Instant::now() + PLACE_RETRY;
                 }
                 signal = subscription.changed() => if signal.cancel_requested { stop.raise() },
             }
@@ -267,26 +279,25 @@ impl WorkerState {
         steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {
-        let mut tried = false;
-        for wait in RETRIES_MS.map(Duration::from_millis) {
+        let (begin, mut pause) = (Instant::now(), FIRST_RETRY);
+        loop {
             match self.store.finish(lease, records, steps, outcome.clone()).await {
                 // The connection may have broken after the commit and before the acknowledgement.
-                Err(StoreError::LeaseLost) if tried && self.is_written(lease, &outcome).await => {
+                Err(StoreError::LeaseLost)
+                    if pause > FIRST_RETRY && self.is_written(lease, &outcome).await =>
+                {
                     return Ok(());
                 }
-                Err(error @ (StoreError::Unavailable(_) | StoreError::DiskFull)) => {
-                    tracing::warn!(
-                        job = %lease.job,
-                        error = &error as &dyn std::error::Error,
-                        "retrying"
-                    );
-                    drop(error);
-                    tried = true;
-                    sleep(wait).await;
+                Err(error @ (StoreError::Unavailable(_) | StoreError::DiskFull))
+                    if begin.elapsed() < self.settings.job_timeout =>
+                {
+                    let error = &error as &dyn std::error::Error;
+                    tracing::warn!(job = %lease.job, error, "retrying");
                 }
                 answer => return answer,
             }
+            sleep(pause).await;
+            pause = (2 * pause).min(LONGEST_RETRY);
         }
-        self.store.finish(lease, records, steps, outcome).await
     }
 }

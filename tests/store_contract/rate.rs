@@ -34,7 +34,7 @@ const fn unbounded() -> StoreLimits {
 }
 
 async fn open(url: &str) -> Arc<dyn Store> {
-    open_postgres(url, LIMITS, JobNotifier::new(), None).await.unwrap()
+    open_postgres(url, 10, LIMITS, JobNotifier::new(), None).await.unwrap()
 }
 
 /// Hands out jobs one by one, writes of each what a worker writes of a job of a second, and ends

@@ -129,7 +129,7 @@ impl Subject {
             Place::Memory => panic!("memory is not shared"),
             Place::Directory(path) => open_sqlite(&path.0, LIMITS, announced, time).await.unwrap(),
             Place::Database(url) => {
-                open_postgres(url, LIMITS, announced, Some(time)).await.unwrap()
+                open_postgres(url, 10, LIMITS, announced, Some(time)).await.unwrap()
             }
         };
         Self { store, notifier, clock, place }
@@ -155,6 +155,7 @@ impl Subject {
             memory: MEMORY,
             lease: LEASE,
             max_attempts: MAX_ATTEMPTS,
+            expires: true,
         }
     }
 

@@ -65,6 +65,11 @@ pub struct BackstressTerm {
 }
 
 impl BackstressTerm {
+    /// `C/γ`, the equivalent stress that the term approaches \[MPa\]; infinite without recovery.
+    pub fn largest(&self) -> f64 {
+        if self.modulus > 0.0 { self.modulus / self.rate } else { 0.0 }
+    }
+
     /// `exp(-γ Δp) - 1`.
     #[inline(always)]
     fn recovery(&self, dp: f64) -> f64 {
@@ -163,6 +168,11 @@ impl<const N: usize> FlowPlasticity<N> {
     pub fn backstress_energy<const D: usize>(&self, backstress: &[[f64; D]; N]) -> f64 {
         let terms = backstress.iter().zip(&self.backstress).filter(|(_, term)| term.modulus > 0.0);
         terms.map(|(x, term)| 0.75 * product(*x, *x) / term.modulus).sum()
+    }
+
+    /// Terms of the backstress.
+    pub fn backstress_terms(&self) -> &[BackstressTerm] {
+        &self.backstress
     }
 
     /// Parts of a strain path.

@@ -198,6 +198,10 @@ impl HardeningLaw for Scaled {
         self.factor * self.law.yield_stress()
     }
 
+    fn largest_stress(&self) -> f64 {
+        self.factor * self.law.largest_stress()
+    }
+
     fn stress(&self, plastic_strain: f64) -> f64 {
         self.factor * self.law.stress(plastic_strain)
     }

@@ -11,6 +11,11 @@ use brinell_solver::report::{self, Report, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
+#[path = "support/random_job.rs"]
+mod random_job;
+
+use random_job::{Random, half_spaces};
+
 fn solve(job: &Value) -> Report {
     let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?} of {job}"));
     report::run(&job, &mut Unobserved).unwrap()
@@ -230,91 +235,6 @@ fn assert_sound(job: &Value, report: &Report) {
     }
 }
 
-/// The generator splitmix64.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(self.between(low.log10(), high.log10()))
-    }
-
-    fn happens(&mut self, probability: f64) -> bool {
-        self.between(0.0, 1.0) < probability
-    }
-
-    fn one_of(&mut self, count: u64) -> u64 {
-        self.bits() % count
-    }
-}
-
-/// Half-spaces that a person might press together: a contact of half of a thousandth to a
-/// twentieth of the radius, at up to five yield stresses.
-fn random_job(random: &mut Random) -> Value {
-    let [radius, young] = [random.decades(0.5, 100.0), random.decades(1e4, 3e5)];
-    let half_width = radius * random.decades(1e-3, 0.04);
-    // Of two balls, roughly.
-    let peak = half_width * young / (std::f64::consts::PI * radius);
-    let force = 2.0 / 3.0 * std::f64::consts::PI * half_width * half_width * peak;
-    let rotation = random.between(-90.0, 90.0);
-    let curved = |x: f64, y: f64| {
-        json!({"type": "curved", "radius_x": x, "radius_y": y,
-        "rotation": rotation})
-    };
-    let upper = match random.one_of(3) {
-        0 => json!({"type": "sphere", "radius": radius}),
-        1 => curved(radius, radius * random.decades(1.0, 20.0)),
-        _ => curved(radius, 3.0 * radius),
-    };
-    let lower = match random.one_of(3) {
-        0 => json!({"type": "flat"}),
-        1 => json!({"type": "sphere", "radius": radius * random.decades(0.5, 5.0)}),
-        // Wider than the largest radius of the upper body.
-        _ => curved(-25.0 * radius, 30.0 * radius),
-    };
-    let mut material = |rigid: f64| {
-        if random.happens(rigid) {
-            return json!({"rigid": true});
-        }
-        let mut steel = json!({"young_modulus": young, "poisson_ratio": random.between(0.2, 0.4)});
-        if random.happens(0.6) {
-            steel["plasticity"] = json!({"law": "bilinear",
-                "yield_stress": peak / random.between(1.2, 5.0),
-                "tangent_modulus": random.between(0.0, 0.1) * young});
-        }
-        steel
-    };
-    let (upper_material, lower_material) = (material(0.3), material(0.0));
-    let is_flow = random.happens(0.3);
-    let load = match random.one_of(3) {
-        0 if is_flow => {
-            json!({"history": [{"force": force}, {"force": 0}, {"force": 0.8 * force}]})
-        }
-        0 => json!({"forces": [0.3 * force, force]}),
-        1 => json!({"approach": half_width * half_width / radius}),
-        _ => json!({"force": force}),
-    };
-    json!({
-        "analysis": "three_dimensional",
-        "upper": {"shape": upper, "material": upper_material},
-        "lower": {"shape": lower, "material": lower_material},
-        "load": load,
-        "mesh": {"elements_per_half_width": 4 + random.one_of(3)},
-        "solver": {"theory": if is_flow { "flow" } else { "deformation" }},
-    })
-}
-
 /// Balls, rollers and raceways in any direction, elastic and yielding, single loads, sweeps and
 /// histories.
 #[test]
@@ -324,7 +244,7 @@ fn random_contacts_in_three_dimensions_are_sound() {
         std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(30);
     let mut converged = 0;
     for seed in 0..count {
-        let job = random_job(&mut Random(seed));
+        let job = half_spaces(&mut Random(seed));
         let report = solve(&job);
         assert_sound(&job, &report);
         converged += usize::from(report.status == SolveStatus::Converged);
@@ -384,7 +304,7 @@ fn estimated_errors_cover_what_finer_grids_change() {
         std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(30);
     let mut all: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
     for seed in 0..count {
-        let mut job = random_job(&mut Random(1000 + seed));
+        let mut job = half_spaces(&mut Random(1000 + seed));
         let force = job["load"]["force"].clone();
         if force.is_f64() {
             // Dents are what random jobs seldom leave.

@@ -12,7 +12,7 @@ use std::time::Duration;
 use sqlx::postgres::{PgListener, PgPoolOptions};
 use sqlx::{Executor, PgPool};
 use tokio::sync::mpsc::{Receiver, Sender, channel};
-use tokio::time::sleep;
+use tokio::time::{sleep, timeout};
 
 use crate::jobs::{JobId, JobNotifier, WorkerId};
 use crate::store::sql::Change;
@@ -27,7 +27,10 @@ const WAITING: usize = 4096;
 /// Time between two tries to listen.
 const RECONNECT_INTERVAL: Duration = Duration::from_secs(1);
 
-/// Longest wait for a connection.
+/// Time without a notification after which the server is asked for a sign of life.
+const SILENCE: Duration = Duration::from_secs(10);
+
+/// Longest wait for a connection, and for an answer.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Announces changes to other processes, in the order of the calls.
@@ -69,10 +72,13 @@ async fn tell(pool: PgPool, node: WorkerId, mut changes: Receiver<Change>) {
         let messages: Vec<String> = batch.drain(..).map(|change| message(node, change)).collect();
         let notify =
             sqlx::query("SELECT pg_notify($1, message) FROM unnest($2::text[]) AS message");
-        if let Err(error) = notify.bind(CHANNEL).bind(messages).execute(&pool).await {
-            tracing::warn!(%error, "other processes are not told of changes; they look once a \
-                                    second");
-        }
+        let notify = notify.bind(CHANNEL).bind(messages);
+        let error = match timeout(CONNECT_TIMEOUT, notify.execute(&pool)).await {
+            Ok(Ok(_)) => continue,
+            Ok(Err(error)) => error.to_string(),
+            Err(late) => late.to_string(),
+        };
+        tracing::warn!(error, "other processes are not told of changes; they look once a second");
     }
 }
 
@@ -123,7 +129,14 @@ async fn listen_once(
         // Notifications sent before this connection listened are lost: every waiter queries the
         // store again.
         notifier.announce_gap();
-        while let Some(notification) = listener.try_recv().await? {
+        loop {
+            let Ok(received) = timeout(SILENCE, listener.try_recv()).await else {
+                // The line may be dead, which only an answer can tell.
+                let answered = timeout(CONNECT_TIMEOUT, listener.execute("SELECT 1")).await;
+                answered.map_err(|late| sqlx::Error::Io(late.into()))??;
+                continue;
+            };
+            let Some(notification) = received? else { break };
             if let Some(change) = heard(notification.payload(), node) {
                 change.announce(notifier);
             }

@@ -2,51 +2,34 @@
 
 use std::ops::DerefMut;
 use std::path::Path;
-use std::time::Duration;
 
 use async_trait::async_trait;
-use sqlx::pool::PoolConnection;
-use sqlx::{Database, Pool};
-use tokio::time::timeout;
 
-use super::claiming::Claiming;
-use super::deliveries::Deliveries;
-use super::intake::Intake;
-use super::keys::Keys;
-use super::leasing::Leasing;
-use super::reading::Reading;
 use crate::jobs::{JobId, JobNotifier, StoreError};
-
-/// Longest wait for a connection to read from.
-const READER_WAIT: Duration = Duration::from_secs(2);
-
-/// All statements that a connection executes, for either database.
-pub(in crate::store) trait Statements:
-    Reading + Intake + Claiming + Leasing + Keys + Deliveries
-{
-}
-
-impl<T: Reading + Intake + Claiming + Leasing + Keys + Deliveries> Statements for T {}
 
 /// A database with jobs in it.
 #[async_trait]
 pub(in crate::store) trait Backend: Send + Sync + 'static {
-    /// Driver of sqlx.
-    type Database: Database<Connection: Statements>;
-    /// Type of a transaction that may write.
-    type Write: WriteTransaction<Target = <Self::Database as Database>::Connection>;
+    /// Type of a connection of sqlx.
+    type Connection: Send;
+    /// A connection without a transaction.
+    type Line: DerefMut<Target = Self::Connection> + Send;
+    /// A transaction that may write.
+    type Write: WriteTransaction<Target = Self::Connection>;
 
-    /// Returns the pool of connections for reading.
-    fn readers(&self) -> &Pool<Self::Database>;
+    /// Acquires a connection for reading; fails if there is none for too long.
+    async fn read(&self) -> Result<Self::Line, StoreError>;
 
-    /// Acquires a connection for reading; fails if the pool has none for too long.
-    async fn read(&self) -> Result<PoolConnection<Self::Database>, StoreError> {
-        let reader = timeout(READER_WAIT, self.readers().acquire()).await;
-        Ok(reader.map_err(StoreError::unavailable)??)
-    }
+    /// Acquires a connection for single statements that write. Each is a transaction of its own,
+    /// which the database ends by itself: a process that stops between two of them holds nothing.
+    async fn statements(&self) -> Result<Self::Line, StoreError>;
 
     /// Begins a transaction that may write; returns it and the time in microseconds since 1970.
     async fn write(&self) -> Result<(Self::Write, i64), StoreError>;
+
+    /// Returns the time in microseconds since 1970 where a clock of this process counts; `None`
+    /// where that of the database does.
+    fn now(&self) -> Option<i64>;
 
     /// Returns once everything that was committed before the call survives a loss of power.
     async fn sync(&self) -> Result<(), StoreError>;

@@ -2,16 +2,12 @@
 
 use std::time::Duration;
 
-use async_trait::async_trait;
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
-use super::backend::Backend;
-use super::backend::Durability::{Synced, Written};
 use super::claiming::until;
 use super::codec::{count, damaged, time};
-use super::{SqlStore, StoreError};
-use crate::jobs::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore, JobId, KeyId};
+use crate::jobs::{Callback, CallbackState, Delivery, DeliveryEnd, JobId, KeyId, StoreError};
 
 const ADD: &str = "INSERT INTO deliveries (job, id, url) VALUES ($1, $2, $3)";
 const SCHEDULE: &str =
@@ -163,32 +159,3 @@ macro_rules! deliveries {
 
 deliveries!(Sqlite, SqliteConnection, "");
 deliveries!(Postgres, PgConnection, " FOR UPDATE SKIP LOCKED");
-
-#[async_trait]
-impl<B: Backend> DeliveryStore for SqlStore<B> {
-    async fn claim_deliveries(
-        &self,
-        limit: usize,
-        lease: Duration,
-    ) -> Result<Vec<Delivery>, StoreError> {
-        let (mut transaction, now) = self.backend.write().await?;
-        let claimed = Deliveries::claim_deliveries(&mut *transaction, limit, lease, now).await?;
-        self.commit(transaction, Written, &[]).await?;
-        Ok(claimed)
-    }
-
-    async fn end_deliveries(&self, ends: &[(Delivery, DeliveryEnd)]) -> Result<(), StoreError> {
-        let (mut transaction, now) = self.backend.write().await?;
-        for (delivery, end) in ends {
-            Deliveries::end_delivery(&mut *transaction, delivery, end, now).await?;
-        }
-        // An announcement whose postponement is lost is due again when its lease expires.
-        let was_postponed =
-            ends.iter().all(|(_, end)| matches!(end, DeliveryEnd::Postponed { .. }));
-        self.commit(transaction, if was_postponed { Written } else { Synced }, &[]).await
-    }
-
-    async fn callback(&self, job: JobId) -> Result<Option<Callback>, StoreError> {
-        self.backend.read().await?.find_callback(job).await
-    }
-}

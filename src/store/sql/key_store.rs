@@ -5,15 +5,14 @@ use std::time::Duration;
 use async_trait::async_trait;
 use jiff::Timestamp;
 
-use super::SqlStore;
-use super::backend::Backend;
 use super::backend::Durability::Synced;
 use super::claiming::until;
 use super::keys::Keys;
+use super::{SqlBackend, SqlStore};
 use crate::jobs::{ApiKey, KeyId, KeyLimits, KeyStore, StoreError};
 
 #[async_trait]
-impl<B: Backend> KeyStore for SqlStore<B> {
+impl<B: SqlBackend> KeyStore for SqlStore<B> {
     async fn add_key(&self, key: ApiKey) -> Result<(), StoreError> {
         let (mut transaction, _) = self.backend.write().await?;
         Keys::add_key(&mut *transaction, key).await?;

@@ -1,5 +1,5 @@
 //! Statements of a worker that holds a lease. Each names owner and attempt in its condition, so
-//! that a lost lease changes nothing.
+//! that a lost lease changes nothing. Only the end of a job needs a transaction.
 
 use std::time::Duration;
 
@@ -14,17 +14,14 @@ use crate::jobs::{
 };
 
 const PROGRESS: &str = "UPDATE jobs SET iterations = iterations + $4, latest = $5
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations";
-const APPEND: &str = "INSERT INTO iterations (job, first, last, records) VALUES ($1, $2, $3, $4)";
-/// Ends a job; without a report, its steps no longer count. Returns the iterations, and whether
-/// steps of a history that began again are left to delete.
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'";
+/// Ends a job; without a report, its steps no longer count.
 const FINISH: &str = "UPDATE jobs SET state = $4, finished_at = $5, has_report = $6, failure = $7,
          iterations = iterations + $8, latest = coalesce($9, latest),
          steps = CASE WHEN $6 THEN coalesce($10, steps) ELSE 0 END,
          stored_bytes = CASE WHEN NOT $6 THEN 0 WHEN $12 THEN $11 ELSE stored_bytes + $11 END,
          owner = NULL, leased_until = NULL
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
-     RETURNING iterations, $12 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'";
 const REPORT: &str = "INSERT INTO reports (job, body) VALUES ($1, $2)";
 const RELEASE: &str = "UPDATE jobs SET
          state = CASE WHEN cancel_requested THEN 'cancelled' ELSE 'queued' END,
@@ -38,13 +35,27 @@ const RELEASE: &str = "UPDATE jobs SET
 const STEPS: &str = "UPDATE jobs SET steps = coalesce($4, steps),
          stored_bytes = CASE WHEN $6 THEN $5 WHEN $4 <= steps THEN stored_bytes
              ELSE stored_bytes + $5 END
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
-     RETURNING $6 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
-/// A repeated write, after its acknowledgement was lost, changes nothing.
-const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)
-     ON CONFLICT (job, step) DO UPDATE SET body = excluded.body";
-const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($1, $2, $3, $4)
-     ON CONFLICT (job, step, first) DO UPDATE SET body = excluded.body";
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'";
+const HAS_STEPS: &str = "SELECT EXISTS (SELECT 1 FROM result_steps WHERE job = $1)";
+
+/// Inserts a row of a job if the lease holds. A repeated write, after its acknowledgement was
+/// lost, changes nothing. The row of the job is not locked against its heartbeat.
+macro_rules! insert {
+    ($table:literal, $key:literal, $values:literal, $update:literal, $share:literal) => {
+        concat!(
+            "INSERT INTO ",
+            $table,
+            " SELECT id, ",
+            $values,
+            " FROM jobs WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'",
+            $share,
+            " ON CONFLICT (",
+            $key,
+            ") DO UPDATE SET ",
+            $update
+        )
+    };
+}
 
 /// Changes by the holder of a lease.
 pub(in crate::store) trait Leasing: Send {
@@ -53,19 +64,33 @@ pub(in crate::store) trait Leasing: Send {
         &mut self,
         leases: &[Lease],
         lease: Duration,
-        now: i64,
+        now: Option<i64>,
     ) -> impl Future<Output = Result<Vec<LeaseStatus>, StoreError>> + Send;
     fn record_progress(
         &mut self,
         lease: &Lease,
         records: &[IterationRecord],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    fn record_steps(
+    /// Appends iterations, without counting them.
+    fn append_records(
+        &mut self,
+        lease: &Lease,
+        records: &[IterationRecord],
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
+    /// Writes results of steps, part by part, without counting them; removes all earlier steps if
+    /// these begin anew.
+    fn append_steps(
         &mut self,
         lease: &Lease,
         steps: &[StepResult],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Ends a job; `records` and `steps` are the ones not written yet.
+    /// Counts steps that are written.
+    fn count_steps(
+        &mut self,
+        lease: &Lease,
+        steps: &[StepResult],
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
+    /// Ends a job; `records` and `steps` are written, but not counted yet.
     fn finish(
         &mut self,
         lease: &Lease,
@@ -73,20 +98,6 @@ pub(in crate::store) trait Leasing: Send {
         steps: &[StepResult],
         outcome: &Outcome,
         now: i64,
-    ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Appends iterations; `last` is the number of the last one within the attempt.
-    fn append_records(
-        &mut self,
-        job: JobId,
-        last: i32,
-        records: &[IterationRecord],
-    ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Adds results of steps; removes all earlier steps first if they are outdated.
-    fn append_steps(
-        &mut self,
-        job: JobId,
-        steps: &[StepResult],
-        outdated: bool,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn forget_steps(&mut self, job: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Returns a job to the queue. The result is `Some(true)` if the job was cancelled instead,
@@ -100,6 +111,11 @@ pub(in crate::store) trait Leasing: Send {
 
 fn number_of<T>(items: &[T]) -> i32 {
     i32::try_from(items.len()).unwrap_or(i32::MAX)
+}
+
+/// An error if a statement has met no job, whose lease is lost then.
+fn held(rows: u64) -> Result<(), StoreError> {
+    if rows == 0 { Err(StoreError::LeaseLost) } else { Ok(()) }
 }
 
 /// Returns the number of steps of the job with these (`None` without any), the bytes of these, and
@@ -120,16 +136,16 @@ macro_rules! fenced {
 }
 
 macro_rules! leasing {
-    ($database:ty, $connection:ty, $lock:literal) => {
+    ($database:ty, $connection:ty, $now:literal, $lock:literal, $share:literal) => {
         impl Leasing for $connection {
             async fn heartbeat(
                 &mut self,
                 leases: &[Lease],
                 lease: Duration,
-                now: i64,
+                now: Option<i64>,
             ) -> Result<Vec<LeaseStatus>, StoreError> {
                 let Some(first) = leases.first() else { return Ok(Vec::new()) };
-                let held = |before: &str, query: &mut QueryBuilder<$database>| {
+                let ours = |before: &str, query: &mut QueryBuilder<$database>| {
                     query
                         .push(before)
                         .push_bind(first.owner.uuid())
@@ -141,11 +157,12 @@ macro_rules! leasing {
                     query.push(")");
                 };
                 let mut beat = QueryBuilder::new("UPDATE jobs SET leased_until = ");
-                beat.push_bind(until(now, lease)).push(" WHERE id IN (");
-                held("SELECT id FROM jobs WHERE owner = ", &mut beat);
+                beat.push("coalesce(").push_bind(now).push(concat!(", ", $now, ") + "));
+                beat.push_bind(until(0, lease)).push(" WHERE id IN (");
+                ours("SELECT id FROM jobs WHERE owner = ", &mut beat);
                 beat.push($lock).push(")").build().execute(&mut *self).await?;
                 let mut look = QueryBuilder::new("");
-                held("SELECT id, attempts, cancel_requested FROM jobs WHERE owner = ", &mut look);
+                ours("SELECT id, attempts, cancel_requested FROM jobs WHERE owner = ", &mut look);
                 let rows: Vec<(Uuid, i32, bool)> = look.build_query_as().fetch_all(self).await?;
                 let status_of = |lease: &Lease| {
                     let row = rows.iter().find(|(id, attempts, _)| {
@@ -164,69 +181,87 @@ macro_rules! leasing {
                 records: &[IterationRecord],
             ) -> Result<(), StoreError> {
                 let Some(latest) = records.last() else { return Ok(()) };
-                let progress = fenced!(sqlx::query_scalar::<$database, i32>(PROGRESS), lease);
+                self.append_records(lease, records).await?;
+                let progress = fenced!(sqlx::query::<$database>(PROGRESS), lease);
                 let progress = progress.bind(number_of(records)).bind(to_json(latest)?);
-                let last =
-                    progress.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
-                self.append_records(lease.job, last, records).await
+                held(progress.execute(self).await?.rows_affected())
             }
 
             async fn append_records(
                 &mut self,
-                job: JobId,
-                last: i32,
+                lease: &Lease,
                 records: &[IterationRecord],
             ) -> Result<(), StoreError> {
-                let mut first = last.saturating_sub(number_of(records));
+                let mut first = 0;
                 for page in records.chunks(HISTORY_PAGE) {
-                    let last = first.saturating_add(number_of(page));
-                    let append =
-                        sqlx::query::<$database>(APPEND).bind(job.uuid()).bind(first).bind(last);
-                    append.bind(pack_records(page)?).execute(&mut *self).await?;
+                    let append = sqlx::query::<$database>(insert!(
+                        "iterations (job, first, last, records)",
+                        "job, first",
+                        "iterations + $4, iterations + $5, $6",
+                        "last = excluded.last, records = excluded.records",
+                        $share
+                    ));
+                    let last = first + number_of(page);
+                    let append = fenced!(append, lease).bind(first).bind(last);
+                    let append = append.bind(pack_records(page)?).execute(&mut *self).await?;
+                    held(append.rows_affected())?;
                     first = last;
                 }
                 Ok(())
             }
 
-            async fn record_steps(
+            async fn append_steps(
                 &mut self,
                 lease: &Lease,
                 steps: &[StepResult],
             ) -> Result<(), StoreError> {
-                if steps.is_empty() {
-                    return Ok(());
-                }
-                let (count, bytes, begin_anew) = sum_up(steps);
-                let recorded = fenced!(sqlx::query_scalar::<$database, bool>(STEPS), lease);
-                let recorded = recorded.bind(count).bind(bytes).bind(begin_anew);
-                let outdated =
-                    recorded.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
-                self.append_steps(lease.job, steps, outdated).await
-            }
-
-            async fn append_steps(
-                &mut self,
-                job: JobId,
-                steps: &[StepResult],
-                outdated: bool,
-            ) -> Result<(), StoreError> {
-                if outdated {
-                    self.forget_steps(job).await?;
+                let has_steps = sqlx::query_scalar::<$database, bool>(HAS_STEPS);
+                if steps.first().is_some_and(|first| first.number == 0)
+                    && has_steps.bind(lease.job.uuid()).fetch_one(&mut *self).await?
+                {
+                    self.count_steps(lease, &[]).await?;
+                    self.forget_steps(lease.job).await?;
                 }
                 for step in steps {
                     let number = i32::try_from(step.number).unwrap_or(i32::MAX);
-                    let report = sqlx::query::<$database>(STEP).bind(job.uuid()).bind(number);
-                    report.bind(&step.report.clone().into_bytes()[..]).execute(&mut *self).await?;
                     let fields = step.fields.as_deref().unwrap_or_default();
                     for (part, first) in
                         fields.chunks(FIELDS_PART).zip((0_i64..).step_by(FIELDS_PART))
                     {
-                        let insert =
-                            sqlx::query::<$database>(FIELDS).bind(job.uuid()).bind(number);
-                        insert.bind(first).bind(part).execute(&mut *self).await?;
+                        let insert = sqlx::query::<$database>(insert!(
+                            "field_parts (job, step, first, body)",
+                            "job, step, first",
+                            "$4, $5, $6",
+                            "body = excluded.body",
+                            $share
+                        ));
+                        let insert = fenced!(insert, lease).bind(number).bind(first).bind(part);
+                        held(insert.execute(&mut *self).await?.rows_affected())?;
                     }
+                    // Fields are found through this row, which is therefore the last one.
+                    let insert = sqlx::query::<$database>(insert!(
+                        "result_steps (job, step, body)",
+                        "job, step",
+                        "$4, $5",
+                        "body = excluded.body",
+                        $share
+                    ));
+                    let report = step.report.clone().into_bytes();
+                    let insert = fenced!(insert, lease).bind(number).bind(&report[..]);
+                    held(insert.execute(&mut *self).await?.rows_affected())?;
                 }
                 Ok(())
+            }
+
+            async fn count_steps(
+                &mut self,
+                lease: &Lease,
+                steps: &[StepResult],
+            ) -> Result<(), StoreError> {
+                let (count, bytes, begin_anew) = sum_up(steps);
+                let recorded = fenced!(sqlx::query::<$database>(STEPS), lease);
+                let recorded = recorded.bind(count).bind(bytes).bind(begin_anew);
+                held(recorded.execute(self).await?.rows_affected())
             }
 
             async fn finish(
@@ -243,7 +278,7 @@ macro_rules! leasing {
                     Outcome::Interrupted(_) => (None, None),
                 };
                 let (count, bytes, begin_anew) = sum_up(steps);
-                let finish = fenced!(sqlx::query_as::<$database, (i32, bool)>(FINISH), lease);
+                let finish = fenced!(sqlx::query::<$database>(FINISH), lease);
                 let finish = finish
                     .bind(outcome.state().name())
                     .bind(now)
@@ -252,22 +287,18 @@ macro_rules! leasing {
                 let finish =
                     finish.bind(number_of(records)).bind(records.last().map(to_json).transpose()?);
                 let finish = finish.bind(count).bind(bytes).bind(begin_anew);
-                let (iterations, outdated) =
-                    finish.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
-                let settle = sqlx::query::<$database>(SETTLE).bind(lease.job.uuid()).bind(now);
-                settle.execute(&mut *self).await?;
-                if !records.is_empty() {
-                    self.append_records(lease.job, iterations, records).await?;
-                }
+                held(finish.execute(&mut *self).await?.rows_affected())?;
                 if let Some(report) = report {
-                    self.append_steps(lease.job, steps, outdated).await?;
                     let report = sqlx::query::<$database>(REPORT)
                         .bind(lease.job.uuid())
                         .bind(pack(report)?);
-                    report.execute(self).await?;
+                    report.execute(&mut *self).await?;
                 } else {
                     self.forget_steps(lease.job).await?;
                 }
+                // The row of the key is locked last, for as short as can be.
+                let settle = sqlx::query::<$database>(SETTLE).bind(lease.job.uuid()).bind(now);
+                settle.execute(self).await?;
                 Ok(())
             }
 
@@ -306,6 +337,12 @@ macro_rules! leasing {
     };
 }
 
-leasing!(Sqlite, SqliteConnection, "");
-// SKIP LOCKED passes over a row that its worker is writing; the next heartbeat renews it.
-leasing!(Postgres, PgConnection, " FOR UPDATE SKIP LOCKED");
+leasing!(Sqlite, SqliteConnection, "0", "", "");
+// SKIP LOCKED passes over a row that another transaction changes; the next heartbeat renews it.
+leasing!(
+    Postgres,
+    PgConnection,
+    "(extract(epoch FROM clock_timestamp()) * 1000000)::bigint",
+    " FOR NO KEY UPDATE SKIP LOCKED",
+    " FOR KEY SHARE"
+);

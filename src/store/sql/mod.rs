@@ -7,6 +7,7 @@ mod backend;
 mod claiming;
 mod codec;
 mod deliveries;
+mod delivery_store;
 mod intake;
 mod key_store;
 mod keys;
@@ -24,19 +25,20 @@ use tokio::task::spawn_blocking;
 
 use super::StoreLimits;
 use crate::jobs::{
-    ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FieldsPart, FieldsReader,
-    IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState, JobStore,
-    KeyStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult, StoreError,
-    Turn,
+    Claim, ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FieldsPart,
+    FieldsReader, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState,
+    JobStore, KeyStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult,
+    StoreError, Turn, WorkerId,
 };
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
-use claiming::Claiming;
 #[cfg(test)]
 pub(super) use claiming::NEXT;
+use claiming::{Claiming, LeasedRow, Terms, Which};
 use codec::{count, unpack_records};
 use deliveries::Deliveries;
 use intake::{Intake, Savepoint};
+use keys::Keys;
 use leasing::Leasing;
 use reading::Reading;
 
@@ -73,7 +75,36 @@ pub(super) struct SqlStore<B> {
     pub(super) limits: StoreLimits,
 }
 
-impl<B: Backend> SqlStore<B> {
+/// Makes a claim of what the store has leased.
+fn claim_of(
+    (id, memory, attempt, trace): LeasedRow,
+    owner: WorkerId,
+    exclusive: bool,
+    request: Bytes,
+) -> Result<Claim, StoreError> {
+    Ok(Claim {
+        lease: Lease { job: JobId::from(id), owner, attempt: count(attempt)? },
+        exclusive,
+        memory: count(memory)?,
+        request,
+        trace: trace.and_then(|text| text.parse().ok()),
+    })
+}
+
+/// A backend whose connections execute all statements.
+pub(super) trait SqlBackend: Backend<Connection: Statements> {}
+
+impl<B: Backend<Connection: Statements>> SqlBackend for B {}
+
+/// All statements that a connection executes, for either database.
+pub(in crate::store) trait Statements:
+    Reading + Intake + Claiming + Leasing + Keys + Deliveries
+{
+}
+
+impl<T: Reading + Intake + Claiming + Leasing + Keys + Deliveries> Statements for T {}
+
+impl<B: SqlBackend> SqlStore<B> {
     /// Reads all rows of a job.
     async fn check_job(&self, id: JobId) -> Result<(), StoreError> {
         self.get(id).await?;
@@ -119,10 +150,27 @@ impl<B: Backend> SqlStore<B> {
         }
         Ok(())
     }
+
+    /// Announces changes that no transaction of this process has made.
+    fn announce(&self, changes: &[Change]) {
+        self.backend.announce(changes);
+        changes.iter().for_each(|change| change.announce(&self.notifier));
+    }
+
+    /// Queues the jobs again whose worker is lost, or ends them.
+    async fn expire(&self, max_attempts: u32) -> Result<(), StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        let ended = Claiming::expire(&mut *transaction, max_attempts, now).await?;
+        for job in &ended {
+            transaction.forget_steps(*job).await?;
+        }
+        let changes: Vec<Change> = ended.into_iter().map(Change::Finished).collect();
+        self.commit(transaction, Written, &changes).await
+    }
 }
 
 #[async_trait]
-impl<B: Backend> JobStore for SqlStore<B> {
+impl<B: SqlBackend> JobStore for SqlStore<B> {
     async fn enqueue(&self, job: NewJob, turn: Turn) -> Result<Enqueued, StoreError> {
         self.backend.check_space().await?;
         let durability = if job.interactive { Written } else { Synced };
@@ -197,19 +245,45 @@ impl<B: Backend> JobStore for SqlStore<B> {
     }
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
-        let (mut transaction, now) = self.backend.write().await?;
-        let (expired, lost) = transaction.take_turn(now).await?;
-        let ended = if expired {
-            transaction.expire(request.max_attempts, now).await?
-        } else {
-            Vec::new()
-        };
-        let claims =
-            Claiming::claim(&mut *transaction, request, self.limits, expired || lost, now).await?;
-        let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
-        let changes: Vec<Change> =
-            ended.into_iter().map(Change::Finished).chain(started).collect();
-        self.commit(transaction, Written, &changes).await?;
+        let now = self.backend.now();
+        let (expired, lost) = self.backend.read().await?.look(now).await?;
+        if expired && request.expires {
+            self.expire(request.max_attempts).await?;
+        }
+        let mut line = self.backend.statements().await?;
+        let (mut claims, mut terms) = (Claims::default(), Terms::new(request, self.limits));
+        if expired || lost {
+            if request.exclusive {
+                terms.shared = request.memory;
+                if let Some(leased) = line.lease(Which::LastChance, &terms, now).await? {
+                    let text = line.begin(&leased).await?;
+                    claims.jobs.push(claim_of(leased, request.owner, true, text)?);
+                }
+            } else {
+                claims.exclusive_pending = line.is_pending(Which::LastChance, &terms, now).await?;
+            }
+            terms.shared = request.free_memory;
+        }
+        let is_alone = claims.jobs.iter().any(|claim| claim.exclusive);
+        while !is_alone && claims.jobs.len() < request.places {
+            if let Some(leased) = line.lease(Which::Next, &terms, now).await? {
+                let memory: u64 = count(leased.1)?;
+                if memory > request.memory_of_place {
+                    terms.shared = terms.shared.saturating_sub(memory);
+                }
+                let text = line.begin(&leased).await?;
+                claims.jobs.push(claim_of(leased, request.owner, false, text)?);
+            } else if !claims.large_pending && line.is_pending(Which::Next, &terms, now).await? {
+                claims.large_pending = true;
+                terms.largest = request.memory_of_place;
+            } else {
+                break;
+            }
+        }
+        drop(line);
+        for claim in &claims.jobs {
+            self.announce(&[Change::Progress(claim.lease.job)]);
+        }
         Ok(claims)
     }
 
@@ -218,10 +292,8 @@ impl<B: Backend> JobStore for SqlStore<B> {
         leases: &[Lease],
         lease: Duration,
     ) -> Result<Vec<LeaseStatus>, StoreError> {
-        let (mut transaction, now) = self.backend.write().await?;
-        let statuses = Leasing::heartbeat(&mut *transaction, leases, lease, now).await?;
-        self.commit(transaction, Written, &[]).await?;
-        Ok(statuses)
+        let now = self.backend.now();
+        Leasing::heartbeat(&mut *self.backend.statements().await?, leases, lease, now).await
     }
 
     async fn record_progress(
@@ -229,15 +301,15 @@ impl<B: Backend> JobStore for SqlStore<B> {
         lease: &Lease,
         records: &[IterationRecord],
     ) -> Result<(), StoreError> {
-        let (mut transaction, _) = self.backend.write().await?;
-        Leasing::record_progress(&mut *transaction, lease, records).await?;
-        self.commit(transaction, Written, &[Change::Progress(lease.job)]).await
+        Leasing::record_progress(&mut *self.backend.statements().await?, lease, records).await?;
+        self.announce(&[Change::Progress(lease.job)]);
+        Ok(())
     }
 
     async fn record_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError> {
-        let (mut transaction, _) = self.backend.write().await?;
-        Leasing::record_steps(&mut *transaction, lease, steps).await?;
-        self.commit(transaction, Written, &[]).await
+        let mut line = self.backend.statements().await?;
+        line.append_steps(lease, steps).await?;
+        line.count_steps(lease, steps).await
     }
 
     async fn finish(
@@ -247,6 +319,12 @@ impl<B: Backend> JobStore for SqlStore<B> {
         steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {
+        let mut line = self.backend.statements().await?;
+        line.append_records(lease, records).await?;
+        if matches!(outcome, Outcome::Reported { .. }) {
+            line.append_steps(lease, steps).await?;
+        }
+        drop(line);
         let (mut transaction, now) = self.backend.write().await?;
         Leasing::finish(&mut *transaction, lease, records, steps, &outcome, now).await?;
         self.commit(transaction, Synced, &[Change::Finished(lease.job)]).await

@@ -1,8 +1,9 @@
 //! Prints the reports of seeded random jobs, one line of JSON for each, without times, to compare
 //! the answers of two versions of the solver.
 //!
-//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`; with names of files of
-//! jobs instead of the count those are solved, and the seconds of each are told.
+//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`, and `answers 200
+//! three_dimensional` for contacts of half-spaces; with names of files of jobs instead of the
+//! count those are solved, and the seconds of each are told. With `--jobs` last it prints the jobs.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
@@ -32,9 +33,17 @@ fn main() -> std::io::Result<()> {
         }
         return Ok(());
     }
+    let in_three = arguments.iter().any(|argument| argument == "three_dimensional");
+    let prints_jobs = arguments.last().is_some_and(|argument| argument == "--jobs");
     for seed in 0..count.unwrap_or_default() {
-        let text = random_job::job(&mut random_job::Random(seed), &ELEMENTS).to_string();
-        println!("{}", answer(text.as_bytes()));
+        let random = &mut random_job::Random(seed);
+        let job = if in_three {
+            random_job::in_three_dimensions(random)
+        } else {
+            random_job::job(random, &ELEMENTS)
+        };
+        let text = job.to_string();
+        println!("{}", if prints_jobs { job } else { answer(text.as_bytes()) });
     }
     Ok(())
 }

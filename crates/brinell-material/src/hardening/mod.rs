@@ -58,6 +58,12 @@ pub trait HardeningLaw: Debug + Send + Sync {
         1.2 * self.yield_stress()
     }
 
+    /// Returns the stress that the curve approaches or reaches at large plastic strains \[MPa\];
+    /// infinite for a curve that rises without bound.
+    fn largest_stress(&self) -> f64 {
+        f64::INFINITY
+    }
+
     /// Whether a point in this state counts as yielded: if it has plastic strain or, for a curve
     /// without an elastic limit, if its stress exceeds the nominal yield stress.
     fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
@@ -99,6 +105,19 @@ pub(crate) mod tests {
             Arc::new(Ludwik { yield_stress, coefficient: 700.0, exponent: 0.4 }),
             Arc::new(Voce { yield_stress, saturation_stress: 800.0, rate: 30.0 }),
         ]
+    }
+
+    /// A curve comes within a thousandth of a finite largest stress and never above it.
+    #[test]
+    fn largest_stresses_are_bounds_that_are_reached() {
+        let bounds: Vec<f64> = laws().iter().map(|law| law.largest_stress()).collect();
+        let rising = f64::INFINITY;
+        assert_eq!(bounds, [rising, 500.0, rising, 640.0, rising, rising, 800.0]);
+        for law in laws() {
+            let (bound, far) = (law.largest_stress(), law.stress(2.0));
+            assert!(far <= bound, "{law:?}");
+            assert!(bound.is_infinite() || far > 0.999 * bound, "{law:?}");
+        }
     }
 
     #[test]

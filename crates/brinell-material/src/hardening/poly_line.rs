@@ -30,6 +30,10 @@ impl HardeningLaw for PolyLine {
         self.points.last().map_or(f64::INFINITY, |point| point[1])
     }
 
+    fn largest_stress(&self) -> f64 {
+        self.points.last().map_or(f64::INFINITY, |point| point[1])
+    }
+
     fn stress(&self, plastic_strain: f64) -> f64 {
         let (from, _) = self.segment(plastic_strain);
         from[1] + (plastic_strain - from[0]) * self.slope(plastic_strain)

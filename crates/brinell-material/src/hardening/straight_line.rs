@@ -26,6 +26,10 @@ impl HardeningLaw for StraightLine {
         self.yield_stress
     }
 
+    fn largest_stress(&self) -> f64 {
+        if self.plastic_modulus > 0.0 { f64::INFINITY } else { self.yield_stress }
+    }
+
     fn stress(&self, plastic_strain: f64) -> f64 {
         self.yield_stress + self.plastic_modulus * plastic_strain
     }

@@ -23,6 +23,10 @@ impl HardeningLaw for Voce {
         0.5 * (self.yield_stress + self.saturation_stress)
     }
 
+    fn largest_stress(&self) -> f64 {
+        self.saturation_stress.max(self.yield_stress)
+    }
+
     fn stress(&self, plastic_strain: f64) -> f64 {
         self.stress_and_slope(plastic_strain).0
     }

@@ -1,5 +1,7 @@
 //! Random jobs over the whole format, seeded.
 
+#![allow(dead_code, reason = "each program uses a part")]
+
 use serde_json::{Map, Value, json};
 
 /// The generator splitmix64.
@@ -91,6 +93,131 @@ pub fn job(random: &mut Random, elements: &[u32]) -> Value {
     }
     if random.happens(0.2) {
         to_si(&mut job, analysis);
+        job["units"] = json!("SI");
+    }
+    job
+}
+
+/// Half-spaces that a person might press together: a contact of half of a thousandth to a
+/// twentieth of the radius, at up to five yield stresses.
+pub fn half_spaces(random: &mut Random) -> Value {
+    let [radius, young] = [random.decades(0.5, 100.0), random.decades(1e4, 3e5)];
+    let half_width = radius * random.decades(1e-3, 0.04);
+    // Of two balls, roughly.
+    let peak = half_width * young / (std::f64::consts::PI * radius);
+    let force = 2.0 / 3.0 * std::f64::consts::PI * half_width * half_width * peak;
+    let rotation = random.between(-90.0, 90.0);
+    let curved = |x: f64, y: f64| {
+        json!({"type": "curved", "radius_x": x, "radius_y": y,
+        "rotation": rotation})
+    };
+    let upper = match random.one_of(&[0, 1, 2]) {
+        0 => json!({"type": "sphere", "radius": radius}),
+        1 => curved(radius, radius * random.decades(1.0, 20.0)),
+        _ => curved(radius, 3.0 * radius),
+    };
+    let lower = match random.one_of(&[0, 1, 2]) {
+        0 => json!({"type": "flat"}),
+        1 => json!({"type": "sphere", "radius": radius * random.decades(0.5, 5.0)}),
+        // Wider than the largest radius of the upper body.
+        _ => curved(-25.0 * radius, 30.0 * radius),
+    };
+    let mut material = |rigid: f64| {
+        if random.happens(rigid) {
+            return json!({"rigid": true});
+        }
+        let mut steel = json!({"young_modulus": young, "poisson_ratio": random.between(0.2, 0.4)});
+        if random.happens(0.6) {
+            steel["plasticity"] = json!({"law": "bilinear",
+                "yield_stress": peak / random.between(1.2, 5.0),
+                "tangent_modulus": random.between(0.0, 0.1) * young});
+        }
+        steel
+    };
+    let (upper_material, lower_material) = (material(0.3), material(0.0));
+    let is_flow = random.happens(0.3);
+    let load = match random.one_of(&[0, 1, 2]) {
+        0 if is_flow => {
+            json!({"history": [{"force": force}, {"force": 0}, {"force": 0.8 * force}]})
+        }
+        0 => json!({"forces": [0.3 * force, force]}),
+        1 => json!({"approach": half_width * half_width / radius}),
+        _ => json!({"force": force}),
+    };
+    let cells = 4 + random.one_of(&[0, 1, 2]);
+    json!({
+        "analysis": "three_dimensional",
+        "upper": {"shape": upper, "material": upper_material},
+        "lower": {"shape": lower, "material": lower_material},
+        "load": load,
+        "mesh": {"elements_per_half_width": cells},
+        "solver": {"theory": if is_flow { "flow" } else { "deformation" }},
+    })
+}
+
+/// Any contact in three dimensions: half-spaces as above, rollers, rough surfaces, strength over
+/// depth, onsets and targets, in both systems of units.
+pub fn in_three_dimensions(random: &mut Random) -> Value {
+    let mut job = half_spaces(random);
+    let radius = job["upper"]["shape"]["radius"]
+        .as_f64()
+        .or_else(|| job["upper"]["shape"]["radius_x"].as_f64())
+        .unwrap_or(1.0);
+    let force = &job["load"]["force"];
+    let force = force.as_f64().or_else(|| job["load"]["forces"][1].as_f64());
+    let force = force.or_else(|| job["load"]["history"][0]["force"].as_f64());
+    match random.one_of(&[0, 0, 0, 1, 2]) {
+        1 => {
+            let length = radius * random.between(0.3, 1.5);
+            let mut roller = json!({"type": "roller", "radius": radius, "length": length});
+            match random.one_of(&[0, 1, 2, 3]) {
+                0 => roller["profile"] = json!("iso_16281"),
+                1 => {
+                    roller["profile"] = json!("crowned");
+                    roller["crown_radius"] = json!(100.0 * radius);
+                }
+                _ => {}
+            }
+            if random.happens(0.3) {
+                roller["tilt"] = json!(random.between(-0.5, 0.5));
+            }
+            job["upper"]["shape"] = roller;
+            job["lower"]["shape"] = json!({"type": "flat"});
+        }
+        2 => {
+            let spacing = 0.002 * radius;
+            let rows: Vec<Vec<f64>> = (0..10)
+                .map(|_| (0..10).map(|_| random.between(-1.0, 1.0) * 1e-3 * spacing).collect())
+                .collect();
+            job["lower"]["shape"] = json!({"type": "flat"});
+            job["lower"]["surface"] =
+                json!({"spacing_x": spacing, "spacing_y": spacing, "heights": rows});
+        }
+        _ => {}
+    }
+    if let (Some(force), true) = (force, random.happens(0.15)) {
+        let yields =
+            ["upper", "lower"].iter().any(|side| job[*side]["material"]["plasticity"].is_object());
+        job["load"] = match random.one_of(&[0, 1, 2]) {
+            0 if yields => json!({"onset": true}),
+            1 => json!({"target": {"half_width": 0.01 * radius}}),
+            _ => json!({"force": 2.0 * force}),
+        };
+    }
+    for side in ["upper", "lower"] {
+        let plasticity = &mut job[side]["material"]["plasticity"];
+        if plasticity.is_object() && random.happens(0.2) {
+            *plasticity = json!({"law": "bilinear", "yield_stress": plasticity["yield_stress"],
+                "tangent_modulus": plasticity["tangent_modulus"],
+                "over_depth": [[0, 1.4], [0.01 * radius, 1.0]]});
+        } else if plasticity.is_null()
+            && let Some(material) = job[side]["material"].as_object_mut()
+        {
+            material.remove("plasticity");
+        }
+    }
+    if random.happens(0.3) {
+        to_si(&mut job, "three_dimensional");
         job["units"] = json!("SI");
     }
     job
@@ -253,7 +380,7 @@ fn plasticity(random: &mut Random, scale: &Scale) -> Value {
 }
 
 /// Factors of lengths, stresses and forces.
-const LENGTHS: [&str; 11] = [
+const LENGTHS: [&str; 18] = [
     "radius",
     "width",
     "depth",
@@ -265,6 +392,13 @@ const LENGTHS: [&str; 11] = [
     "approach",
     "approaches",
     "case_depth",
+    "radius_x",
+    "radius_y",
+    "length",
+    "crown_radius",
+    "spacing_x",
+    "spacing_y",
+    "heights",
 ];
 const STRESSES: [&str; 7] = [
     "young_modulus",
@@ -278,7 +412,7 @@ const STRESSES: [&str; 7] = [
 
 /// Writes a job in metres, pascals and newtons.
 fn to_si(value: &mut Value, analysis: &str) {
-    let force = if analysis == "axisymmetric" { 1.0 } else { 1e3 };
+    let force = if analysis.starts_with("plane") { 1e3 } else { 1.0 };
     let scale_all = |value: &mut Value, factors: &[f64]| scale_numbers(value, factors);
     let Value::Object(fields) = value else {
         if let Value::Array(items) = value {

@@ -57,6 +57,7 @@ from ._find import Found
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._result import Pressure, Remark, Result, Step
+from ._surface import Surface, surface
 
 try:
     __version__ = version("brinell")
@@ -89,6 +90,7 @@ __all__ = [
     "ServerNotFound",
     "ServiceError",
     "Step",
+    "Surface",
     "StillRunning",
     "Unauthorized",
     "Unavailable",
@@ -114,6 +116,7 @@ __all__ = [
     "roller",
     "sphere",
     "steels",
+    "surface",
     "swift",
     "table",
     "voce",

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from . import models
 from ._errors import Fault, InvalidJob
-from ._plain import Number, Quantity, named, plain
+from ._plain import Number, Quantity, named, not_finite, plain
 
 __all__ = ["Material", "Number", "Quantity", "Support", "job", "material", "rigid"]
 
@@ -18,7 +18,7 @@ Material: TypeAlias = models.Deformable | models.Rigid | Mapping[str, Any] | str
 """A name among `materials`, a `material(...)`, `rigid`, or a dict as the service takes it."""
 
 Support: TypeAlias = Literal["clamped", "roller"]
-Analysis: TypeAlias = Literal["plane_strain", "plane_stress", "axisymmetric"]
+Analysis: TypeAlias = Literal["plane_strain", "plane_stress", "axisymmetric", "three_dimensional"]
 M = TypeVar("M", bound=BaseModel)
 
 rigid = models.Rigid(rigid=True)
@@ -35,8 +35,12 @@ def checked(
 
     `at` is the pointer of the model itself.
     """
+    figures = plain(values, document or {})
+    holes = not_finite(figures, at)
+    if holes:
+        raise InvalidJob(holes, f"not a valid {model.__name__}")
     try:
-        return model.model_validate(plain(values, document or {}))
+        return model.model_validate(figures)
     except ValidationError as error:
         faults = [_fault(at, one) for one in _chosen(error.errors())]
         raise InvalidJob(faults, f"not a valid {model.__name__}") from None

@@ -71,9 +71,10 @@ class _Connection:
         max_retries: int,
         program: str | os.PathLike[str] | None,
         workers: int | None,
+        max_body: int | None,
     ) -> None:
         url = url or os.environ.get("BRINELL_URL")
-        self._server = None if url else LocalServer(program, workers)
+        self._server = None if url else LocalServer(program, workers, max_body)
         if self._server is not None:
             url, api_key = self._server.url, self._server.key
         else:
@@ -131,6 +132,8 @@ class Client(_Connection):
         max_retries: how often a request is repeated after a connection error, 408, 429 or 5xx.
         program: the `brinell` program for the local server, if it is not found by itself.
         workers: jobs that the local server solves at the same time; one per core if left out.
+        max_body: bytes that a request to the local server may have; 64 MiB if left out, two
+            surfaces of 1024 × 1024 heights.
     """
 
     def __init__(
@@ -142,8 +145,9 @@ class Client(_Connection):
         max_retries: int = 2,
         program: str | os.PathLike[str] | None = None,
         workers: int | None = None,
+        max_body: int | None = None,
     ) -> None:
-        super().__init__(url, api_key, timeout, max_retries, program, workers)
+        super().__init__(url, api_key, timeout, max_retries, program, workers, max_body)
         self._http: httpx.Client | None = None
         self._pid = 0
 
@@ -417,8 +421,9 @@ class AsyncClient(_Connection):
         max_retries: int = 2,
         program: str | os.PathLike[str] | None = None,
         workers: int | None = None,
+        max_body: int | None = None,
     ) -> None:
-        super().__init__(url, api_key, timeout, max_retries, program, workers)
+        super().__init__(url, api_key, timeout, max_retries, program, workers, max_body)
         self._http: httpx.AsyncClient | None = None
 
     # Performing flows.

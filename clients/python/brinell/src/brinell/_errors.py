@@ -117,11 +117,20 @@ def faults_of(problem: dict[str, Any]) -> list[Fault]:
     ]
 
 
+_SMALLER = (
+    "brinell.Client(max_body=...) sets it for a local server, and brinell.surface(..., size=512) "
+    "thins a surface to 512 heights along a side"
+)
+
+
 def error_of(
     status: int, problem: dict[str, Any], retry_after: float | None = None
 ) -> BrinellError:
     """The exception for an answer."""
     kind = str(problem.get("type", "")).rsplit("/", 1)[-1]
+    if status == 413:
+        detail = str(problem.get("detail") or problem.get("title"))
+        problem = {**problem, "detail": f"{detail}; {_SMALLER}"}
     if kind == "invalid-job" or (status == 422 and problem.get("errors")):
         return InvalidJob(faults_of(problem), str(problem.get("title", "")))
     if status == 422:

@@ -17,6 +17,8 @@ from ._errors import BrinellError, ServerDied, ServerNotFound
 # Bounds of the store in memory [MiB]: what it may take, and what results may before the oldest
 # are removed.
 KEEP_MEMORY, KEEP_STORED = 1024, 512
+# Largest request [bytes]: two surfaces of 1024 × 1024 heights as float64, or a batch of smaller.
+MAX_BODY = 64 << 20
 # Grace time for running jobs [s]: no client is left to fetch their results.
 GRACE = 0.1
 # Time after which a server that does not end by itself is killed [s].
@@ -48,7 +50,10 @@ class LocalServer:
     """`brinell serve` on a free loopback port, with a key of its own."""
 
     def __init__(
-        self, program: str | os.PathLike[str] | None = None, workers: int | None = None
+        self,
+        program: str | os.PathLike[str] | None = None,
+        workers: int | None = None,
+        max_body: int | None = None,
     ) -> None:
         program = find_program(program)
         self.key = secrets.token_hex(32)
@@ -61,6 +66,7 @@ class LocalServer:
             *("serve", "--listen", "127.0.0.1:0", "--data-dir", ":memory:", "--log", "info"),
             *("--once-key-env", "BRINELL_ONCE_KEY", "--exit-with-stdin", "--grace", str(GRACE)),
             *("--keep-memory", str(KEEP_MEMORY), "--keep-stored", str(KEEP_STORED)),
+            *("--max-body", str(max_body or MAX_BODY)),
             *(("--workers", str(workers)) if workers else ()),
         ]
         with os.fdopen(handle, "wb") as log:

@@ -10,6 +10,7 @@ import io
 import json
 import math
 import os
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias, runtime_checkable
@@ -17,6 +18,7 @@ from typing import Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 from pydantic import BaseModel
 
+from ._arrays import grid_of, without_mask
 from ._errors import Fault, InvalidJob
 from ._materials import materials
 from .models import Deformable
@@ -32,6 +34,14 @@ class Quantity(Protocol):
     @property
     def magnitude(self) -> Any:
         """The figure alone."""
+
+
+@runtime_checkable
+class InJob(Protocol):
+    """What stands in a job by figures of its own: a measured surface, a trace."""
+
+    def in_job(self, unit: str, /) -> Any:
+        """These figures, lengths in this unit."""
 
 
 Number: TypeAlias = float | Quantity
@@ -119,6 +129,8 @@ def plain(value: Any, document: Mapping[str, Any] | None = None, key: str = "") 
     Quantities are given in the units of the document, by the key that they stand under.
     """
     document = document if document is not None else (value if isinstance(value, Mapping) else {})
+    if isinstance(value, InJob):
+        return plain(value.in_job(unit_of(LENGTH, document)), document, key)
     if isinstance(value, BaseModel):
         return value.model_dump(mode="json", exclude_none=True)
     if isinstance(value, Mapping):
@@ -147,10 +159,10 @@ def _heights(value: Any, document: Mapping[str, Any]) -> Any:
     """An array of heights as `numpy.save` writes it; lists where it has holes, to name them."""
     if isinstance(value, Quantity):
         value = value.to(unit_of(LENGTH, document)).magnitude
-    array = np.asarray(value)
+    single = getattr(value, "dtype", None) == np.float32
+    array = grid_of(value)
     if array.ndim != 2 or not np.isfinite(array).all():
         return array.tolist()
-    single = array.dtype == np.float32
     file = io.BytesIO()
     np.save(file, np.ascontiguousarray(array, "<f4" if single else "<f8"), allow_pickle=False)
     return {"npy_base64": base64.b64encode(file.getvalue()).decode("ascii")}
@@ -163,7 +175,7 @@ def _is_pair(value: list[Any] | tuple[Any, ...]) -> bool:
 def _figure(value: Any, kind: str, document: Mapping[str, Any]) -> Any:
     if isinstance(value, Quantity):
         value = value.to(unit_of(kind, document)).magnitude
-    # Arrays and scalars of numpy, pandas and xarray.
+    value = without_mask(value)
     return value.tolist() if hasattr(value, "tolist") else value
 
 
@@ -177,15 +189,46 @@ def document_of(job: JobLike) -> dict[str, Any]:
         )
     document = plain(job)
     assert isinstance(document, dict)
-    # JSON cannot represent these.
-    faults = [
-        Fault(f"#{pointer}", "not_finite", f"{figure} is not a finite number")
-        for pointer, figure in _figures(document, "")
-        if not math.isfinite(figure)
-    ]
+    faults = not_finite(document)
     if faults:
         raise InvalidJob(faults)
     return document
+
+
+def not_finite(document: Any, at: str = "#") -> list[Fault]:
+    """A fault for each list with figures that JSON cannot represent, at the first of them.
+
+    Holes, masked and missing values are such figures. `at` is the pointer of the document.
+    """
+    found: dict[str, list[tuple[str, float]]] = {}
+    counts: dict[str, int] = {}
+    for pointer, figure in _figures(document, ""):
+        of = re.sub(r"(/\d+)+$", "", pointer)
+        counts[of] = counts.get(of, 0) + 1
+        if not math.isfinite(figure):
+            found.setdefault(of, []).append((pointer, figure))
+    return [
+        Fault(f"{at}{all_of_it[0][0]}", "not_finite", _missing(of, all_of_it, counts[of]))
+        for of, all_of_it in found.items()
+    ]
+
+
+def _missing(of: str, found: list[tuple[str, float]], count: int) -> str:
+    pointer, first = found[0]
+    place = [int(step) for step in pointer[len(of) + 1 :].split("/") if step]
+    if not of.endswith("heights"):
+        more = f", and {len(found) - 1} more" if len(found) > 1 else ""
+        said = f"{first} is not a finite number{more}"
+        return said + (": a hole, a masked or a missing value" if math.isnan(first) else "")
+    return (
+        f"{grouped(len(found))} of {grouped(count)} heights {'are' if len(found) > 1 else 'is'} "
+        f'missing, the first at {place}: brinell.surface(..., fill="harmonic") fills holes'
+    )
+
+
+def grouped(count: int) -> str:
+    """A count with its digits in threes."""
+    return f"{count:,}".replace(",", " ")
 
 
 def _figures(value: Any, pointer: str) -> Iterator[tuple[str, float]]:
