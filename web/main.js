@@ -42,14 +42,19 @@ const WELCOME =
   'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
 /**
+ * Where the fields of a job come from.
  * @param {string} id
  * @param {import('./types.js').Report} report
- * @returns {FieldSource | LayerSource}
+ * @param {import('./types.js').Job} job
+ * @returns {FieldSource | LayerSource | undefined} nothing where it did not ask for them, or the report has them
  */
-const sourceOf = (id, report) =>
-  report.analysis === 'three_dimensional'
+function sourceOf(id, report, job) {
+  const inside = report.steps.some(({ fields, layers }) => fields ?? layers);
+  if (!job.output?.fields || inside) return undefined;
+  return report.analysis === 'three_dimensional'
     ? new LayerSource(id, report)
     : new FieldSource(id, report);
+}
 
 startMemory();
 startTheme();
@@ -92,9 +97,7 @@ const watch = new Watch({
   },
   solved: (id, report) => {
     const job = current?.job ?? {};
-    const inside = report.steps.some(({ fields, layers }) => fields ?? layers);
-    const fields = job.output?.fields && !inside ? sourceOf(id, report) : undefined;
-    first = { id, report, job, fields, colour: COLOURS[0], label: '' };
+    first = { id, report, job, fields: sourceOf(id, report, job), colour: COLOURS[0], label: '' };
     show();
     if (innerWidth < 900)
       byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });
@@ -400,7 +403,15 @@ async function layOver(id, still) {
     const used = new Set([...compared.values()].map(({ colour }) => colour));
     const free = COLOURS.findIndex((one, k) => k > 0 && !used.has(one));
     if (free < 0) return toast(`${COLOURS.length} jobs are as many as can be told apart`);
-    compared.set(id, { id, report, job, label: '', colour: COLOURS[free], dash: DASHES[free] });
+    compared.set(id, {
+      id,
+      report,
+      job,
+      fields: sourceOf(id, report, job),
+      label: '',
+      colour: COLOURS[free],
+      dash: DASHES[free],
+    });
   } catch (error) {
     if (still()) toast(/** @type {Error} */ (error).message);
   }

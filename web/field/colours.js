@@ -128,6 +128,7 @@ export class ColourRange {
    * @param {(step: number) => Limits | undefined} of.limits of a step whose field is here, in the units of the job
    * @param {Limits} of.own of the step that is shown
    * @param {boolean} of.signed whether the colours need not begin at 0
+   * @param {boolean} of.beside whether another field has the same scale
    * @param {boolean} of.residual whether it is what a load has left: it has a scale of its own
    * @param {number} of.factor to the units shown
    * @param {string} of.unit of these
@@ -136,12 +137,25 @@ export class ColourRange {
    * @param {boolean} of.whole whether the fields of all steps are kept
    * @returns {import('./palette.js').Bands}
    */
-  bands({ quantity, steps, limits, own, signed, residual, factor, unit, kind, units, whole }) {
+  bands({
+    quantity,
+    steps,
+    limits,
+    own,
+    signed,
+    beside,
+    residual,
+    factor,
+    unit,
+    kind,
+    units,
+    whole,
+  }) {
     /** @type {HTMLOptionElement} */ (this.choice.options[1]).text = whole
       ? RANGES.steps
       : 'the steps seen';
     const held = this.#of === 'fixed';
-    const alone = this.#of === 'step' || this.#single || residual;
+    const alone = this.#of === 'step' || this.#single || residual || beside;
     if (!held) this.choice.value = alone ? 'step' : 'steps';
     const all = alone ? own : this.#overAll(quantity, steps, limits);
     if (held && units !== this.#measure.units) {

@@ -1,6 +1,6 @@
 /** Several jobs at once: handed in together, and asked for until all of them have ended. */
 
-import { Problem, ask, post } from '../api/client.js';
+import { Problem, post } from '../api/client.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../types.js').Report} Report */
@@ -72,6 +72,3 @@ export async function solveAll(jobs, signal, seen) {
 
 /** One of them, for who looks for a figure step by step. @param {Job} job @param {AbortSignal} signal @returns {Promise<Trial>} */
 export const solveOne = async (job, signal) => (await solveAll([job], signal, () => {}))[0];
-
-/** Removes a job that was made on the way. @param {string} id */
-export const forget = (id) => ask(`v1/jobs/${id}`, { method: 'DELETE' }).catch(() => {});

@@ -129,12 +129,18 @@ export class JobList {
     return isTag(text) ? '' : text.replace(/:$/, '').toLowerCase();
   }
 
+  /** What the row of a job says of its set-up. @param {string} id */
+  #said(id) {
+    const request = this.#requests.get(id);
+    return request ? [request.title ?? '', pairOf(request), materialNames(request)] : [];
+  }
+
   #matching() {
     const word = this.#word;
     return this.#jobs.filter(
       ({ id, tags }) =>
         !word ||
-        JSON.stringify([id, tags ?? {}, this.#requests.get(id)?.title ?? ''])
+        JSON.stringify([id, tags ?? {}, this.#said(id)])
           .toLowerCase()
           .includes(word),
     );

@@ -65,7 +65,8 @@ function plainAnswers(step, report) {
             value,
             quantity: /** @type {const} */ ('number'),
             unit: one.unit(report),
-            error: (one.bar && barOf(step, one.bar)) ?? null,
+            // A force without a bar is the one that the job gives.
+            error: (one.bar && barOf(step, one.bar)) ?? (one === force ? 0 : null),
             bias: null,
             elastic: null,
             place: null,

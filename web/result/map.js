@@ -395,29 +395,29 @@ export class MapPanel {
   /** @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Picture} picture @param {Colours} colours */
   #paint(context, frame, picture, colours) {
     const { maps } = picture;
-    const quantity = this.#quantity;
     const { low, step, colours: shades } = this.#bands();
     const ink = colours('--ink');
-    /** Bands of the row above. @type {number[]} */
-    let above = [];
-    for (let top = 0; top < frame.height; top++) {
-      /** @type {number[]} */
-      const row = [];
-      for (let left = 0; left < frame.width; left++) {
-        const place = frame.place(frame.x0 + left + 0.5, frame.y0 + top + 0.5);
-        const value = valueAt(maps, quantity, ...place);
-        const seen = quantity === 'dent' ? Number.isFinite(value) : value > 0;
-        const band = Math.min(shades.length - 1, Math.max(0, Math.floor((value - low) / step)));
-        row[left] = seen && (quantity !== 'pressure' || touches(maps, ...place)) ? band : -1;
-        const [beside, over] = [row[left - 1] ?? row[left], above[left] ?? row[left]];
-        const line = this.#isolines && (beside !== row[left] || over !== row[left]);
-        if (row[left] < 0 && !line) continue;
-        const shade = shades[row[left]];
-        context.fillStyle = !line ? css(shade) : shade && isDark(shade) ? '#fff' : ink;
-        context.fillRect(frame.x0 + left, frame.y0 + top, 1, 1);
+    const shown = bandsOf(frame, maps, this.#quantity, low, step, shades.length);
+    const { width, height } = frame;
+    const image = new ImageData(width, height);
+    const rgba = shades.map((rgb) => rgb.map((part) => Math.round(255 * part)));
+    for (let top = 0, k = 0; top < height; top++)
+      for (let left = 0; left < width; left++, k++) {
+        const [band, before, above] = [
+          shown[k],
+          left ? shown[k - 1] : shown[k],
+          top ? shown[k - width] : shown[k],
+        ];
+        const line = this.#isolines && (before !== band || above !== band);
+        if (band < 0 && !line) continue;
+        const white = band >= 0 && isDark(shades[band]);
+        const [r, g, b] = !line ? rgba[band] : white ? [255, 255, 255] : inkOf(ink);
+        image.data.set([r, g, b, 255], 4 * k);
       }
-      above = row;
-    }
+    const sheet = new OffscreenCanvas(width, height);
+    sheet.getContext('2d')?.putImageData(image, 0, 0);
+    context.imageSmoothingEnabled = false;
+    context.drawImage(sheet, frame.x0, frame.y0);
     frame.axes(context, ink);
     if (picture.hertz) frame.ellipse(context, picture.hertz);
     frame.cross(context, this.#place(picture));
@@ -616,10 +616,44 @@ function valueAt(maps, quantity, x, y) {
   );
 }
 
-/** Whether the cell here carries pressure. @param {Maps} maps @param {number} x @param {number} y */
-function touches(maps, x, y) {
-  const [[i, s], [j, t]] = [cellOf(maps.x, x), cellOf(maps.y, y)];
-  return maps.pressure[(i + Math.round(s)) * maps.y.length + j + Math.round(t)] > 0;
+/** A colour of the page, which is written as #rrggbb. @param {string} colour */
+const inkOf = (colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+
+/**
+ * The band of every pixel of a frame, row by row; −1 where nothing is to be seen.
+ * @param {Frame} frame @param {Picture['maps']} maps @param {Quantity} quantity @param {number} low @param {number} step @param {number} many
+ */
+function bandsOf(frame, maps, quantity, low, step, many) {
+  const { width, height, x0, y0 } = frame;
+  const [values, columns] = [valuesOf(maps, quantity), maps.y.length];
+  const [first, last] = [frame.place(x0, y0), frame.place(x0 + width, y0 + height)];
+  const along = (/** @type {'x' | 'y'} */ axis) => {
+    const k = axis === 'x' ? 0 : 1;
+    const pixels = frame.across === axis ? width : height;
+    return Array.from({ length: pixels }, (_, n) =>
+      cellOf(maps[axis], first[k] + ((n + 0.5) / pixels) * (last[k] - first[k])),
+    );
+  };
+  const [xs, ys] = [along('x'), along('y')];
+  const bands = new Int8Array(width * height).fill(-1);
+  const flipped = frame.across === 'x';
+  for (let top = 0, k = 0; top < height; top++)
+    for (let left = 0; left < width; left++, k++) {
+      const [i, s] = flipped ? xs[left] : xs[top];
+      const [j, t] = flipped ? ys[top] : ys[left];
+      if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) continue;
+      const at = i * columns + j;
+      const value =
+        (1 - s) * ((1 - t) * values[at] + t * values[at + 1]) +
+        s * ((1 - t) * values[at + columns] + t * values[at + columns + 1]);
+      if (quantity === 'pressure') {
+        const nearest = (i + Math.round(s)) * columns + j + Math.round(t);
+        if (!(value > 0 && maps.pressure[nearest] > 0)) continue;
+      } else if (quantity === 'gap' && !(value > 0)) continue;
+      if (Number.isFinite(value))
+        bands[k] = Math.min(many - 1, Math.max(0, Math.floor((value - low) / step)));
+    }
+  return bands;
 }
 
 /** @param {number[]} cells at equal distances @param {number} place @returns {[cell: number, part: number]} */

@@ -60,6 +60,9 @@ export class PressurePanel {
         filled: shown.length === 1,
       };
     });
+    const spread = sides.slice(1);
+    if (spread.length === 2 && spread.every(({ one }) => one.job.tags?.varied))
+      curves.unshift(band(curves[1], curves[2]));
     const ellipse = step.three_dimensional;
     const axes = ellipse && axesOf(ellipse);
     if (axes && shown.length === 1) {
@@ -95,6 +98,27 @@ export class PressurePanel {
       }.`,
     });
   }
+}
+
+/**
+ * What lies between two curves, each taken as 0 beyond its ends.
+ * @param {import('./chart.js').Curve} one
+ * @param {import('./chart.js').Curve} other
+ * @returns {import('./chart.js').Curve}
+ */
+function band(one, other) {
+  const x = [...new Set([...one.x, ...other.x])].sort((a, b) => a - b);
+  const along = (/** @type {import('./chart.js').Curve} */ curve) => {
+    let k = 0;
+    return x.map((at) => {
+      while (k + 1 < curve.x.length && curve.x[k + 1] < at) k += 1;
+      const [x0, x1] = [curve.x[k], curve.x[k + 1] ?? curve.x[k]];
+      if (at < x0 || at > x1) return at === x0 ? (curve.y[k] ?? 0) : 0;
+      const [y0, y1] = [curve.y[k] ?? 0, curve.y[k + 1] ?? curve.y[k] ?? 0];
+      return x1 > x0 ? y0 + ((y1 - y0) * (at - x0)) / (x1 - x0) : y0;
+    });
+  };
+  return { label: 'between both', colour: '--curve-1', x, y: along(one), to: along(other) };
 }
 
 /** Where a curve is above 0. @param {import('./chart.js').Curve} curve @returns {import('./extent.js').Extent[]} */

@@ -20,7 +20,7 @@ import { DisplayUnits } from './display.js';
 import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
 import { HistoryPanel } from './history.js';
-import { isUnloaded, loadWords } from './loads.js';
+import { beside, isUnloaded, loadWords } from './loads.js';
 import { MapPanel } from './map.js';
 import { segments } from './panel.js';
 import { PressurePanel } from './pressure.js';
@@ -39,6 +39,7 @@ const COLUMN = 440;
 /** About how high panels are [px], so that columns end together. */
 const HEIGHTS = new Map([
   ['field', 560],
+  ['field-beside', 560],
   ['map', 560],
   ['depth', 400],
   ['spread', 300],
@@ -51,6 +52,7 @@ export class View {
   /** Results in the shown units. @type {Shown[]} */
   #shown = [];
   #at = 0;
+  #otherId = '';
   /** Whether the field has not shown this job. */
   #anew = false;
   /** Along which a section of half-spaces lies. @type {'x' | 'y'} */
@@ -65,6 +67,10 @@ export class View {
       this.#showField(true);
     });
     this.field = new FieldPanel(on.fieldsWanted, [this.plane]);
+    /** Of the job that is compared first, on the scale of the other. */
+    this.other = new FieldPanel(on.fieldsWanted, [], 'field-beside');
+    this.field.peer = this.other;
+    this.other.peer = this.field;
     this.spread = new SpreadPanel();
     this.map = new MapPanel(on.fieldsWanted);
     this.depth = new DepthPanel();
@@ -127,7 +133,7 @@ export class View {
    * the question first: the curve of a sweep, the dent of a history, the map of half-spaces.
    */
   #arrange() {
-    const { sweep, dent, map, pressure, field, spread, depth, vary } = this;
+    const { sweep, dent, map, pressure, field, other, spread, depth, vary } = this;
     const step = this.#shown[0]?.report.steps[this.#at];
     const left = step && isUnloaded(step);
     const all = [
@@ -137,6 +143,7 @@ export class View {
       map,
       pressure,
       field,
+      other,
       spread,
       depth,
       dent,
@@ -190,6 +197,7 @@ export class View {
     ])
       panel.show(false);
     this.field.clear();
+    this.other.clear();
     this.solver.hidden = true;
     byId('headline').replaceChildren(content);
   }
@@ -268,7 +276,7 @@ export class View {
         ({ panel, chart }) =>
           panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
-      fields: this.#maps(),
+      fields: [...this.#maps(), this.other.canvas(undefined, paper)].filter((one) => one !== null),
       cutDrawing: this.field.cutDrawing(),
     });
   }
@@ -349,6 +357,19 @@ export class View {
     this.#arrange();
   }
 
+  /** The field of the job that is compared first. */
+  #showOther() {
+    const [, side] = beside(this.#shown, this.#at);
+    const found =
+      side && !this.field.panel.element.hidden && fieldOf(side.one, side.at, this.#axis);
+    if (!found) return this.other.clear();
+    const anew = this.#otherId !== side.one.id;
+    this.#otherId = side.one.id;
+    this.other.panel.rename(`Field: ${side.label}`);
+    this.other.follow(this.field.quantity);
+    this.other.show(found.asked, anew, /** @type {any} */ (found.source));
+  }
+
   /** @param {boolean} anew whether the whole contact is to be seen */
   #showField(anew) {
     const [{ job, report, raw, fields }] = this.#shown;
@@ -366,6 +387,7 @@ export class View {
       const source = fields instanceof LayerSource ? fields.planes[this.#axis] : undefined;
       this.field.show({ ...asked, report: reportOf(raw, this.#axis) }, anew, source);
     }
+    this.#showOther();
   }
 }
 
@@ -408,6 +430,17 @@ function soFar(history, job, set) {
         ),
       )
     : h('p', { class: 'empty' }, 'Meshing and factorizing.');
+}
+
+/** The field of a job, its step as it is laid beside that of the first. @param {Shown} one @param {number} at @param {'x' | 'y'} axis */
+function fieldOf({ job, report, raw, fields }, at, axis) {
+  if (!raw || !fields) return undefined;
+  const { upper, lower } = raw.steps[at].plasticity;
+  const yields = Boolean(upper?.yielded || lower?.yielded);
+  const asked = { job, at, yields, units: setOf(report.units) };
+  return fields instanceof LayerSource
+    ? { asked: { ...asked, report: reportOf(raw, axis) }, source: fields.planes[axis] }
+    : { asked: { ...asked, report: raw }, source: fields };
 }
 
 /** Names the sections of half-spaces in the axes of the job. @param {HTMLElement} choice @param {import('../types.js').Step} step */

@@ -5,13 +5,13 @@ import { numberOf } from '../lib/number.js';
 import { exact, unit, unitsOf } from '../lib/units.js';
 import { hasSurface, shapeLabel } from './fields.js';
 import { roundStep } from '../field/palette.js';
-import { loadLine } from './sketch.js';
+import { WIDTH, loadLine } from './load-line.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {'upper' | 'lower'} Body */
 /** @typedef {{height: (s: number) => number, reach: number, ends?: boolean}} Section height along the outward normal, how far it says something, and whether the body ends there */
 
-const [WIDTH, HEIGHT, STEPS] = [380, 216, 60];
+const [HEIGHT, STEPS] = [216, 60];
 /** Heights that are drawn of a body without a curvature, in parts of the width. */
 const DEEP = 0.45;
 

@@ -4,11 +4,9 @@
 
 import { byId, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
-import { exact, figure, forceOf, unit, unitsOf } from '../lib/units.js';
-import { TARGETS, loadOf, targetOf } from './fields.js';
-import { historyWords } from './history.js';
-import { sweepWords } from './list.js';
+import { exact, figure, unit, unitsOf } from '../lib/units.js';
 import { cutOut, outline, pin } from './outline.js';
+import { BOLD, LETTER, WIDTH, loadLine } from './load-line.js';
 import { sections } from './sections.js';
 import { counted, touching } from './touching.js';
 
@@ -16,11 +14,7 @@ import { counted, touching } from './touching.js';
 /** @typedef {import('./check.js').Hertz} Hertz */
 /** @typedef {(x: number, y: number) => [number, number]} Scale from the section to the picture */
 
-const [WIDTH, HEIGHT, MARGIN] = [380, 216, 22];
-/** Width of a letter, on average. */
-const LETTER = 6.4;
-/** The same of a bold one. */
-const BOLD = 7.2;
+const [HEIGHT, MARGIN] = [216, 22];
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {
@@ -215,27 +209,6 @@ function load(job, upper, scale, middle) {
       text,
     ),
   ];
-}
-
-/** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
-export function loadLine(job) {
-  const kind = loadOf(job.load);
-  const value = job.load?.[kind];
-  if (kind === 'onset' || kind === 'target') {
-    const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
-    return `P = ? (${kind === 'onset' ? 'first yield' : wanted})`;
-  }
-  const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
-  if (kind === 'history') {
-    const words = [undefined, 0].map((few) =>
-      historyWords(value, { force, approach }, { is: ' = ', few }),
-    );
-    return words.find((one) => BOLD * one.length < WIDTH - 8) ?? `${value.length} loads`;
-  }
-  /** @type {number[]} */
-  const list = [value].flat().filter((one) => Number.isFinite(one));
-  const [letter, name] = kind.startsWith('approach') ? ['α', approach] : ['P', force];
-  return `${letter} = ${list.length > 1 ? sweepWords(list) : exact(list[0])} ${name}`;
 }
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz @param {Scale} scale @param {[number, number][]} places where the bodies touch */

@@ -1,5 +1,5 @@
 /**
- * Twelve tasks from cold, as a new user does them: `node --test specs/tasks.test.js` says actions,
+ * Twelve tasks and seven questions from cold, as a new user does them: `node --test specs/tasks.test.js` says actions,
  * seconds and stumbles of each, which `docs/notes/page_tasks.md` has. An action is a press, a
  * choice, a text that is typed or pasted. A stumble is an answer that is not among the first
  * tiles, or not seen without scrolling, and a message that refuses something.
@@ -64,6 +64,24 @@ class User {
   /** @param {string} choice */
   async example(choice) {
     await this.page.locator('#example').selectOption({ label: choice });
+    await this.#look();
+  }
+
+  /** @param {string} label of a choice beside the result @param {string | RegExp} choice as it is read */
+  async pick(label, choice) {
+    const select = this.page.getByLabel(label, { exact: true });
+    const texts = await select.locator('option').allInnerTexts();
+    const found = texts.find((text) =>
+      typeof choice === 'string' ? text === choice : choice.test(text),
+    );
+    assert.ok(found, `${choice} is not among ${texts.join(', ')}`);
+    await select.selectOption({ label: found });
+    await this.#look();
+  }
+
+  /** @param {string} label @param {string} text */
+  async enter(label, text) {
+    await this.page.getByLabel(label, { exact: true }).fill(text);
     await this.#look();
   }
 
@@ -309,7 +327,99 @@ const TASKS = [
   ],
 ];
 
-for (const [name, actions, work] of TASKS)
+/** Questions of an engineer, each from cold in six actions at most. @type {typeof TASKS} */
+const QUESTIONS = [
+  [
+    'what load? the force for a margin of 2',
+    4,
+    async (user, page) => {
+      await user.solve();
+      await user.pick('Answer', 'Margin to first yield');
+      await user.enter('Wanted value', '2');
+      await user.press('Find the number');
+      const words = page.locator('#panel-vary .readout');
+      await words.getByText(/^Force 109\.\d* N\/mm: margin to first yield [12]\.\d+ /).waitFor();
+    },
+  ],
+  [
+    'is it safe?',
+    1,
+    async (user, page) => {
+      await user.solve();
+      await page
+        .locator('#headline .verdict-text.warning')
+        .getByText(/^Yields/)
+        .waitFor();
+    },
+  ],
+  [
+    'which crown?',
+    6,
+    async (user, page) => {
+      await user.example('Tilted roller with a logarithmic profile, in three dimensions');
+      await user.choose('/upper/shape/profile', 'Crowned by an arc');
+      await user.solve();
+      await user.pick('Number that is varied', /crown radius$/);
+      await user.enter('How many', '4');
+      await user.press('Sweep');
+      await page.locator('#panel-vary tbody tr').nth(3).waitFor();
+    },
+  ],
+  [
+    'how deep a case?',
+    6,
+    async (user, page) => {
+      await user.example('Case-hardened roller on a hardened block');
+      await user.solve();
+      await user.pick('Number that is varied', /case depth$/);
+      await user.pick('Answer', /^Utilization of the core/);
+      await user.enter('How many', '5');
+      await user.press('Sweep');
+      await page.locator('#panel-vary tbody tr').nth(4).waitFor();
+      await page.locator('#panel-vary').getByText('limit', { exact: true }).waitFor();
+    },
+  ],
+  [
+    'what do 10 % more or less do?',
+    2,
+    async (user, page) => {
+      await user.solve();
+      await user.press('± 10 %');
+      await page.locator('#headline .others li').nth(1).waitFor();
+      assert.match(await user.reads('Peak pressure'), /−\d.*%[^]*\+\d.*%/);
+      await page.locator('#panel-pressure .legend').getByText('between both').waitFor();
+    },
+  ],
+  [
+    'what was it last week?',
+    3,
+    async (user, page) => {
+      await user.solve();
+      await user.press('Jobs');
+      await page.locator('#jobs-list .open').first().waitFor();
+      await user.enter('Search jobs', 'cylinder');
+      await page.locator('#jobs-list .open').first().waitFor();
+    },
+  ],
+  [
+    'send it',
+    3,
+    async (user, page) => {
+      await user.solve();
+      await user.press('Report');
+      const [file] = await Promise.all([
+        page.waitForEvent('download'),
+        user.press('Save as one HTML file'),
+      ]);
+      const text = await readFile(await file.path(), 'utf8');
+      assert.match(file.suggestedFilename(), /\.html$/);
+      assert.doesNotMatch(text, /(?:src|href)="(?!data:|#)[^"]/, 'it asks for nothing');
+      assert.match(text, /"peak_pressure":1182/);
+    },
+  ],
+];
+
+for (const [name, actions, work] of [...TASKS, ...QUESTIONS])
   service.test(name, async (page, { note }) => {
     const user = new User(page);
     await work(user, page);
