@@ -276,7 +276,7 @@ export class Watch {
     );
     cancel.disabled = document.cancel_requested;
     const take = () => {
-      copy(jobLink(), 'Link');
+      copy(jobLink(String(this.on.job().title ?? '')), 'Link');
       this.look();
     };
     const link = h('button', { type: 'button', class: 'plain', onclick: take }, 'Copy link');

@@ -405,7 +405,7 @@ export class Form {
         .map((field) =>
           this.#field(plasticity, {
             ...field,
-            hint: 'The hardness over depth sets the strength.',
+            hint: 'Strength comes from the hardness; this law gives the shape of its curve.',
           }),
         ),
     ];
