@@ -6,10 +6,11 @@ const MOST = 4e6;
 /**
  * UTF-8, UTF-16 where it begins as such, or else Windows-1252, in which spreadsheets write CSV.
  * @param {File} file
+ * @param {number} [most] bytes
  * @returns {Promise<{text: string} | {problem: string}>}
  */
-export async function textOf(file) {
-  if (file.size > MOST) return { problem: `“${file.name}” is too large for a table of points` };
+export async function textOf(file, most = MOST) {
+  if (file.size > most) return { problem: `“${file.name}” is too large for a table of points` };
   const bytes = new Uint8Array(await file.arrayBuffer());
   const text = decoded(bytes);
   return text.includes('\0')

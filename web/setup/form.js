@@ -510,6 +510,11 @@ export class Form {
       units: () => unitsOf(this.draft.job),
       quantity: ({ quantity }) => (quantity === 'load' ? forceOf(this.draft.job) : quantity),
       parent: () => this.draft.job[body]?.material,
+      beside: (values) => {
+        const whole = place.slice(0, place.lastIndexOf('/'));
+        const merged = { ...pointer.get(this.draft.job, whole), ...values };
+        this.draft.set(whole, merged, SOURCE);
+      },
       wire: (value, { quantity }) =>
         quantity && quantity !== 'load'
           ? convert(value, quantity, 'mm_N_MPa', unitsOf(this.draft.job))

@@ -18,13 +18,14 @@
 use super::contact_system::{BlockVector, ContactSystem as _};
 use super::couplings::Coupling;
 use super::couplings::iteration::{Controls, Outcome};
+use super::figures::Figures;
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
 use super::increments::{Division, Growth, IncrementEnds, Leg};
 use super::observer::{Held, IncrementNumber, Interrupt, SolveStatus};
 use super::progress::Progress;
 use super::run::Run;
 use super::solve::{Answer, Engine, Leave, LeaveOf, OnSystem, solve};
-use super::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step, StepReceiver};
+use super::steps::{IncrementRecord, LoadEnd, Step, StepReceiver};
 use crate::{Error, Interrupted as _};
 use brinell_contact::ContactLoad;
 
@@ -192,7 +193,7 @@ pub fn run<B: TwoDensities>(
 struct Found<M> {
     memory: M,
     /// Figures at the end of each load.
-    figures: Vec<Option<CoarseFigures>>,
+    figures: Vec<Option<Figures>>,
     /// Whether a body collapsed, so that the loads after `figures` were not applied.
     has_collapsed: bool,
     /// Why the history ended early.
@@ -209,7 +210,7 @@ struct History<'a, E: HistoryEngine> {
 }
 
 /// The result, its division, and the change of the figures when the increments are halved.
-type Chosen<M> = (Found<M>, Division, Vec<Option<CoarseFigures>>);
+type Chosen<M> = (Found<M>, Division, Vec<Option<Figures>>);
 
 impl<E: HistoryEngine> History<'_, E> {
     /// Halves the increments until the figures at the ends of the loads no longer change.
@@ -342,9 +343,7 @@ impl<E: HistoryEngine> History<'_, E> {
                     return Err(Error::Interrupted(interrupt).into());
                 }
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
-                    found
-                        .figures
-                        .push(Some(CoarseFigures { bodies: answer.body_figures(), ..figures }));
+                    found.figures.push(Some(Figures { bodies: answer.body_figures(), ..figures }));
                     let outcome = answer.outcome_mut();
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
@@ -437,10 +436,10 @@ const LEAST_FIGURE: f64 = 0.05;
 /// Returns the relative differences of the figures at the end of each load, and the largest ratio
 /// of a difference of peak pressure or approach to its tolerance.
 fn differences(
-    before: &[Option<CoarseFigures>],
-    now: &[Option<CoarseFigures>],
-) -> (Vec<Option<CoarseFigures>>, f64) {
-    let mut largest = [f64::MIN_POSITIVE; CoarseFigures::COUNT];
+    before: &[Option<Figures>],
+    now: &[Option<Figures>],
+) -> (Vec<Option<Figures>>, f64) {
+    let mut largest = [f64::MIN_POSITIVE; Figures::COUNT];
     for figures in now.iter().flatten() {
         largest
             .iter_mut()
@@ -452,7 +451,7 @@ fn differences(
         let (before, now) = (before.as_ref()?.values(), now.as_ref()?.values());
         let relative =
             |k: usize| (before[k] - now[k]).abs() / now[k].abs().max(LEAST_FIGURE * largest[k]);
-        let errors = CoarseFigures::of(std::array::from_fn(relative));
+        let errors = Figures::of(std::array::from_fn(relative));
         worst = worst
             .max(errors.peak_pressure / PEAK_TOLERANCE)
             .max(errors.approach / APPROACH_TOLERANCE);

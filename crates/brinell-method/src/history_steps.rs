@@ -4,15 +4,16 @@
 //! their answers. The other loads get preliminary steps from the coarse system, without stresses
 //! and error bars.
 
+use super::figures::Figures;
 use super::observer::{Interrupt, Observer};
 use super::run::Run;
-use super::steps::{CoarseFigures, Step, StepReceiver};
+use super::steps::{Step, StepReceiver};
 use crate::Error;
 
 /// Figures of the coarse system, from which the errors of each step are estimated.
 pub(super) struct Estimates<'a> {
-    pub coarse: &'a [Option<CoarseFigures>],
-    pub increments: &'a [Option<CoarseFigures>],
+    pub coarse: &'a [Option<Figures>],
+    pub increments: &'a [Option<Figures>],
 }
 
 /// Takes the end of each load of a history on one system.
@@ -59,8 +60,7 @@ impl<'a, S: Step> HistorySteps<'a, S> {
                 }
             }
             Self::Final { estimates, receiver, done } => {
-                let of =
-                    |figures: &[Option<CoarseFigures>]| figures.get(number).copied().flatten();
+                let of = |figures: &[Option<Figures>]| figures.get(number).copied().flatten();
                 step.estimate(of(estimates.coarse), of(estimates.increments));
                 receiver.step(step, observer);
                 *done += 1;

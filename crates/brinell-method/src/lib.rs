@@ -8,6 +8,7 @@ pub mod bracket;
 pub mod contact_system;
 pub mod couplings;
 mod error;
+pub mod figures;
 pub mod final_check;
 pub mod force_search;
 #[cfg(test)]

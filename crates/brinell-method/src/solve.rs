@@ -4,9 +4,9 @@
 use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome};
 use super::couplings::{self, Coupling};
+use super::figures::{BodyFigures, Figures};
 use super::observer::IterationRecord;
 use super::run::Run;
-use super::steps::{BodyFigures, CoarseFigures};
 use crate::{Error, Interrupted};
 use brinell_contact::ContactLoad;
 
@@ -86,7 +86,7 @@ pub trait Answer {
     fn into_parts(self) -> (Self::System, Outcome);
 
     /// Headline figures of the contact; zeros without contact.
-    fn figures(&self) -> CoarseFigures;
+    fn figures(&self) -> Figures;
 
     /// Figures of both bodies; by default none.
     fn body_figures(&self) -> [BodyFigures; 2] {

@@ -1,104 +1,12 @@
 //! The steps of a solution: one for each load.
 
 use super::couplings::iteration::Outcome;
+use super::figures::Figures;
 use super::increments::LastIncrement;
 use super::observer::{Interrupt, Observer, SolveStatus};
 use super::run::Run;
 use crate::Interrupted;
 use brinell_contact::ContactLoad;
-
-/// Headline figures of a contact.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct CoarseFigures {
-    /// Largest contact pressure \[MPa\].
-    pub peak_pressure: f64,
-    /// Half-width \[mm\].
-    pub half_width: f64,
-    /// Approach \[mm\].
-    pub approach: f64,
-    /// Contact force of both sides of the axis \[N/mm\].
-    pub force: f64,
-    /// Upper and lower body; zeros of a rigid one.
-    pub bodies: [BodyFigures; 2],
-}
-
-/// Scalar figures of one body.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct BodyFigures {
-    /// Largest equivalent plastic strain at a point \[1\].
-    pub max_plastic_strain: f64,
-    /// Mean equivalent plastic strain over the plastic area \[1\].
-    pub mean_plastic_strain: f64,
-    /// Area of the section that has yielded \[mm²\].
-    pub plastic_area: f64,
-    /// Depth of the deepest point of the surface below the undeformed one \[mm\].
-    pub dent: f64,
-    /// Height of the highest point of the surface above the undeformed one \[mm\].
-    pub pile_up: f64,
-    /// Least stress along the surface on the normal below the middle of the contact \[MPa\].
-    pub least_stress: f64,
-    /// Largest von Mises stress over the strength there, that of the surface being 1 \[MPa\].
-    pub largest_von_mises: f64,
-}
-
-impl CoarseFigures {
-    /// Number of figures.
-    pub const COUNT: usize = 18;
-
-    /// Returns all figures in the order of the members: contact, upper body, lower body.
-    pub fn values(&self) -> [f64; Self::COUNT] {
-        let Self { peak_pressure, half_width, approach, force, bodies: [upper, lower] } = *self;
-        let [a, b, c, d, e, f, g] = upper.values();
-        let [h, i, j, k, l, m, n] = lower.values();
-        [peak_pressure, half_width, approach, force, a, b, c, d, e, f, g, h, i, j, k, l, m, n]
-    }
-
-    /// Makes figures of their values, the inverse of [`values`](Self::values).
-    pub fn of(values: [f64; Self::COUNT]) -> Self {
-        let [peak_pressure, half_width, approach, force, bodies @ ..] = values;
-        let [a, b, c, d, e, f, g, lower @ ..] = bodies;
-        let bodies = [BodyFigures::of([a, b, c, d, e, f, g]), BodyFigures::of(lower)];
-        Self { peak_pressure, half_width, approach, force, bodies }
-    }
-}
-
-impl BodyFigures {
-    fn values(&self) -> [f64; 7] {
-        let Self { max_plastic_strain, mean_plastic_strain, plastic_area, dent, pile_up, .. } =
-            *self;
-        let Self { least_stress, largest_von_mises, .. } = *self;
-        [
-            max_plastic_strain,
-            mean_plastic_strain,
-            plastic_area,
-            dent,
-            pile_up,
-            least_stress,
-            largest_von_mises,
-        ]
-    }
-
-    fn of(values: [f64; 7]) -> Self {
-        let [
-            max_plastic_strain,
-            mean_plastic_strain,
-            plastic_area,
-            dent,
-            pile_up,
-            least_stress,
-            largest_von_mises,
-        ] = values;
-        Self {
-            max_plastic_strain,
-            mean_plastic_strain,
-            plastic_area,
-            dent,
-            pile_up,
-            least_stress,
-            largest_von_mises,
-        }
-    }
-}
 
 /// One increment of a load history.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,8 +29,8 @@ pub struct IncrementRecord {
 
 impl IncrementRecord {
     /// The record of an increment.
-    pub fn of(figures: CoarseFigures, outcome: &Outcome) -> Self {
-        let CoarseFigures { force, approach, peak_pressure, half_width, .. } = figures;
+    pub fn of(figures: Figures, outcome: &Outcome) -> Self {
+        let Figures { force, approach, peak_pressure, half_width, .. } = figures;
         Self {
             force,
             approach,
@@ -158,7 +66,7 @@ pub trait Step {
     /// Stores the increments of a history that led to this load.
     fn end_load(&mut self, end: LoadEnd);
     /// Stores the figures of the coarse history, from which the errors are estimated.
-    fn estimate(&mut self, coarse: Option<CoarseFigures>, increments: Option<CoarseFigures>);
+    fn estimate(&mut self, coarse: Option<Figures>, increments: Option<Figures>);
     /// Marks the step as a preliminary one of the coarse history.
     fn make_preliminary(&mut self);
     /// Marks the step as one that misses the wanted value of its figure under every force. `ratio`

@@ -56,6 +56,7 @@ pub use brinell_fem as fem;
 pub mod job;
 pub mod report;
 pub mod solver;
+mod units;
 
 /// The contact conditions, their solvers and the check that all of them have to pass.
 pub use brinell_contact as contact;

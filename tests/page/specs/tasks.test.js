@@ -107,6 +107,14 @@ class User {
     await this.#look();
   }
 
+  /** Answers a question about what was pasted. @param {string} label @param {string} answer */
+  async answers(label, answer) {
+    const field = this.page.getByLabel(label, { exact: true });
+    const isChoice = await field.evaluate((one) => one.tagName === 'SELECT');
+    await (isChoice ? field.selectOption(answer) : field.fill(answer));
+    await this.#look();
+  }
+
   async solve() {
     await this.press('Solve');
     await this.page.locator('[data-status=succeeded]').waitFor();
@@ -301,7 +309,7 @@ const TASKS = [
   ],
   [
     'rough patch',
-    9,
+    10,
     async (user, page) => {
       await user.choose('/analysis', 'Three dimensions');
       await user.choose('/upper/shape/type', 'Plane surface');
@@ -314,8 +322,9 @@ const TASKS = [
         Array.from({ length: 48 }, (_, j) => wave(i, j).toFixed(7)),
       );
       await user.paste('/upper/surface/heights', rows.map((row) => row.join('\t')).join('\n'));
-      await user.type('/upper/surface/spacing_x', '0.003');
-      await user.type('/upper/surface/spacing_y', '0.003');
+      await user.answers('Unit of the heights', 'mm');
+      await user.answers('Distance along x', '3 µm');
+      await user.press('Take them');
       await user.type('/load/force', '2');
       await user.solve();
       assert.match(await user.reads('Real contact area'), /%/);

@@ -249,7 +249,17 @@ service.test(
         new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }),
       );
     }, text);
-    await page.getByText('16 × 16 heights read').waitFor();
+    await page.getByText('16 × 16 heights read, not taken yet.').waitFor();
+    await page.getByText('The file says no unit of its heights and no distance').waitFor();
+    const take = page.getByRole('button', { name: 'Take them', exact: true });
+    await take.click();
+    await page.getByText('Choose the unit of the heights').waitFor();
+    await page.getByLabel('Unit of the heights').selectOption('mm');
+    await take.click();
+    await page.getByText('Give the distance of neighbouring heights').waitFor();
+    await page.getByLabel('Distance along x').fill('10 µm');
+    await take.click();
+    await page.getByText('16 × 16 heights read, 0.01 × 0.01 mm apart.').waitFor();
     const head =
       `{'descr': '<f8', 'fortran_order': False, 'shape': (20, 20), }`.padEnd(117) + '\n';
     const file = Buffer.concat([
@@ -260,7 +270,10 @@ service.test(
     await page
       .locator('[data-place="/upper/surface/heights"] input[type=file]')
       .setInputFiles({ name: 'cap.npy', mimeType: 'application/octet-stream', buffer: file });
-    await page.getByText('20 × 20 heights read').waitFor();
+    await page.getByLabel('Unit of the heights').selectOption('mm');
+    await page.getByLabel('Distance along x').fill('0.01');
+    await take.click();
+    await page.getByText('20 × 20 heights read, 0.01 × 0.01 mm apart.').waitFor();
     await page.getByLabel(/^Force P/).fill('0.5');
     await page.getByRole('button', { name: 'Solve', exact: true }).click();
     const area = page.locator('.figures > div', { hasText: 'Real contact area' });
@@ -269,6 +282,39 @@ service.test(
       .locator('#panel-spread')
       .getByText(/^Real contact area /)
       .waitFor();
+  },
+);
+
+service.test(
+  'a map of an instrument is taken with its units, and its holes are named',
+  async (page) => {
+    await page.getByLabel('Analysis', { exact: true }).selectOption('three_dimensional');
+    for (const k of [0, 1])
+      await page.getByLabel('Shape', { exact: true }).nth(k).selectOption('flat');
+    await page.getByLabel('Surface', { exact: true }).first().selectOption('given');
+    const place = page.locator('[data-place="/upper/surface/heights"]');
+    const head = ['# Channel: ZSensor', '# Width: 10.00 µm', '# Height: 10.00 µm'];
+    const rows = cap(16).map((row) => row.map((one) => one.toExponential(4)));
+    for (const j of [3, 4]) rows[5][j] = '-9999';
+    const buffer = (/** @type {string[]} */ lines) =>
+      Buffer.from([...head, ...lines, ...rows.map((row) => row.join('\t'))].join('\r\n'));
+    const open = (/** @type {string[]} */ lines) =>
+      place
+        .locator('input[type=file]')
+        .setInputFiles({ name: 'map.txt', mimeType: 'text/plain', buffer: buffer(lines) });
+    await open(['# Scale: 1e-9']);
+    await place.getByText('“Scale: 1e-9” is not understood').waitFor();
+    await open(['# Value units: m']);
+    await place.getByText('2 of 256 heights are -9999').waitFor();
+    await place.getByRole('button', { name: 'Make holes of them' }).click();
+    await place.getByText('2 of 256 heights are missing.').waitFor();
+    await place.getByRole('button', { name: 'Fill the holes from their rims' }).click();
+    await place.getByText(/16 × 16 heights read, 0.000625 × 0.000625 mm apart/).waitFor();
+    const job = JSON.parse(await page.locator('#json-text').inputValue());
+    const { heights, spacing_x: spacing } = job.upper.surface;
+    assert.equal(spacing, 0.000625);
+    // The first line is at the largest y; metres are millimetres now.
+    assert.ok(Math.abs(heights[0][15] - 1000 * cap(16)[0][0]) < 1e-9, `${heights[0][15]}`);
   },
 );
 

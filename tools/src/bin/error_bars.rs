@@ -18,9 +18,7 @@ use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
 use brinell_solver::report::{BodyErrors, PerBody, estimate_error};
-use brinell_solver::solver::{
-    self, CoarseFigures, Interrupt, Observer, SolveStatus, StepSolution,
-};
+use brinell_solver::solver::{self, Figures, Interrupt, Observer, SolveStatus, StepSolution};
 use random_job::Random;
 use serde_json::{Value, json};
 
@@ -34,7 +32,7 @@ const PATIENCE: u64 = 60;
 /// Radius of a hole, beyond which it is free, over that of its pin.
 const HOLE: f64 = 4.0;
 
-/// Figures in the order of `CoarseFigures`, those of a body once.
+/// Figures in the order of `Figures`, those of a body once.
 const CONTACT: [&str; 4] = ["peak pressure", "half-width", "approach", "force"];
 const BODY: [&str; 7] = [
     "largest plastic strain",
@@ -93,9 +91,9 @@ fn next(random: &mut Random, theory: &str) -> Value {
     }
 }
 
-/// The bars of all figures in the order of `CoarseFigures`, if there are any.
-fn bars(job: &Job, step: &StepSolution) -> [Option<f64>; CoarseFigures::COUNT] {
-    let Some(errors) = estimate_error(job, step) else { return [None; CoarseFigures::COUNT] };
+/// The bars of all figures in the order of `Figures`, if there are any.
+fn bars(job: &Job, step: &StepSolution) -> [Option<f64>; Figures::COUNT] {
+    let Some(errors) = estimate_error(job, step) else { return [None; Figures::COUNT] };
     let of_body = |body: Option<BodyErrors>| {
         body.map_or([None; 7], |body| {
             let [largest, mean] =

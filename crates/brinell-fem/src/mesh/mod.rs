@@ -30,7 +30,7 @@ mod zone;
 pub use frame::SurfaceFrame;
 pub use half_o_grid::Refinement;
 pub use locator::{Locator, Place};
-use outline::MESHED_SLOPE;
+pub use outline::MESHED_SLOPE;
 pub use outline::{FarBoundary, Outline, Ring};
 pub use quality::Quality;
 pub use zone::{ContactZone, Corner};

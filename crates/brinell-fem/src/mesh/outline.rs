@@ -96,7 +96,7 @@ const CORNER: f64 = 0.05 * (1.0 + ROUNDING);
 /// course of a curve.
 const ALONE: f64 = 4.0;
 /// Slope of a surface given by points up to which meshes are made without fail.
-pub(super) const MESHED_SLOPE: f64 = 0.5;
+pub const MESHED_SLOPE: f64 = 0.5;
 /// Slope of a surface given by points beyond which a contact on it is not solved where it deforms:
 /// with an angle of 56° vertical gaps say nothing, whatever a mesh can follow.
 const CONTACT_SLOPE: f64 = 1.5;

@@ -12,6 +12,7 @@ use std::f64::consts::PI;
 use super::contact_system::{BlockVector, ContactFigures, ContactSystem};
 use super::couplings::Coupling;
 use super::couplings::iteration::{Controls, InitialState, Outcome, Scales, norm};
+use super::figures::Figures;
 use super::final_check::{Evidence, LeastScales, judge};
 use super::force_search::{Density, Sought, Trial, Tried};
 use super::history::{EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities};
@@ -20,7 +21,7 @@ use super::observer::SolveStatus;
 use super::progress::Progress;
 use super::run::Run;
 use super::solve::{Answer, Engine, Round, Verdict, VerdictOf, solve};
-use super::steps::{CoarseFigures, LoadEnd, Step};
+use super::steps::{LoadEnd, Step};
 use crate::Error;
 use brinell_contact::kkt::ContactScales;
 use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
@@ -200,12 +201,12 @@ impl Answer for SpringAnswer {
         (self.system, self.outcome)
     }
 
-    fn figures(&self) -> CoarseFigures {
+    fn figures(&self) -> Figures {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, pairs } =
             self.system.figures(contact);
         let half_width = 0.5 * pairs as f64 * self.system.spacing;
-        CoarseFigures { peak_pressure, half_width, approach, force, ..CoarseFigures::default() }
+        Figures { peak_pressure, half_width, approach, force, ..Figures::default() }
     }
 
     fn has_collapsed(&self) -> bool {
@@ -263,10 +264,10 @@ impl SpringAnswer {
 struct SpringStep {
     status: SolveStatus,
     check: KktReport,
-    figures: CoarseFigures,
+    figures: Figures,
     is_preliminary: bool,
     /// Changes of the figures from the coarse history, and from half as many increments.
-    errors: [Option<CoarseFigures>; 2],
+    errors: [Option<Figures>; 2],
     end: Option<LoadEnd>,
 }
 
@@ -287,7 +288,7 @@ impl Step for SpringStep {
         self.end = Some(end);
     }
 
-    fn estimate(&mut self, coarse: Option<CoarseFigures>, increments: Option<CoarseFigures>) {
+    fn estimate(&mut self, coarse: Option<Figures>, increments: Option<Figures>) {
         self.errors = [coarse, increments];
     }
 

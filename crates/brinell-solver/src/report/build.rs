@@ -3,22 +3,23 @@
 use std::time::Duration;
 
 use super::contact_stiffness::{LoadDifferences, Seen};
+use super::findings::{Finding, Known};
 use super::load_approach::CurvePoint;
 use super::target::TargetSeen;
-use super::units::UnitConverter;
 use super::{
-    FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report,
-    StepReport, SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach,
-    mesh_effects, onset, plastic_strain, plastic_zone, subsurface, validity,
+    ErrorEstimate, FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport,
+    Report, StepReport, SubsurfaceReport, Timings, contact, error_bars, fields, flow,
+    load_approach, onset, plastic_strain, plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
+use crate::solver::method::figures::Figure;
 use crate::solver::method::observer::ask;
-use crate::solver::outline_of;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Options, Phase,
     PhaseTimes, Solution, SolveStatus, StepSolution, has_yielded,
 };
+use crate::units::UnitConverter;
 
 /// Writes the report of each load step when the step ends, and the rest of the report at the end.
 pub(super) struct ReportBuilder<'a> {
@@ -82,11 +83,16 @@ impl<'a> ReportBuilder<'a> {
             FieldReports::NONE
         });
         let step = &step;
+        let reference = ElasticReference::of(self.job, step.force());
+        let mut findings = validity::findings(self.job, step, reference.as_ref());
+        let bars = error_bars::estimate(self.job, step, &findings);
+        let approach_bar = bars.and_then(|bars| bars.approach);
+        findings.extend(validity::small_approach(step, approach_bar));
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             self.is_history |= !step.increments.is_empty();
-            self.unknown_peaks +=
-                usize::from(self.is_history && mesh_effects::is_peak_unknown(step));
+            let is_peak_known = Known::by(&findings).has(Figure::PeakPressure, 0);
+            self.unknown_peaks += usize::from(self.is_history && !is_peak_known);
             let (half_width, stiffness) = (step.half_width(), step.contact_stiffness);
             let end = [step.approach, step.force(), half_width];
             self.curve.extend(load_approach::points(
@@ -102,8 +108,14 @@ impl<'a> ReportBuilder<'a> {
             let enlargements = self.mesh.enlargements + step.enlargements;
             self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
         }
-        let report = step_report(self.job, step, fields, self.write);
-        self.target.see(self.job, step, &report);
+        self.target.see(self.job, step, &findings);
+        let report = step_report(
+            self.job,
+            step,
+            Judged { reference, bars, findings: &findings },
+            fields,
+            self.write,
+        );
         self.time += observer.elapsed().saturating_sub(start);
         report
     }
@@ -189,27 +201,22 @@ impl FieldReports {
     }
 }
 
+/// The elastic reference, the error bars and the findings of a load step.
+struct Judged<'a> {
+    reference: Option<ElasticReference>,
+    bars: Option<ErrorEstimate>,
+    findings: &'a [Finding],
+}
+
 fn step_report(
     job: &Job,
     step: &StepSolution,
+    Judged { reference, bars, findings }: Judged<'_>,
     fields: FieldReports,
     write: UnitConverter,
 ) -> StepReport {
     let FieldReports { subsurface: [subsurface, subsurface_below_peak], plasticity, fields } =
         fields;
-    let reference = ElasticReference::of(job, step.force());
-    let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
-    let effective =
-        reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
-    let radius = [&job.upper, &job.lower]
-        .into_iter()
-        .filter_map(|body| outline_of(&body.shape).curvature())
-        .fold(
-            if effective > 0.0 { effective } else { f64::INFINITY },
-            // The effective radius of nearly conforming bodies is large, but their gaps
-            // deviate from the vertical by the curvature of each body.
-            |least, curvature| least.min(curvature.abs().recip()),
-        );
     StepReport {
         load: match step.load {
             ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
@@ -234,9 +241,9 @@ fn step_report(
                 .map(|limit| write.stress(limit.peak_pressure)),
             shakedown_depth: reference.rolling_limit.map(|limit| write.length(limit.depth)),
         }),
-        validity: validity::notes(job, step, radius, &depths),
-        yield_onset: onset::onset(job, step, write),
-        estimated_error: error_bars::estimate(job, step),
+        validity: validity::remarks(findings, write),
+        yield_onset: onset::onset(job, step, findings, write),
+        estimated_error: bars,
         fields,
         layers: None,
         three_dimensional: None,
@@ -288,14 +295,14 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
         (_, Shape::Cylinder(Cylinder { radius })) => {
             format!(
                 "the diametral plane of the {side} body, {} from the contact",
-                write.length_text(radius.get())
+                write.exact_length(radius.get())
             )
         }
         (_, Shape::Block(Block { depth, .. })) => block_base(side, depth.get(), write),
         (_, Shape::Hole(hole)) => {
             format!(
                 "the outer edge of the {side} body, {} from the hole",
-                write.length_text(hole.wall())
+                write.exact_length(hole.wall())
             )
         }
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
@@ -316,7 +323,7 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
 }
 
 fn block_base(side: &str, depth: f64, write: UnitConverter) -> String {
-    format!("the base of the {side} body, {} from the contact", write.length_text(depth))
+    format!("the base of the {side} body, {} from the contact", write.exact_length(depth))
 }
 
 /// Returns an iteration in the units of the job.

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::units::UnitConverter;
 use crate::solver::{ContactPatch, StepSolution};
+use crate::units::UnitConverter;
 
 /// Contact pressure and its resultants, both sides of the axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -20,35 +20,32 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::contact_stiffness;
-use super::mesh_effects::{is_clamped_column, is_peak_unknown, is_ring_on_few_elements};
-use super::onset::is_onset_unknown;
+use super::findings::{Finding, Known};
 use super::surface_stress::UncertainStress;
-use super::{PerBody, plastic_strain, strength, target};
+use super::{PerBody, contact_stiffness, target, validity};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
-use crate::solver::{BodyFigures, CoarseFigures, StepSolution};
+use crate::solver::method::figures::{Figure, Figures};
+use crate::solver::{ElasticReference, StepSolution};
 
-/// Floors of the figures over h/a: in plane analyses, and of bodies of revolution. The figures are
-/// in the order of `CoarseFigures`, with the figures of a body once.
-const FLOORS: [(&str, [f64; 2]); 11] = [
-    ("peak pressure", [0.03, 0.1]),
-    ("half-width", [0.3, 0.3]),
-    ("approach", [0.03, 0.03]),
-    ("force", [0.03, 0.03]),
-    ("largest plastic strain", [2.0, 0.5]),
-    ("mean plastic strain", [0.5, 0.1]),
-    ("plastic area", [1.0, 0.5]),
-    ("dent", [0.01, 0.02]),
-    ("pile-up", [0.03, 0.03]),
-    ("residual stress", [0.25, 0.25]),
-    ("utilization", [0.05, 0.05]),
-];
-
-/// Numbers of figures of the contact and of figures of a body.
-const CONTACT_FIGURES: usize = 4;
-const BODY_FIGURES: usize = FLOORS.len() - CONTACT_FIGURES;
+/// Returns the name of a figure in `docs/validity.md` and its floors over h/a: in plane analyses,
+/// and of bodies of revolution.
+const fn floors(figure: Figure) -> (&'static str, [f64; 2]) {
+    match figure {
+        Figure::PeakPressure => ("peak pressure", [0.03, 0.1]),
+        Figure::HalfWidth => ("half-width", [0.3, 0.3]),
+        Figure::Approach => ("approach", [0.03, 0.03]),
+        Figure::Force => ("force", [0.03, 0.03]),
+        Figure::MaxPlasticStrain => ("largest plastic strain", [2.0, 0.5]),
+        Figure::MeanPlasticStrain => ("mean plastic strain", [0.5, 0.1]),
+        Figure::PlasticArea => ("plastic area", [1.0, 0.5]),
+        Figure::Dent => ("dent", [0.01, 0.02]),
+        Figure::PileUp => ("pile-up", [0.03, 0.03]),
+        Figure::LeastStress => ("residual stress", [0.25, 0.25]),
+        Figure::LargestVonMises => ("utilization", [0.05, 0.05]),
+    }
+}
 
 /// Floors of the contact stiffness over h/a, for bodies that are elastic or unload: in plane
 /// analyses, and of bodies of revolution.
@@ -120,13 +117,14 @@ pub struct BodyErrors {
 }
 
 /// Returns the error bars of a load step. Returns `None` without an answer or without a coarser
-/// mesh, for a ring of contact over few elements, and if the onset of yield is not known.
-///
-/// Single figures have no bar if the mesh does not resolve them: at a rounded edge or a tip that
-/// is thinner than the elements, at a sharp corner, next to an end of the contact, below a coarse
-/// hardened case, and above a clamped column.
-pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
-    let bars = under_its_force(job, step)?;
+/// mesh, and where a finding takes the estimate away. Single figures have no bar where a finding
+/// takes it away.
+pub(super) fn estimate(
+    job: &Job,
+    step: &StepSolution,
+    findings: &[Finding],
+) -> Option<ErrorEstimate> {
+    let bars = under_its_force(step, findings)?;
     Some(match (step.load, &job.load) {
         (ContactLoad::Approach(_), _) => bars,
         (ContactLoad::Force(_), Load::Onset) => {
@@ -145,54 +143,61 @@ pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     })
 }
 
+/// Returns the error bars of a load step by itself, whatever came before it in a history.
+pub fn estimate_error(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
+    let reference = ElasticReference::of(job, step.force());
+    estimate(job, step, &validity::findings(job, step, reference.as_ref()))
+}
+
 /// Returns the error bars of a load step, as if its force were prescribed.
-pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
+pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Option<ErrorEstimate> {
+    let known = Known::by(findings);
     let half_width = if step.patch.is_some() { step.half_width() } else { step.reached[1] };
-    let is_unknown = step.has_collapsed || step.status.is_stopped() || is_onset_unknown(job, step);
-    if is_unknown || half_width <= 0.0 || is_ring_on_few_elements(step) {
+    if !known.has_estimate() || half_width <= 0.0 {
         return None;
     }
     let bars = Bars::of(step, half_width)?;
-    let [peak_pressure, half_width, approach, force] = bars.of_contact();
-    let is_known = step.rounded_edge.is_none();
-    let is_peak_known = is_known && !is_peak_unknown(step);
-    let is_approach_known = is_known && !is_clamped_column(job, step);
+    let of_contact = |figure: Figure| known.bar(figure, 0, bars.of_figure(figure, 0));
     let is_approach_given = matches!(step.load, ContactLoad::Approach(_));
-    let stiffness = step.contact_stiffness.filter(|_| is_known);
-    let of_body = |side: usize| {
-        let body = step.bodies[side].as_deref()?;
-        let [largest, mean, area, dent, pile_up, least_stress, von_mises] = bars.of_body(side);
-        let is_inner_known =
-            is_peak_known && step.unknown_peaks_before == 0 && !strength::is_coarse(body);
-        let inner = |bar: Option<f64>| bar.filter(|_| is_inner_known);
-        let BodyFigures { least_stress: least, largest_von_mises: most, .. } = bars.bodies[side];
-        let uncertain = UncertainStress::of(step, body);
-        let at_surface =
-            |bar: Option<f64>, found: f64, beyond: fn(&UncertainStress, f64) -> f64| {
-                let added =
-                    uncertain.as_ref().map_or(0.0, |stress| beyond(stress, found) / found.abs());
-                inner(bar).map(|bar| bar + added).filter(|bar| bar.is_finite())
-            };
-        Some(BodyErrors {
-            max_equivalent_plastic_strain: inner(largest)
-                .filter(|_| plastic_strain::largest(body).is_some()),
-            mean_equivalent_plastic_strain: inner(mean),
-            area: inner(area),
-            depth: dent.filter(|_| is_approach_known),
-            pile_up: pile_up.filter(|_| is_known),
-            least_stress: at_surface(least_stress, least, UncertainStress::below),
-            utilization: at_surface(von_mises, most, UncertainStress::above),
+    let uncertain = |side: usize| {
+        findings.iter().find_map(|finding| match finding {
+            Finding::SurfaceStress { bodies, .. } => bodies[side].as_ref(),
+            _ => None,
         })
     };
+    let of_body = |side: usize| {
+        step.bodies[side].as_ref()?;
+        let of = |figure: Figure| known.bar(figure, side, bars.of_figure(figure, side));
+        let found = bars.found.bodies[side];
+        let at_surface = |figure: Figure, found: f64, beyond: fn(&UncertainStress, f64) -> f64| {
+            let added = uncertain(side).map_or(0.0, |stress| beyond(stress, found) / found.abs());
+            of(figure).map(|bar| bar + added).filter(|bar| bar.is_finite())
+        };
+        Some(BodyErrors {
+            max_equivalent_plastic_strain: of(Figure::MaxPlasticStrain),
+            mean_equivalent_plastic_strain: of(Figure::MeanPlasticStrain),
+            area: of(Figure::PlasticArea),
+            depth: of(Figure::Dent),
+            pile_up: of(Figure::PileUp),
+            least_stress: at_surface(
+                Figure::LeastStress,
+                found.least_stress,
+                UncertainStress::below,
+            ),
+            utilization: at_surface(
+                Figure::LargestVonMises,
+                found.largest_von_mises,
+                UncertainStress::above,
+            ),
+        })
+    };
+    // The stiffness is known where the contact size is.
+    let stiffness = step.contact_stiffness.filter(|_| known.has(Figure::HalfWidth, 0));
     Some(ErrorEstimate {
-        peak_pressure: peak_pressure.filter(|_| is_peak_known),
-        half_width: half_width.filter(|_| is_known),
-        approach: if is_approach_given {
-            Some(0.0)
-        } else {
-            approach.filter(|_| is_approach_known)
-        },
-        force: force.filter(|_| is_approach_known),
+        peak_pressure: of_contact(Figure::PeakPressure),
+        half_width: of_contact(Figure::HalfWidth),
+        approach: if is_approach_given { Some(0.0) } else { of_contact(Figure::Approach) },
+        force: of_contact(Figure::Force),
         contact_stiffness: stiffness.map(|_| stiffness_bar(step, bars.size)),
         bodies: Some(PerBody { upper: of_body(0), lower: of_body(1) }),
     })
@@ -227,13 +232,12 @@ impl ErrorEstimate {
 /// Figures from which the error bars of a load step are computed.
 struct Bars {
     of_revolution: bool,
-    bodies: [BodyFigures; 2],
     /// Element size over half-width, h/a.
     size: f64,
-    found: [f64; CoarseFigures::COUNT],
-    coarse: [f64; CoarseFigures::COUNT],
-    increments: [f64; CoarseFigures::COUNT],
-    scales: [f64; CoarseFigures::COUNT],
+    found: Figures,
+    coarse: Figures,
+    increments: Figures,
+    scales: Figures,
 }
 
 impl Bars {
@@ -258,38 +262,25 @@ impl Bars {
         let part = step.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
         Some(Self {
             of_revolution: step.stress_state == StressState::Axisymmetric,
-            bodies: figures.bodies,
             size: (step.spacing / half_width).max(part),
-            found: figures.values(),
-            coarse: step.coarse?.values(),
-            increments: step.increment_error.unwrap_or_default().values(),
-            scales: scales.values(),
+            found: figures,
+            coarse: step.coarse?,
+            increments: step.increment_error.unwrap_or_default(),
+            scales,
         })
     }
 
-    /// Returns the bars of the figures of the contact, in the order of [`FLOORS`].
-    fn of_contact(&self) -> [Option<f64>; CONTACT_FIGURES] {
-        std::array::from_fn(|figure| self.of_figure(figure, figure))
-    }
-
-    /// Returns the bars of the figures of a body, in the order of [`FLOORS`].
-    fn of_body(&self, side: usize) -> [Option<f64>; BODY_FIGURES] {
-        std::array::from_fn(|k| {
-            let figure = CONTACT_FIGURES + k;
-            self.of_figure(figure, figure + side * BODY_FIGURES)
-        })
-    }
-
-    /// Returns the bar of a figure from its index in [`FLOORS`] and its index `k` among all
-    /// figures. A figure of 0 has the bar 0 if it is 0 on the coarser mesh too, else no bar.
-    fn of_figure(&self, figure: usize, k: usize) -> Option<f64> {
-        let found = self.found[k].abs();
+    /// Returns the bar of a figure. A figure of 0 has the bar 0 if it is 0 on the coarser mesh too,
+    /// else no bar.
+    fn of_figure(&self, figure: Figure, side: usize) -> Option<f64> {
+        let at = |figures: &Figures| figures.values()[figure.at(side)];
+        let (found, coarse) = (at(&self.found), at(&self.coarse));
         if found == 0.0 {
-            return (self.coarse[k] == 0.0).then_some(0.0);
+            return (coarse == 0.0).then_some(0.0);
         }
-        let difference = (self.found[k] - self.coarse[k]).abs();
-        let floor = FLOORS[figure].1[usize::from(self.of_revolution)] * self.size * self.scales[k];
-        Some((difference + floor) / found + self.increments[k])
+        let floor = floors(figure).1[usize::from(self.of_revolution)];
+        let floor = floor * self.size * at(&self.scales);
+        Some(((found - coarse).abs() + floor) / found.abs() + at(&self.increments))
     }
 }
 
@@ -307,12 +298,13 @@ fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::FLOORS;
+    use super::{Figure, floors};
 
     #[test]
     fn the_document_has_the_same_floors() {
         let document = include_str!("../../../../docs/validity.md");
-        for (figure, [plane, revolution]) in FLOORS {
+        for figure in Figure::ALL {
+            let (figure, [plane, revolution]) = floors(*figure);
             let row = format!("| {figure} | {plane} | {revolution} |");
             assert!(document.contains(&row), "{row}");
         }

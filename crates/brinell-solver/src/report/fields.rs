@@ -16,10 +16,10 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::PerBody;
-use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::solver::method::observer::ask;
 use crate::solver::{BodySolution, Interrupt, Observer, StepSolution, recovered};
+use crate::units::UnitConverter;
 
 /// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true.
 /// Positions are those before loading, where the bodies just touch; `y` points from the lower body

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::PerBody;
-use super::units::UnitConverter;
 use crate::solver::{BodySolution, Energy, IncrementRecord, StepSolution};
+use crate::units::UnitConverter;
 
 /// What only flow theory knows of a step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

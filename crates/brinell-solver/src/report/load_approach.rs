@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::units::UnitConverter;
 use crate::solver::IncrementRecord;
+use crate::units::UnitConverter;
 
 /// Number of elements by which the contact grows between two loads of a difference quotient. While
 /// the contact grows by one element, the error of the approach changes its sign, and closer loads

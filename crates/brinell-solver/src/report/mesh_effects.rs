@@ -70,11 +70,6 @@ pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
     step.loaded_corners.iter().any(is_at_peak) && growth > GROWTH
 }
 
-/// Returns whether the mesh does not resolve the peak pressure.
-pub(super) fn is_peak_unknown(step: &StepSolution) -> bool {
-    step.rounded_tip.is_some() || peak_is_unbounded(step) || peak_is_next_to_end(step)
-}
-
 /// Returns whether a clamped body of a plane analysis is deeper than wide. The clamp prevents the
 /// lateral strain of the body up to half its width from its end. At any density the mesh has few
 /// rows there, and no coarser mesh reveals their effect on the approach.

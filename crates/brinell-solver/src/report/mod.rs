@@ -8,6 +8,7 @@ mod error_bars;
 pub mod export;
 mod field_arrays;
 mod fields;
+mod findings;
 mod flow;
 mod half_spaces;
 mod layer_fields;
@@ -17,16 +18,16 @@ mod onset;
 mod plastic_strain;
 mod plastic_zone;
 mod run;
+mod sentences;
 mod strength;
 mod subsurface;
 mod surface_stress;
 mod target;
-mod units;
 mod validity;
 
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
-pub use error_bars::{BodyErrors, ErrorEstimate, estimate as estimate_error};
+pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece,
     Side as FieldSide, encode_fields, encode_layers,

@@ -2,13 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::findings::{Finding, OnsetUnknown};
 use super::mesh_effects::{peak_is_next_to_end, peak_is_unbounded};
-use super::units::{UnitConverter, rounded};
 use crate::contact::ContactLoad;
-use crate::job::{Job, Load, Shape, Units};
+use crate::job::{Job, Load, Shape};
 use crate::solver::{
     EDGE_UTILIZATION, Problem, StepSolution, at_narrow_edge, highest_utilization,
 };
+use crate::units::UnitConverter;
 
 /// The onset of yield, found numerically for the job's own shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,20 +44,20 @@ pub enum Side {
 /// Largest relative error at which the closed form gives the onset at a rounded edge.
 const KNOWN: f64 = 0.15;
 
-/// Returns the remark `onset_unknown`: the reason why elastic bodies yield under a smaller force
-/// than the mesh of a load step shows. Returns `None` if the mesh resolves the onset, or if a body
-/// has yielded.
-pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
+/// Returns the reason why elastic bodies yield under a smaller force than the mesh of a load step
+/// shows. Returns `None` if the mesh resolves the onset, or if a body has yielded.
+pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<Finding> {
     if step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
         return None;
     }
-    let unknown = if job.load == Load::Onset {
-        "The force under which yield begins is not known"
-    } else {
-        "That no body yields holds for this mesh only"
-    };
+    let is_sought = job.load == Load::Onset;
+    let cause = cause(job, step, is_sought)?;
+    Some(Finding::OnsetUnknown { cause, is_sought })
+}
+
+fn cause(job: &Job, step: &StepSolution, is_sought: bool) -> Option<OnsetUnknown> {
+    let spacing = step.spacing;
     if let Some(edge) = &step.rounded_edge {
-        let is_sought = job.load == Load::Onset;
         if is_sought && step.onset_error.is_some_and(|error| error <= KNOWN) {
             return None;
         }
@@ -64,41 +65,18 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
         if !is_sought && used <= 1.0 {
             return None;
         }
-        let onset = step.force() / used.powf(EDGE_UTILIZATION.recip());
-        return Some(format!(
-            "{unknown}. The contact ends within {:.2e} mm on the rounded edges, which elements of \
-             {:.2e} mm leave out; in closed form elastic bodies yield there under {} {}.",
-            edge.elastic.width(),
-            step.spacing,
-            rounded(onset),
-            job.analysis.force().symbol(Units::MmNMpa),
-        ));
+        let force = step.force() / used.powf(EDGE_UTILIZATION.recip());
+        return Some(OnsetUnknown::AtEdge { width: edge.elastic.width(), spacing, force });
     }
     // Elements that resolve the edge of a punch find the peak pressure on the edge.
     let is_punch =
         [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
     let can_yield = || Problem::of(job).bodies.iter().any(|body| body.yield_stress().is_some());
     if !is_punch && peak_is_next_to_end(step) && can_yield() {
-        return Some(format!(
-            "{unknown}. The largest pressure is at x = {} mm, next to an end of the contact, \
-             where it rises within elements of {:.2e} mm: finer ones find more of it, and yield \
-             under a smaller force.",
-            rounded(step.peak_position),
-            step.spacing
-        ));
+        return Some(OnsetUnknown::NextToEnd { x: step.peak_position, spacing });
     }
-    let is_at_corner = job.load == Load::Onset && peak_is_unbounded(step);
-    let x = step.loaded_corners.first().filter(|_| is_at_corner)?;
-    Some(format!(
-        "{unknown}. A sharp corner carries pressure at x = {} mm, where elastic stress has no \
-         bound: the force falls with the size of the elements.",
-        rounded(*x)
-    ))
-}
-
-/// Returns whether the job asks for an onset that the mesh does not resolve.
-pub(super) fn is_onset_unknown(job: &Job, step: &StepSolution) -> bool {
-    job.load == Load::Onset && why_unknown(job, step).is_some()
+    let x = *step.loaded_corners.first().filter(|_| is_sought && peak_is_unbounded(step))?;
+    Some(OnsetUnknown::AtCorner { x })
 }
 
 /// Returns the onset of yield for a job that asks for it, or `None` if the mesh does not resolve
@@ -106,9 +84,12 @@ pub(super) fn is_onset_unknown(job: &Job, step: &StepSolution) -> bool {
 pub(super) fn onset(
     job: &Job,
     step: &StepSolution,
+    findings: &[Finding],
     write: UnitConverter,
 ) -> Option<YieldOnsetReport> {
-    if job.load != Load::Onset || is_onset_unknown(job, step) {
+    let is_unknown =
+        findings.iter().any(|finding| matches!(finding, Finding::OnsetUnknown { .. }));
+    if job.load != Load::Onset || is_unknown {
         return None;
     }
     let problem = Problem::of(job);

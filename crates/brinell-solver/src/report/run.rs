@@ -8,7 +8,6 @@ use thiserror::Error;
 
 use super::build::{ReportBuilder, in_units};
 use super::contact_stiffness::{of_small_mesh, small_solves};
-use super::units::UnitConverter;
 use super::{Report, StepReport, half_spaces, target};
 use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
@@ -17,6 +16,7 @@ use crate::solver::{
     self, Estimate, Held, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver,
     StepSolution,
 };
+use crate::units::UnitConverter;
 
 /// Reasons for a job without a report.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -85,12 +85,11 @@ impl RunError {
             SolveError::Mesh(MeshError::TooSteep { .. }) => faces(true),
             _ => Vec::new(),
         };
+        let write = UnitConverter::new(job.units, job.analysis);
         let detail = match error {
-            SolveError::Unreachable(found) => {
-                target::unreachable(found, &job.load, UnitConverter::new(job.units, job.analysis))
-            }
+            SolveError::Unreachable(found) => target::unreachable(found, &job.load, write),
             SolveError::TooWide { .. } | SolveError::Conforming { .. } if lies_in_groove(job) => {
-                format!("{error}; {CONFORMING_ADVICE}")
+                format!("{}; {CONFORMING_ADVICE}", error.text(write))
             }
             // The author of the job cannot act on errors from inside the contact solver.
             SolveError::Contact(
@@ -101,7 +100,7 @@ impl RunError {
             ) => "rounding leaves the contact without an answer: lengths, stiffness and load of \
                   the job differ by too many orders of magnitude for numbers of double precision"
                 .to_owned(),
-            error => error.to_string(),
+            error => error.text(write),
         };
         if pointers.is_empty() {
             return Self::Failed(detail);

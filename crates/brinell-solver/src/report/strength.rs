@@ -1,8 +1,8 @@
-//! Remarks on strength that varies with depth.
+//! Findings on strength that varies with depth.
 
 use std::sync::Arc;
 
-use super::units::rounded;
+use super::findings::{CasePlace, Finding};
 use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
 use crate::job::{Job, Material, MeshSettings, OverDepth};
@@ -14,54 +14,41 @@ pub(super) const COARSE_RATIO: f64 = 1.1;
 /// Stress over strength below which a change of strength within an element is harmless.
 pub(super) const IDLE: f64 = 0.5;
 
-/// Returns codes and texts of the remarks on strength.
-pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
-    let mut remarks = Vec::new();
-    remarks.extend(by_hardness(job));
+/// Returns the findings on strength.
+pub(super) fn findings(job: &Job, step: &StepSolution) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = by_hardness(job).into_iter().collect();
     let utilized = step.bodies.iter().flatten().filter_map(initial_utilization);
-    remarks.extend(utilized.max_by(f64::total_cmp).and_then(initial_yield));
-    let coarsest = step.bodies.iter().flatten().filter_map(|body| coarsest(body));
-    if let Some((ratio, [x, y])) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
+    let ratio = utilized.max_by(f64::total_cmp).filter(|ratio| *ratio > 1.0);
+    findings.extend(ratio.map(|ratio| Finding::InitialYield { ratio }));
+    let coarse = [0, 1].map(|side| step.bodies[side].as_deref().and_then(coarsest));
+    if let Some((ratio, place)) =
+        coarse.iter().flatten().max_by(|a, b| a.0.total_cmp(&b.0)).copied()
+    {
         let elements = f64::from(job.mesh.elements_per_half_width);
-        let wanted = (elements * ratio.ln() / COARSE_RATIO.ln())
-            .ceil()
-            .min(f64::from(MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH));
-        let message = format!(
-            "The strength changes by {:.0} % within one element at x = {}, y = {} mm, where the \
-             stress is more than half of it: what yields there is known to its place within that \
-             element only. About {wanted:.0} elements over the half-width \
-             (`mesh.elements_per_half_width`) would do.",
-            100.0 * (ratio - 1.0),
-            rounded(x),
-            rounded(y),
-        );
-        remarks.push(("coarse_case", message));
+        findings.push(Finding::CoarseCase {
+            change: ratio - 1.0,
+            place: CasePlace::Element(place),
+            wanted: wanted(elements, ratio, MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH),
+            bodies: coarse.map(|found| found.is_some()),
+        });
     }
-    remarks
+    findings
 }
 
-/// Returns the remark on a yield stress that follows from hardness.
-pub(super) fn by_hardness(job: &Job) -> Option<(&'static str, String)> {
+/// Returns the density at which the strength changes little within an element, if it changes by
+/// `ratio` at the density `asked`.
+pub(super) fn wanted(asked: f64, ratio: f64, most: u32) -> f64 {
+    (asked * ratio.ln() / COARSE_RATIO.ln()).ceil().min(f64::from(most))
+}
+
+/// Returns the finding on a yield stress that follows from hardness.
+pub(super) fn by_hardness(job: &Job) -> Option<Finding> {
     let rule = |material: &Material| match material {
         Material::Deformable(material) => material.over_depth().and_then(OverDepth::rule),
         Material::Rigid => None,
     };
     let rule = [&job.upper, &job.lower].into_iter().find_map(|body| rule(&body.material))?;
-    let message = format!(
-        "The yield stress over depth follows from the hardness by {rule}, a regression over \
-         steels of 136 to 622 HV that scatters by some 100 MPa."
-    );
-    Some(("yield_by_hardness", message))
-}
-
-/// Returns the remark on an initial stress that is `ratio` times the yield stress.
-fn initial_yield(ratio: f64) -> Option<(&'static str, String)> {
-    let message = format!(
-        "The initial stress, after the body has relaxed, is {ratio:.3} times the yield stress \
-         somewhere: the body yields before it is loaded, and that flow is reckoned to the first \
-         load."
-    );
-    (ratio > 1.0).then_some(("initial_yield", message))
+    Some(Finding::YieldByHardness { rule })
 }
 
 /// Returns the largest ratio of von Mises stress to yield stress before the load.
@@ -73,11 +60,6 @@ fn initial_utilization(body: &Arc<BodySolution>) -> Option<f64> {
         von_mises(mean.stress) / (limit * body.model.strength(mean.position))
     });
     ratios.max_by(f64::total_cmp)
-}
-
-/// Returns whether the strength of a body changes within single stressed elements.
-pub(super) fn is_coarse(body: &BodySolution) -> bool {
-    coarsest(body).is_some()
 }
 
 /// Returns the largest ratio of strengths within a stressed element, and the middle of that

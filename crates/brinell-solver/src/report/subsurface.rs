@@ -1,12 +1,12 @@
 //! Stresses over depth below the middle of the contact, and below a peak pressure off the middle.
 
 use super::SubsurfaceReport;
-use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::fem::mesh::SurfaceFrame;
 use crate::job::Quantity;
 use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution, recovered, recovered_at_rest};
+use crate::units::UnitConverter;
 
 /// Returns whether the peak pressure lies off the middle and needs a profile of its own.
 pub(super) fn is_beside_middle(step: &StepSolution) -> bool {

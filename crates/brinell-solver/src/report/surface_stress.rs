@@ -7,6 +7,7 @@ use crate::solver::{BodySolution, StepSolution, surface_stress_error, surface_st
 const UNCERTAIN: f64 = 0.1;
 
 /// A stress at the surface that is uncertain because of plastic strain below the surface.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct UncertainStress {
     /// Error of the stress \[MPa\]: the larger of its change below the surface by plastic strain,
     /// and of its excess over the largest stress in the elements.

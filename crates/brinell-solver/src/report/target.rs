@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::units::UnitConverter;
-use super::{BodyErrors, ErrorEstimate, PerBody, StepReport, error_bars};
+use super::findings::Finding;
+use super::{BodyErrors, ErrorEstimate, PerBody, error_bars};
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
+use crate::units::UnitConverter;
 
 /// Largest solved force over the force of the largest figure, above which the message says that
 /// the figure no longer rises. At smaller ratios both forces read alike in the message.
@@ -43,11 +44,10 @@ pub(super) struct TargetSeen {
 
 impl TargetSeen {
     /// Records force, figure and error of a load step.
-    pub fn see(&mut self, job: &Job, step: &StepSolution, report: &StepReport) {
+    pub fn see(&mut self, job: &Job, step: &StepSolution, findings: &[Finding]) {
         let Load::Target(target) = &job.load else { return };
         let of_revolution = step.stress_state == StressState::Axisymmetric;
-        let bars =
-            error_bars::under_its_force(job, step).filter(|_| report.estimated_error.is_some());
+        let bars = error_bars::under_its_force(step, findings);
         let error = bars.and_then(|bars| error_of(target.figure, &bars, of_revolution));
         self.take(step.force(), target_figure(step, target.figure), error);
     }

@@ -1,40 +1,33 @@
 //! Why a job has no solution to report.
 
+use std::fmt;
+
 use brinell_halfspace::{ElasticityError, GridError};
-use thiserror::Error;
 
 use crate::contact::ContactError;
-use crate::fem::mesh::MeshError;
+use crate::fem::mesh::{MESHED_SLOPE, MeshError};
+use crate::job::{Analysis, Units};
 use crate::solver::conforming::MAX_HALF_ANGLE;
 use crate::solver::method::force_search::Unreachable;
 use crate::solver::method::observer::Interrupt;
 use crate::solver::method::{self, Interrupted};
+use crate::units::{UnitConverter, about};
 use sparse_cholesky::FactorizationError;
 
 /// Why a job has no solution to report.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum SolveError {
     /// No mesh.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
+    Mesh(MeshError),
     /// No factor.
-    #[error(transparent)]
-    Factorization(#[from] FactorizationError),
+    Factorization(FactorizationError),
     /// No contact solution.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
+    Contact(ContactError),
     /// No grid for half-spaces.
-    #[error(transparent)]
-    Grid(#[from] GridError),
+    Grid(GridError),
     /// Elastic constants that half-spaces do not have.
-    #[error(transparent)]
-    Elasticity(#[from] ElasticityError),
+    Elasticity(ElasticityError),
     /// The load would spread the contact over too much of the bodies.
-    #[error(
-        "the contact would reach about {half_width:.4} mm to each side on a surface that spans \
-         {available:.4} mm; small-displacement contact theory does not carry that far: reduce the \
-         load"
-    )]
     TooWide {
         /// Expected half-width \[mm\].
         half_width: f64,
@@ -42,30 +35,16 @@ pub enum SolveError {
         available: f64,
     },
     /// The load would press a pin round more of its hole than is solved.
-    #[error(
-        "the contact would reach about {half_angle:.0}° to each side; a contact in a hole is \
-         solved up to {MAX_HALF_ANGLE}°: reduce the load, or widen the clearance"
-    )]
     TooFarRound {
         /// Expected angle to each side \[degrees\].
         half_angle: f64,
     },
     /// The surfaces do not open away from the contact.
-    #[error(
-        "the surfaces do not open within {limit:.4} mm of where they first touch, half of the way \
-         to their ends, so that no load makes a contact that ends there: make the surfaces wider \
-         if they open beyond"
-    )]
     Conforming {
         /// How far from there contacts are solved \[mm\].
         limit: f64,
     },
     /// The surfaces first touch where one of them is about to end.
-    #[error(
-        "the surfaces first touch at x = {x:.4} mm, but contacts are solved from {left:.4} to \
-         {right:.4} mm, a fifth short of the ends of the surfaces: make them wider, or move what \
-         touches towards the middle"
-    )]
     TouchesAtEnd {
         /// Where they first touch \[mm\].
         x: f64,
@@ -75,12 +54,6 @@ pub enum SolveError {
         right: f64,
     },
     /// A surface that is given by points has details much smaller than the contact.
-    #[error(
-        "within the contact, of half-width {half_width:.4} mm, the surfaces have details that \
-         only elements of {spacing:.2e} mm resolve, but {finest:.2e} mm is the finest that is \
-         solved: give the surface with fewer points, smooth its trace, or leave out a radius that \
-         is so much smaller than the contact"
-    )]
     TraceTooFine {
         /// Expected half-width \[mm\].
         half_width: f64,
@@ -90,11 +63,6 @@ pub enum SolveError {
         finest: f64,
     },
     /// A profile has a corner in the contact, and nothing says whether it is one.
-    #[error(
-        "the face turns by {opening:.3} at the point x = {x:.6} mm of a profile, within the \
-         contact: set its `interpolation` to \"linear\" if this is a corner, to \"smooth\" if it \
-         is to be rounded off"
-    )]
     AmbiguousCorner {
         /// The body, 0 for the upper one.
         side: usize,
@@ -104,22 +72,14 @@ pub enum SolveError {
         opening: f64,
     },
     /// The onset of yield is sought of bodies that do not yield, or do from the first load on.
-    #[error("neither body has a yield stress, so there is no onset of yield to find")]
     NoYieldPoint,
     /// A history without a load.
-    #[error("none of the loads is above zero")]
     NoLoad,
     /// No force gives the contact what it was to have.
-    #[error("no force gives the contact what the job asks for")]
     Unreachable(Unreachable),
     /// The bodies have no stiffness that could take secant moduli.
-    #[error("the coupling by secant stiffness needs bodies whose stiffness is assembled")]
     NoSecantStiffness,
     /// The load is far beyond what half-spaces bear with small strains.
-    #[error(
-        "elastic bodies would press on each other with {overload:.0} times the stress at which \
-         these flow; half-spaces with small strains are solved up to {most} times: reduce the load"
-    )]
     Overloaded {
         /// Largest pressure of elastic bodies over the stress under which the material flows.
         overload: f64,
@@ -127,10 +87,6 @@ pub enum SolveError {
         most: f64,
     },
     /// The contact would be many times as wide as a roller is long.
-    #[error(
-        "the roller is {length:.2e} mm long, but under this load no grid holds its contact below a \
-         length of {least:.2e} mm: reduce the load or its moment, or give the length that touches"
-    )]
     ShortRoller {
         /// Its length \[mm\].
         length: f64,
@@ -138,8 +94,127 @@ pub enum SolveError {
         least: f64,
     },
     /// Stopped before there was anything to report.
-    #[error("stopped before the first iteration")]
     Interrupted(Interrupt),
+}
+
+impl fmt::Display for SolveError {
+    /// Writes lengths in millimetres.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text(UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain)))
+    }
+}
+
+impl std::error::Error for SolveError {}
+
+impl SolveError {
+    /// Returns the error as a sentence in the units of a job.
+    pub(crate) fn text(&self, write: UnitConverter) -> String {
+        let length = |core: f64| write.length_text(core);
+        match self {
+            Self::Mesh(error) => mesh_text(error, write),
+            Self::Factorization(error) => error.to_string(),
+            Self::Contact(error) => error.to_string(),
+            Self::Grid(error) => error.to_string(),
+            Self::Elasticity(error) => error.to_string(),
+            Self::TooWide { half_width, available } => format!(
+                "the contact would reach about {} to each side on a surface that spans {}; \
+                 small-displacement contact theory does not carry that far: reduce the load",
+                length(*half_width),
+                length(*available)
+            ),
+            Self::TooFarRound { half_angle } => format!(
+                "the contact would reach about {half_angle:.0}° to each side; a contact in a hole \
+                 is solved up to {MAX_HALF_ANGLE}°: reduce the load, or widen the clearance"
+            ),
+            Self::Conforming { limit } => format!(
+                "the surfaces do not open within {} of where they first touch, half of the way to \
+                 their ends, so that no load makes a contact that ends there: make the surfaces \
+                 wider if they open beyond",
+                length(*limit)
+            ),
+            Self::TouchesAtEnd { x, left, right } => format!(
+                "the surfaces first touch at x = {}, but contacts are solved from {} to {}, a \
+                 fifth short of the ends of the surfaces: make them wider, or move what touches \
+                 towards the middle",
+                length(*x),
+                length(*left),
+                length(*right)
+            ),
+            Self::TraceTooFine { half_width, spacing, finest } => format!(
+                "within the contact, of half-width {}, the surfaces have details that only \
+                 elements of {} resolve, but {} is the finest that is solved: give the surface \
+                 with fewer points, smooth its trace, or leave out a radius that is so much \
+                 smaller than the contact",
+                length(*half_width),
+                write.length_about(*spacing),
+                write.length_about(*finest)
+            ),
+            Self::AmbiguousCorner { x, opening, .. } => format!(
+                "the face turns by {} at the point x = {} of a profile, within the contact: set \
+                 its `interpolation` to \"linear\" if this is a corner, to \"smooth\" if it is to \
+                 be rounded off",
+                about(*opening),
+                length(*x)
+            ),
+            Self::NoYieldPoint => {
+                "neither body has a yield stress, so there is no onset of yield to find".to_owned()
+            }
+            Self::NoLoad => "none of the loads is above zero".to_owned(),
+            Self::Unreachable(_) => "no force gives the contact what the job asks for".to_owned(),
+            Self::NoSecantStiffness => {
+                "the coupling by secant stiffness needs bodies whose stiffness is assembled"
+                    .to_owned()
+            }
+            Self::Overloaded { overload, most } => format!(
+                "elastic bodies would press on each other with {overload:.0} times the stress at \
+                 which these flow; half-spaces with small strains are solved up to {most} times: \
+                 reduce the load"
+            ),
+            Self::ShortRoller { length: whole, least } => format!(
+                "the roller is {} long, but under this load no grid holds its contact below a \
+                 length of {}: reduce the load or its moment, or give the length that touches",
+                write.length_about(*whole),
+                write.length_about(*least)
+            ),
+            Self::Interrupted(_) => "stopped before the first iteration".to_owned(),
+        }
+    }
+}
+
+/// Returns an error of the mesh as a sentence in the units of a job.
+fn mesh_text(error: &MeshError, write: UnitConverter) -> String {
+    match error {
+        MeshError::ZoneBeyondBody { half_width, available } => format!(
+            "a contact zone of half-width {} does not fit on a surface that spans {}",
+            write.length_text(*half_width),
+            write.length_text(*available)
+        ),
+        MeshError::TooSteep { x, slope } => format!(
+            "the face has a slope of {slope:.2} at x = {}; a body that deforms is meshed up to \
+             slopes of about {MESHED_SLOPE}, and contact theory with small displacements is not \
+             meant for steeper ones",
+            write.length_text(*x)
+        ),
+        error @ MeshError::Inverted { .. } => error.to_string(),
+    }
+}
+
+macro_rules! from {
+    ($($Variant:ident: $Error:ty,)*) => {
+        $(impl From<$Error> for SolveError {
+            fn from(error: $Error) -> Self {
+                Self::$Variant(error)
+            }
+        })*
+    };
+}
+
+from! {
+    Mesh: MeshError,
+    Factorization: FactorizationError,
+    Contact: ContactError,
+    Grid: GridError,
+    Elasticity: ElasticityError,
 }
 
 impl From<method::Error> for SolveError {

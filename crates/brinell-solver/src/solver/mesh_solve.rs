@@ -21,10 +21,10 @@ use crate::solver::body_system::transfer::NodalField;
 use crate::solver::finite_elements::{FiniteElements, MeshDesign};
 use crate::solver::method::contact_system::{ContactFigures, ContactSystem as _};
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
+use crate::solver::method::figures::{BodyFigures, Figures};
 use crate::solver::method::observer::ask;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Answer, solve};
-use crate::solver::method::steps::{BodyFigures, CoarseFigures};
 use crate::solver::problem::Problem;
 use crate::solver::solution::BodySolution;
 use crate::solver::strategy::coupling;
@@ -144,8 +144,8 @@ impl MeshSolve {
     }
 
     /// Headline figures; `None` where nothing touches.
-    pub fn figures_of_contact(&self) -> Option<CoarseFigures> {
-        self.patch.map(|_| CoarseFigures { bodies: self.body_figures(), ..self.figures() })
+    pub fn figures_of_contact(&self) -> Option<Figures> {
+        self.patch.map(|_| Figures { bodies: self.body_figures(), ..self.figures() })
     }
 
     /// Connected parts of the contact.
@@ -183,11 +183,11 @@ impl Answer for MeshSolve {
         (self.system, self.outcome)
     }
 
-    fn figures(&self) -> CoarseFigures {
+    fn figures(&self) -> Figures {
         let ContactFigures { force, approach, peak_pressure, .. } =
             self.system.figures(&self.outcome.state.response.contact);
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
-        CoarseFigures { peak_pressure, half_width, approach, force, ..CoarseFigures::default() }
+        Figures { peak_pressure, half_width, approach, force, ..Figures::default() }
     }
 
     fn body_figures(&self) -> [BodyFigures; 2] {

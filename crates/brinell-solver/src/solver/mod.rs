@@ -41,13 +41,14 @@ pub(crate) use load_stepping::utilization::{
     EDGE_UTILIZATION, at_narrow_edge, highest_utilization,
 };
 pub use mesh_sizing::estimate::{Estimate, estimate};
+pub use method::figures::{BodyFigures, Figures};
 pub use method::force_search::{Unreachable, UnreachableReason};
 pub use method::increments::LastIncrement;
 pub use method::observer::{
     Held, IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 pub use method::phases::{Phase, PhaseTimes};
-pub use method::steps::{BodyFigures, CoarseFigures, IncrementRecord, StepReceiver};
+pub use method::steps::{IncrementRecord, StepReceiver};
 pub use outline::outline_of;
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;

@@ -13,10 +13,11 @@ use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::rough::LEAST_PART;
+use crate::solver::method::figures::{BodyFigures, Figures};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::method::phases::PhaseTimes;
-use crate::solver::method::steps::{BodyFigures, CoarseFigures, IncrementRecord, LoadEnd, Step};
+use crate::solver::method::steps::{IncrementRecord, LoadEnd, Step};
 use crate::solver::surface_recovery::recovered_under;
 
 /// Half-widths of the meshed contact zone within which a surface is near the contact.
@@ -122,12 +123,12 @@ pub struct StepSolution {
     /// Times the candidate zone was widened.
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.
-    pub coarse: Option<CoarseFigures>,
+    pub coarse: Option<Figures>,
     /// The increments of this load, for bodies with a memory.
     pub increments: Vec<IncrementRecord>,
     /// By how much half as many increments change the figures, relative to them; bodies with a
     /// memory only.
-    pub increment_error: Option<CoarseFigures>,
+    pub increment_error: Option<Figures>,
     /// The largest approach and half-width of a history so far \[mm\]; zero without one.
     pub reached: [f64; 2],
     /// Loads before it in a history whose largest pressure the mesh did not tell; what they left
@@ -268,7 +269,7 @@ impl StepSolution {
     }
 
     /// Figures of the contact and of both bodies.
-    pub fn figures(&self) -> CoarseFigures {
+    pub fn figures(&self) -> Figures {
         let pressure: Vec<f64> = self.pairs.iter().map(|pair| pair.pressure).collect();
         let of = |body: &Option<Arc<BodySolution>>| {
             let of = |body: &Arc<BodySolution>| {
@@ -276,7 +277,7 @@ impl StepSolution {
             };
             body.as_ref().map(of).unwrap_or_default()
         };
-        CoarseFigures {
+        Figures {
             peak_pressure: self.peak_pressure,
             half_width: self.half_width(),
             approach: self.approach,
@@ -327,7 +328,7 @@ impl Step for StepSolution {
         (self.increments, self.reached) = (increments, reached);
     }
 
-    fn estimate(&mut self, coarse: Option<CoarseFigures>, increments: Option<CoarseFigures>) {
+    fn estimate(&mut self, coarse: Option<Figures>, increments: Option<Figures>) {
         (self.coarse, self.increment_error) = (coarse, increments);
     }
 

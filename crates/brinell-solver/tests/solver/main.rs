@@ -52,4 +52,5 @@ mod targets;
 mod thick_cylinder;
 mod traces;
 mod trial_model;
+mod units_of_messages;
 mod yield_onset;

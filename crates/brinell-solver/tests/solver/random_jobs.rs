@@ -12,7 +12,7 @@ use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::Value;
 
 #[path = "../support/random_job.rs"]
-mod random_job;
+pub mod random_job;
 
 use random_job::Random;
 

@@ -58,6 +58,7 @@ from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._result import Pressure, Remark, Result, Step
 from ._surface import Surface, surface
+from ._trace import Trace, trace
 
 try:
     __version__ = version("brinell")
@@ -91,6 +92,7 @@ __all__ = [
     "ServiceError",
     "Step",
     "Surface",
+    "Trace",
     "StillRunning",
     "Unauthorized",
     "Unavailable",
@@ -119,6 +121,7 @@ __all__ = [
     "surface",
     "swift",
     "table",
+    "trace",
     "voce",
     "wedge",
 ]

@@ -39,7 +39,7 @@ class Grid:
 
 
 HOLE = re.compile(
-    r"-?nan(\(.*\))?|n/?a|null|none|bad|void|masked|\*+|-{1,3}|\?+|no ?data|#n/[av]|#wert!"
+    r"-?nan(\(.*\))?|n/?a|null|none|bad|void|masked|\*+|-{1,3}|\?+|no ?data|#n/?[av]|#wert!"
     r"|#value!|[-+]?1[.,]#(qnan|snan|ind|inf).*|[-+]?inf(inity)?",
     re.IGNORECASE,
 )
@@ -148,6 +148,16 @@ def read_grid(text: str, skip: tuple[int, ...] = ()) -> Grid:
     return _plain_grid(filled)
 
 
+def _is_comment(line: str) -> bool:
+    """Whether a line begins with a sign, and not with a word for a hole such as `#N/A`."""
+    first = re.split(r"[\s;,]", line.strip(), maxsplit=1)[0]
+    return bool(SIGN.match(line)) and first != "" and not HOLE.fullmatch(first)
+
+
+def _without_sign(line: str) -> str:
+    return SIGN.sub("", line, count=1) if _is_comment(line) else line
+
+
 def _float(number: int, word: str) -> float:
     if HOLE.fullmatch(word):
         return float("nan")
@@ -241,7 +251,7 @@ def _esri(lines: list[tuple[int, str]]) -> Grid:
 def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
     separator = _separator(lines)
     cells = [(number, line, _cells(line, separator)) for number, line in lines]
-    is_body = [not SIGN.match(line) and _is_data(row) for _, line, row in cells]
+    is_body = [not _is_comment(line) and _is_data(row) for _, line, row in cells]
     if True not in is_body:
         raise NotUnderstood("no figures in it")
     start = is_body.index(True)
@@ -250,7 +260,7 @@ def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
     for (number, line, row), data in zip(cells[start:], is_body[start:], strict=True):
         if data:
             body.append((number, row))
-        elif SIGN.match(line):
+        elif _is_comment(line):
             head.append((number, line, row))
         else:
             wrong = next((w for w in row if not _is_figure(w)), line)
@@ -292,7 +302,7 @@ def _separator(lines: list[tuple[int, str]]) -> str:
 
 
 def _cells(line: str, separator: str) -> list[str]:
-    bare = SIGN.sub("", line, count=1) if SIGN.match(line) else line
+    bare = _without_sign(line)
     if separator == ", ":
         row = re.split(r",\s+|\s+", bare.strip())
     elif separator == " ":
@@ -352,13 +362,18 @@ class _Header:
 
     def take(self, number: int, line: str, row: list[str], is_list: bool) -> None:
         """Understands a line, or raises `NotUnderstood`."""
-        bare = SIGN.sub("", line, count=1) if SIGN.match(line) else line
+        bare = _without_sign(line)
         bare = bare.strip().strip('"').strip()
         if not bare or not re.search(r"\w", bare):
             return
         if is_list and self._takes_columns(row):
             return
-        key, value = _key_and_value(bare)
+        filled = [cell for cell in row if cell]
+        key, value = (
+            (filled[0], filled[1])
+            if "," in line and len(filled) == 2 and not re.search("[:=]", bare)
+            else _key_and_value(bare)
+        )
         plain = re.sub(r"[\s._-]", "", key.lower())
         unit = re.search(r"[\[(]\s*([^\])]+?)\s*[\])]$", key)
         if unit and is_length(unit[1]):
@@ -420,7 +435,8 @@ class _Header:
             self.nodata = float(word)
             return True
         two = re.fullmatch(
-            r"([-+\d.,e]+)\s*([^\d\s]*)\s*[x×*,;\s]\s*([-+\d.,e]+)\s*([^\d\s]*)", value.strip()
+            r"([-+\d.,e]+)\s*([^\d\sx×*;]*)(?:\s*[x×*;]\s*|\s+)([-+\d.,e]+)\s*([^\d\s]*)",
+            value.strip(),
         )
         one = re.fullmatch(r"([-+\d.,e]+)\s*([^\d\s].*)?", value.strip())
         pairs = (

@@ -2,8 +2,8 @@
 
 use crate::job::Quantity;
 use crate::report::LayersReport;
-use crate::report::units::UnitConverter;
 use crate::solver::half_spaces::HalfSpaceBody;
+use crate::units::UnitConverter;
 
 /// Returns the cells of a body.
 pub(super) fn layers(body: &HalfSpaceBody, write: UnitConverter) -> LayersReport {

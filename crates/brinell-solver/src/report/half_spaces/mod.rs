@@ -4,9 +4,9 @@
 mod document;
 mod elastic;
 mod estimate;
+mod findings;
 mod flow;
 mod layers;
-mod notes;
 mod run;
 mod step;
 

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use super::elastic::{EllipticReference, problem_of};
 use super::estimate::estimate;
+use super::findings::findings;
 use super::flow::FlowState;
-use super::notes::notes;
 use super::step::StepWriter;
 use crate::job::{FieldError, Job, Load, Named as _, TargetFigure, Theory};
 use crate::report::build::{timings, worse};
@@ -13,10 +13,10 @@ use crate::report::contact_stiffness::{LoadDifferences, Seen as SeenLoad};
 use crate::report::load_approach::CurvePoint;
 use crate::report::run::RunError;
 use crate::report::target::TargetSeen;
-use crate::report::units::UnitConverter;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
 use crate::solver::half_spaces::{self, HalfSpaceFigures, HalfSpaceStep};
 use crate::solver::{Observer, Options, SolveStatus, StepReceiver};
+use crate::units::UnitConverter;
 
 /// Estimates the cost of a job.
 ///
@@ -119,12 +119,8 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         seen.status = worse(seen.status, step.status);
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
         let flow = seen.flow.report(job, &step, reference, write);
-        let report = self.writer.report(
-            &step,
-            stiffness,
-            flow,
-            notes(job, self.writer.problem, &step, write),
-        );
+        let findings = findings(job, self.writer.problem, &step);
+        let report = self.writer.report(&step, stiffness, flow, &findings);
         if let Load::Target(target) = &job.load {
             let reached = step.target_figure(target.figure);
             seen.target.take(step.figures.force, reached, target_error(&step, target.figure));

@@ -6,21 +6,21 @@ use super::document::{
 };
 use super::elastic::EllipticReference;
 use super::layers::layers;
-use super::notes::is_peak_unknown;
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
-use crate::report::contact_stiffness;
+use crate::report::findings::{Finding, Known};
 use crate::report::plastic_strain::bounded;
-use crate::report::units::UnitConverter;
 use crate::report::{
     BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport,
-    Patch, PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote,
-    YieldOnsetReport,
+    Patch, PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, YieldOnsetReport,
 };
+use crate::report::{contact_stiffness, validity};
 use crate::solver::half_spaces::{
     ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
 };
+use crate::solver::method::figures::Figure;
+use crate::units::UnitConverter;
 
 /// Fractions of the contact area for which the quantile of the pressure is reported.
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
@@ -42,9 +42,9 @@ impl StepWriter<'_> {
         step: &HalfSpaceStep,
         contact_stiffness: Option<f64>,
         flow: Option<FlowReport>,
-        validity: Vec<ValidityNote>,
+        findings: &[Finding],
     ) -> StepReport {
-        let write = self.write;
+        let (write, known) = (self.write, Known::by(findings));
         let is_stopped = step.status.is_stopped();
         let [subsurface, below_peak] = self.subsurface(step);
         StepReport {
@@ -79,12 +79,12 @@ impl StepWriter<'_> {
                 shakedown_depth: self.reference.rolling().map(|limit| write.length(limit.depth)),
             }),
             yield_onset: self.yield_onset(step),
-            validity,
-            estimated_error: self.estimated_error(step, contact_stiffness),
+            validity: validity::remarks(findings, write),
+            estimated_error: self.estimated_error(step, contact_stiffness, known),
             fields: None,
             layers: (self.job.output.fields && !is_stopped)
                 .then(|| of_bodies(step, |body, _| layers(body, write))),
-            three_dimensional: Some(self.three_dimensional(step)),
+            three_dimensional: Some(self.three_dimensional(step, known)),
             history: step.history.iter().map(|record| in_units(record, write)).collect(),
         }
     }
@@ -141,7 +141,7 @@ impl StepWriter<'_> {
         is_known.then(|| self.reference.stiffness(step))
     }
 
-    fn three_dimensional(&self, step: &HalfSpaceStep) -> ThreeDimensionalReport {
+    fn three_dimensional(&self, step: &HalfSpaceStep, known: Known) -> ThreeDimensionalReport {
         let (write, figures, map) = (self.write, &step.figures, &step.surface);
         let lengths =
             |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
@@ -174,7 +174,7 @@ impl StepWriter<'_> {
                 gap: lengths(&map.gap),
                 dent: dent(step).map(|dent| lengths(&dent)),
             }),
-            estimated_error: self.ellipse_errors(step),
+            estimated_error: self.ellipse_errors(step, known),
         }
     }
 
@@ -343,6 +343,7 @@ impl StepWriter<'_> {
         &self,
         step: &HalfSpaceStep,
         stiffness: Option<f64>,
+        known: Known,
     ) -> Option<ErrorEstimate> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
@@ -351,8 +352,8 @@ impl StepWriter<'_> {
             (None, Some(_)) => Some(contact_stiffness::ERROR),
             (None, None) => None,
         };
-        let peak = Some(relative(errors.peak_pressure, figures.peak_pressure))
-            .filter(|_| !is_peak_unknown(self.problem, step, self.write));
+        let peak = Some(relative(errors.peak_pressure, figures.peak_pressure));
+        let peak = known.bar(Figure::PeakPressure, 0, peak);
         Some(ErrorEstimate {
             peak_pressure: peak,
             half_width: self.semi_axis_error(step, 0),
@@ -376,22 +377,22 @@ impl StepWriter<'_> {
         (!has_heights).then(|| relative(error, step.figures.semi_axes[axis]))
     }
 
-    fn ellipse_errors(&self, step: &HalfSpaceStep) -> Option<EllipseErrors> {
+    fn ellipse_errors(&self, step: &HalfSpaceStep, known: Known) -> Option<EllipseErrors> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
-        let is_strain_known = !is_peak_unknown(self.problem, step, self.write);
         let of = |side: usize| {
-            let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| {
-                Some(relative(of(errors)[side], of(figures)[side]))
+            let part = |figure: Figure, of: fn(&HalfSpaceFigures) -> [f64; 2]| {
+                known.bar(figure, side, Some(relative(of(errors)[side], of(figures)[side])))
             };
             step.bodies[side].as_ref().map(|_| BodyErrors {
-                max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain)
-                    .filter(|_| is_strain_known),
+                max_equivalent_plastic_strain: part(Figure::MaxPlasticStrain, |figures| {
+                    figures.max_plastic_strain
+                }),
                 mean_equivalent_plastic_strain: None,
                 area: None,
-                depth: part(|figures| figures.dent),
-                pile_up: part(|figures| figures.pile_up),
+                depth: part(Figure::Dent, |figures| figures.dent),
+                pile_up: part(Figure::PileUp, |figures| figures.pile_up),
                 least_stress: (figures.force <= 0.0)
-                    .then(|| part(|figures| figures.least_stress))
+                    .then(|| part(Figure::LeastStress, |figures| figures.least_stress))
                     .flatten(),
                 utilization: None,
             })

@@ -18,12 +18,12 @@ use crate::job::{self, Deformable, InitialStressProfile, Theory};
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
+use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::Held;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
-use crate::solver::method::steps::CoarseFigures;
 use crate::solver::{SolveError, strategy};
 
 /// Half a side of the grid over the semi-axis. From the prototype in Python.
@@ -291,17 +291,11 @@ impl solve::Answer for Answer {
     }
 
     /// The shorter semi-axis is the half-width.
-    fn figures(&self) -> CoarseFigures {
+    fn figures(&self) -> Figures {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
         let [x, y] = semi_axes(&self.system, &contact.force);
-        CoarseFigures {
-            peak_pressure,
-            half_width: x.min(y),
-            approach,
-            force,
-            ..CoarseFigures::default()
-        }
+        Figures { peak_pressure, half_width: x.min(y), approach, force, ..Figures::default() }
     }
 
     fn has_collapsed(&self) -> bool {

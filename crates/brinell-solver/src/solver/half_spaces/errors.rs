@@ -13,7 +13,7 @@
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
 use crate::solver::SolveStatus;
-use crate::solver::method::steps::CoarseFigures;
+use crate::solver::method::figures::Figures;
 
 const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
@@ -92,8 +92,8 @@ impl HalfSpaceFigures {
     /// Adds the relative changes of the figures under half as many increments. Approach, force and
     /// widths have changes of their own; all other figures take the change of the pressure, which
     /// is the largest.
-    pub(super) fn add_increments(&mut self, figures: &Self, changes: CoarseFigures) {
-        let CoarseFigures { peak_pressure, half_width, approach, force, .. } = changes;
+    pub(super) fn add_increments(&mut self, figures: &Self, changes: Figures) {
+        let Figures { peak_pressure, half_width, approach, force, .. } = changes;
         let relative = Self {
             force,
             approach,

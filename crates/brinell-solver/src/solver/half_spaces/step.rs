@@ -6,9 +6,10 @@ use brinell_contact::KktReport;
 use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 
 use crate::contact::ContactLoad;
+use crate::solver::method::figures::Figures;
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{IterationRecord, SolveStatus};
-use crate::solver::method::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step};
+use crate::solver::method::steps::{IncrementRecord, LoadEnd, Step};
 use crate::solver::solution::Energy;
 
 /// The answer to one load step of a contact in three dimensions. Lengths in mm, forces in N,
@@ -224,7 +225,7 @@ impl Step for HalfSpaceStep {
     }
 
     /// [`errors`](Self::errors) already contain the change from the coarse history's figures.
-    fn estimate(&mut self, _: Option<CoarseFigures>, increments: Option<CoarseFigures>) {
+    fn estimate(&mut self, _: Option<Figures>, increments: Option<Figures>) {
         if let (Some(errors), Some(changes)) = (&mut self.errors, increments) {
             errors.add_increments(&self.figures, changes);
         }

@@ -17,6 +17,7 @@ use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{BodySolution, StepSolution};
 use crate::solver::{SolveError, SolveStatus};
+use crate::units::UnitConverter;
 
 /// Error at least of the force under which yield begins, over h/a; where it begins at an end of
 /// the contact, 0.51 on 10 elements and 0.4 on 20 and 40.
@@ -230,7 +231,10 @@ impl ForceSearch<'_> {
                     "the contact would spread over more of the surfaces than is solved".to_owned(),
                 ));
             }
-            Err(SolveError::Mesh(error)) => return Ok(Err(error.to_string())),
+            Err(error @ SolveError::Mesh(_)) => {
+                let job = sequence.job;
+                return Ok(Err(error.text(UnitConverter::new(job.units, job.analysis))));
+            }
             Err(error) => return Err(error),
         };
         if let Some(interrupt) =

@@ -5,7 +5,7 @@ use crate::job::{Analysis, Quantity, TargetFigure, Units};
 
 /// Converts figures of the solver to the units of a job.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct UnitConverter {
+pub(crate) struct UnitConverter {
     units: Units,
     /// Quantity of a force: force on unit thickness, or total force.
     force: Quantity,
@@ -43,9 +43,14 @@ impl UnitConverter {
         self.length(self.length(core))
     }
 
-    /// Returns a length with its unit, for sentences.
-    pub fn length_text(self, core: f64) -> String {
+    /// Returns a length with its unit, for sentences: all digits of a dimension of the job.
+    pub fn exact_length(self, core: f64) -> String {
         format!("{} {}", self.length(core), Quantity::Length.symbol(self.units))
+    }
+
+    /// Returns a length with its unit, to five digits, for sentences.
+    pub fn length_text(self, core: f64) -> String {
+        format!("{} {}", rounded(self.length(core)), Quantity::Length.symbol(self.units))
     }
 
     /// Converts the figure of a target to its own unit.
@@ -62,6 +67,16 @@ impl UnitConverter {
         }
     }
 
+    /// Returns a length with its unit, to three digits, for sentences.
+    pub fn length_about(self, core: f64) -> String {
+        format!("{} {}", about(self.length(core)), Quantity::Length.symbol(self.units))
+    }
+
+    /// Returns a stress with its unit, to three digits, for sentences.
+    pub fn stress_about(self, core: f64) -> String {
+        format!("{} {}", about(self.stress(core)), Quantity::Stress.symbol(self.units))
+    }
+
     /// Returns a stress with its unit, to five digits, for sentences.
     pub fn stress_text(self, core: f64) -> String {
         format!("{} {}", rounded(self.stress(core)), Quantity::Stress.symbol(self.units))
@@ -74,10 +89,29 @@ impl UnitConverter {
 }
 
 /// Returns a figure to five digits, for sentences.
-pub(super) fn rounded(value: f64) -> String {
-    let digits = format!("{value:.4e}");
+pub(crate) fn rounded(value: f64) -> String {
+    to_digits(value, 5)
+}
+
+/// Returns a figure to three digits, for sentences.
+pub(crate) fn about(value: f64) -> String {
+    to_digits(value, 3)
+}
+
+fn to_digits(value: f64, digits: usize) -> String {
+    let digits = format!("{value:.*e}", digits - 1);
     match digits.parse::<f64>() {
         Ok(plain) if plain == 0.0 || (1e-3..1e7).contains(&plain.abs()) => plain.to_string(),
-        _ => digits,
+        Ok(plain) => format!("{plain:e}"),
+        Err(_) => digits,
+    }
+}
+
+/// Returns a fraction in percent, to two digits.
+pub(crate) fn percent(part: f64) -> String {
+    let digits = format!("{:.1e}", 100.0 * part);
+    match digits.parse::<f64>() {
+        Ok(percent) if percent == 0.0 || (1e-3..1e4).contains(&percent) => format!("{percent} %"),
+        _ => format!("{digits} %"),
     }
 }

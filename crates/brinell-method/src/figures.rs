@@ -1,0 +1,198 @@
+//! The scalar figures of a contact. A figure is one row of the table [`figures!`] here: its
+//! identifier and its quantity. The row makes its member of [`Figures`], its name in the
+//! enumeration [`Figure`], and its place in every list of values, differences and error bars.
+
+/// The physical quantity of a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// A length \[mm\].
+    Length,
+    /// An area \[mm²\].
+    Area,
+    /// A stress \[MPa\].
+    Stress,
+    /// A force \[N/mm, or N\].
+    Force,
+    /// A strain \[1\].
+    Strain,
+}
+
+macro_rules! figures {
+    (
+        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_measure:ident,)* }
+        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_measure:ident,)* }
+    ) => {
+        /// A scalar figure of the contact, or of one body.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Figure {
+            $($(#[$contact_doc])* $Contact,)*
+            $($(#[$body_doc])* $Body,)*
+        }
+
+        impl Figure {
+            /// All figures, those of the contact first.
+            pub const ALL: &'static [Self] = &[$(Self::$Contact,)* $(Self::$Body,)*];
+            /// Number of figures of the contact.
+            pub const OF_CONTACT: usize = [$(Self::$Contact,)*].len();
+            /// Number of figures of a body.
+            pub const OF_BODY: usize = [$(Self::$Body,)*].len();
+
+            /// Returns the identifier, in snake case.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$Contact => stringify!($contact),)*
+                    $(Self::$Body => stringify!($body),)*
+                }
+            }
+
+            /// Returns the physical quantity.
+            pub const fn measure(self) -> Measure {
+                match self {
+                    $(Self::$Contact => Measure::$contact_measure,)*
+                    $(Self::$Body => Measure::$body_measure,)*
+                }
+            }
+        }
+
+        /// The figures of a contact, or one number for each of them.
+        #[derive(Debug, Clone, Copy, Default, PartialEq)]
+        pub struct Figures {
+            $($(#[$contact_doc])* pub $contact: f64,)*
+            /// Upper and lower body; zeros of a rigid one.
+            pub bodies: [BodyFigures; 2],
+        }
+
+        /// The figures of one body, or one number for each of them.
+        #[derive(Debug, Clone, Copy, Default, PartialEq)]
+        pub struct BodyFigures {
+            $($(#[$body_doc])* pub $body: f64,)*
+        }
+
+        impl Figures {
+            /// Returns all values: contact, upper body, lower body.
+            pub fn values(&self) -> [f64; Self::COUNT] {
+                let [upper, lower] = self.bodies;
+                let all = [$(self.$contact,)* $(upper.$body,)* $(lower.$body,)*];
+                all
+            }
+
+            /// Makes figures of their values, the inverse of [`values`](Self::values).
+            pub fn of(values: [f64; Self::COUNT]) -> Self {
+                let mut values = values.into_iter();
+                let mut next = || values.next().unwrap_or_default();
+                Self {
+                    $($contact: next(),)*
+                    bodies: std::array::from_fn(|_| BodyFigures { $($body: next(),)* }),
+                }
+            }
+        }
+    };
+}
+
+figures! {
+    contact {
+        /// Largest contact pressure \[MPa\].
+        peak_pressure PeakPressure Stress,
+        /// Half-width; in three dimensions the semi-axis along x \[mm\].
+        half_width HalfWidth Length,
+        /// Approach \[mm\].
+        approach Approach Length,
+        /// Contact force, of both sides of the axis \[N/mm, or N\].
+        force Force Force,
+    }
+    body {
+        /// Largest equivalent plastic strain at a point \[1\].
+        max_plastic_strain MaxPlasticStrain Strain,
+        /// Mean equivalent plastic strain over the plastic area \[1\].
+        mean_plastic_strain MeanPlasticStrain Strain,
+        /// Area of the section that has yielded \[mm²\].
+        plastic_area PlasticArea Area,
+        /// Depth of the deepest point of the surface below the undeformed one \[mm\].
+        dent Dent Length,
+        /// Height of the highest point of the surface above the undeformed one \[mm\].
+        pile_up PileUp Length,
+        /// Least stress along the surface on the normal below the middle of the contact \[MPa\].
+        least_stress LeastStress Stress,
+        /// Largest von Mises stress over the strength there, that of the surface being 1 \[MPa\].
+        largest_von_mises LargestVonMises Stress,
+    }
+}
+
+impl Figures {
+    /// Number of values, with the figures of a body twice.
+    pub const COUNT: usize = Figure::OF_CONTACT + 2 * Figure::OF_BODY;
+}
+
+impl Figure {
+    /// Returns whether each body has its own value.
+    pub const fn is_of_body(self) -> bool {
+        self as usize >= Self::OF_CONTACT
+    }
+
+    /// Returns the place among the [`values`](Figures::values). Figures of the contact have the
+    /// same place for both sides.
+    pub const fn at(self, side: usize) -> usize {
+        let place = self as usize;
+        if self.is_of_body() { place + side * Self::OF_BODY } else { place }
+    }
+}
+
+/// A set of figures, each of a body for itself.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct FigureSet([bool; Figures::COUNT]);
+
+impl FigureSet {
+    /// All figures.
+    pub const ALL: Self = Self([true; Figures::COUNT]);
+
+    /// Returns the set of some figures, of both bodies.
+    pub fn of(figures: &[Figure]) -> Self {
+        Self::of_bodies(figures, [true; 2])
+    }
+
+    /// Returns the set of some figures, those of bodies for the chosen sides.
+    pub fn of_bodies(figures: &[Figure], sides: [bool; 2]) -> Self {
+        let mut set = Self::default();
+        for figure in figures {
+            for side in (0..2).filter(|side| sides[*side] || !figure.is_of_body()) {
+                set.0[figure.at(side)] = true;
+            }
+        }
+        set
+    }
+
+    /// Returns the figures of either set.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] || other.0[k]))
+    }
+
+    /// Returns whether a figure is in the set. The side counts for figures of a body.
+    pub fn has(&self, figure: Figure, side: usize) -> bool {
+        self.0[figure.at(side)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_and_figures_are_each_others_inverse() {
+        let values = std::array::from_fn(|k| k as f64);
+        let figures = Figures::of(values);
+        assert_eq!(figures.values().map(f64::to_bits), values.map(f64::to_bits));
+        assert_eq!(figures.bodies[1].dent.to_bits(), values[Figure::Dent.at(1)].to_bits());
+        assert_eq!(figures.force.to_bits(), values[Figure::Force.at(1)].to_bits());
+        assert_eq!(Figure::ALL.len(), Figure::OF_CONTACT + Figure::OF_BODY);
+        assert_eq!(Figure::LargestVonMises.name(), "largest_von_mises");
+    }
+
+    #[test]
+    fn sets_tell_the_bodies_apart() {
+        let set = FigureSet::of_bodies(&[Figure::Dent, Figure::Force], [false, true]);
+        assert!(set.has(Figure::Dent, 1) && !set.has(Figure::Dent, 0));
+        assert!(set.has(Figure::Force, 0) && !set.has(Figure::Approach, 0));
+        assert_eq!(set.with(FigureSet::ALL), FigureSet::ALL);
+    }
+}

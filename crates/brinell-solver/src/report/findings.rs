@@ -1,0 +1,317 @@
+//! Findings: the limits of an answer, as data. Each engine makes the findings of a load step once.
+//! Remarks, error bars, onset and target read them: [`Finding::voids`] says which figures lose
+//! their bar, [`Finding::text`] says a finding in the units of a job.
+
+use super::surface_stress::UncertainStress;
+use crate::solver::SolveStatus;
+use crate::solver::method::figures::{Figure, FigureSet};
+
+/// One limit of the answer to a load step. Lengths in mm, stresses in MPa, forces in N/mm or N.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Finding {
+    /// The step has not converged.
+    NotConverged(Unconverged),
+    /// Somebody stopped the job, or its deadline passed.
+    Stopped { status: SolveStatus, is_preliminary: bool },
+    /// The load took far more work than usual.
+    Work(Work),
+    /// The contact is wide beside the radii of the surfaces.
+    Wide(Wide),
+    /// The plastic strain is so large that the bodies do not bear the load. A history has the
+    /// start and the size of its last increment, as parts of the load.
+    Collapse { strain: f64, last: Option<[f64; 2]> },
+    /// The plastic strain is too large for small-strain theory.
+    LargeStrain { strain: f64 },
+    /// The bodies yield by deformation theory.
+    DeformationTheory(Deformation),
+    /// Loads fall under deformation theory.
+    FallingLoads,
+    /// Bodies with a dent do not touch at the approach that is given.
+    NoContact,
+    /// A sharp corner carries pressure on elastic bodies.
+    ElasticCorner { x: f64 },
+    /// The peak pressure is at a sharp corner and grows with the density of the mesh.
+    YieldingCorner { x: f64 },
+    /// The points of a roller's profile make kinks.
+    Kinks,
+    /// The contact reaches the edge of what is meshed.
+    AtEdge { in_hole: bool },
+    /// Few elements or cells over the half-width. `unit` is one of the two.
+    FewElements { number: f64, advice: Density },
+    /// Few elements over a part of the contact.
+    FewElementsOverPart { x: f64, number: f64 },
+    /// The contact of bodies of revolution is a ring of few elements.
+    RingOnFewElements { radius: f64 },
+    /// The peak pressure is next to an end of the contact.
+    PeakNextToEnd { x: f64, spacing: f64 },
+    /// The mesh has not resolved the peak pressure of an earlier load.
+    EarlierPeak,
+    /// A clamped body is deeper than wide.
+    ClampedColumn,
+    /// The stress at the surface of a body changes within elements.
+    SurfaceStress { spacing: f64, bodies: [Option<UncertainStress>; 2] },
+    /// The permanent approach is smaller than its error.
+    SmallApproach { error: f64 },
+    /// Elements leave out a rounded edge.
+    RoundedEdge { width: f64, pressure: f64, spacing: f64, is_onset: bool },
+    /// Elements leave out a tip. `needed` elements over the half-width resolve the arc.
+    RoundedTip { arc: Option<f64>, needed: f64, pressure: f64, spacing: f64 },
+    /// Elements leave out details of the surfaces.
+    Details { needed: f64, spacing: f64 },
+    /// The largest plastic strain has no limit on finer meshes.
+    UnboundedStrain { bodies: [bool; 2] },
+    /// A permanent deformation is computed with a bilinear curve.
+    BilinearCurve,
+    /// The force at the onset of yield is not known. A job that seeks it has no answer.
+    OnsetUnknown { cause: OnsetUnknown, is_sought: bool },
+    /// The yield stress follows from the hardness.
+    YieldByHardness { rule: &'static str },
+    /// A body yields before it is loaded; the stress over the yield stress.
+    InitialYield { ratio: f64 },
+    /// The strength changes within an element or a layer.
+    CoarseCase { change: f64, place: CasePlace, wanted: f64, bodies: [bool; 2] },
+    /// A support is close below the contact.
+    NearSupport,
+    /// The figures of a job in SI look like millimetres and megapascals.
+    SuspiciousUnits,
+    /// The bodies are half-spaces; they must reach this far beyond the contact.
+    HalfSpaces { reach: f64, across_roller: bool },
+    /// The contact runs to an end of a roller.
+    RollerEnd { pressure: f64, is_sharp: bool },
+    /// The contact runs to the rim of the heights.
+    SurfaceEnd,
+}
+
+/// Why a load step has not converged.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Unconverged {
+    /// No force gives the figure that is sought; its ratio to the wanted value.
+    Missed { ratio: f64 },
+    /// The state violates the contact conditions by a part of their scale.
+    Contact { violation: f64, is_slow: bool },
+    /// No answer with small strains.
+    Collapse,
+    /// The contact is wider than the mesh.
+    AtEdge,
+    /// An earlier increment has not converged.
+    Inherited { is_slow: bool },
+    /// Forces are off balance over the whole bodies.
+    Unbalanced { residual: f64 },
+    /// The iteration has ended without an answer.
+    Iteration { iterations: usize, residual: f64, advice: Advice },
+    /// No tilt of the roller has its moment.
+    Moment { missing: f64 },
+}
+
+/// A remedy for an iteration without an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Advice {
+    LargerLoad,
+    AcceleratedCoupling,
+    MoreIterations,
+    SmallerLoad,
+}
+
+/// Work that a load took.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Work {
+    /// A slow coupling.
+    Coupling { updates: usize, iterations: usize },
+    /// Many evaluations of the plastic law.
+    Load {
+        updates: usize,
+        iterations: usize,
+        /// Number of increments, where they are the cause.
+        increments: Option<usize>,
+        /// Number of factorizations, where they are the cause.
+        factorizations: Option<usize>,
+    },
+    /// A search over many meshes.
+    Search { meshes: usize, of_histories: bool, force: f64 },
+    /// A mesh that details of the surfaces make much finer than requested.
+    FineMesh { elements: f64, asked: f64, equations: usize },
+}
+
+/// Contacts that are too wide for the theory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Wide {
+    /// Angle between the normals of pin and hole at the ends of the contact \[rad\].
+    InHole { angle: f64 },
+    /// Half-width over the smallest radius.
+    OverRadius { ratio: f64, in_groove: bool },
+    /// Slope of a surface within the contact.
+    Slope { slope: f64 },
+    /// Semi-axis over a radius of curvature, in three dimensions.
+    OverCurvature { ratio: f64, radius: f64 },
+    /// Tilt of a roller under its moment, and the largest tilt that may be given \[mrad\].
+    Tilt { tilt: f64, most: f64 },
+}
+
+/// A remedy for a coarse mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Density {
+    Elements,
+    Cells,
+    Heights,
+}
+
+/// The elastic peak pressure over the least yield stress, where both are known, and the shape of
+/// the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Deformation {
+    pub ratio: Option<f64>,
+    pub outline: ContactOutline,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ContactOutline {
+    Line,
+    Ellipse,
+    Circle,
+}
+
+/// Why the force at the onset of yield is not known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum OnsetUnknown {
+    /// Elements leave out a rounded edge, where closed forms yield under `force`.
+    AtEdge { width: f64, spacing: f64, force: f64 },
+    /// The peak pressure is next to an end of the contact.
+    NextToEnd { x: f64, spacing: f64 },
+    /// A sharp corner carries pressure.
+    AtCorner { x: f64 },
+}
+
+/// A place where strength changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum CasePlace {
+    /// An element, by its middle.
+    Element([f64; 2]),
+    /// A layer of cells, by the depth of its middle.
+    Layer(f64),
+}
+
+/// Error bars that a finding takes away.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Voids {
+    /// The bars of a set of figures.
+    Figures(FigureSet),
+    /// The error estimate as a whole: the figures are no answer, or nothing bounds their errors.
+    Estimate,
+}
+
+/// Figures below the surface and along it, which depend on the peak pressure.
+const BELOW: [Figure; 5] = [
+    Figure::MaxPlasticStrain,
+    Figure::MeanPlasticStrain,
+    Figure::PlasticArea,
+    Figure::LeastStress,
+    Figure::LargestVonMises,
+];
+
+impl Finding {
+    /// Returns the code of the remark.
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::NotConverged(_) => "not_converged",
+            Self::Stopped { status: SolveStatus::Cancelled, .. } => "cancelled",
+            Self::Stopped { .. } => "timed_out",
+            Self::Work(_) => "slow_coupling",
+            Self::Wide(_) => "wide_contact",
+            Self::Collapse { .. } => "collapse",
+            Self::LargeStrain { .. } => "large_strain",
+            Self::DeformationTheory(_) => "deformation_theory",
+            Self::FallingLoads => "falling_loads",
+            Self::NoContact => "no_contact",
+            Self::ElasticCorner { .. } | Self::YieldingCorner { .. } | Self::Kinks => {
+                "sharp_corner"
+            }
+            Self::AtEdge { .. } => "contact_at_edge",
+            Self::FewElements { .. }
+            | Self::FewElementsOverPart { .. }
+            | Self::RingOnFewElements { .. }
+            | Self::PeakNextToEnd { .. }
+            | Self::EarlierPeak
+            | Self::ClampedColumn
+            | Self::SurfaceStress { .. }
+            | Self::SmallApproach { .. }
+            | Self::RoundedEdge { .. }
+            | Self::RoundedTip { .. }
+            | Self::Details { .. } => "coarse_mesh",
+            Self::UnboundedStrain { .. } => "unbounded_strain",
+            Self::BilinearCurve => "bilinear_curve",
+            Self::OnsetUnknown { .. } => "onset_unknown",
+            Self::YieldByHardness { .. } => "yield_by_hardness",
+            Self::InitialYield { .. } => "initial_yield",
+            Self::CoarseCase { .. } => "coarse_case",
+            Self::NearSupport => "near_support",
+            Self::SuspiciousUnits => "suspicious_units",
+            Self::HalfSpaces { .. } => "half_spaces",
+            Self::RollerEnd { .. } => "roller_end",
+            Self::SurfaceEnd => "surface_end",
+        }
+    }
+
+    /// Returns the error bars that the finding takes away.
+    pub fn voids(&self) -> Voids {
+        let of = |figures: &[Figure]| Voids::Figures(FigureSet::of(figures));
+        match self {
+            Self::NotConverged(_)
+            | Self::Stopped { .. }
+            | Self::Collapse { .. }
+            | Self::RingOnFewElements { .. }
+            | Self::OnsetUnknown { is_sought: true, .. } => Voids::Estimate,
+            Self::RoundedEdge { .. } => Voids::Figures(FigureSet::ALL),
+            Self::ElasticCorner { .. }
+            | Self::YieldingCorner { .. }
+            | Self::Kinks
+            | Self::PeakNextToEnd { .. }
+            | Self::RoundedTip { .. }
+            | Self::RollerEnd { .. }
+            | Self::SurfaceEnd => {
+                let peak = FigureSet::of(&[Figure::PeakPressure]);
+                Voids::Figures(peak.with(FigureSet::of(&BELOW)))
+            }
+            Self::EarlierPeak => of(&BELOW),
+            Self::ClampedColumn => of(&[Figure::Approach, Figure::Force, Figure::Dent]),
+            Self::CoarseCase { bodies, place: CasePlace::Element(_), .. } => {
+                Voids::Figures(FigureSet::of_bodies(&BELOW, *bodies))
+            }
+            Self::UnboundedStrain { bodies } => {
+                Voids::Figures(FigureSet::of_bodies(&[Figure::MaxPlasticStrain], *bodies))
+            }
+            _ => of(&[]),
+        }
+    }
+}
+
+/// The error bars that all findings of a load step take away.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Known {
+    has_estimate: bool,
+    void: FigureSet,
+}
+
+impl Known {
+    pub fn by(findings: &[Finding]) -> Self {
+        let none = Self { has_estimate: true, void: FigureSet::default() };
+        findings.iter().fold(none, |known, finding| match finding.voids() {
+            Voids::Estimate => Self { has_estimate: false, void: FigureSet::ALL },
+            Voids::Figures(figures) => Self { void: known.void.with(figures), ..known },
+        })
+    }
+
+    /// Returns whether the step has an error estimate.
+    pub const fn has_estimate(self) -> bool {
+        self.has_estimate
+    }
+
+    /// Returns whether the mesh resolves a figure, of a body that of one side.
+    pub fn has(self, figure: Figure, side: usize) -> bool {
+        !self.void.has(figure, side)
+    }
+
+    /// Returns the bar of a figure if the mesh resolves the figure.
+    pub fn bar(self, figure: Figure, side: usize, bar: Option<f64>) -> Option<f64> {
+        bar.filter(|_| self.has(figure, side))
+    }
+}

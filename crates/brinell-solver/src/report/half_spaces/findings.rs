@@ -1,0 +1,221 @@
+//! Findings on an answer in three dimensions.
+
+use super::step::largest_strain;
+use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
+use crate::report::findings::{
+    CasePlace, ContactOutline, Deformation, Density, Finding, Unconverged, Wide,
+};
+use crate::report::plastic_strain::bilinear_curve;
+use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
+use crate::report::validity::{
+    Unfinished, WIDE_CONTACT, large_strain, looks_like_millimetres, of_history, over_yield_stress,
+};
+use crate::solver::SolveStatus;
+use crate::solver::half_spaces::{
+    HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap,
+};
+
+/// Number of cells over the shorter semi-axis below which the grid is called coarse.
+const COARSE_GRID: f64 = 5.0;
+/// Distance over the longer semi-axis within which the stress of the contact decays. The bodies
+/// must resemble half-spaces up to this distance beyond the contact.
+const REACH: f64 = 3.0;
+/// Number of depths within a layer at which strengths are compared.
+const SAMPLES: u32 = 16;
+/// Axis ratio above which an ellipse is called a circle.
+const ROUND: f64 = 0.9;
+
+/// Returns the findings on a load step.
+pub(super) fn findings(
+    job: &Job,
+    problem: &HalfSpaceProblem,
+    step: &HalfSpaceStep,
+) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = Vec::new();
+    findings.extend(status(job, step));
+    findings.extend(widest(job, problem.orientation(), step.figures.semi_axes).map(Finding::Wide));
+    findings.extend(problem.half_length().and_then(|_| wide_tilt(step)).map(Finding::Wide));
+    if step.reaches_edge {
+        findings.push(Finding::AtEdge { in_hole: false });
+    }
+    findings.extend(coarse_grid(problem, step));
+    let strain = step.figures.max_plastic_strain.into_iter().fold(0.0, f64::max);
+    let is_history = job.solver.theory == Theory::Flow;
+    let last = is_history.then_some(step.last_increment);
+    findings.extend(large_strain(strain, step.has_collapsed, last));
+    if strain > 0.0 && !is_history {
+        findings.push(Finding::DeformationTheory(deformation(job, problem, step)));
+    }
+    findings.extend(of_history(job, step.load, step.figures.force > 0.0));
+    let bodies = || {
+        step.bodies.iter().enumerate().filter_map(|(side, body)| Some((side, body.as_deref()?)))
+    };
+    let unbounded = [0, 1].map(|side| {
+        step.bodies[side].as_deref().is_some_and(|body| largest_strain(job, body, side).is_none())
+    });
+    if unbounded.contains(&true) {
+        findings.push(Finding::UnboundedStrain { bodies: unbounded });
+    }
+    findings.extend(bilinear_curve(job, strain));
+    findings.extend(by_hardness(job));
+    let coarsest = bodies()
+        .filter_map(|(side, body)| coarsest(deformable([&job.upper, &job.lower][side])?, body));
+    if let Some((ratio, depth)) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        let cells = f64::from(job.mesh.elements_per_half_width);
+        findings.push(Finding::CoarseCase {
+            change: ratio - 1.0,
+            place: CasePlace::Layer(depth),
+            wanted: wanted(cells, ratio, MeshSettings::MAX_CELLS_PER_SEMI_AXIS),
+            bodies: [true; 2],
+        });
+    }
+    if looks_like_millimetres(job) {
+        findings.push(Finding::SuspiciousUnits);
+    }
+    of_shapes(problem, step, &mut findings);
+    findings
+}
+
+/// Returns the elastic peak pressure over the least yield stress, and the outline of the contact.
+fn deformation(job: &Job, problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Deformation {
+    let hertz = step.hertz.filter(|_| problem.heights.is_none());
+    let outline = match &hertz {
+        Some(hertz) if problem.is_line(hertz) => ContactOutline::Line,
+        Some(hertz) if hertz.semi_axis_x > ROUND * hertz.semi_axis_y => ContactOutline::Circle,
+        _ => ContactOutline::Ellipse,
+    };
+    let ratio = hertz.and_then(|hertz| over_yield_stress(job, hertz.peak_pressure));
+    Deformation { ratio, outline }
+}
+
+/// Returns the finding on a contact of few cells.
+fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
+    let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes);
+    let number = (a / grid.hx()).min(b / grid.hy());
+    if step.is_preliminary || number <= 0.0 || number >= COARSE_GRID {
+        return None;
+    }
+    let advice = if problem.heights.is_some() { Density::Heights } else { Density::Cells };
+    Some(Finding::FewElements { number, advice })
+}
+
+/// Adds the findings on the type of the surfaces: heights, rollers, half-spaces.
+fn of_shapes(problem: &HalfSpaceProblem, step: &HalfSpaceStep, findings: &mut Vec<Finding>) {
+    if problem.heights.is_some() && reaches_rim(&step.surface) {
+        findings.push(Finding::SurfaceEnd);
+    }
+    findings.extend(roller_end(problem, step));
+    if has_kinks(problem) {
+        findings.push(Finding::Kinks);
+    }
+    let [a, b] = step.figures.semi_axes;
+    if a > 0.0 {
+        let across_roller = !problem.rollers.is_empty();
+        findings.push(Finding::HalfSpaces { reach: REACH * b, across_roller });
+    }
+}
+
+/// Returns the finding on a load step that did not converge.
+fn status(job: &Job, step: &HalfSpaceStep) -> Option<Finding> {
+    let unfinished = Unfinished {
+        contact_check: step.contact_check,
+        history: &step.history,
+        residual: step.plastic_residual,
+        missed: step.missed,
+        has_collapsed: step.has_collapsed,
+        reaches_edge: step.reaches_edge,
+        inherits_error: step.last_increment.inherits_error,
+        is_history: job.solver.theory == Theory::Flow,
+        is_elastic: step.bodies.iter().flatten().all(|body| body.largest_strain.is_none()),
+    };
+    match step.status {
+        SolveStatus::Converged => None,
+        SolveStatus::NotConverged if misses_moment(step) => {
+            Some(Finding::NotConverged(Unconverged::Moment { missing: step.missing_moment }))
+        }
+        SolveStatus::NotConverged => Some(Finding::NotConverged(unfinished.cause(job.solver))),
+        status => Some(Finding::Stopped { status, is_preliminary: step.is_preliminary }),
+    }
+}
+
+/// Whether the moment of a roller is what a contact violates most.
+fn misses_moment(step: &HalfSpaceStep) -> bool {
+    !step.contact_check.is_sound() && step.missing_moment >= step.contact_check.worst()
+}
+
+/// Returns the finding on a tilt that follows from a moment and could not be given.
+fn wide_tilt(step: &HalfSpaceStep) -> Option<Wide> {
+    let (tilt, most) = (1e3 * step.tilt, *Roller::tilts().end());
+    (tilt.abs() > most).then_some(Wide::Tilt { tilt, most })
+}
+
+const fn deformable(body: &Body) -> Option<&Deformable> {
+    match &body.material {
+        Material::Deformable(material) => Some(material),
+        Material::Rigid => None,
+    }
+}
+
+/// Returns the semi-axis and the radius of a body along it with the largest ratio, if the ratio is
+/// too large for surfaces that are approximated by parabolas. `angle` turns the x of the job to
+/// the x of the contact.
+fn widest(job: &Job, angle: f64, semi_axes: [f64; 2]) -> Option<Wide> {
+    let (sine, cosine) = angle.sin_cos();
+    let curvatures =
+        [&job.upper, &job.lower].into_iter().filter_map(|body| body.shape.curvatures());
+    let ratios = curvatures.flat_map(|[xx, yy, xy]| {
+        let along_x = cosine * cosine * xx + sine * sine * yy + 2.0 * sine * cosine * xy;
+        [(semi_axes[0], along_x), (semi_axes[1], xx + yy - along_x)]
+    });
+    let widest = ratios.map(|(size, curvature)| (size, curvature.abs().recip()));
+    let widest = widest.map(|(size, radius)| (size / radius, radius));
+    let (ratio, radius) = widest.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (ratio > WIDE_CONTACT).then_some(Wide::OverCurvature { ratio, radius })
+}
+
+/// Returns the largest ratio of strengths within a stressed layer, and the depth of its middle.
+fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
+    let (strength, limit) =
+        (material.strength()?, material.hardening_law()?.nominal_yield_stress());
+    let n_cells = body.grid.n_cells();
+    let of_layer = |layer: usize| {
+        let (top, thickness) = (body.layers.faces()[layer], body.layers.thickness(layer));
+        let points = strength.points().iter().map(|[depth, _]| *depth);
+        let points = points.filter(|depth| *depth > top && *depth < top + thickness);
+        let samples = (0..=SAMPLES).map(|k| top + thickness * f64::from(k) / f64::from(SAMPLES));
+        let factors = points.chain(samples).map(|depth| strength.factor(depth));
+        let (least, greatest) =
+            factors.fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s), b.max(s)));
+        let is_stressed =
+            || (0..n_cells).any(|cell| body.von_mises(layer, cell) > IDLE * limit * least);
+        (greatest > COARSE_RATIO * least && is_stressed())
+            .then(|| (greatest / least, body.layers.middle(layer)))
+    };
+    (0..body.layers.len()).filter_map(of_layer).max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Returns whether a cell of the rim is in contact.
+fn reaches_rim(map: &SurfaceMap) -> bool {
+    let (nx, ny) = (map.grid.nx(), map.grid.ny());
+    let is_rim = |cell: usize| {
+        let (i, j) = (cell / ny, cell % ny);
+        i == 0 || j == 0 || i + 1 == nx || j + 1 == ny
+    };
+    map.pressure.iter().enumerate().any(|(cell, pressure)| *pressure > 0.0 && is_rim(cell))
+}
+
+fn has_kinks(problem: &HalfSpaceProblem) -> bool {
+    problem.rollers.iter().any(|roller| matches!(roller.relief, Relief::Points(_)))
+}
+
+/// Returns the finding on a contact that reaches an end of a roller.
+fn roller_end(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
+    let (half_length, map) = (problem.half_length()?, &step.surface);
+    let (ny, hy) = (map.grid.ny(), map.grid.hy());
+    let is_at_end = |cell: usize| half_length - map.grid.y(cell % ny).abs() < hy;
+    let most =
+        (0..map.pressure.len()).filter(|cell| is_at_end(*cell)).map(|cell| map.pressure[cell]);
+    let pressure = most.fold(0.0, f64::max);
+    let is_sharp = problem.rollers.iter().any(|roller| roller.relief == Relief::Straight);
+    (pressure > 0.0).then_some(Finding::RollerEnd { pressure, is_sharp })
+}
