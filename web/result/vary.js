@@ -121,8 +121,10 @@ export class VaryPanel {
   /** @param {import('../types.js').Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
     const [{ job, report, id }] = shown;
-    const other = JSON.stringify(job) !== JSON.stringify(this.#job);
     this.panel.show(id !== '');
+    // What a slider shows is no job that others are beside.
+    if (id === '') return;
+    const other = JSON.stringify(job) !== JSON.stringify(this.#job);
     this.#answers = answersOf(report.steps[at], report);
     if (!other) return;
     this.#running?.abort();

@@ -46,7 +46,7 @@ service.test('the pressure is in its chart wherever the contact lies', async (pa
   const id = await shown(page, OFF_CENTRE);
   const { patches, half_width: half } = await contactOf(page, id);
   assert.ok(patches[0].left > half, 'the contact is beside x = 0');
-  const over = page.locator('#panel-pressure .plot .over');
+  const over = page.locator('#panel-pressure .plot .reach');
   const size = await over.boundingBox();
   assert.ok(size);
   await over.hover({ position: { x: size.width / 2, y: 20 } });
