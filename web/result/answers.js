@@ -6,6 +6,7 @@
 
 import { figure, percent, unit } from '../lib/units.js';
 import { figureOf } from '../lib/digits.js';
+import { axesOf } from './axes.js';
 import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Step} Step */
@@ -128,15 +129,27 @@ export const elasticWords = (answer) =>
     ? `${figure(answer.value / answer.elastic, 3)} of elastic ${figure(answer.elastic * shareOf(answer), 4)} ${unitOf(answer)}`.trim()
     : '';
 
-/** Where it is. @param {Answer} answer @param {Report} report @returns {string} */
-export function placeWords({ place, label }, { units, analysis }) {
+/**
+ * Where it is, in the axes of the sketch.
+ * @param {Answer} answer
+ * @param {Report} report
+ * @param {Step} step
+ * @returns {string}
+ */
+export function placeWords({ place, label }, { units, analysis }, { three_dimensional: ellipse }) {
   if (!place) return '';
   const length = unit('length', units);
-  const across = analysis === 'axisymmetric' ? 'r' : 'x';
-  const at = [[across, place.x], ...(place.y === undefined ? [] : [['y', place.y]])]
-    .filter(([, value]) => value !== 0)
-    .map(([name, value]) => `${name} ${figure(Number(value), 3)} ${length}`);
-  const named = label.toLowerCase().includes(place.body);
+  const round = analysis === 'axisymmetric' ? 'r' : 'x';
+  const axes = ellipse
+    ? axesOf(ellipse)
+    : { x: { name: round, sign: 1 }, y: { name: 'y', sign: 1 } };
+  const at = /** @type {const} */ (['x', 'y'])
+    .flatMap((axis) => {
+      const value = axes[axis].sign * (place[axis] ?? 0);
+      return value === 0 ? [] : [`${axes[axis].name} ${figure(value, 3)} ${length}`];
+    })
+    .sort();
+  const named = label.toLowerCase().includes(place.body) || place.depth === 0;
   return [
     named ? '' : place.body === 'both' ? 'both bodies' : `${place.body} body`,
     place.depth > 0 ? `${figure(place.depth, 3)} ${length} deep` : '',

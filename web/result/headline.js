@@ -115,8 +115,11 @@ function card(answer, all, k, sides) {
         known.includes('±') ? help('error_bar', 'Error bar', `bar-of-${key}`) : null,
       )
     : null;
-  const note = answer.text;
-  const short = [elasticWords(answer), placeWords(answer, sides[0].one.report)].filter(Boolean);
+  const note = inWords(answer.text);
+  const short = [
+    elasticWords(answer),
+    placeWords(answer, sides[0].one.report, sides[0].one.report.steps[sides[0].at]),
+  ].filter(Boolean);
   return h(
     'div',
     { 'data-answer': answer.name },

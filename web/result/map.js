@@ -318,7 +318,9 @@ export class MapPanel {
     const name = unit(QUANTITIES[this.#quantity].kind, picture.units);
     this.bar.replaceChildren(...colourBar(this.#bands(), name));
     thin(this.bar);
-    this.#paint(context, this.#frame, picture, colour);
+    const frame = this.#frame;
+    this.canvas.dataset.box = [frame.x0, frame.y0, frame.width, frame.height].join(' ');
+    this.#paint(context, frame, picture, colour);
     performance.mark('field-drawn');
     const { ellipse, units } = picture;
     const length = unit('length', units);

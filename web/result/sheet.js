@@ -31,6 +31,7 @@ import {
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
+import { inWords } from '../setup/words.js';
 import { materialName, pairOf, stemOf, titleOf, writeValue, writeWhole } from '../jobs/names.js';
 import { browser, isObject, kept } from '../lib/kept.js';
 import {
@@ -512,6 +513,7 @@ function answers(sides) {
   if (all.length === 0)
     return h('p', { class: 'quiet' }, 'The figures of this step are in the table of all steps.');
   const notes = others.length === 0;
+  const hasElastic = all.some((answer) => elasticWords(answer));
   const rows = all.map((answer, k) =>
     h(
       'tr',
@@ -522,11 +524,13 @@ function answers(sides) {
       h('td', {}, errorWords(answer)),
       notes
         ? [
-            h('td', {}, elasticWords(answer)),
+            hasElastic && h('td', {}, elasticWords(answer)),
             h(
               'td',
               { class: 'text' },
-              [placeWords(answer, one.report), answer.text].filter(Boolean).join('; '),
+              [placeWords(answer, one.report, one.report.steps[at]), answer.text]
+                .filter(Boolean)
+                .join('; '),
             ),
           ]
         : others.flatMap(({ one, at }) => {
@@ -538,7 +542,7 @@ function answers(sides) {
     ),
   );
   const head = notes
-    ? ['', '', '', 'error', 'beside elastic theory', '']
+    ? ['', '', '', 'error', ...(hasElastic ? ['beside elastic theory'] : []), '']
     : ['', sides[0].label, '', 'error', ...others.flatMap(({ label }) => [label, '±'])];
   const cells = head.map((text) =>
     text ? h('th', { scope: 'col' }, text === '±' ? 'difference' : text) : h('td'),
