@@ -528,7 +528,7 @@ function answers(sides) {
             h(
               'td',
               { class: 'text' },
-              [placeWords(answer, one.report, one.report.steps[at]), answer.text]
+              [placeWords(answer, one.report, one.report.steps[at]), inWords(answer.text)]
                 .filter(Boolean)
                 .join('; '),
             ),

@@ -55,7 +55,9 @@ def figure_of(result: Result, figure: Figure) -> float:
         return math.nan if values[0] is None else float(values[0])
     if not hasattr(type(result.last), figure):
         names = sorted({one["name"] for one in answers})
-        raise ValueError(f"no figure is called {figure!r}" + (f"; there are {names}" if names else ""))
+        raise ValueError(
+            f"no figure is called {figure!r}" + (f"; there are {names}" if names else "")
+        )
     return float(getattr(result.last, figure))
 
 
