@@ -27,12 +27,24 @@ const LENGTHS = {
   um: 1e-3,
   micron: 1e-3,
   microns: 1e-3,
+  micrometer: 1e-3,
+  micrometers: 1e-3,
+  Mikrometer: 1e-3,
+  millimeter: 1,
+  Millimeter: 1,
+  nanometer: 1e-6,
+  nanometers: 1e-6,
+  Nanometer: 1e-6,
+  meter: 1e3,
+  meters: 1e3,
   nm: 1e-6,
   Å: 1e-7,
   pm: 1e-9,
   in: 25.4,
   inch: 25.4,
+  inches: 25.4,
   mil: 25.4e-3,
+  thou: 25.4e-3,
 };
 
 /** @param {string} name @returns {number | undefined} one of this unit in mm */
@@ -455,13 +467,17 @@ class Header {
   /** A grid whose lines are those of the file. @param {number[][]} rows @returns {Grid} */
   grid(rows) {
     const notes = this.notes;
+    if (counts(rows[0]) && !counts(rows[1]))
+      throw new NotUnderstood('the first line counts the columns: take it out of the file');
     const axes = axesOf(rows);
+    if (axes && counts(rows[0].slice(1)) && counts(rows.slice(1).map((row) => row[0])))
+      throw new NotUnderstood(
+        'the first line and the first column count: take them out of the file',
+      );
     const { up, across } = this.units;
     const says = Object.keys(this.lengths).length + Object.keys(this.counts).length > 0;
     if (!axes && !says && !this.isGwyddion) {
-      const step = (/** @type {number} */ column) =>
-        rows.every((row, k) => k === 0 || row[column] - rows[k - 1][column] === 1);
-      if (step(0) && !step(1))
+      if (counts(rows.map((row) => row[0])) && !counts(rows.map((row) => row[1])))
         throw new NotUnderstood('the first column counts the lines: take it out of the file');
       notes.push('lines along y, one for each x');
       return { heights: rows, across, up, notes };
@@ -554,6 +570,10 @@ class Header {
     };
   }
 }
+
+/** Whether values are 0, 1, 2 or 1, 2, 3 and so on. @param {number[]} values */
+const counts = (values) =>
+  (values[0] === 0 || values[0] === 1) && values.every((one, k) => one === values[0] + k);
 
 /** @param {number[]} values @returns {number | undefined} their step, if it is one */
 function stepOf(values) {

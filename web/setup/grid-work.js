@@ -9,6 +9,8 @@ import { rangeOf } from './grid-text.js';
 const KNOWN = [-9999, 9999, -99999, 99999, -32768, 32767, 65535, -1e30, 1e30];
 /** How many times as far as all others reach a figure is away that is no height. */
 const FAR = 1e4;
+/** How often one figure stands apart that may be no height. */
+const SEVERAL = 3;
 
 /** @param {Heights} heights */
 export const missing = (heights) =>
@@ -24,7 +26,7 @@ export const each = (heights, work) =>
  * @returns {{words: string, count: number, holes: Heights} | undefined} the heights with holes in their place
  */
 export function suspects(heights) {
-  return farOff(heights) ?? islands(heights);
+  return farOff(heights) ?? apart(heights) ?? islands(heights);
 }
 
 /** @param {Heights} heights */
@@ -52,6 +54,20 @@ function farOff(heights) {
   const rest = rangeOf(all.filter((one) => !isFar(one)));
   const said = least === most ? `${least}` : `${least} to ${most}`;
   return named(heights, isFar, `${said}; the others reach over ${figure(rest[1] - rest[0], 3)}`);
+}
+
+/** One value, several times, further from all others than these reach. @param {Heights} heights */
+function apart(heights) {
+  const all = heights.flat().filter(Number.isFinite);
+  const end = rangeOf(all).find((one) => {
+    const rest = all.filter((other) => other !== one);
+    const [low, high] = rangeOf(rest);
+    const gap = one < low ? low - one : one - high;
+    return rest.length && all.length - rest.length >= SEVERAL && high > low && gap > high - low;
+  });
+  return end === undefined
+    ? undefined
+    : named(heights, (one) => one === end, `${end}, further from all others than these reach`);
 }
 
 /** Blocks of one value in a map that else has none. @param {Heights} heights */

@@ -9,7 +9,7 @@ import { h } from '../lib/dom.js';
 import { readQuantity } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { textOf } from '../lib/text-file.js';
-import { grouped, inJobUnits, plain, unit } from '../lib/units.js';
+import { grouped, inJobUnits, megabytes, plain, unit } from '../lib/units.js';
 import { NotUnderstood, lengthInMm, readGridText } from './grid-text.js';
 import {
   cropped,
@@ -26,8 +26,8 @@ import { fileButton, heightUnit } from './points.js';
 
 /** Least and most heights along a side that a job takes. */
 const [LEAST, MOST] = [8, 512];
-/** Part of a request that its heights may take. */
-const ROOM = 0.9;
+/** Part of a request that its heights may take, and letters of one. */
+const [ROOM, LETTERS] = [0.9, 15];
 /** Largest file [bytes]: 2048 × 2048 heights of text. */
 const LARGEST = 64e6;
 const UNITS = ['mm', 'µm', 'nm', 'm', 'in'];
@@ -43,9 +43,10 @@ const UNITS = ['mm', 'µm', 'nm', 'm', 'in'];
  * What has to be answered before a grid is taken, the first of it.
  * @param {Grid & {certain?: boolean}} grid
  * @param {number} most heights along a side
+ * @param {string} [why] more are not taken
  * @returns {Question | undefined}
  */
-export function questionOf(grid, most) {
+export function questionOf(grid, most, why = '') {
   const { heights, notes } = grid;
   const doubtful = grid.certain ? undefined : suspects(heights);
   if (doubtful)
@@ -85,7 +86,7 @@ export function questionOf(grid, most) {
     const middle = cropped(heights, most);
     const lost = lossWords(heights, fewer.heights, fewer.times);
     return {
-      words: `${sizeOf(heights)} heights are more than the ${most} along a side that are taken. Thinning: ${lost}.`,
+      words: `${sizeOf(heights)} heights are more than the ${most} along a side that are taken${why}. Thinning: ${lost}.`,
       answers: [
         [
           `Thin to ${sizeOf(fewer.heights)}`,
@@ -137,13 +138,16 @@ export function inJob({ heights, spacing = [NaN, NaN], across, up }, units) {
   };
 }
 
-/** Most heights along a side of which two bodies fit into a request. @param {number[][]} heights */
+/** Most heights along a side that go into a request, and why. @param {number[][]} heights */
 async function mostOf(heights) {
   const { limits } = /** @type {any} */ (await ask('v1/capacity').catch(() => ({})));
-  const room = ROOM * (limits?.body_bytes ?? Infinity);
-  const letters = 15 * heights.length * heights[0].length;
+  const room = limits?.body_bytes ?? Infinity;
+  const letters = LETTERS * heights.length * heights[0].length;
   const longer = Math.max(heights.length, heights[0].length);
-  return letters > room ? Math.min(MOST, Math.floor(longer * Math.sqrt(room / letters))) : MOST;
+  const most = Math.floor(longer * Math.sqrt((ROOM * room) / letters));
+  return most < Math.min(longer, MOST)
+    ? { most, why: ` where a request may have ${megabytes(room)}; ${MOST} are the most with more` }
+    : { most: MOST, why: '' };
 }
 
 /** @param {unknown} value @returns {value is number[][]} */
@@ -205,15 +209,15 @@ export function heightsControl(id, change, { units, beside }) {
       ...answers.map(([name, work]) => h('button', { type: 'button', onclick: work }, name)),
       leave,
     );
-  /** Takes a grid, or asks what stands between. @param {Grid} grid @param {number} most */
-  const consider = (grid, most) => {
-    const question = questionOf(grid, most);
+  /** Takes a grid, or asks what stands between. @param {Grid} grid @param {{most: number, why: string}} limit */
+  const consider = (grid, limit) => {
+    const question = questionOf(grid, limit.most, limit.why);
     const said = `${sizeOf(grid.heights)} heights read, not taken yet. ${sentences(grid.notes)}`;
     if (question) {
       note.textContent = said;
       const answers = question.answers.map(
         ([name, work]) =>
-          /** @type {[string, () => void]} */ ([name, () => consider(work(grid), most)]),
+          /** @type {[string, () => void]} */ ([name, () => consider(work(grid), limit)]),
       );
       return show(h('p', {}, question.words), buttons(answers));
     }

@@ -10,10 +10,13 @@ import { textOf } from '../lib/text-file.js';
 import { inJobUnits, plain, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { fromEngineering, fromTotal } from './hardening.js';
+import { CUT_OFFS, levelled, longWaves, thinnedTrace } from './trace.js';
 import { written } from './written.js';
 
 /** Most letters of a table at fault that are shown to be put right. */
 const LONG = 100_000;
+/** Most points of a profile, and what a trace with more of them is thinned to by a button. */
+const [MOST, FEWER] = [10_000, 2000];
 
 /** @typedef {number[]} Point a line of the table */
 
@@ -28,8 +31,10 @@ export function pointsControl(field, id, change, { units, parent }) {
   const quantities = field.columns ?? ['number', 'number'];
   const input = h('textarea', { id, rows: 5, spellcheck: 'false', autocomplete: 'off' });
   const note = h('p', { class: 'note', role: 'status' });
-  const table = (/** @type {string} */ text) =>
+  const short = (/** @type {string} */ text) =>
     readTable(text, quantities, units(), field.symbol?.split(', ') ?? []);
+  const isTrace = quantities.every((one) => one === 'length');
+  const table = (/** @type {string} */ text) => (isTrace ? inPieces(text, short) : short(text));
   // A table at fault stays in the draft as its text, and is refused there.
   const read = () => {
     const result = table(input.value);
@@ -55,7 +60,18 @@ export function pointsControl(field, id, change, { units, parent }) {
     const result = table(text);
     if ('points' in result && result.points.length) {
       const { points, notes } = inOrder(result.points);
-      put(points, [`${points.length} points read`, ...result.notes, ...notes]);
+      const read = [`${points.length} points read`, ...result.notes, ...notes];
+      if (points.length <= MOST) put(points, read);
+      else if (points.some(([x], k) => k > 0 && !(x > points[k - 1][0])))
+        note.textContent = `Not taken: ${points.length} lines of figures: at most ${MOST} are taken of what is no trace, whose x rises`;
+      else {
+        const fewer = thinnedTrace(/** @type {Pair[]} */ (points), MOST);
+        put(fewer.points, [
+          ...read,
+          fewer.note,
+          '“Long waves” or “Thin” below make fewer of them',
+        ]);
+      }
       return true;
     }
     const refused = 'problem' in result ? result.problem : 'no figures in it';
@@ -96,6 +112,10 @@ export function pointsControl(field, id, change, { units, parent }) {
     const points = read();
     if (!Array.isArray(points)) return;
     const result = work(/** @type {Pair[]} */ (points));
+    if ('problem' in result) {
+      note.textContent = result.problem;
+      return;
+    }
     if (!same(result.points, points)) put(result.points, [result.note]);
   };
   const modulus = () => numberOf(parent()?.young_modulus);
@@ -156,11 +176,35 @@ export function fileButton(open, words = 'Open CSV…', more = '') {
 }
 
 /** @typedef {[number, number]} Pair */
-/** @typedef {(work: (points: Pair[]) => {points: Point[], note: string}) => void} Convert of the fields of two columns */
+/** @typedef {(work: (points: Pair[]) => {points: Point[], note: string} | {problem: string}) => void} Convert of the fields of two columns */
 
 /** @param {string} text @param {string} title @param {() => void} work */
 const button = (text, title, work) =>
   h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
+
+/**
+ * Reads more lines than a table has, as long as each piece of them is one.
+ * @param {string} text
+ * @param {(text: string) => import('../lib/table.js').Table} read
+ * @returns {import('../lib/table.js').Table}
+ */
+function inPieces(text, read) {
+  const lines = text.split(/\r\n?|\n/);
+  if (lines.length <= MOST) return read(text);
+  const start = lines.findIndex((line) => /^[\s"]*[-+\u2212.,]?\d/.test(line));
+  const head = lines.slice(0, Math.max(start, 0));
+  const points = /** @type {Point[]} */ ([]);
+  let notes = /** @type {string[]} */ ([]);
+  const room = MOST - head.length;
+  for (let at = head.length; at < lines.length; at += room) {
+    const piece = read([...head, ...lines.slice(at, at + room)].join('\n'));
+    if ('problem' in piece)
+      return { problem: piece.problem.replace(/line (\d+)/g, (_, k) => `line ${k > head.length ? Number(k) + at - head.length : k}`) }; // prettier-ignore
+    points.push(...piece.points);
+    notes = piece.notes.length > notes.length ? piece.notes : notes;
+  }
+  return { points, notes };
+}
 
 /** Traces that are measured from right to left, turned round. @param {Point[]} points @returns {{points: Point[], notes: string[]}} */
 function inOrder(points) {
@@ -217,6 +261,36 @@ export function heightUnit(convert) {
   );
 }
 
+/** Work on traces whose x rises. @param {(points: Pair[]) => {points: Point[], note: string} | {problem: string}} work */
+const rising = (work) => (/** @type {Pair[]} */ points) =>
+  points.length < 3 || points.some(([x], k) => k > 0 && !(x > points[k - 1][0]))
+    ? {
+        problem: 'x has to rise from each of at least three points to the next: “Sort by x” first',
+      }
+    : work(points);
+
+/** The filter of roughness. @param {Convert} convert @param {() => import('../lib/units.js').Units} units */
+function longWavesOf(convert, units) {
+  const choice = h(
+    'select',
+    {
+      onchange: () => {
+        const cutoff = inJobUnits(Number(choice.value), 'mm', 'length', units()) ?? NaN;
+        choice.value = '';
+        convert(rising((points) => longWaves(points, cutoff, unit('length', units()))));
+      },
+    },
+    h('option', { value: '' }, 'λ_c…'),
+    CUT_OFFS.map((one) => h('option', { value: one }, `${one} mm`)),
+  );
+  return h(
+    'label',
+    { title: 'Gaussian filter of ISO 16610-21: roughness shorter than λ_c is taken away' },
+    'Long waves beyond ',
+    choice,
+  );
+}
+
 /** @param {Convert} convert @param {() => import('../lib/units.js').Units} units */
 const heights = (convert, units) => [
   heightUnit((name) =>
@@ -230,6 +304,11 @@ const heights = (convert, units) => [
   ),
   button('Sort by x', 'For traces whose x falls or jumps', () => convert(sorted)),
   button('Top to 0', 'Moves the highest point to x = 0 and height 0', () => convert(centred)),
+  button('Level', 'Takes the least-squares line away', () => convert(rising(levelled))),
+  longWavesOf(convert, units),
+  button('Thin', `Keeps every n-th point, ${FEWER} of them`, () =>
+    convert(rising((points) => thinnedTrace(points, FEWER))),
+  ),
   button('Flip heights', 'For depths measured into the body: heights count outward', () =>
     convert((points) => ({
       points: points.map(([x, height]) => [x, -height || 0]),

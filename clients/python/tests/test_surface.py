@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -154,6 +155,12 @@ def test_blocks_of_one_value_are_named() -> None:
     heights[5:10, 6:12] = 0
     with pytest.warns(UserWarning, match="30 of 384 heights are 0 mm in blocks"):
         brinell.surface(heights, spacing=1)
+    apart = bumps() + 5
+    apart[[3, 8, 12], [4, 9, 2]] = 0
+    with pytest.warns(UserWarning, match="3 of 384 heights are 0 mm, further from all others"):
+        brinell.surface(apart, spacing=1)
+    steps = np.where(bumps() > 0, 0.0, -1.0)
+    assert brinell.surface(steps, spacing=1).notes == ()
     flat_tops = np.minimum(bumps(), 0.5e-3)
     with pytest.warns(UserWarning, match="in blocks"):
         brinell.surface(flat_tops, spacing=1)
@@ -322,3 +329,65 @@ def test_a_trace_is_the_face_of_a_body(client: brinell.Client) -> None:
     block = brinell.block(width=20, depth=10, material=brinell.rigid)
     job = brinell.job(body, block, analysis="plane_strain", force=200, elements_per_half_width=6)
     assert client.solve(job).converged
+
+
+def test_the_page_of_the_documents_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its blocks, one after the other, on files that are written here."""
+    topography = pytest.importorskip("SurfaceTopography")
+    from SurfaceTopography.IO.NC import write_nc_uniform
+    from SurfaceTopography.IO.X3P import write_x3p
+
+    monkeypatch.chdir(tmp_path)
+    rng = np.random.default_rng(7)
+    kx, ky = np.fft.fftfreq(128)[:, None], np.fft.rfftfreq(96)[None, :]
+    k = np.hypot(kx, ky)
+    waves = np.where(k > 0, np.maximum(k, 0.02), np.inf) ** -1.8 * (k < 0.08)
+    noise = rng.normal(size=k.shape) + 1j * rng.normal(size=k.shape)
+    heights = np.fft.irfft2(waves * noise, (128, 96))
+    heights *= 0.2e-6 / heights.std()
+    heights += 1e-9 * np.arange(128)[:, None]
+    mask = np.zeros(heights.shape, bool)
+    mask[40:44, 50:55] = mask[90, 10] = True
+    step = 2e-6
+    masked = np.ma.masked_array(heights, mask=mask)
+    measured = topography.Topography(masked, (128 * step, 96 * step), unit="m")
+    write_x3p(measured, "scan.x3p")
+    write_nc_uniform(measured, "scan.nc")
+    rows = [
+        "\t".join("nan" if hole else f"{z:.9e}" for z, hole in zip(line, holes, strict=True))
+        for line, holes in zip(heights.T[::-1], mask.T[::-1], strict=True)
+    ]
+    head = ["# Channel: Z", "# Width: 256.0 µm", "# Height: 192.0 µm", "# Value units: m"]
+    Path("scan.txt").write_text("\n".join([*head, *rows]), "utf-8")
+    x = 1e-3 * np.arange(4000)
+    trace = [
+        f"{a:.3f}, {b:.6f}" for a, b in zip(x, np.cos(x) + rng.normal(size=4000), strict=True)
+    ]
+    Path("trace.csv").write_text("x [mm], z [µm]\n" + "\n".join(trace), "utf-8")
+
+    document = (ROOT / "docs/measured_surface.md").read_text("utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", document, re.DOTALL)
+    assert len(blocks) == 4
+    names: dict[str, Any] = {}
+    for block in blocks:
+        exec(compile(block, "docs/measured_surface.md", "exec"), names)
+    said = capsys.readouterr().out
+    assert "Surface of 64 × 48 heights, cells of 4 µm" in said
+    assert "21 of 12 288 heights filled in, harmonic" in said
+    assert "cut-off λ_c 800 µm" in said
+    assert names["result"].converged
+    assert 0 < names["result"].steps[0].data["three_dimensional"]["surface"]["contact_ratio"] < 1
+
+
+def test_the_line_of_the_documents_saves_a_masked_array(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    heights = np.ma.masked_array(bumps(), mask=bumps() > 1e-3)
+    document = (ROOT / "docs/measured_surface.md").read_text("utf-8")
+    (line,) = re.findall(r"`(numpy\.save\(.*?\))`", document.replace("\n", " "))
+    exec(line, {"numpy": np, "heights": heights})
+    read = brinell.surface("heights.npy", spacing=1, unit="µm")
+    assert read.missing == np.count_nonzero(heights.mask)

@@ -109,7 +109,7 @@ class User {
 
   /** Answers a question about what was pasted. @param {string} label @param {string} answer */
   async answers(label, answer) {
-    const field = this.page.getByLabel(label, { exact: true });
+    const field = this.page.getByLabel(label);
     const isChoice = await field.evaluate((one) => one.tagName === 'SELECT');
     await (isChoice ? field.selectOption(answer) : field.fill(answer));
     await this.#look();

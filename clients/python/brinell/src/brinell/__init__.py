@@ -56,6 +56,7 @@ from ._fields import BodyFields, Fields
 from ._find import Found
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
+from ._plain import document_of as document
 from ._result import Pressure, Remark, Result, Step
 from ._surface import Surface, surface
 from ._trace import Trace, trace
@@ -101,6 +102,7 @@ __all__ = [
     "cone",
     "curved",
     "cylinder",
+    "document",
     "ellipse",
     "flat",
     "groove",

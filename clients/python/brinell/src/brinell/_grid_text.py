@@ -462,7 +462,13 @@ class _Header:
 
     def grid(self, rows: Floats) -> Grid:
         """A grid whose lines are those of the file."""
+        if _counts(rows[0]) and not _counts(rows[1]):
+            raise NotUnderstood("the first line counts the columns: take it out of the file")
         axes = _axes_of(rows)
+        if axes and _counts(rows[0, 1:]) and _counts(rows[1:, 0]):
+            raise NotUnderstood(
+                "the first line and the first column count: take them out of the file"
+            )
         notes = list(self.notes)
         along_x = self.is_gwyddion or bool(self.lengths) or bool(self.counts) or axes is not None
         spacing: tuple[float, float] | None = None
@@ -473,7 +479,7 @@ class _Header:
                 rows = rows[::-1]
             notes.append("the first line and the first column are x and y")
         if not along_x:
-            if (np.diff(rows[:, 0]) == 1).all() and not (np.diff(rows[:, 1]) == 1).all():
+            if _counts(rows[:, 0]) and not _counts(rows[:, 1]):
                 raise NotUnderstood("the first column counts the lines: take it out of the file")
             notes.append("lines along y, one for each x")
             return Grid(
@@ -540,6 +546,11 @@ def _key_and_value(line: str) -> tuple[str, str]:
         return match[1], match[2].strip().strip(";").strip().strip('"')
     match = re.match(r"(.*?\D)[\s,]+([-+]?[\d.,]+(?:e[-+]?\d+)?(?:\s*\D*)?)$", line)
     return (match[1], match[2]) if match else (line, "")
+
+
+def _counts(values: Floats) -> bool:
+    """Whether values are 0, 1, 2 or 1, 2, 3 and so on."""
+    return bool(values[0] in (0, 1) and (values == values[0] + np.arange(len(values))).all())
 
 
 def _axes_of(rows: Floats) -> tuple[float, float] | None:

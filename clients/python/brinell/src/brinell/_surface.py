@@ -18,12 +18,16 @@ from ._lengths import length_in_mm
 from ._plain import Number, Quantity, grouped, need
 
 MOST = 512
-"""Most heights along a side of a surface whose bodies yield."""
+"""Most heights along a side of a surface on a body that yields."""
+MOST_ELASTIC = 1024
+"""Most heights along a side where neither body yields."""
 
 # Figures that programs put where nothing was measured.
 _KNOWN = (-9999.0, 9999.0, -99999.0, 99999.0, -32768.0, 32767.0, 65535.0, -1e30, 1e30)
 # How many times as far as all others reach a figure is away that is no height.
 _FAR = 1e4
+# How often one figure stands apart that may be no height.
+_SEVERAL = 3
 
 Pair: TypeAlias = Number | Sequence[Number]
 Level: TypeAlias = Literal["mean", "plane", "paraboloid"]
@@ -238,8 +242,9 @@ def surface(
     if max(made.heights.shape) > MOST:
         nx, ny = made.heights.shape
         note = (
-            f"{nx} × {ny} heights: a job takes {MOST} along a side where a body yields; "
-            f"size={MOST} thins them, .cropped({MOST}) keeps the middle"
+            f"{nx} × {ny} heights: a job takes {MOST} along a side where a body yields, and "
+            f"{MOST_ELASTIC} where none does; size={MOST} thins them, .cropped({MOST}) keeps the "
+            "middle"
         )
         made = replace(made, notes=(*made.notes, note))
     return made
@@ -561,7 +566,18 @@ def _no_heights(heights: Floats, unit: str) -> list[tuple[tuple[int, int], str]]
 
 
 def _islands(heights: Floats, unit: str) -> list[str]:
-    """Blocks of one value in a map that else has none."""
+    """Blocks of one value in a map that else has none, and ends that stand apart."""
+    left = heights[np.isfinite(heights)]
+    for end in {float(left.min()), float(left.max())} if len(left) else ():
+        rest = left[left != end]
+        count = len(left) - len(rest)
+        if len(rest) and count >= _SEVERAL and np.abs(rest - end).min() > np.ptp(rest) > 0:
+            i, j = np.argwhere(heights == end)[0]
+            return [
+                f"{grouped(count)} of {grouped(heights.size)} heights are {end:g} {unit}, further "
+                f"from all others than these reach, the first at [{i}, {j}]: no data? "
+                f"no_data={end:g} makes holes of them"
+            ]
     same = np.isfinite(heights[:-1, :-1])
     for other in (heights[1:, :-1], heights[:-1, 1:], heights[1:, 1:]):
         same = same & (heights[:-1, :-1] == other)
