@@ -82,6 +82,12 @@ pub enum AppError {
     /// The certificates of receivers cannot be used.
     #[error("{0} (set by --webhook-ca, BRINELL_WEBHOOK_CA)")]
     Webhooks(#[from] RootsError),
+    /// Pages of all origins may ask, and no key is required.
+    #[error(
+        "--cors-origin '*' (BRINELL_CORS_ORIGIN) lets every page that a user of this machine opens \
+         ask the service; require keys by --require-api-key, or name the origins"
+    )]
+    OpenToAllPages,
     /// The key of this process cannot be used.
     #[error("{0} holds no key of {min} characters or more (named by --once-key-env, \
              BRINELL_ONCE_KEY_ENV)", min = OnceKey::MIN_LENGTH)]
@@ -113,6 +119,10 @@ impl Service {
         let once_key = config.once_key_env.as_deref().map(once_key).transpose()?;
         let listener = listen("--listen, BRINELL_LISTEN", &config.listen).await?;
         let address = listener.local_addr()?;
+        if config.cors_origin.iter().any(|origin| origin == "*") && !config.keys_required(address)
+        {
+            return Err(AppError::OpenToAllPages);
+        }
         let identity = tls_identity(&config.tls)?;
         let tls = identity.as_ref().map(TlsIdentity::acceptor).transpose()?;
         tracing::info!(version = env!("CARGO_PKG_VERSION"), %address, ?config, "starting");
@@ -125,7 +135,7 @@ impl Service {
         if let Some(identity) = identity {
             background.spawn(reload_on_hangup(identity)?);
         }
-        let callbacks = announce(&config.webhooks, &store, &mut background)?;
+        let callbacks = announce(&config.webhooks, &store, &notifier, &mut background)?;
         let worker = if config.no_workers {
             None
         } else {
@@ -147,6 +157,8 @@ impl Service {
         ));
         let checked = Arc::clone(&jobs);
         background.spawn(async move { checked.check_store().await });
+        let watched = Arc::clone(&jobs);
+        background.spawn(async move { watched.watch_store().await });
         let connections = connections(config.max_connections);
         let settings = HttpSettings {
             require_api_key: config.keys_required(address),
@@ -278,12 +290,14 @@ fn reload_on_hangup(identity: Arc<TlsIdentity>) -> io::Result<impl Future<Output
 fn announce(
     config: &WebhookConfig,
     store: &Arc<dyn Store>,
+    notifier: &Arc<JobNotifier>,
     background: &mut JoinSet<()>,
 ) -> Result<Arc<CallbackRules>, AppError> {
     let rules = Arc::new(config.rules());
     if rules.is_enabled() {
         let announcer = Announcer {
             jobs: Arc::clone(store) as _,
+            notifier: Arc::clone(notifier),
             deliveries: Arc::clone(store) as _,
             rules: Arc::clone(&rules),
             client: Client::new(config.webhook_allow_private, config.webhook_ca.as_deref())?,

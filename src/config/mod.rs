@@ -13,7 +13,7 @@ use axum::http::HeaderValue;
 
 use clap::Args;
 
-use crate::http::{Capacity, ConnectionTimeouts, HttpSettings};
+use crate::http::{Capacity, ConnectionTimeouts, HttpSettings, Network};
 use crate::jobs::SubmissionLimits;
 pub use edge::{TlsConfig, WebhookConfig};
 use parse::{connections, origin, rate, seconds};
@@ -131,6 +131,16 @@ pub struct ServeConfig {
     )]
     pub cors_origin: Vec<HeaderValue>,
 
+    /// Proxy whose `X-Forwarded-For` tells the address of the client, for the log: an address, or a
+    /// network like `10.0.0.0/8`. May be repeated
+    #[arg(
+        long = "trusted-proxy",
+        env = "BRINELL_TRUSTED_PROXIES",
+        value_name = "ADDR",
+        value_delimiter = ','
+    )]
+    pub trusted_proxies: Vec<Network>,
+
     #[command(flatten)]
     /// Certificate and key.
     pub tls: TlsConfig,
@@ -173,6 +183,7 @@ impl Default for ServeConfig {
             once_key_env: None,
             exit_with_stdin: false,
             cors_origin: Vec::new(),
+            trusted_proxies: Vec::new(),
             tls: TlsConfig::default(),
             webhooks: WebhookConfig::default(),
             metrics: MetricsConfig::default(),
@@ -213,6 +224,7 @@ impl ServeConfig {
             solve_limit: self.solve_limit,
             jobs_per_second: self.rate_limit,
             cors_origins: self.cors_origin.clone(),
+            trusted_proxies: self.trusted_proxies.clone(),
             retention: self.storage.retention(),
             capacity: Capacity {
                 solvers: if self.no_workers { 0 } else { self.work.slots() },

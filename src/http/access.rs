@@ -21,7 +21,8 @@ use super::written_body::ending;
 use crate::jobs::{JobRecord, KeyId, Scope};
 
 /// Routes that change nothing although their method is POST.
-pub(super) const HARMLESS: [&str; 3] = ["/v1/validate", "/v1/hertz", "/v1/batch/fetch"];
+pub(super) const HARMLESS: [&str; 4] =
+    ["/v1/validate", "/v1/hertz", "/v1/hardening-curves", "/v1/batch/fetch"];
 
 /// The caller of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,10 +90,12 @@ pub(super) async fn authenticate(
         return Err(Problem::new(ProblemType::Forbidden, "this API key may only read"));
     }
     request.extensions_mut().insert(caller);
-    let response = tokio::select! {
+    let mut response = tokio::select! {
         response = next.run(request) => response,
         () = caller.ends(&state) => return Err(no_longer_good()),
     };
+    // For the log of the request.
+    response.extensions_mut().insert(caller);
     Ok(ending(response, async move { caller.ends(&state).await }))
 }
 

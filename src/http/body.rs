@@ -1,12 +1,14 @@
 //! Bodies of submissions: JSON, of bounded size, received in bounded time.
 
+use std::io::Read as _;
 use std::sync::Arc;
 use std::time::Duration;
 
 use axum::body::{Body, Bytes};
 use axum::extract::{FromRequest, Request};
-use axum::http::HeaderMap;
 use axum::http::header::{CONTENT_ENCODING, CONTENT_LENGTH, CONTENT_TYPE, EXPECT};
+use axum::http::{HeaderMap, HeaderValue};
+use flate2::read::MultiGzDecoder;
 use http_body_util::BodyExt;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::timeout;
@@ -28,6 +30,9 @@ const DISCARD_BYTES: usize = 256 << 20;
 pub(super) const BODIES_OF_KEY: usize = 32;
 const BODIES: usize = 4 * BODIES_OF_KEY;
 
+/// Bytes that are inflated at once.
+const PIECE: usize = 16 << 10;
+
 /// Bounds on bodies in memory.
 #[derive(Debug, Clone)]
 pub(super) struct Bodies {
@@ -47,7 +52,7 @@ impl Bodies {
         Ok(HeldBody {
             text: Vec::new(),
             room: None,
-            _turn: self.keys.try_take(key).ok_or_else(too_many)?,
+            turn: self.keys.try_take(key).ok_or_else(too_many_of_key)?,
         })
     }
 
@@ -64,6 +69,11 @@ impl Bodies {
     }
 }
 
+fn too_many_of_key() -> Problem {
+    let detail = format!("{BODIES_OF_KEY} bodies of this API key are under way");
+    Problem::new(ProblemType::TooManyJobs, detail)
+}
+
 fn too_many() -> Problem {
     Problem::new(ProblemType::TooManyBodies, "too many other bodies are held at this moment")
 }
@@ -73,7 +83,7 @@ fn too_many() -> Problem {
 struct HeldBody {
     text: Vec<u8>,
     room: Option<OwnedSemaphorePermit>,
-    _turn: Turn,
+    turn: Turn,
 }
 
 impl AsRef<[u8]> for HeldBody {
@@ -93,10 +103,12 @@ impl FromRequest<HttpState> for JobBody {
         let (parts, mut body) = request.into_parts();
         let read = async {
             check_content_type(&parts.headers)?;
-            check_not_compressed(&parts.headers)?;
+            let is_compressed = is_compressed(&parts.headers)?;
             check_declared_length(&parts.headers, state.settings.max_body_bytes)?;
             let key = parts.extensions.get::<Caller>().and_then(|caller| caller.key());
-            read(&mut body, state, key).await
+            let held = read(&mut body, state, key).await?;
+            let held = if is_compressed { inflate(held, state)? } else { held };
+            Ok(Bytes::from_owner(held))
         };
         match read.await {
             Ok(text) => Ok(Self(text)),
@@ -126,13 +138,42 @@ fn check_content_type(headers: &HeaderMap) -> Result<(), Problem> {
     Err(Problem::new(ProblemType::UnsupportedMediaType, detail))
 }
 
-/// Compressed bodies are refused: a few bytes can expand without limit.
-fn check_not_compressed(headers: &HeaderMap) -> Result<(), Problem> {
-    let codings = headers.get_all(CONTENT_ENCODING).iter();
-    if codings.into_iter().all(|coding| coding.as_bytes().eq_ignore_ascii_case(b"identity")) {
-        return Ok(());
+/// Returns whether the body is compressed by gzip, the one coding that is taken.
+fn is_compressed(headers: &HeaderMap) -> Result<bool, Problem> {
+    let mut codings = headers.get_all(CONTENT_ENCODING).iter().map(HeaderValue::as_bytes);
+    match (codings.next(), codings.next()) {
+        (None, _) => Ok(false),
+        (Some(coding), None) if coding.eq_ignore_ascii_case(b"identity") => Ok(false),
+        (Some(coding), None) if coding.eq_ignore_ascii_case(b"gzip") => Ok(true),
+        _ => {
+            let detail = "the body may be compressed by gzip, once, and by nothing else";
+            Err(Problem::new(ProblemType::UnsupportedMediaType, detail))
+        }
     }
-    Err(Problem::new(ProblemType::UnsupportedMediaType, "the body must not be compressed"))
+}
+
+/// Inflates a body piece by piece: a few bytes can expand without limit, and what they expand to
+/// counts as the body.
+fn inflate(packed: HeldBody, state: &HttpState) -> Result<HeldBody, Problem> {
+    let limit = state.settings.max_body_bytes;
+    let mut inflated = HeldBody { text: Vec::new(), room: None, turn: Turn::free() };
+    let (mut decoder, mut piece) = (MultiGzDecoder::new(&packed.text[..]), [0; PIECE]);
+    loop {
+        let broken = |error| {
+            Problem::new(ProblemType::InvalidJson, format!("the body is no gzip: {error}"))
+        };
+        let length = decoder.read(&mut piece).map_err(broken)?;
+        if length == 0 {
+            break;
+        }
+        if inflated.text.len() + length > limit {
+            return Err(too_large(limit));
+        }
+        state.bodies.extend(&mut inflated, &piece[..length])?;
+    }
+    drop(decoder);
+    inflated.turn = packed.turn;
+    Ok(inflated)
 }
 
 fn check_declared_length(headers: &HeaderMap, limit: usize) -> Result<(), Problem> {
@@ -146,7 +187,11 @@ fn check_declared_length(headers: &HeaderMap, limit: usize) -> Result<(), Proble
 }
 
 /// Reads a body. Received bytes count towards the limit of all bodies together.
-async fn read(body: &mut Body, state: &HttpState, key: Option<KeyId>) -> Result<Bytes, Problem> {
+async fn read(
+    body: &mut Body,
+    state: &HttpState,
+    key: Option<KeyId>,
+) -> Result<HeldBody, Problem> {
     let settings = &state.settings;
     let limit = settings.max_body_bytes;
     let read = async {
@@ -165,7 +210,7 @@ async fn read(body: &mut Body, state: &HttpState, key: Option<KeyId>) -> Result<
             state.bodies.extend(&mut held, &data)?;
         }
         held.text.shrink_to_fit();
-        Ok(Bytes::from_owner(held))
+        Ok(held)
     };
     timeout(settings.body_timeout, read).await.unwrap_or_else(|_| {
         let seconds = settings.body_timeout.as_secs();
@@ -193,8 +238,6 @@ fn too_large(limit: usize) -> Problem {
 
 #[cfg(test)]
 mod tests {
-    use axum::http::HeaderValue;
-
     use super::*;
 
     #[test]

@@ -4,7 +4,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::Router;
+use super::client_address::Peer;
+use axum::{Extension, Router};
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::server::graceful::{GracefulShutdown, Watcher};
@@ -67,11 +68,12 @@ pub async fn serve(
             () = close.cancelled() => break,
         };
         match accepted {
-            Ok((stream, _)) => {
+            Ok((stream, peer)) => {
+                let service = router.clone().layer(Extension(Peer(peer)));
                 let attended = attend(
                     stream,
                     tls.clone(),
-                    router.clone(),
+                    service,
                     timeouts,
                     connections.watcher(),
                     place.ok(),
@@ -91,7 +93,7 @@ pub async fn serve(
 async fn attend(
     stream: TcpStream,
     tls: Option<TlsAcceptor>,
-    router: Router,
+    service: Router,
     timeouts: ConnectionTimeouts,
     connections: Watcher,
     place: Option<OwnedSemaphorePermit>,
@@ -102,9 +104,9 @@ async fn attend(
     stream.set_write_timeout(Some(timeouts.write));
     let stream = Box::pin(stream);
     match tls {
-        None => converse(stream, router, timeouts, connections).await,
+        None => converse(stream, service, timeouts, connections).await,
         Some(tls) => match timeout(timeouts.head, tls.accept(stream)).await {
-            Ok(Ok(stream)) => converse(stream, router, timeouts, connections).await,
+            Ok(Ok(stream)) => converse(stream, service, timeouts, connections).await,
             Ok(Err(error)) => tracing::debug!(%error, "a connection could not be made secure"),
             Err(_) => tracing::debug!("a connection took too long to be made secure"),
         },
@@ -115,7 +117,7 @@ async fn attend(
 /// Answers the requests of a connection.
 async fn converse(
     stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
-    router: Router,
+    service: Router,
     timeouts: ConnectionTimeouts,
     connections: Watcher,
 ) {
@@ -124,7 +126,7 @@ async fn converse(
         .header_read_timeout(timeouts.head)
         .max_buf_size(HEAD_BYTES)
         .max_headers(HEADERS)
-        .serve_connection(TokioIo::new(stream), TowerToHyperService::new(router));
+        .serve_connection(TokioIo::new(stream), TowerToHyperService::new(service));
     if let Err(error) = connections.watch(connection).await {
         tracing::debug!(%error, "a connection ended early");
     }

@@ -8,6 +8,7 @@
 mod access;
 mod batch;
 mod body;
+mod client_address;
 mod docs;
 mod edge;
 mod event_stream;
@@ -65,11 +66,13 @@ use result_body::CodingChosen;
 use routes::{
     batch_cancel, batch_fetch, batch_submit, cancel_job, delete_job, get_capacity, get_events,
     get_examples, get_export, get_fields, get_job, get_metrics, get_openapi, get_problem,
-    get_request, get_result, health, list_jobs, post_hertz, post_job, post_solve, post_validate,
+    get_request, get_result, health, list_jobs, post_hardening_curve, post_hertz, post_job,
+    post_solve, post_validate,
 };
 
 use streams::EventStreamLimit;
 
+pub use client_address::Network;
 pub use edge::AllowedHosts;
 pub use listen::{ConnectionTimeouts, Listening, serve};
 pub use metrics::{Metrics, metrics_router};
@@ -104,6 +107,8 @@ pub struct HttpSettings {
     pub jobs_per_second: Option<f64>,
     /// Origins whose pages may send requests (CORS); `*` allows all.
     pub cors_origins: Vec<HeaderValue>,
+    /// Proxies whose `X-Forwarded-For` is believed.
+    pub trusted_proxies: Vec<Network>,
     /// How long finished jobs are kept.
     pub retention: Retention,
     /// Capacity of this node.
@@ -140,6 +145,7 @@ impl Default for HttpSettings {
             once_key: None,
             jobs_per_second: None,
             cors_origins: Vec::new(),
+            trusted_proxies: Vec::new(),
             retention: Retention::default(),
             capacity: Capacity::default(),
         }
@@ -203,6 +209,7 @@ pub fn router(state: HttpState) -> Router {
         .and(NotForContentType::const_new("application/octet-stream"))
         .and(|_, _, _: &HeaderMap, about: &Extensions| about.get::<CodingChosen>().is_none());
     let cors = cors(&state.settings.cors_origins);
+    let log = from_fn_with_state(Arc::from(&state.settings.trusted_proxies[..]), log_request);
     let (documented, _) =
         guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
     let routes = documented
@@ -230,7 +237,7 @@ pub fn router(state: HttpState) -> Router {
     };
     routes
         .layer(PropagateRequestIdLayer::x_request_id())
-        .layer(from_fn(log_request))
+        .layer(log)
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
         .layer(from_fn(drop_unusable_request_id))
 }
@@ -274,6 +281,7 @@ fn guarded_routes() -> OpenApiRouter<HttpState> {
         .routes(routes!(post_solve::post_solve))
         .routes(routes!(post_validate::post_validate))
         .routes(routes!(post_hertz::post_hertz))
+        .routes(routes!(post_hardening_curve::post_hardening_curve))
         .routes(routes!(get_examples::get_examples))
         .routes(routes!(get_capacity::get_capacity))
         .routes(routes!(get_metrics::get_metrics));

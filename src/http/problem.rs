@@ -14,6 +14,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::problem_type::ProblemType;
+use super::wire::Prefix;
 use crate::jobs::{
     FailureKind, FieldError, JobError, JobEstimate, JobFailure, Rejection, StoreError, SubmitError,
 };
@@ -106,7 +107,19 @@ impl Fault {
 impl From<FieldError> for Fault {
     fn from(error: FieldError) -> Self {
         let pointer = format!("#{}", fragment(&error.pointer));
-        Self { pointer: Some(pointer), parameter: None, code: error.code, detail: error.detail }
+        let detail = cut(error.detail);
+        Self { pointer: Some(pointer), parameter: None, code: error.code, detail }
+    }
+}
+
+/// Most characters of a detail, which may repeat what the client has sent.
+const DETAIL: usize = 500;
+
+/// A text of bounded length.
+fn cut(text: String) -> String {
+    match text.char_indices().nth(DETAIL) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text,
     }
 }
 
@@ -130,7 +143,7 @@ impl Problem {
             uri: kind.uri(),
             title: kind.title(),
             status: kind.status().as_u16(),
-            detail: detail.into(),
+            detail: cut(detail.into()),
             instance: None,
             errors: Vec::new(),
             line: None,
@@ -178,6 +191,15 @@ impl Problem {
         self
     }
 
+    /// The same for a client that reaches this service under a path of another site.
+    #[must_use]
+    pub(super) fn under(mut self, prefix: &Prefix) -> Self {
+        if let Some(path) = prefix.server() {
+            self.0.uri = format!("{path}{}", self.0.kind.uri());
+        }
+        self
+    }
+
     /// The same, to be tried again after so many seconds.
     #[must_use]
     pub fn retry_after(mut self, seconds: u16) -> Self {
@@ -217,10 +239,11 @@ impl IntoResponse for Problem {
 pub(super) async fn name_request(request: Request, next: Next) -> Response {
     let id =
         request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).map(str::to_owned);
+    let prefix = Prefix::of(request.headers());
     let mut response = next.run(request).await;
     let problem = response.extensions_mut().remove::<Problem>();
     if let (Some(problem), Some(id)) = (problem, id)
-        && let Ok(body) = serde_json::to_vec(&problem.about_request(&id))
+        && let Ok(body) = serde_json::to_vec(&problem.under(&prefix).about_request(&id))
     {
         response.headers_mut().remove(CONTENT_LENGTH);
         *response.body_mut() = Body::from(body);
@@ -331,6 +354,14 @@ mod tests {
           "limit_bytes": 4294967296
         }
         "#);
+    }
+
+    #[test]
+    fn details_do_not_repeat_all_that_a_client_has_sent() {
+        let long = "é".repeat(100_000);
+        let fault = Fault::from(FieldError::new("/surface", format!("the array says {long}")));
+        assert_eq!(fault.detail.chars().count(), DETAIL + 1);
+        assert_eq!(cut("short".to_owned()), "short");
     }
 
     #[test]

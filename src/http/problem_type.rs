@@ -115,7 +115,8 @@ problem_types! {
     /// The body is not declared as JSON.
     UnsupportedMediaType, "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE,
         "The body must be JSON",
-        "Send the job with the header `Content-Type: application/json`, and not compressed.";
+        "Send the job with the header `Content-Type: application/json`, compressed by gzip or not at \
+         all.";
     /// The idempotency key came with another body.
     IdempotencyKeyReused, "idempotency-key-reused", UNPROCESSABLE_ENTITY,
         "The idempotency key was used before",

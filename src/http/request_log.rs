@@ -2,18 +2,21 @@
 //! duration and ids, never with its content.
 
 use std::convert::Infallible;
+use std::sync::Arc;
 use std::time::Instant;
 
-use axum::extract::{FromRequestParts, MatchedPath, Request};
+use axum::extract::{FromRequestParts, MatchedPath, Request, State};
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::Response;
 use metrics::histogram;
-use tracing::field::Empty;
+use tracing::field::{Empty, display};
 use tracing::{Instrument, Span};
 
-use crate::jobs::{JobId, TraceParent};
+use super::access::Caller;
+use super::client_address::{Network, Peer, client_address};
+use crate::jobs::{JobId, KeyId, TraceParent};
 use crate::telemetry;
 
 /// Time \[s\] from the head of a request to the head of its answer, by method, route and status.
@@ -30,9 +33,12 @@ const PATH: usize = 100;
 pub(super) struct JobIdExtension(pub(super) JobId);
 
 /// The layer that logs requests.
-pub(super) async fn log_request(request: Request, next: Next) -> Response {
-    let mut request = request;
-    let mut log = RequestLog::begin(&request);
+pub(super) async fn log_request(
+    State(proxies): State<Arc<[Network]>>,
+    mut request: Request,
+    next: Next,
+) -> Response {
+    let mut log = RequestLog::begin(&request, &proxies);
     request.extensions_mut().insert(log.trace);
     let span = log.span.clone();
     let response = next.run(request).instrument(span).await;
@@ -40,6 +46,7 @@ pub(super) async fn log_request(request: Request, next: Next) -> Response {
     if let Some(JobIdExtension(id)) = response.extensions().get() {
         log.job = Some(id.to_string());
     }
+    log.key = response.extensions().get::<Caller>().and_then(|caller| caller.key());
     response
 }
 
@@ -52,6 +59,7 @@ struct RequestLog {
     route: Option<String>,
     path: String,
     job: Option<String>,
+    key: Option<KeyId>,
     status: Option<StatusCode>,
     trace: Trace,
 }
@@ -76,7 +84,7 @@ fn trace_of(headers: &HeaderMap) -> Option<TraceParent> {
 }
 
 impl RequestLog {
-    fn begin(request: &Request) -> Self {
+    fn begin(request: &Request, proxies: &[Network]) -> Self {
         let id = request
             .headers()
             .get("x-request-id")
@@ -87,7 +95,9 @@ impl RequestLog {
         let is_job = route.as_deref().is_some_and(|route| route.starts_with("/v1/jobs/{id}"));
         let job =
             path.split('/').nth(3).filter(|_| is_job).and_then(|id| id.parse::<JobId>().ok());
-        let span = tracing::info_span!("request", id, trace_id = Empty);
+        let peer = request.extensions().get::<Peer>().copied();
+        let client = client_address(peer, request.headers(), proxies).map(display);
+        let span = tracing::info_span!("request", id, client, trace_id = Empty);
         let trace = Trace(telemetry::adopt(&span, trace_of(request.headers())));
         Self {
             trace,
@@ -97,6 +107,7 @@ impl RequestLog {
             route,
             path: path.chars().take(PATH).collect(),
             job: job.map(|id| id.to_string()),
+            key: None,
             status: None,
         }
     }
@@ -135,7 +146,10 @@ impl Drop for RequestLog {
         if PROBES.contains(&route.as_str()) {
             tracing::debug!(parent: &self.span, method, route, status, ms, "answered");
         } else {
-            tracing::info!(parent: &self.span, method, route, path, status, ms, job, "answered");
+            let key = self.key.map(display);
+            tracing::info!(
+                parent: &self.span, method, route, path, status, ms, job, key, "answered"
+            );
         }
     }
 }

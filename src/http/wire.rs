@@ -30,8 +30,13 @@ const POLL_SECONDS: u16 = 1;
 pub struct Prefix(String);
 
 impl Prefix {
+    /// The prefix, if there is one.
+    pub(super) fn server(&self) -> Option<&str> {
+        Some(self.0.as_str()).filter(|path| !path.is_empty())
+    }
+
     /// Parses the header, `/press` for `/press/`; ignores a value that is no plain path.
-    fn of(headers: &HeaderMap) -> Self {
+    pub(super) fn of(headers: &HeaderMap) -> Self {
         let text = headers
             .get("x-forwarded-prefix")
             .and_then(|prefix| prefix.to_str().ok())
@@ -266,7 +271,7 @@ impl JobDocument {
             links: Links::of(&record, job, prefix),
             tags: record.tags,
             progress: Progress { iterations: record.iterations, latest: record.latest },
-            error: record.failure.as_ref().map(Problem::from),
+            error: record.failure.as_ref().map(|failure| Problem::from(failure).under(prefix)),
         }
     }
 }

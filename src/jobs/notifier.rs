@@ -28,6 +28,7 @@ pub struct Signal {
 pub struct JobNotifier {
     jobs: Mutex<HashMap<JobId, watch::Sender<Signal>>>,
     work: Notify,
+    ended: Notify,
 }
 
 impl JobNotifier {
@@ -59,6 +60,7 @@ impl JobNotifier {
 
     /// Announces that a job reached its final state.
     pub fn announce_finished(&self, id: JobId) {
+        self.ended.notify_one();
         self.announce(id, |signal| signal.finished = true);
     }
 
@@ -79,6 +81,12 @@ impl JobNotifier {
     /// last wait. Each process has one waiter.
     pub async fn work(&self) {
         self.work.notified().await;
+    }
+
+    /// Waits until a job is announced finished, and returns at once if one was since the last wait.
+    /// Each process has one waiter.
+    pub async fn ended(&self) {
+        self.ended.notified().await;
     }
 
     fn announce(&self, id: JobId, change: impl FnOnce(&mut Signal)) {

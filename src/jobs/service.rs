@@ -1,8 +1,10 @@
 //! Operations on jobs for the layers above: submit, query, wait, cancel, remove.
 
+use std::num::NonZeroUsize;
 use std::panic::resume_unwind;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex as StdMutex, MutexGuard, PoisonError};
+use std::thread::available_parallelism;
 use std::time::Duration;
 
 use bytes::Bytes;
@@ -13,6 +15,7 @@ use tokio::time::{Instant, sleep, timeout_at};
 use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
 use tracing::Instrument;
+use uuid::Uuid;
 
 use super::{
     ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader,
@@ -20,6 +23,7 @@ use super::{
     ResultHead, StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
+use brinell_solver::job::tensile::{TensileTest, TestedCurve};
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
 
@@ -30,10 +34,14 @@ const POLL_INTERVAL: Duration = Duration::from_secs(1);
 /// Time between two checks of the API key of a long request.
 const KEY_INTERVAL: Duration = Duration::from_secs(5);
 
-/// Jobs that are checked at the same time, each on a thread of its own. A sweep of a thousand
-/// loads takes 20 ms; the scheduler of the system shares the cores among checks that would
-/// otherwise wait for each other.
-const CHECKS: usize = 32;
+/// Jobs that are checked at the same time for each core, each on a thread of its own. Every check
+/// takes memory: 32 of them ended a service with 512 MiB.
+const CHECKS_OF_CORE: usize = 2;
+
+/// Time between two signs of life that the store is asked for, and time without one after which
+/// the process had better be started anew.
+const WATCH_INTERVAL: Duration = Duration::from_secs(10);
+const SILENCE: Duration = Duration::from_mins(1);
 
 /// Pieces of results that are decoded at the same time.
 const DECODERS: usize = 4;
@@ -132,6 +140,8 @@ pub struct JobService {
     submissions: Turns,
     /// Whether the file of the store is damaged.
     damaged: AtomicBool,
+    /// When the store last gave a sign of life.
+    answered_at: StdMutex<Instant>,
     /// Time until which the last readiness check holds.
     healthy_until: Mutex<Option<Instant>>,
 }
@@ -207,7 +217,9 @@ impl JobService {
         deliveries: Arc<dyn DeliveryStore>,
         limits: SubmissionLimits,
     ) -> Self {
+        let cores = available_parallelism().map_or(1, NonZeroUsize::get);
         Self {
+            answered_at: StdMutex::new(Instant::now()),
             store,
             notifier,
             solver,
@@ -217,7 +229,7 @@ impl JobService {
             closed: CancellationToken::new(),
             waits_end: CancellationToken::new(),
             decoders: Threads::new(DECODERS, DECODERS / 2),
-            checks: Threads::new(CHECKS, 1),
+            checks: Threads::new(CHECKS_OF_CORE * cores, 1),
             submissions: Turns::new(1),
             damaged: AtomicBool::new(false),
             healthy_until: Mutex::new(None),
@@ -280,6 +292,18 @@ impl JobService {
             Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
         };
         self.checks.run(key, closed_form).await
+    }
+
+    /// Computes the hardening curve of a tensile test.
+    ///
+    /// # Errors
+    /// [`Rejection`] with every fault, also where the record gives no curve.
+    pub async fn hardening_curve(
+        &self,
+        request: Bytes,
+        key: Option<KeyId>,
+    ) -> Result<TestedCurve, Rejection> {
+        self.checks.run(key, move || Ok(TensileTest::solve(&request)?)).await
     }
 
     /// Checks a job and queues it.
@@ -465,6 +489,29 @@ impl JobService {
             *healthy_until = Some(Instant::now() + PING_INTERVAL);
         }
         Ok(())
+    }
+
+    /// Asks the store for signs of life, for ever.
+    pub async fn watch_store(&self) {
+        loop {
+            if !matches!(
+                self.store.get(JobId::from(Uuid::nil())).await,
+                Err(StoreError::Unavailable(_))
+            ) {
+                *self.answered_at() = Instant::now();
+            }
+            sleep(WATCH_INTERVAL).await;
+        }
+    }
+
+    /// Whether the store has given a sign of life within the last minute, as far as it is
+    /// watched.
+    pub fn is_store_alive(&self) -> bool {
+        self.answered_at().elapsed() < SILENCE
+    }
+
+    fn answered_at(&self) -> MutexGuard<'_, Instant> {
+        self.answered_at.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Checks the file of the store for damage. With damage, the service is not ready from then

@@ -149,7 +149,7 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`], [`StoreError::Unfinished`].
     async fn delete(&self, id: JobId) -> Result<(), StoreError>;
 
-    /// Returns the number of jobs in each state; states without jobs may be missing.
+    /// Returns the number of jobs that are queued and running; a state without jobs is missing.
     async fn counts(&self) -> Result<Counts, StoreError>;
 
     /// Removes finished jobs and idempotency keys that are older than `retention` allows, a
@@ -185,7 +185,7 @@ pub trait JobStore: Send + Sync + 'static {
 pub const HISTORY_PAGE: usize = 256;
 
 /// Most jobs one [`JobStore::sweep`] removes.
-pub const SWEEP: usize = 500;
+pub const SWEEP: usize = 200;
 
 /// How long finished jobs are kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

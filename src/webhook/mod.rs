@@ -23,7 +23,8 @@ use tracing::field::Empty;
 use uuid::Uuid;
 
 use crate::jobs::{
-    Clock, Delivery, DeliveryEnd, DeliveryStore, JobStore, StoreError, SystemClock, TraceParent,
+    Clock, Delivery, DeliveryEnd, DeliveryStore, JobNotifier, JobStore, StoreError, SystemClock,
+    TraceParent,
 };
 use crate::outgoing::Client;
 use crate::telemetry;
@@ -45,6 +46,9 @@ const LEASE: Duration = Duration::from_mins(1);
 const POLL: Duration = Duration::from_secs(1);
 const POLL_SOON: Duration = Duration::from_millis(100);
 
+/// Pause behind the end of a job, in which further ones may end.
+const SOON: Duration = Duration::from_millis(20);
+
 /// Pauses after failed attempts, in units of the first pause; there is one more attempt than
 /// pauses.
 const PAUSES: [u32; 8] = [1, 6, 24, 120, 720, 2160, 5760, 8640];
@@ -56,6 +60,8 @@ const ERROR: usize = 200;
 pub struct Announcer {
     /// Jobs.
     pub jobs: Arc<dyn JobStore>,
+    /// Tells of the ends of jobs.
+    pub notifier: Arc<JobNotifier>,
     /// The announcements.
     pub deliveries: Arc<dyn DeliveryStore>,
     /// The hosts that may be called.
@@ -107,6 +113,9 @@ impl Announcer {
             }
             tokio::select! {
                 () = sleep_until(look_at) => {}
+                () = self.notifier.ended(), if look_at > Instant::now() + POLL_SOON => {
+                    look_at = Instant::now() + SOON;
+                }
                 Some(Ok((receiver, took))) = attempts.join_next() => {
                     self.postpone(receivers.ended(&receiver, took)).await;
                 }

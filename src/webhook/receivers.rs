@@ -9,6 +9,9 @@ use crate::jobs::{Delivery, KeyId};
 /// Attempts at the same time.
 const AT_ONCE: usize = 64;
 
+/// Part of the attempts, and of the announcements in memory, that one API key may have.
+const OF_KEY: usize = 4;
+
 /// Attempts at the same time to one receiver, and to one that is slow.
 const TO_ONE: usize = 4;
 const TO_ONE_SLOW: usize = 1;
@@ -81,8 +84,9 @@ impl Receivers {
         if self.queues.len() >= REMEMBERED {
             self.queues.retain(|_, queue| !queue.is_idle());
         }
+        let of_key = self.of_key(receiver.1, |queue| queue.running + queue.waiting.len());
         let queue = self.queues.entry(receiver).or_default();
-        if queue.waiting.len() >= queue.room() {
+        if of_key >= HELD / OF_KEY || queue.waiting.len() >= queue.room() {
             return Some((delivery, queue.pause()));
         }
         queue.waiting.push_back(delivery);
@@ -95,12 +99,21 @@ impl Receivers {
             return None;
         }
         let may = |queue: &Queue| !queue.waiting.is_empty() && queue.running < queue.at_once();
-        let ready = self.queues.iter_mut().filter(|(_, queue)| may(queue));
-        let (receiver, queue) = ready.min_by_key(|(_, queue)| queue.running)?;
+        let ready = self.queues.iter().filter(|(_, queue)| may(queue));
+        let ready = ready.map(|(to, queue)| (self.of_key(to.1, |queue| queue.running), queue, to));
+        let ready = ready.filter(|(of_key, ..)| *of_key < AT_ONCE / OF_KEY);
+        let (_, _, receiver) = ready.min_by_key(|(of_key, queue, _)| (*of_key, queue.running))?;
+        let receiver = receiver.clone();
+        let queue = self.queues.get_mut(&receiver)?;
         let delivery = queue.waiting.pop_front()?;
         queue.running += 1;
         self.running += 1;
-        Some((receiver.clone(), delivery))
+        Some((receiver, delivery))
+    }
+
+    /// Sums a number over all receivers of a key.
+    fn of_key(&self, key: Option<KeyId>, number: impl Fn(&Queue) -> usize) -> usize {
+        self.queues.iter().filter(|((_, of), _)| *of == key).map(|(_, queue)| number(queue)).sum()
     }
 
     /// Records the end and duration of an attempt. If the receiver proves slow, returns the
@@ -180,12 +193,14 @@ mod tests {
     #[test]
     fn no_more_are_made_at_once_than_may_be_and_the_idle_are_forgotten() {
         let mut receivers = Receivers::default();
+        let keys: Vec<KeyId> = (0..2 * OF_KEY).map(|_| KeyId::generate()).collect();
+        let to = |host: usize| (host.to_string(), Some(keys[host % keys.len()]));
         for host in 0..2 * AT_ONCE {
-            assert_eq!(receivers.offer(receiver(&host.to_string()), delivery()), None);
+            assert_eq!(receivers.offer(to(host), delivery()), None);
         }
         assert_eq!(begin(&mut receivers), AT_ONCE);
         for host in 0..2 * AT_ONCE {
-            receivers.ended(&receiver(&host.to_string()), Duration::ZERO);
+            receivers.ended(&to(host), Duration::ZERO);
             begin(&mut receivers);
         }
         for host in 0..2 * REMEMBERED {
@@ -195,5 +210,16 @@ mod tests {
             }
         }
         assert!(receivers.queues.len() <= REMEMBERED, "{}", receivers.queues.len());
+    }
+    #[test]
+    fn a_key_has_a_quarter_of_the_attempts_whatever_hosts_it_names() {
+        let mut receivers = Receivers::default();
+        let (greedy, modest) = (Some(KeyId::generate()), Some(KeyId::generate()));
+        let taken = (0..1000)
+            .filter(|host| receivers.offer((host.to_string(), greedy), delivery()).is_none());
+        assert_eq!(taken.count(), HELD / OF_KEY);
+        assert_eq!(begin(&mut receivers), AT_ONCE / OF_KEY);
+        assert_eq!(receivers.offer(("0".to_owned(), modest), delivery()), None);
+        assert_eq!(begin(&mut receivers), 1);
     }
 }

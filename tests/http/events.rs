@@ -43,6 +43,7 @@ fn a_finished_job_replays_its_history_and_ends() {
     let url = format!("{}{id}/events", server.target.url);
     let answer = curl(&[&url]);
     assert_eq!((answer.status, answer.header("content-type")), (200, Some("text/event-stream")));
+    assert_eq!(answer.header("x-accel-buffering"), Some("no"));
     let all = events(&answer.body);
     let (last, iterations) = all.split_last().unwrap();
     let count = usize::try_from(finished["progress"]["iterations"].as_u64().unwrap()).unwrap();

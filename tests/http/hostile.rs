@@ -5,6 +5,8 @@ use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::time::Instant;
 
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use serde_json::json;
 
 use crate::curl::{Answer, curl, parse};
@@ -99,9 +101,24 @@ fn json_nested_without_end() {
 }
 
 #[test]
-fn compressed_bodies_are_not_unpacked() {
+fn a_compressed_body_is_as_large_as_what_it_expands_to() {
     let server = Server::start();
-    for coding in ["gzip", "deflate", "br", "zstd", "identity, gzip"] {
+    let zipped = |text: &[u8]| {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+        encoder.write_all(text).unwrap();
+        encoder.finish().unwrap()
+    };
+    let headers = ["-H", "Content-Type: application/json", "-H", "Content-Encoding: gzip"];
+    let post = |body: Vec<u8>| server.target.post_with("/v1/solve", body, &headers);
+    assert_eq!(post(zipped(example().to_string().as_bytes())).status, 200);
+    let bomb = zipped(&vec![b' '; 50 << 20]);
+    assert!(bomb.len() < 60_000);
+    post(bomb).problem(413, "body-too-large");
+    post(b"no gzip".to_vec()).problem(400, "invalid-json");
+    let mut cut = zipped(example().to_string().as_bytes());
+    cut.truncate(cut.len() / 2);
+    post(cut).problem(400, "invalid-json");
+    for coding in ["deflate", "br", "zstd", "identity, gzip"] {
         let coding = format!("Content-Encoding: {coding}");
         let headers = ["-H", "Content-Type: application/json", "-H", &coding];
         server

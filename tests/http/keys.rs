@@ -185,7 +185,8 @@ fn streams_and_waits_end_with_their_key() {
 #[test]
 fn every_route_asks_for_the_key_that_it_needs() {
     const OPEN: [&str; 4] = ["/livez", "/readyz", "/openapi.json", "/problems/{name}"];
-    const HARMLESS: [&str; 3] = ["/v1/validate", "/v1/hertz", "/v1/batch/fetch"];
+    const HARMLESS: [&str; 4] =
+        ["/v1/validate", "/v1/hertz", "/v1/hardening-curves", "/v1/batch/fetch"];
     let guarded = Guarded::start();
     let scopes = ["read", "write", "monitor", "admin"];
     let tokens = scopes.map(|scope| guarded.key(&["create", scope, "--scope", scope]));

@@ -102,6 +102,10 @@ fn answers_are_as_documented() {
         assert_eq!(service.post(path, path, &text, &["Content-Type: text/plain"]).status, 415);
         assert_eq!(service.post(path, path, &"[".repeat(2 << 20), &[JSON]).status, 413);
     }
+    let path = "/v1/hardening-curves";
+    let test = r#"{"points": [[0, 0], [0.001, 210], [0.01, 380], [0.05, 450]]}"#;
+    assert_eq!(service.post(path, path, test, &[JSON]).status, 200);
+    assert_eq!(service.post(path, path, "{}", &[JSON]).status, 422);
     let id = "/v1/jobs/{id}";
     let accepted =
         service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: press-7"]);

@@ -1,5 +1,7 @@
 //! Submissions: waiting for the result, idempotency keys, priority.
 
+use std::process::Command;
+
 use crate::curl::{Answer, curl};
 use crate::in_process::{InProcess, job};
 use crate::server::Target;
@@ -81,6 +83,22 @@ fn links_are_below_the_path_that_a_proxy_names() {
     let location = answer.header("location").unwrap();
     assert!(location.starts_with("/press/v1/jobs/"), "{location}");
     assert_eq!(answer.json()["links"]["self"], location);
+    let prefix = ["-H", "X-Forwarded-Prefix: /press"];
+    let about = |path: &str| {
+        curl(&[prefix.as_slice(), &[format!("{}{path}", service.target.url).as_str()]].concat())
+    };
+    assert_eq!(about("/openapi.json").json()["servers"][0]["url"], "/press");
+    let problem = about("/v1/jobs/none").json();
+    assert_eq!(problem["type"], "/press/problems/job-not-found");
+}
+
+#[test]
+fn all_origins_need_keys() {
+    let open = ["--cors-origin", "*", "--listen", "127.0.0.1:0", "--data-dir", ":memory:"];
+    let refused = Command::new(env!("CARGO_BIN_EXE_brinell")).arg("serve").args(open).output();
+    let refused = refused.unwrap();
+    let said = String::from_utf8_lossy(&refused.stderr);
+    assert!(!refused.status.success() && said.contains("--require-api-key"), "{said}");
 }
 
 #[test]

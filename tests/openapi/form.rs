@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use brinell_solver::job::fields::{Example, Field, FieldKind, FieldTable, Figure};
 use brinell_solver::job::{Hardening, InitialStress, OverDepth, Quantity, Shape};
+use brinell_solver::material::hardness;
 use serde_json::{Value, json};
 
 const HEAD: &str = "\
@@ -24,7 +25,17 @@ pub fn tables() -> String {
     over_depth(&mut text);
     text += "\n/* prettier-ignore */\n";
     initial_stress(&mut text);
+    text += "\n/* prettier-ignore */\n";
+    rockwell(&mut text);
     text
+}
+
+/// The table of hardness, of which the page shows what it takes.
+fn rockwell(text: &mut String) {
+    text.push_str(
+        "/** Rockwell C and Vickers hardness, ISO 18265, table A.1. @type {[number, number][]} */\n",
+    );
+    writeln!(text, "export const ROCKWELL = {};", json!(hardness::ROCKWELL_C[..])).unwrap();
 }
 
 /// The ways to give strength over depth, with keys from the hardening law on.

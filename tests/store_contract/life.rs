@@ -46,7 +46,7 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     assert!(finished.finished_at.is_some());
     assert_eq!(store.request(id).await.unwrap(), "{\"job\": \"one\"}");
     assert_eq!(subject.head(id).await, HEAD);
-    assert_eq!(store.counts().await.unwrap().get(&JobState::Succeeded), Some(&1));
+    assert!(store.counts().await.unwrap().is_empty(), "nothing is queued or running");
 }
 
 pub async fn unknown_jobs_are_not_found(subject: &Subject) {

@@ -18,6 +18,7 @@ mod keys;
 mod leases;
 mod life;
 mod names;
+mod pauses;
 mod queue;
 mod quotas;
 mod rate;

@@ -3,7 +3,7 @@
  * known word for word, or refused.
  */
 
-import { columnsInWords, hasDecimalComma, quoted, readNumber, withMinus } from './number.js';
+import { columnsInWords, hasDecimalComma, parted, quoted, readNumber, withMinus } from './number.js';
 import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
@@ -19,7 +19,8 @@ const [MOST, LONGEST] = [10_000, 1000];
 
 /**
  * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or
- * commas. Lines above the first numbers name columns and their units.
+ * commas. Lines above the first numbers name columns and their units; further columns are left out
+ * where names tell which, or where the first one counts the lines.
  * @param {string} text
  * @param {Quantity[]} quantities of the columns
  * @param {Units} units of the job
@@ -27,42 +28,55 @@ const [MOST, LONGEST] = [10_000, 1000];
  * @returns {Table} `problem` names the first line at fault
  */
 export function readTable(text, quantities, units, symbols) {
-  const lines = withMinus(text).split(/\r\n?|\n/);
+  const lines = withMinus(text.replace(/^\ufeff/, '')).split(/\r\n?|\n/);
   const long = lines.findIndex((line) => line.length > LONGEST);
   if (long >= 0)
     return {
       problem: `line ${long + 1} has ${lines[long].length} letters: a point has a line of its own`,
     };
+  if (lines.some((line) => /^\s*\*\s*[a-z]/i.test(line))) return readCard(lines, symbols);
   const separator = separatorOf(lines);
   const rows = lines
     .map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) }))
     .filter(({ cells }) => cells.length);
   // A sign before a digit starts no word: a line of unreadable figures is
-  // said to be one.
+  // said to be one. A line that begins with words and has no figure of its own is a title.
   const first = rows.findIndex(
-    ({ comment, cells }) => !comment && cells.some((one) => /^[^\p{L}\p{N}([]*\d/u.test(one)),
+    ({ comment, cells }) =>
+      !comment &&
+      !isTitle(cells.join(' ')) &&
+      cells.some((one) => /^[^\p{L}\p{N}([]*\d/u.test(one)),
   );
   const headers = rows.slice(0, Math.max(0, first));
   const body = rows.slice(headers.length).filter(({ comment }) => !comment);
   if (body.length > MOST)
     return { problem: `${body.length} lines of figures: at most ${MOST} are taken` };
-  const header = namedBy(headers, quantities, units, symbols);
+  const header = namedBy(headers, body, quantities, units, symbols);
   if ('problem' in header) return header;
-  const { order, named } = header;
-  const commas = body.some(({ cells }) => cells.some(hasDecimalComma));
+  const { order, named, width, notes } = header;
+  const used = (/** @type {string[]} */ cells) => order.map((k) => cells[k] ?? '');
+  const commas = body.some(({ cells }) => used(cells).some((cell) => hasDecimalComma(digitsOf(cell)))); // prettier-ignore
   const problems = /** @type {string[]} */ ([]);
+  /** Units that stand beside the figures of each column. @type {Set<string>[]} */
+  const beside = quantities.map(() => new Set());
   const points = body.map(({ number, cells }) => {
-    const readings = cells.map((cell) => readNumber(cell, commas));
-    const fault = readings.find((reading) => 'problem' in reading);
-    if (fault && 'problem' in fault) problems.push(`line ${number}: ${fault.problem}`);
-    else if (cells.length !== quantities.length)
+    const wrong = width === quantities.length ? cells.length !== width : cells.length > width;
+    const found = used(cells).map((cell, axis) => {
+      const own = unitBeside(cell, quantities[axis]);
+      return { reading: readNumber(own ? digitsOf(cell) : cell, commas), own };
+    });
+    const fault = found.find(({ reading }) => 'problem' in reading)?.reading;
+    // Of cells that are no figure the first is quoted, before columns are counted.
+    const shown = wrong ? cells.map((cell) => readNumber(cell, commas)).find((one) => 'problem' in one) : fault; // prettier-ignore
+    if (shown && 'problem' in shown) problems.push(`line ${number}: ${shown.problem}`);
+    else if (wrong)
       problems.push(
         `line ${number} has ${counted(cells.length, 'column')}, not ${columnsInWords(quantities.length)}`,
       );
-    return order.map((k, axis) => {
-      const reading = readings[k];
-      const value = reading && 'value' in reading ? reading.value : NaN;
-      return inJobUnits(value, named[axis], quantities[axis], units) ?? value;
+    return found.map(({ reading, own }, axis) => {
+      const value = 'value' in reading ? reading.value : NaN;
+      if (own) beside[axis].add(own);
+      return inJobUnits(value, own || named[axis], quantities[axis], units) ?? value;
     });
   });
   const [fault, ...more] = problems;
@@ -70,13 +84,94 @@ export function readTable(text, quantities, units, symbols) {
     return {
       problem: more.length ? `${fault} (and ${counted(more.length, 'more line')})` : fault,
     };
-  const notes = headers.length ? [`${counted(headers.length, 'header line')} read`] : [];
-  if (order.some((k, axis) => k !== axis)) notes.push('columns taken by their names');
-  if (commas) notes.push('decimal commas read');
+  const said = headers.length ? [`${counted(headers.length, 'header line')} read`] : [];
+  said.push(...notes);
+  if (order.some((k, axis) => k !== axis) && width === quantities.length)
+    said.push('columns taken by their names');
+  if (commas) said.push('decimal commas read');
   for (const [axis, name] of named.entries())
-    if (name && inJobUnits(1, name, quantities[axis], units) !== 1)
-      notes.push(`column ${order[axis] + 1} converted from ${name}`);
+    for (const one of beside[axis].size ? beside[axis] : [name])
+      if (one && inJobUnits(1, one, quantities[axis], units) !== 1)
+        said.push(`column ${order[axis] + 1} converted from ${one}`);
+  return named.some(Boolean) || order.some((k, axis) => k !== axis)
+    ? { points, notes: said }
+    : turned(points, said, symbols);
+}
+
+/** The digits of a cell that may have a unit behind them. @param {string} cell */
+const digitsOf = (cell) => parted(cell).digits;
+
+/** The unit behind the digits of a cell, if it is one of the quantity. @param {string} cell @param {Quantity} quantity */
+function unitBeside(cell, quantity) {
+  const { name } = parted(cell);
+  return name && inJobUnits(1, name, quantity, 'mm_N_MPa') !== undefined ? name : '';
+}
+
+/** @param {number[][]} points @param {number} axis */
+const rises = (points, axis) =>
+  points.length > 1 && points.every((point, k) => k === 0 || point[axis] > points[k - 1][axis]);
+
+/**
+ * Columns without names that are those of the other order, turned where there is no doubt.
+ * @param {number[][]} points @param {string[]} notes @param {string[]} symbols
+ * @returns {Table}
+ */
+function turned(points, notes, symbols) {
+  const column = (/** @type {number} */ axis) => points.map((point) => point[axis]);
+  const swapped = () => points.map(([a, b]) => [b, a]);
+  const last = points.at(-1) ?? [];
+  if (symbols.includes('HV')) {
+    const isSwapped =
+      rises(points, 1) && !rises(points, 0) && Math.min(...column(0)) > Math.max(...column(1));
+    if (isSwapped)
+      return { points: swapped(), notes: [...notes, 'columns taken as hardness, depth'] };
+  }
+  if (symbols.includes('ε_p') && last[0] > 20 && last[0] > 50 * Math.abs(last[1]))
+    return { points: swapped(), notes: [...notes, 'columns taken as stress, strain'] };
+  if (symbols[0] === 'z' && points.length > 1 && !rises(points, 0)) {
+    const other = symbols.findIndex((_, axis) => axis > 0 && rises(points, axis));
+    if (other > 0)
+      return {
+        problem: `the first column, the depth, does not rise, and column ${other + 1} does: are they swapped? Put their names above the figures (${symbols.map((one) => one.replace('_', '')).join(', ')})`,
+      };
+  }
   return { points, notes };
+}
+
+/**
+ * A card `*PLASTIC` of finite-element programs: lines of stress and plastic strain.
+ * @param {string[]} lines @param {string[]} symbols
+ * @returns {Table}
+ */
+function readCard(lines, symbols) {
+  const isKey = (/** @type {string} */ line) => /^\s*\*\s*[a-z]/i.test(line);
+  const at = lines.findIndex((line) => /^\s*\*\s*plastic\b/i.test(line));
+  const said = (/** @type {number} */ k) => `line ${k + 1}: ${quoted(lines[k])}`;
+  if (at < 0) return { problem: `${said(lines.findIndex(isKey))} is no card known here` };
+  if (!symbols.includes('ε_p')) return { problem: `${said(at)} is a hardening curve` };
+  const more = lines.findIndex((line, k) => k > at && /^\s*\*\s*plastic\b/i.test(line));
+  if (more > 0) return { problem: `${said(more)}: one card is taken` };
+  const option = /,\s*(rate|scale|hardening\s*=\s*(?!isotropic)\w+)/i.exec(lines[at])?.[1];
+  if (option) return { problem: `${said(at)}: “${option}” is not known here` };
+  const end = lines.findIndex((line, k) => k > at && isKey(line));
+  const rows = lines
+    .slice(at + 1, end < 0 ? undefined : end)
+    .map((line, k) => ({ number: at + k + 2, line }))
+    .filter(({ line }) => line.trim() && !/^\s*\*\*/.test(line))
+    .map(({ number, line }) => ({ number, cells: line.replace(/,\s*$/, '').split(',').map((cell) => cell.trim()) })); // prettier-ignore
+  const points = [];
+  for (const { number, cells } of rows) {
+    const values = cells.map((cell) => readNumber(cell.replace(/d(?=[+-]?\d+$)/i, 'e')));
+    const fault = values.find((one) => 'problem' in one);
+    if (fault && 'problem' in fault) return { problem: `line ${number}: ${fault.problem}` };
+    if (cells.length < 2 || cells.length > 3)
+      return { problem: `line ${number} has ${counted(cells.length, 'column')}: stress and plastic strain are wanted` }; // prettier-ignore
+    if (cells.length === 3 && cells[2] !== rows[0].cells[2])
+      return { problem: `line ${number} is of another temperature: leave the lines of one of them` }; // prettier-ignore
+    const [stress, strain] = values.map((one) => ('value' in one ? one.value : NaN));
+    points.push([strain, stress]);
+  }
+  return { points, notes: ['card *PLASTIC read: stress, plastic strain'] };
 }
 
 /** @param {number} count @param {string} what */
@@ -99,13 +194,18 @@ function separatorOf(lines) {
 function cellsOf(line, separator) {
   const [sign] = /^\s*(#|%(?!\s*[;,\t])|\/\/)/.exec(line) ?? [''];
   const bare = line.slice(sign.length).trim();
-  const cells = (separator.test(' ') ? bare.replace(/(\S)\s+(?=[[(][^\])]*[\])])/g, '$1\u0000') : bare)
+  const spaced = bare
+    .replace(/(\S)\s+(?=[[(][^\])]*[\])])/g, '$1\u0000')
+    .replace(/(\d)\s+(?=([^\s\d.,;+-]\S*)(?:\s|$))/g, (whole, digit, word) =>
+      isUnit(word) || /^HV[\d.,/]*$/i.test(word) ? `${digit}\u0000` : whole,
+    );
+  const cells = (separator.test(' ') ? spaced : bare)
     .split(separator)
     .map((cell) => cell.replace('\u0000', ' ').trim().replace(/^"(.*)"$/, '$1')); // prettier-ignore
   return { comment: sign !== '', cells: cells.slice(0, cells.findLastIndex(Boolean) + 1) };
 }
 
-const STRESS = '(residual)?(σ|s|sig|sigma|stress)';
+const STRESS = '(residual|eigen)?(σ|s|sig|sigma|stress|spannung|contrainte)';
 /**
  * Names of columns, by their symbols; lower case without spaces, dots and dashes.
  * @type {Record<string, RegExp>}
@@ -113,15 +213,15 @@ const STRESS = '(residual)?(σ|s|sig|sigma|stress)';
 const CALLED = {
   x: /^(x|r|position|distance)$/,
   height: /^(h|y|z|height|profile)$/,
-  z: /^(z|depth|tiefe)$/,
-  HV: /^(hardness|härte|vickers)*((hv|vhn|dph|dpn)[\d,/]*)?$/,
-  factor: /^factor$/,
+  z: /^(z|depth|(rand|oberflächen)?abstand(vomrand|vonderoberfläche)?|(rand|mess)?tiefe|distance|distancefromsurface|profondeur|profondità|profundidad)$/,
+  HV: /^(hardness|härte(wert)?|vickers|dureté|durezza|dureza)*((hv|vhn|dph|dpn)[\d,/]*)?$/,
+  factor: /^(factor|faktor|facteur)$/,
   σ_x: new RegExp(`^${STRESS}(x|xx|11)$`),
   σ_z: new RegExp(`^${STRESS}(z|zz|33)$`),
   σ_r: new RegExp(`^${STRESS}(r|rr|11)$`),
   σ_θ: new RegExp(`^${STRESS}(θ|θθ|t|33)$`),
-  ε_p: /^(true|plastic)*(ε|eps|epsilon|strain)p?$/,
-  q: /^(true|flow|vonmises)*(σ|sig|sigma|stress|q)$/,
+  ε_p: /^(true|plastic|plast|plastische|wahre|logarithmische)*(ε|eps|epsilon|strain|dehnung|umformgrad)p?(plastique|plastica)?$|^déformationplastique$/,
+  q: /^(true|flow|vonmises|wahre|fließ|fliess)*(σ|sig|sigma|stress|spannung|q)$|^contrainte(vraie)?$/,
   C: /^(c|modulus)$/,
   γ: /^(γ|gamma|rate)$/,
 };
@@ -131,7 +231,8 @@ const OTHER_SCALE =
   /(?<![a-z])(HR\s?[A-Z]?|HBW?S?|BHN|HK|KHN|HLD?|rockwell|brinell|knoop|shore|leeb)(?![a-z])/i;
 
 /** Strain and stress as a tensile test gives them, which a button beside the table converts. */
-const OF_A_TEST = /^(eng|engineering|nominal|total)(?![a-z])|^(engineering|nominal|total)/i;
+const OF_A_TEST =
+  /^(eng|engineering|nominal|total)(?![a-z])|^(engineering|nominal|total|technische|nenn(dehnung|spannung)|gesamt|allongement|déformation (totale|nominale)|contrainte nominale)/i;
 
 /**
  * Name and unit of a header: the unit in brackets, or behind the last words.
@@ -148,19 +249,42 @@ function partsOf(header) {
     : [header.slice(0, at).replace(/(\sin)?[\s/,_]*$/, ''), header.slice(at).trim()];
 }
 
-/** Whether a line has plain words alone, none of them a unit. @param {string} line */
+/**
+ * Whether a line has plain words and numbers that count or date, and no unit. What multiplies or
+ * equals something is none.
+ * @param {string} line
+ */
 const isTitle = (line) =>
-  /^[\p{L}\s.,:;()-]+$/u.test(line) && !line.split(/[^\p{L}]+/u).some(isUnit);
+  /^["“]?\p{L}[\p{L}\d\s.,:;()"“”/_-]*$/u.test(line) &&
+  /\p{L}{2}/u.test(line) &&
+  !/\d[.,]\d|(?<!\p{L})x\s?\d/u.test(line.replace(/\b\d{1,2}\.\d{1,2}\.\d{2,4}\b/g, '')) &&
+  !line.split(/[^\p{L}µ°]+/u).some((word) => isUnit(word) || /^(HV|HR[A-C]?|HBW?)$/.test(word));
+
+/** Names of columns that count the lines. */
+const COUNTS = /^(nr|no|n°|nº|num|number|nummer|lfdnr|index|i|point|punkt|messpunkt|indent|eindruck|mesure|#)$/;
+
+/** Whether the first column is 1, 2, 3, … @param {Row[]} body */
+const countsLines = (body) =>
+  body.length > 1 && body.every(({ cells }, k) => cells[0].replace(/\.$/, '') === String(k + 1));
 
 /**
  * What the lines above the figures say: for each wanted column the one of the text, and its unit.
- * @param {Row[]} headers @param {Quantity[]} quantities @param {Units} units of the job @param
- *   {string[]} symbols
- * @returns {{order: number[], named: string[]} | {problem: string}}
+ * @param {Row[]} headers
+ * @param {Row[]} body
+ * @param {Quantity[]} quantities
+ * @param {Units} units of the job
+ * @param {string[]} symbols
+ * @returns {{order: number[], named: string[], width: number, notes: string[]} | {problem: string}}
+ *   `width`: number of columns of the text
  */
-function namedBy(headers, quantities, units, symbols) {
-  let order = quantities.map((_, axis) => axis);
+function namedBy(headers, body, quantities, units, symbols) {
+  const wanted = quantities.length;
+  const widest = Math.max(0, ...body.map(({ cells }) => cells.length));
+  const extra = widest === wanted + 1 && countsLines(body) ? 1 : 0;
+  let order = quantities.map((_, axis) => axis + extra);
+  let width = wanted + extra;
   const named = quantities.map(() => '');
+  const notes = extra ? ['the first column counts the lines and is left out'] : [];
   const example = quantities.map(
     (one, axis) =>
       `${symbols[axis].replace('_', '')}${unit(one, units) && ` [${unit(one, units)}]`}`,
@@ -170,32 +294,49 @@ function namedBy(headers, quantities, units, symbols) {
       problem: `line ${number}: ${quoted(text)} ${words}. The names of the columns are ${example.join(', ')}; other lines above the figures are to be left out`,
     });
     const scale = quantities.includes('hardness') && OTHER_SCALE.exec(cells.join(' '))?.[0];
-    if (scale) return { problem: `line ${number}: “${scale}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265` }; // prettier-ignore
+    if (scale) return { problem: `line ${number}: “${scale}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265${/^(HR\s?C|rockwell)$/i.test(scale) ? ', or choose the scale HRC beside the table and leave this line out' : ''}` }; // prettier-ignore
     const measured = symbols.includes('ε_p') && cells.find((cell) => OF_A_TEST.test(cell));
     if (measured) return { problem: `line ${number}: ${quoted(measured)} is not plastic strain or true stress: leave this line out, and press “From engineering values” or “From total strain” below` }; // prettier-ignore
-    if (cells.length !== quantities.length) {
+    // A header may leave out the column that counts.
+    const shift = cells.length === wanted && width === wanted + 1 ? 1 : 0;
+    if (cells.length !== wanted && (cells.length < wanted || widest <= wanted)) {
       if (isTitle(cells.join(' '))) continue;
       return refuse(cells.join(' '), 'is not known here');
     }
     const parts = cells.map(partsOf);
-    const axes = parts.map(([name], k) => {
-      const plain = name.toLowerCase().replace(/[\s_.:-]/g, '');
-      const isCalled = (/** @type {number} */ axis) => CALLED[symbols[axis]]?.test(plain);
-      return !plain || isCalled(order[k])
-        ? order[k]
-        : symbols.findIndex((_, axis) => isCalled(axis));
+    const plain = parts.map(([name]) => name.toLowerCase().replace(/[\s_.:-]/g, ''));
+    const isCalled = (/** @type {number} */ k, /** @type {number} */ axis) =>
+      CALLED[symbols[axis]]?.test(plain[k]);
+    const axes = parts.map((_, k) => {
+      const own = order.indexOf(k + shift);
+      if (own >= 0 && (!plain[k] || isCalled(k, own))) return own;
+      return plain[k] ? symbols.findIndex((_, axis) => isCalled(k, axis)) : -1;
     });
-    const strange = axes.findIndex((axis, k) => axis < 0 || axes.indexOf(axis) < k);
+    const isWider = cells.length > wanted;
+    const strange = axes.findIndex((axis, k) => (axis < 0 ? !isWider : axes.indexOf(axis) < k));
     if (strange >= 0) return refuse(cells[strange], 'is not known here');
+    const missing = quantities.findIndex((_, axis) => !axes.includes(axis));
+    if (missing >= 0) {
+      if (axes.every((axis) => axis < 0) && isTitle(cells.join(' '))) continue;
+      return refuse(cells.join(' '), `has no column called ${example[missing]}`);
+    }
     for (const [k, [, name]] of parts.entries()) {
       const axis = axes[k];
+      if (axis < 0) continue;
       if (name && inJobUnits(1, name, quantities[axis], units) === undefined)
         return refuse(name, `is no unit known here for column ${k + 1}`);
       if (name && named[axis] && named[axis] !== name)
         return refuse(name, `is not “${named[axis]}” as in a line above`);
       named[axis] ||= name;
     }
-    order = order.map((_, axis) => axes.indexOf(axis));
+    if (isWider) {
+      width = Math.max(width, cells.length, widest);
+      notes.length = 0;
+      for (const [k, axis] of axes.entries())
+        if (axis < 0 && plain[k])
+          notes.push(COUNTS.test(plain[k]) ? `column ${quoted(cells[k])} counts the lines and is left out` : `column ${quoted(cells[k])} left out`); // prettier-ignore
+    }
+    order = quantities.map((_, axis) => axes.indexOf(axis) + shift);
   }
-  return { order, named };
+  return { order, named, width, notes };
 }

@@ -413,6 +413,8 @@ export const DEFAULTS = {
   '/lower/support': 'clamped',
   '/upper/material/plasticity/over_depth/hardness/curve': 'error_function',
   '/lower/material/plasticity/over_depth/hardness/curve': 'error_function',
+  '/upper/material/plasticity/over_depth/hardness/hardness_scale': 'HV',
+  '/lower/material/plasticity/over_depth/hardness/hardness_scale': 'HV',
   '/upper/surface/detrend': 'none',
   '/lower/surface/detrend': 'none',
   '/mesh/elements_per_half_width': 20,

@@ -262,8 +262,13 @@ function plainGrid(lines) {
   let body = /** @type {Row[]} */ ([]);
   rows.slice(start).forEach((row, k) => {
     if (isBody[start + k]) body.push(row);
-    else if (isComment(row.line)) head.push(row);
-    else {
+    else if (isComment(row.line)) {
+      if (/[\p{L}\d]/u.test(row.line))
+        throw new NotUnderstood(
+          `line ${row.number}: ${quoted(row.line)} stands among the figures: another map?`,
+          row.number,
+        );
+    } else {
       const wrong = row.cells.find((cell) => !isFigure(cell)) ?? row.line;
       throw new NotUnderstood(
         `line ${row.number} has a height that is no number: ${quoted(wrong)}`,

@@ -1,53 +1,36 @@
-/**
- * Hardening curves: from figures of a tensile test to plastic strain and true stress, and every
- * law as a curve.
- */
+/** Hardening curves: from the record of a tensile test, and every law as a curve. */
 
+import { Problem, post } from '../api/client.js';
 import { numberOf } from '../lib/number.js';
 
 /** @typedef {[number, number]} Point */
 
 /**
- * Engineering strain e and stress s of a tensile test, elastic part included: ε = ln(1 + e), σ = s
- * (1 + e), which holds up to the onset of necking.
- * @param {Point[]} points
- * @param {number} modulus
+ * The hardening curve of a test, which the service computes: first slope, toe, yield, necking,
+ * noise.
+ * @param {Point[]} points strain and stress, the elastic part included
+ * @param {'engineering' | 'true'} measure
+ * @param {number} modulus NaN where the material has none
+ * @param {import('../lib/units.js').Units} units
+ * @returns {Promise<{points: Point[], note: string} | {problem: string}>}
  */
-export const fromEngineering = (points, modulus) =>
-  fromTotal(
-    points.map(([e, s]) => [Math.log1p(e), s * (1 + e)]),
-    modulus,
-  );
-
-/**
- * Total strain and true stress: ε_p = ε − σ/E. The elastic part becomes one point at ε_p = 0; what
- * falls again is left out.
- * @param {Point[]} points
- * @param {number} modulus
- * @returns {{points: Point[], note: string}}
- */
-export function fromTotal(points, modulus) {
-  if (!(modulus > 0)) return { points, note: '' };
-  const plastic = /** @type {Point[]} */ (
-    points.map(([total, stress]) => [total - stress / modulus, stress])
-  );
-  const begin = plastic.findIndex(([strain]) => strain > 2e-5);
-  if (begin < 0) return { points, note: '' };
-  const yielded = begin > 0 ? plastic[begin - 1][1] : plastic[begin][1];
-  const kept = /** @type {Point[]} */ ([[0, round(yielded)]]);
-  for (const [strain, stress] of plastic.slice(begin)) {
-    const [last, most] = kept[kept.length - 1];
-    if (strain > last && stress >= most) kept.push([round(strain), round(stress)]);
+export async function fromTest(points, measure, modulus, units) {
+  const test = { points, measure, units, ...(modulus > 0 && { young_modulus: modulus }) };
+  try {
+    const curve = await post('v1/hardening-curves', test);
+    return { points: curve.points, note: curve.remarks.join(' ') };
+  } catch (error) {
+    if (!(error instanceof Problem)) throw error;
+    const faults = error.errors.map(({ pointer, detail }) => `${placed(pointer)} ${detail}`);
+    return { problem: faults.slice(0, 3).join('; ') || error.message };
   }
-  const left = points.length - begin - (kept.length - 1);
-  return {
-    points: kept,
-    note: `converted to plastic strain and true stress; ${begin} elastic${left > 0 ? ` and ${left} falling` : ''} point${begin + left === 1 ? '' : 's'} left out`,
-  };
 }
 
-/** @param {number} value */
-const round = (value) => Number(value.toPrecision(7));
+/** The place of a fault in the table. @param {string} pointer */
+function placed(pointer) {
+  const [, row] = /\/points\/(\d+)/.exec(pointer) ?? [];
+  return row ? `point ${Number(row) + 1}` : 'the table';
+}
 
 /**
  * Equivalent stress over plastic strain, as `docs/theory.md` defines the laws.

@@ -153,14 +153,13 @@ async function mostOf(heights) {
 /** @param {unknown} value @returns {value is number[][]} */
 const isGrid = (value) => Array.isArray(value) && value.every(Array.isArray);
 
-/** @param {string} text what was typed @returns {{heights: number[][]} | {problem: string}} */
-function typed(text) {
+/** @param {string} text what was typed @returns {string} why no heights can be read from it */
+function faultOf(text) {
   try {
-    const { heights } = readGridText(text);
-    const holes = missing(heights);
-    return holes ? { problem: `${holes} of the heights are missing` } : { heights };
+    readGridText(text);
+    return '';
   } catch (error) {
-    return { problem: /** @type {Error} */ (error).message };
+    return /** @type {Error} */ (error).message;
   }
 }
 
@@ -176,11 +175,8 @@ export function heightsControl(id, change, { units, beside }) {
   const panel = h('div', { class: 'asked', hidden: true });
   /** What the field holds while its text is empty. @type {unknown} */
   let held;
-  const read = () => {
-    if (!input.value.trim()) return held;
-    const result = typed(input.value);
-    return 'heights' in result ? result.heights : input.value;
-  };
+  // What is typed is taken as a file is: when it is done, with what it does not say.
+  const read = () => (input.value.trim() && faultOf(input.value) ? input.value : held);
   const write = (/** @type {unknown} */ value) => {
     if (!same(value, held)) {
       note.textContent = '';
@@ -275,6 +271,10 @@ export function heightsControl(id, change, { units, beside }) {
     event.preventDefault();
     takeText(text);
   });
+  input.addEventListener('change', () => {
+    const text = input.value;
+    if (text.trim() && !faultOf(text)) takeText(text);
+  });
   input.addEventListener('dragover', (event) => event.preventDefault());
   input.addEventListener('drop', (event) => {
     const file = event.dataTransfer?.files[0];
@@ -300,10 +300,7 @@ export function heightsControl(id, change, { units, beside }) {
     input,
     read,
     write,
-    problem: (value) => {
-      const result = typeof value === 'string' ? typed(value) : undefined;
-      return result && 'problem' in result ? result.problem : '';
-    },
+    problem: (value) => (typeof value === 'string' ? faultOf(value) : ''),
     beside: [
       h(
         'div',

@@ -5,6 +5,7 @@ import { h, toast } from '../lib/dom.js';
 import { browser, isObject, kept } from '../lib/kept.js';
 import { readNumber } from '../lib/number.js';
 import { PRESETS } from './presets.js';
+import { ROCKWELL } from './tables.js';
 
 /** @typedef {import('./materials.js').Preset} Preset */
 
@@ -51,16 +52,6 @@ export const strengthOf = (hardness) => -90.7 + 2.876 * hardness;
 const [SOFTEST, HARDEST] = [136, 622];
 /** Brinell over Vickers hardness, ISO 18265. */
 const BRINELL = 0.95;
-/**
- * Rockwell C and Vickers hardness of unalloyed and low-alloy steels: DIN 50150 (2000), table A.1,
- * which ISO 18265 has taken over. Other steels are off by one to two HRC.
- */
-// prettier-ignore
-const ROCKWELL = [
-  [20.3, 240], [22.2, 250], [24, 260], [25.6, 270], [27.1, 280], [28.5, 290], [29.8, 300], [32.2, 320], [34.4, 340], [36.6, 360],
-  [38.8, 380], [40.8, 400], [42.7, 420], [44.5, 440], [46.1, 460], [47.7, 480], [49.1, 500], [52.3, 550], [55.2, 600], [57.8, 650],
-];
-
 /** @param {number} value @param {string} scale @returns {number} Vickers hardness; nothing where the table has none */
 export function vickersOf(value, scale) {
   if (scale === 'HBW') return value / BRINELL;

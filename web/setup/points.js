@@ -9,7 +9,7 @@ import { readTable } from '../lib/table.js';
 import { textOf } from '../lib/text-file.js';
 import { inJobUnits, plain, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
-import { fromEngineering, fromTotal } from './hardening.js';
+import { fromTest } from './hardening.js';
 import { CUT_OFFS, levelled, longWaves, thinnedTrace } from './trace.js';
 import { written } from './written.js';
 
@@ -108,19 +108,18 @@ export function pointsControl(field, id, change, { units, parent }) {
     open(file);
   });
   /** @type {Convert} */
-  const convert = (work) => {
+  const convert = async (work) => {
     const points = read();
     if (!Array.isArray(points)) return;
-    const result = work(/** @type {Pair[]} */ (points));
-    if ('problem' in result) {
-      note.textContent = result.problem;
-      return;
-    }
-    if (!same(result.points, points)) put(result.points, [result.note]);
+    const result = await work(/** @type {Pair[]} */ (points));
+    // What was typed meanwhile stays.
+    if (!same(read(), points)) return;
+    if ('problem' in result) note.textContent = `Not converted: ${result.problem}`;
+    else if (!same(result.points, points)) put(result.points, [result.note]);
   };
   const modulus = () => numberOf(parent()?.young_modulus);
   const shapes = quantities[1] === 'length' ? heights(convert, units) : [];
-  const conversions = quantities[0] === 'strain' ? strains(convert, modulus) : shapes;
+  const conversions = quantities[0] === 'strain' ? strains(convert, modulus, units) : shapes;
   return {
     input,
     read,
@@ -176,7 +175,8 @@ export function fileButton(open, words = 'Open CSV…', more = '') {
 }
 
 /** @typedef {[number, number]} Pair */
-/** @typedef {(work: (points: Pair[]) => {points: Point[], note: string} | {problem: string}) => void} Convert of the fields of two columns */
+/** @typedef {{points: Point[], note: string} | {problem: string}} Converted */
+/** @typedef {(work: (points: Pair[]) => Converted | Promise<Converted>) => void} Convert of the fields of two columns */
 
 /** @param {string} text @param {string} title @param {() => void} work */
 const button = (text, title, work) =>
@@ -317,16 +317,16 @@ const heights = (convert, units) => [
   ),
 ];
 
-/** @param {Convert} convert @param {() => number} modulus */
-const strains = (convert, modulus) => [
+/** @param {Convert} convert @param {() => number} modulus @param {() => import('../lib/units.js').Units} units */
+const strains = (convert, modulus, units) => [
   button(
     'From engineering values',
     'The points are engineering strain and stress of a tensile test, the elastic part included',
-    () => convert((points) => fromEngineering(points, modulus())),
+    () => convert((points) => fromTest(points, 'engineering', modulus(), units())),
   ),
   button(
     'From total strain',
     'The points are total strain and true stress, the elastic part included',
-    () => convert((points) => fromTotal(points, modulus())),
+    () => convert((points) => fromTest(points, 'true', modulus(), units())),
   ),
 ];

@@ -213,16 +213,19 @@ export const OVER_DEPTH = {
   hardness: {
     label: "Hardness over depth",
     fields: [
-      {"columns":["length","number"],"description":"Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,720.0],[0.5,640.0],[1.0,500.0],[1.5,400.0],[2.0,380.0]],"key":"over_depth/hardness/profile","kind":"points","label":"Hardness over depth","symbol":"z, HV"},
+      {"columns":["length","number"],"description":"Points `[depth, hardness]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,720.0],[0.5,640.0],[1.0,500.0],[1.5,400.0],[2.0,380.0]],"key":"over_depth/hardness/profile","kind":"points","label":"Hardness over depth","symbol":"z, HV"},
+      {"choices":{"HRC":"HRC","HV":"HV"},"description":"Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.","key":"over_depth/hardness/hardness_scale","kind":"choice","label":"Scale","optional":true,"symbol":""},
     ],
   },
   case: {
     label: "Hardened case",
     fields: [
-      {"description":"Vickers hardness HV of the surface.","example":720.0,"key":"over_depth/hardness/surface","label":"Surface hardness","quantity":"number","symbol":"HV_s"},
-      {"description":"Vickers hardness HV of the core.","example":380.0,"key":"over_depth/hardness/core","label":"Core hardness","quantity":"number","symbol":"HV_c"},
-      {"description":"Case depth: where the hardness has fallen to 550 HV.","example":1.0,"key":"over_depth/hardness/case_depth","label":"Case depth","quantity":"length","symbol":"d"},
+      {"description":"Hardness of the surface, HV unless `hardness_scale` says HRC.","example":720.0,"key":"over_depth/hardness/surface","label":"Surface hardness","quantity":"number","symbol":"HV_s"},
+      {"description":"Hardness of the core.","example":380.0,"key":"over_depth/hardness/core","label":"Core hardness","quantity":"number","symbol":"HV_c"},
+      {"description":"Case depth: where the hardness has fallen to `limit`.","example":1.0,"key":"over_depth/hardness/case_depth","label":"Case depth","quantity":"length","symbol":"d"},
+      {"description":"Hardness at the case depth: 550 HV unless given, as ISO 18203 has it for carburized cases. Nitrided cases have that of the core + 50 HV, induction-hardened ones 80 % of that of the surface.","key":"over_depth/hardness/limit","label":"Hardness at the case depth","optional":true,"quantity":"number","symbol":"HV_d"},
       {"choices":{"error_function":"error function","lang":"lang"},"description":"Profile between surface and core: `error_function` unless given.","key":"over_depth/hardness/curve","kind":"choice","label":"Profile","optional":true,"symbol":""},
+      {"choices":{"HRC":"HRC","HV":"HV"},"description":"Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.","key":"over_depth/hardness/hardness_scale","kind":"choice","label":"Scale","optional":true,"symbol":""},
     ],
   },
 };
@@ -230,6 +233,10 @@ export const OVER_DEPTH = {
 /* prettier-ignore */
 /** @type {import('./fields.js').Field} */
 export const INITIAL_STRESS = {"columns":["length","stress","stress"],"description":"Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.","key":"initial_stress","kind":"terms","label":"Initial stress","members":["depth","sigma_x","sigma_z"],"optional":true,"symbol":"z, σ_x, σ_z"};
+
+/* prettier-ignore */
+/** Rockwell C and Vickers hardness, ISO 18265, table A.1. @type {[number, number][]} */
+export const ROCKWELL = [[20.3,240.0],[21.3,245.0],[22.2,250.0],[23.1,255.0],[24.0,260.0],[24.8,265.0],[25.6,270.0],[26.4,275.0],[27.1,280.0],[27.8,285.0],[28.5,290.0],[29.2,295.0],[29.8,300.0],[31.0,310.0],[32.2,320.0],[33.3,330.0],[34.4,340.0],[35.5,350.0],[36.6,360.0],[37.7,370.0],[38.8,380.0],[39.8,390.0],[40.8,400.0],[41.8,410.0],[42.7,420.0],[43.6,430.0],[44.5,440.0],[45.3,450.0],[46.1,460.0],[46.9,470.0],[47.7,480.0],[48.4,490.0],[49.1,500.0],[49.8,510.0],[50.5,520.0],[51.1,530.0],[51.7,540.0],[52.3,550.0],[53.0,560.0],[53.6,570.0],[54.1,580.0],[54.7,590.0],[55.2,600.0],[55.7,610.0],[56.3,620.0],[56.8,630.0],[57.3,640.0],[57.8,650.0],[58.3,660.0],[58.8,670.0],[59.2,680.0],[59.7,690.0],[60.1,700.0],[61.0,720.0],[61.8,740.0],[62.5,760.0],[63.3,780.0],[64.0,800.0],[64.7,820.0],[65.3,840.0],[65.9,860.0],[67.0,900.0],[68.0,940.0]];
 
 /** The figures of a result by what they are; those without unit are left out. @type {Record<string, string[]>} */
 /* prettier-ignore */

@@ -239,6 +239,25 @@ def test_what_lacks_is_named() -> None:
     assert brinell.surface(bumps(), spacing=5, unit="µm").spacing == pytest.approx((0.005,) * 2)
 
 
+def test_tables_of_points_are_put_on_a_grid() -> None:
+    i, j = np.meshgrid(np.arange(24), np.arange(16), indexing="ij")
+    table = pd.DataFrame({"x": 0.5 * i.ravel(), "y": 0.25 * j.ravel(), "z": bumps().ravel()})
+    shuffled = table.sample(frac=1, random_state=1)
+    found = brinell.surface(shuffled)
+    assert found.heights == pytest.approx(bumps())
+    assert found.spacing == pytest.approx((0.5, 0.25))
+    with pytest.raises(brinell.InvalidJob, match="bring it"):
+        brinell.surface(table, spacing=1)
+    with pytest.raises(brinell.InvalidJob, match="one place"):
+        brinell.surface(pd.concat([table, table[:1]]))
+
+
+def test_packed_arrays_are_refused() -> None:
+    packed = xarray.DataArray(np.ones((9, 9)), dims=("x", "y"), attrs={"scale_factor": 1e-3})
+    with pytest.raises(brinell.InvalidJob, match="mask_and_scale"):
+        brinell.surface(packed, spacing=1)
+
+
 def test_files_bring_their_units(tmp_path: Path) -> None:
     path = tmp_path / "afm.txt"
     rows = "\n".join("\t".join(f"{z * 1e-3:.6e}" for z in line) for line in bumps().T[::-1])

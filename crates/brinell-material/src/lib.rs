@@ -10,6 +10,7 @@
 //! - [`StreamLaw`] follows the layers of a body that passes under a load;
 //! - [`Inhomogeneous`] gives one of these models a strength that varies over depth, and a residual
 //!   stress of the unloaded body;
+//! - [`tensile`] makes a curve of a tensile test;
 //! - [`analytical`]: closed forms of Hertz, McEwen, Hill, Prandtl, Persson and others, for
 //!   comparison.
 
@@ -17,6 +18,7 @@ pub mod analytical;
 mod deformation;
 mod flow;
 pub mod hardening;
+pub mod hardness;
 mod inhomogeneous;
 mod interpolant;
 mod model;
@@ -25,6 +27,7 @@ mod return_mapping;
 mod stream;
 mod strength;
 mod tangent;
+pub mod tensile;
 
 pub use analytical::von_mises;
 pub use deformation::DeformationPlasticity;

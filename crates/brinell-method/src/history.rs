@@ -21,7 +21,7 @@ use super::couplings::iteration::{Controls, Outcome};
 use super::figures::Figures;
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
 use super::increments::{Division, Growth, IncrementEnds, Leg};
-use super::observer::{Held, IncrementNumber, Interrupt, SolveStatus};
+use super::observer::{Held, IncrementNumber, Interrupt, IterationRecord, SolveStatus};
 use super::progress::Progress;
 use super::run::Run;
 use super::solve::{Answer, Engine, Leave, LeaveOf, OnSystem, solve};
@@ -290,7 +290,7 @@ impl<E: HistoryEngine> History<'_, E> {
             has_collapsed: false,
             interrupted: None,
         };
-        self.hold(&found.memory, run)?;
+        self.hold(&found.memory, 0, run)?;
         let mut progress = Progress::at_rest();
         let mut widest: f64 = 0.0;
         // The worst status so far: a load after an increment that has not converged inherits its
@@ -315,6 +315,12 @@ impl<E: HistoryEngine> History<'_, E> {
                 let next = NextIncrement { target, time, leg: &leg, progress: &progress, guide };
                 let mut answer = self.increment(on, system, &next, run)?;
                 let interrupted = answer.outcome().status.interrupt();
+                if !steps.are_final() {
+                    // A preliminary step keeps its last increment alone: a coarse history may have
+                    // a thousand loads of thousands of increments.
+                    history.clear();
+                    increments.clear();
+                }
                 history.extend_from_slice(&answer.outcome().history);
                 let start = progress.reached_measure(&leg);
                 let may_halve = status == SolveStatus::Converged
@@ -332,7 +338,9 @@ impl<E: HistoryEngine> History<'_, E> {
                 if interrupted.is_none() {
                     progress.accept(answer.system(), answer.outcome(), target, time, &leg);
                     engine.remember(&mut answer, &mut found.memory, time, leg.falls());
-                    self.hold(&found.memory, run)?;
+                    let records = history.capacity() * size_of::<IterationRecord>()
+                        + increments.capacity() * size_of::<IncrementRecord>();
+                    self.hold(&found.memory, records, run)?;
                 }
                 let figures = answer.figures();
                 increments.push(IncrementRecord::of(figures, answer.outcome()));
@@ -375,9 +383,11 @@ impl<E: HistoryEngine> History<'_, E> {
         Ok(found)
     }
 
-    /// Tells the observer the memory that this history and the one before hold.
-    fn hold(&self, memory: &E::Memory, run: &mut Run<'_>) -> Result<(), Error> {
-        run.hold(Held::Increments, E::bytes(memory) + self.guide.map_or(0, E::bytes))
+    /// Tells the observer the memory that this history, the one before, and `records` of the
+    /// present load hold.
+    fn hold(&self, memory: &E::Memory, records: usize, run: &mut Run<'_>) -> Result<(), Error> {
+        let before = self.guide.map_or(0, E::bytes);
+        run.hold(Held::Increments, E::bytes(memory) + before + records)
     }
 
     /// Returns a load as a leg of the history from the present state.

@@ -16,6 +16,10 @@ impl UnitConverter {
         Self { units, force: analysis.force() }
     }
 
+    pub const fn units(self) -> Units {
+        self.units
+    }
+
     /// Converts a figure from N–mm–MPa to the units of the job. Zero loses its sign.
     pub fn figure(self, quantity: Quantity, core: f64) -> f64 {
         quantity.to_wire(self.units, core) + 0.0

@@ -81,6 +81,7 @@ fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<Prob
             ProblemType::BodyTimeout,
             ProblemType::BodyTooLarge,
             ProblemType::TooManyBodies,
+            ProblemType::TooManyJobs,
             ProblemType::UnsupportedMediaType,
         ]);
     }

@@ -72,5 +72,7 @@ pub(in crate::http) async fn get_events(
     let position = last.and_then(EventPosition::parse);
     let follow = move |events| Follower::new(state, id, position, prefix, events).run();
     let events = written(ready(permit), follow);
-    Ok(Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
+    let stream = Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE));
+    // A proxy like nginx would otherwise collect events before it passes them on.
+    Ok(([("x-accel-buffering", "no")], stream).into_response())
 }

@@ -8,9 +8,12 @@ use axum::http::HeaderMap;
 use axum::http::header::{CONTENT_ENCODING, CONTENT_TYPE, VARY};
 use axum::response::{IntoResponse, Response};
 
+use serde_json::json;
+
 use crate::http::negotiation::takes_gzip;
 use crate::http::openapi;
 use crate::http::result_body::CodingChosen;
+use crate::http::wire::Prefix;
 use crate::jobs::{Deflated, GzipStream};
 
 /// This interface as an OpenAPI 3.1 document
@@ -18,8 +21,13 @@ use crate::jobs::{Deflated, GzipStream};
     get, path = "/openapi.json", tag = "service",
     responses((status = OK, description = "The document.", body = serde_json::Value)),
 )]
-pub(in crate::http) async fn get_openapi(headers: HeaderMap) -> Response {
+pub(in crate::http) async fn get_openapi(prefix: Prefix, headers: HeaderMap) -> Response {
     let about = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
+    if let Some(server) = prefix.server() {
+        let mut document = openapi::document();
+        document["servers"] = json!([{"url": server}]);
+        return (about, document.to_string()).into_response();
+    }
     match takes_gzip(&headers).then(|| COMPRESSED.clone()).flatten() {
         Some(text) => {
             (about, [(CONTENT_ENCODING, "gzip")], Extension(CodingChosen), text).into_response()

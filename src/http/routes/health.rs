@@ -6,13 +6,20 @@ use axum::extract::State;
 use crate::http::wire::Health;
 use crate::http::{HttpState, Problem, ProblemType};
 
-/// The process answers
+/// The process answers, and so has its store within the last minute
 #[utoipa::path(
     get, path = "/livez", tag = "service",
     responses((status = OK, description = "`alive`.", body = Health)),
+    extensions(("x-problems" = json!(["store-unavailable"]))),
 )]
-pub(in crate::http) async fn livez() -> Json<Health> {
-    Json(Health { status: "alive" })
+pub(in crate::http) async fn livez(
+    State(state): State<HttpState>,
+) -> Result<Json<Health>, Problem> {
+    if state.jobs.is_store_alive() {
+        return Ok(Json(Health { status: "alive" }));
+    }
+    let detail = "the store has not answered for a minute";
+    Err(Problem::new(ProblemType::StoreUnavailable, detail))
 }
 
 /// The service takes jobs

@@ -19,6 +19,7 @@ pub(super) mod get_request;
 pub(super) mod get_result;
 pub(super) mod health;
 pub(super) mod list_jobs;
+pub(super) mod post_hardening_curve;
 pub(super) mod post_hertz;
 pub(super) mod post_job;
 pub(super) mod post_solve;

@@ -46,17 +46,6 @@ const SWEEP_OLD: &str =
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
      ORDER BY finished_at LIMIT $3)";
 
-/// Selects the oldest results of the key whose results take the most bytes, until all results
-/// together fit the limit: a key with few results loses none.
-const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
-         SELECT id, finished_at,
-             sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
-         FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
-             SELECT account FROM jobs WHERE finished_at IS NOT NULL
-             GROUP BY account ORDER BY sum(stored_bytes) DESC, account LIMIT 1)) AS oldest
-     WHERE older < (SELECT sum(stored_bytes) FROM jobs WHERE finished_at IS NOT NULL) - $1
-     ORDER BY finished_at LIMIT $2)";
-
 /// Jobs that concurrent, uncommitted transactions may be inserting: a batch on each connection of
 /// several servers. Where the queue has less room than this, submissions are serialized so that
 /// each counts the others' jobs.
@@ -126,9 +115,11 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
     /// Writes one row to show that the database accepts writes.
     fn record_health(&mut self, now: i64) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn delete(&mut self, id: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
+    /// Removes the jobs whose time is over, and those of `surplus`.
     fn sweep(
         &mut self,
         retention: &Retention,
+        surplus: &[JobId],
         now: i64,
     ) -> impl Future<Output = Result<usize, StoreError>> + Send;
 }
@@ -319,6 +310,7 @@ macro_rules! intake {
             async fn sweep(
                 &mut self,
                 retention: &Retention,
+                surplus: &[JobId],
                 now: i64,
             ) -> Result<usize, StoreError> {
                 let done = sqlx::query::<$database>(SWEEP_OLD)
@@ -327,14 +319,11 @@ macro_rules! intake {
                     .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX))
                     .execute(&mut *self)
                     .await?;
-                let mut swept = count(done.rows_affected())?;
-                if let Some(bytes) = retention.stored_bytes {
-                    let done = sqlx::query::<$database>(SWEEP_LARGE)
-                        .bind(i64::try_from(bytes).unwrap_or(i64::MAX))
-                        .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX))
-                        .execute(self)
-                        .await?;
-                    swept += count::<_, usize>(done.rows_affected())?;
+                let mut swept: usize = count(done.rows_affected())?;
+                for job in surplus {
+                    let done =
+                        sqlx::query::<$database>(DELETE).bind(job.uuid()).execute(&mut *self);
+                    swept += count::<_, usize>(done.await?.rows_affected())?;
                 }
                 Ok(swept)
             }

@@ -370,8 +370,13 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
     }
 
     async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError> {
+        // What a scan of all finished jobs finds is removed by id: submissions do not wait for it.
+        let surplus = match retention.stored_bytes {
+            Some(bytes) => self.backend.read().await?.surplus(bytes).await?,
+            None => Vec::new(),
+        };
         let (mut transaction, now) = self.backend.write().await?;
-        let swept = Intake::sweep(&mut *transaction, retention, now).await?;
+        let swept = Intake::sweep(&mut *transaction, retention, &surplus, now).await?;
         self.commit(transaction, Written, &[]).await?;
         Ok(swept)
     }

@@ -7,7 +7,7 @@ use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack};
 use crate::jobs::{
     Counts, Deflated, FieldsPart, HISTORY_PAGE, JobFilter, JobId, JobPage, JobRecord, ResultHead,
-    StoreError,
+    SWEEP, StoreError,
 };
 
 /// One job with its place in the queue.
@@ -38,10 +38,21 @@ const FIELDS: &str = "SELECT f.first, f.body FROM result_steps s
          AND f.first = (SELECT max(p.first) FROM field_parts p
              WHERE p.job = s.job AND p.step = s.step AND p.first <= $3)
      WHERE s.job = $1 AND s.step = $2";
+/// Selects the oldest results of the key whose results take the most bytes, until all results
+/// together fit the limit: a key with few results loses none.
+const SURPLUS: &str = "SELECT id FROM (
+         SELECT id, finished_at,
+             sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
+         FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
+             SELECT account FROM jobs WHERE finished_at IS NOT NULL
+             GROUP BY account ORDER BY sum(stored_bytes) DESC, account LIMIT 1)) AS oldest
+     WHERE older < (SELECT sum(stored_bytes) FROM jobs WHERE finished_at IS NOT NULL) - $1
+     ORDER BY finished_at LIMIT $2";
 const HEALTH_ROWS: &str = "SELECT count(*) FROM health";
 const WITHOUT_ACCOUNT: &str = "SELECT id FROM jobs WHERE state = 'queued'
      AND NOT EXISTS (SELECT 1 FROM accounts a WHERE a.id = jobs.account) ORDER BY id";
-const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
+const COUNTS: &str =
+    "SELECT state, count(*) FROM jobs WHERE state IN ('queued', 'running') GROUP BY state";
 
 /// Converts a row to a job; `None` and a line in the log where the row is damaged, so that a list
 /// still shows its other rows.
@@ -92,6 +103,11 @@ pub(in crate::store) trait Reading: Send {
         &mut self,
         id: JobId,
         limit: i64,
+    ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
+    /// Returns the jobs whose results are beyond so many bytes, some hundred of them at most.
+    fn surplus(
+        &mut self,
+        bytes: u64,
     ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
     /// Checks the tables that concern all jobs; returns one line for each fault.
     fn check_tables(&mut self) -> impl Future<Output = Result<Vec<String>, StoreError>> + Send;
@@ -221,6 +237,13 @@ macro_rules! reading {
                 let ids =
                     sqlx::query_scalar::<$database, Uuid>(IDS_AFTER).bind(id.uuid()).bind(limit);
                 Ok(ids.fetch_all(self).await?.into_iter().map(JobId::from).collect())
+            }
+
+            async fn surplus(&mut self, bytes: u64) -> Result<Vec<JobId>, StoreError> {
+                let found = sqlx::query_scalar::<$database, Uuid>(SURPLUS)
+                    .bind(i64::try_from(bytes).unwrap_or(i64::MAX))
+                    .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX));
+                Ok(found.fetch_all(self).await?.into_iter().map(JobId::from).collect())
             }
 
             async fn check_tables(&mut self) -> Result<Vec<String>, StoreError> {

@@ -237,6 +237,15 @@ service.test(
     const box = page.getByLabel('Heights h', { exact: true });
     await box.fill('0 1\n2 x');
     await page.getByText('line 2 has a height that is no number').first().waitFor();
+    await box.fill(
+      cap(8)
+        .map((row) => row.join(' '))
+        .join('\n'),
+    );
+    await box.blur();
+    await page.getByText('8 × 8 heights read, not taken yet.').waitFor();
+    await page.getByRole('button', { name: 'Leave it', exact: true }).click();
+    await page.getByText('Not taken', { exact: true }).waitFor();
     const rows = cap(16);
     const text = rows.map((row) => row.join('\t')).join('\n');
     await box.fill('');

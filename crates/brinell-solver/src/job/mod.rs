@@ -19,6 +19,7 @@ pub mod initial_stress;
 pub mod load;
 mod material;
 pub mod name;
+mod no_data;
 mod npy;
 pub mod number;
 pub mod over_depth;
@@ -33,8 +34,10 @@ pub mod shape;
 #[cfg(any(test, feature = "proptest"))]
 pub mod strategy;
 mod surface;
+pub mod suspicions;
 pub mod tags;
 pub mod target;
+pub mod tensile;
 mod theory;
 mod three_dimensions;
 pub mod units;
@@ -50,8 +53,9 @@ pub use hardening::{
 pub use initial_stress::{InitialStress, InitialStressProfile};
 pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
+pub use no_data::NoData;
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
-pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, OverDepth};
+pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, HardnessScale, OverDepth};
 pub use quantity::Quantity;
 pub use reader::Named;
 pub use settings::{
@@ -62,5 +66,6 @@ pub use shape::{
     Parabola, Power, Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
 pub use surface::{Detrend, Surface};
+pub use suspicions::{Finding, Guess, Suspicion};
 pub use target::{Target, TargetFigure};
 pub use units::Units;

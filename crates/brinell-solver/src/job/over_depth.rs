@@ -13,7 +13,7 @@ use super::fields::{Field, Figure, Known, Member, Record, read_record, record};
 use super::reader::{Cursor, Named};
 use super::wire::InUnits;
 use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
-use crate::material::StrengthProfile;
+use crate::material::{StrengthProfile, hardness};
 
 /// Variation of the strength with the depth below the surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,34 +27,95 @@ pub enum OverDepth {
 }
 
 record! {
-    /// Vickers hardness at points.
+    /// Hardness at points.
     pub struct HardnessProfile("", "Hardness over depth") where rules_of_profile {
-        /// Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the
+        /// Points `[depth, hardness]`, depths rising, joined by straight lines, constant beyond the
         /// ends.
         pub profile: Vec<[f64; 2]> = Field::points(
             [
                 ("Depth below the surface.", Figure::Quantity(Quantity::Depth)),
-                ("Vickers hardness.", Figure::Pure(HARDNESS)),
+                ("Hardness, HV unless `hardness_scale` says HRC.", Figure::Pure(HARDNESS)),
             ],
             1..=OverDepth::MAX_POINTS,
         )
         .label("Hardness over depth", "z, HV")
         .example_points(&[[0.0, 720.0], [0.5, 640.0], [1.0, 500.0], [1.5, 400.0], [2.0, 380.0]]),
+        /// Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.
+        pub hardness_scale: Option<HardnessScale> =
+            Field::choice::<HardnessScale>("HardnessScale").label("Scale", ""),
     }
 }
 
 record! {
-    /// Vickers hardness of a hardened case.
+    /// Hardness of a hardened case.
     #[derive(Copy)]
     pub struct HardenedCase("", "Hardened case") where rules_of_case {
-        /// Vickers hardness HV of the surface.
+        /// Hardness of the surface, HV unless `hardness_scale` says HRC.
         pub surface: PositiveF64 = Field::pure(HARDNESS).label("Surface hardness", "HV_s").example(720.0),
-        /// Vickers hardness HV of the core.
+        /// Hardness of the core.
         pub core: PositiveF64 = Field::pure(HARDNESS).label("Core hardness", "HV_c").example(380.0),
-        /// Case depth: where the hardness has fallen to 550 HV.
+        /// Case depth: where the hardness has fallen to `limit`.
         pub case_depth: PositiveF64 = Field::quantity(Quantity::Length).label("Case depth", "d").example(1.0),
+        /// Hardness at the case depth: 550 HV unless given, as ISO 18203 has it for carburized
+        /// cases. Nitrided cases have that of the core + 50 HV, induction-hardened ones 80 % of
+        /// that of the surface.
+        pub limit: Option<PositiveF64> = Field::pure(HARDNESS).label("Hardness at the case depth", "HV_d"),
         /// Profile between surface and core: `error_function` unless given.
         pub curve: Option<CaseCurve> = Field::choice::<CaseCurve>("CaseCurve").label("Profile", ""),
+        /// Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.
+        pub hardness_scale: Option<HardnessScale> =
+            Field::choice::<HardnessScale>("HardnessScale").label("Scale", ""),
+    }
+}
+
+/// A scale of hardness.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub enum HardnessScale {
+    /// Vickers hardness.
+    #[default]
+    #[serde(rename = "HV")]
+    Vickers,
+    /// Rockwell hardness, scale C.
+    #[serde(rename = "HRC")]
+    RockwellC,
+}
+
+impl Named for HardnessScale {
+    const ALL: &'static [Self] = &[Self::Vickers, Self::RockwellC];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Vickers => "HV",
+            Self::RockwellC => "HRC",
+        }
+    }
+}
+
+impl HardnessScale {
+    /// Returns the Vickers hardness; `None` beyond the table of the scale.
+    pub fn vickers(self, hardness: f64) -> Option<f64> {
+        match self {
+            Self::Vickers => Some(hardness),
+            Self::RockwellC => hardness::vickers_of_rockwell_c(hardness),
+        }
+    }
+
+    /// Returns the range of valid figures.
+    const fn range(self) -> (f64, f64) {
+        match self {
+            Self::Vickers => VICKERS,
+            Self::RockwellC => hardness::ROCKWELL_C_RANGE,
+        }
+    }
+
+    /// Returns the fault of a figure that lies outside of the range.
+    fn fault(self, pointer: &str, hardness: f64) -> Option<FieldError> {
+        let (low, high) = self.range();
+        (!(low..=high).contains(&hardness)).then(|| FieldError {
+            pointer: pointer.to_owned(),
+            code: FaultCode::OutOfRange,
+            detail: format!("must be between {low} and {high} {}, got {hardness}", self.name()),
+        })
     }
 }
 
@@ -89,8 +150,10 @@ impl Named for CaseCurve {
 pub const YIELD_OF_HARDNESS: &str = "σ_y = 2.876 HV − 90.7 MPa (Pavlina and Van Tyne 2008)";
 
 /// Valid range of the hardness \[HV\].
-const HARDNESS: RangeInclusive<f64> = 50.0..=2000.0;
-/// Hardness at the case depth \[HV\].
+const VICKERS: (f64, f64) = (50.0, 2000.0);
+/// Range of the hardness on any scale.
+const HARDNESS: RangeInclusive<f64> = hardness::ROCKWELL_C_RANGE.0..=VICKERS.1;
+/// Hardness at the case depth unless the job gives one \[HV\].
 const CASE_HARDNESS: f64 = 550.0;
 /// Valid range of the factors.
 const FACTORS: RangeInclusive<f64> = 0.01..=100.0;
@@ -137,12 +200,19 @@ impl OverDepth {
             |[z, hardness]: [f64; 2]| [z, yield_of_hardness(hardness) / yield_stress];
         let points = match self {
             Self::Factors(points) => points.clone(),
-            Self::Hardness(hardness) => {
-                hardness.profile.iter().copied().map(from_hardness).collect()
-            }
+            Self::Hardness(hardness) => hardness.in_vickers().map(from_hardness).collect(),
             Self::Case(case) => case.sampled().map(from_hardness).collect(),
         };
         StrengthProfile::new(points)
+    }
+
+    /// Returns the hardnesses that the job gives \[HV\]; none if it gives factors.
+    pub fn hardnesses(&self) -> Vec<f64> {
+        match self {
+            Self::Factors(_) => Vec::new(),
+            Self::Hardness(hardness) => hardness.in_vickers().map(|[_, value]| value).collect(),
+            Self::Case(case) => case.in_vickers()[..2].to_vec(),
+        }
     }
 
     /// Returns the rule for the yield stress if it follows from the hardness.
@@ -164,6 +234,17 @@ impl OverDepth {
         object.only(&["hardness"]);
         object.required("hardness", |c| {
             let object = c.object()?;
+            if c.pairs_at("/profile").is_some_and(|points| is_swapped(&points)) {
+                object.fault(
+                    "profile",
+                    FaultCode::Inconsistent,
+                    format_args!(
+                        "looks like points [hardness, depth]: swap the columns, a point is \
+                         [depth, hardness]"
+                    ),
+                );
+                return None;
+            }
             if object.has("profile") {
                 return read_record(&object, None, units, None, &[]).map(Self::Hardness);
             }
@@ -191,48 +272,115 @@ fn faults_of_points(points: &[[f64; 2]], pointer: &str) -> Vec<FieldError> {
     faults_of_depths(points.iter().map(|[depth, _]| *depth), |k| format!("{pointer}/{k}/0"))
 }
 
+/// Whether points are `[hardness, depth]`: the second column rises, the first does not, and the
+/// other way round they are a profile.
+fn is_swapped(points: &[[f64; 2]]) -> bool {
+    points.len() > 1
+        && points.windows(2).all(|pair| pair[1][1] > pair[0][1])
+        && points.windows(2).any(|pair| pair[1][0] <= pair[0][0])
+        && points.iter().all(|[hardness, depth]| HARDNESS.contains(hardness) && *depth >= 0.0)
+}
+
 fn rules_of_profile(known: &Known) -> Vec<FieldError> {
-    known.points("profile").map_or_else(Vec::new, |points| faults_of_points(points, "/profile"))
+    let Some(points) = known.points("profile") else { return Vec::new() };
+    let scale = scale_of(known);
+    let mut faults = faults_of_points(points, "/profile");
+    faults.extend(
+        points
+            .iter()
+            .enumerate()
+            .filter_map(|(k, point)| scale.fault(&format!("/profile/{k}/1"), point[1])),
+    );
+    faults
+}
+
+fn scale_of(known: &Known) -> HardnessScale {
+    let word = known.word("hardness_scale");
+    let named = HardnessScale::ALL.iter().find(|scale| Some(scale.name()) == word);
+    named.copied().unwrap_or_default()
 }
 
 fn rules_of_case(known: &Known) -> Vec<FieldError> {
-    let (Some(surface), Some(core)) = (known.figure("surface"), known.figure("core")) else {
-        return Vec::new();
-    };
+    let scale = scale_of(known);
+    let figures = ["surface", "core", "limit"].map(|key| known.figure(key).map(|f| (key, f)));
+    let faults: Vec<_> = figures
+        .iter()
+        .flatten()
+        .filter_map(|(key, figure)| scale.fault(&format!("/{key}"), *figure))
+        .collect();
+    let [Some((_, surface)), Some((_, core)), limit] = figures else { return faults };
+    if !faults.is_empty() {
+        return faults;
+    }
+    let vickers = |hardness: f64| scale.vickers(hardness).unwrap_or(hardness);
+    let (surface, core) = (vickers(surface), vickers(core));
+    let at_depth = limit.map_or(CASE_HARDNESS, |(_, limit)| vickers(limit));
     let (low, high) = (surface.min(core), surface.max(core));
-    if low < CASE_HARDNESS && CASE_HARDNESS < high {
+    if low < at_depth && at_depth < high {
         return Vec::new();
     }
-    let detail = "must have 550 HV, which the case depth belongs to, between `surface` and \
-                  `core`; for other cases give `profile`";
-    vec![FieldError {
-        pointer: String::new(),
-        code: FaultCode::Inconsistent,
-        detail: detail.to_owned(),
-    }]
+    let detail = if limit.is_some() {
+        "must lie between the hardness of `surface` and `core`".to_owned()
+    } else {
+        "must have 550 HV, which the case depth belongs to, between `surface` and `core`; for \
+         another hardness at the case depth give `limit`, for other cases `profile`"
+            .to_owned()
+    };
+    let pointer = if limit.is_some() { "/limit" } else { "" };
+    vec![FieldError { pointer: pointer.to_owned(), code: FaultCode::Inconsistent, detail }]
+}
+
+impl HardnessProfile {
+    /// Returns the points in Vickers hardness.
+    fn in_vickers(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let scale = self.hardness_scale.unwrap_or_default();
+        self.profile.iter().map(move |[z, value]| [*z, scale.vickers(*value).unwrap_or(*value)])
+    }
 }
 
 impl HardenedCase {
     /// Samples the profile as points `[depth, HV]`.
     fn sampled(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
-        let (surface, core, depth) = (self.surface.get(), self.core.get(), self.case_depth.get());
+        let [surface, core, limit] = self.in_vickers();
+        let depth = self.case_depth.get();
         let curve = self.curve.unwrap_or_default();
-        let share = (CASE_HARDNESS - core) / (surface - core);
+        let share = (limit - core) / (surface - core);
         let unit = inverse_erfc(share);
+        // Lang's own profile has fallen by half at the case depth. One that has a hardness of its
+        // own there is stretched.
+        let stretch = if self.limit.is_some() { inverse_of_lang(share) } else { 1.0 };
         let part = move |t: f64| match curve {
             CaseCurve::ErrorFunction => erfc(unit * t),
-            CaseCurve::Lang => 10f64.powf(-0.0381 * t - 0.2662 * t * t),
+            CaseCurve::Lang => 10f64.powf(-LANG[0] * t - LANG[1] * t * t),
         };
         // The profile ends where a thousandth or less of the difference to the core remains.
         let reach = match curve {
             CaseCurve::ErrorFunction => 2.5 / unit,
             CaseCurve::Lang => 3.5,
         };
+        let depth = if curve == CaseCurve::Lang { depth / stretch } else { depth };
         (0..=SAMPLES).map(move |k| {
             let t = reach * f64::from(k) / f64::from(SAMPLES);
             [t * depth, core + (surface - core) * part(t)]
         })
     }
+
+    /// Returns the hardness of surface, of core and at the case depth \[HV\].
+    fn in_vickers(&self) -> [f64; 3] {
+        let scale = self.hardness_scale.unwrap_or_default();
+        let vickers = |value: f64| scale.vickers(value).unwrap_or(value);
+        let limit = self.limit.map_or(CASE_HARDNESS, |limit| vickers(limit.get()));
+        [vickers(self.surface.get()), vickers(self.core.get()), limit]
+    }
+}
+
+/// Coefficients of Lang's profile, `10^(-a t - b t²)`.
+const LANG: [f64; 2] = [0.0381, 0.2662];
+
+/// Returns the t at which Lang's profile has a value between 0 and 1.
+fn inverse_of_lang(value: f64) -> f64 {
+    let [a, b] = LANG;
+    ((a * a - 4.0 * b * value.log10()).sqrt() - a) / (2.0 * b)
 }
 
 /// Returns the yield stress by [`YIELD_OF_HARDNESS`] \[MPa\].
@@ -292,7 +440,9 @@ mod tests {
             surface: value(surface),
             core: value(core),
             case_depth: value(0.8),
+            limit: None,
             curve,
+            hardness_scale: None,
         })
     }
 
@@ -327,6 +477,16 @@ mod tests {
                     "{}",
                     at(depth)
                 );
+            }
+        }
+        // Other limits, of nitrided and induction-hardened cases.
+        for limit in [430.0, 576.0, 610.0] {
+            for curve in [None, Some(CaseCurve::Lang)] {
+                let OverDepth::Case(mut given) = case(720.0, 380.0, curve) else { return };
+                given.limit = Some(PositiveF64::new(limit).unwrap());
+                let profile = OverDepth::Case(given).profile(yield_stress);
+                let found = yield_stress * profile.factor(0.8) / yield_of_hardness(limit);
+                assert!((found - 1.0).abs() < 1e-3, "{limit} {curve:?} {found}");
             }
         }
         // Here Lang's profile has fallen by half, for any hardness.

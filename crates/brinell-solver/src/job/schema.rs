@@ -7,11 +7,12 @@
 use serde_json::{Map, Value, json};
 
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
+use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase,
-    Hardening, HardnessProfile, InitialStress, Interpolation, Job, Load, MeshSettings, Named,
-    OutputSettings, OverDepth, Quantity, RollerProfile, Shape, SolverSettings, Support, Surface,
-    Sweep, TargetFigure, Theory, Units, name, tags,
+    Hardening, HardnessProfile, HardnessScale, InitialStress, Interpolation, Job, Load,
+    MeshSettings, Named, OutputSettings, OverDepth, Quantity, RollerProfile, Shape,
+    SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units, name, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -126,7 +127,37 @@ impl Schemas<'_> {
             "OutputSettings",
             self.settings(&OutputSettings::TABLE, &OutputSettings::default()),
         ));
+        all.extend(self.tensile_test());
         all
+    }
+
+    fn tensile_test(&self) -> Vec<(&'static str, Value)> {
+        let table = TensileTest::FIELDS;
+        let mut entries: Vec<_> =
+            table.fields.iter().map(|field| self.entry(field, None)).collect();
+        entries.push(Entry {
+            key: "units",
+            schema: or_null(self.named("Units"), "Units of the stresses. Default: `mm_N_MPa`."),
+            required: false,
+        });
+        let mut test = object(table.description, entries);
+        test["additionalProperties"] = json!(false);
+        vec![
+            (table.name, test),
+            ("StrainUnit", enumeration::<StrainUnit>("Unit of the strain of a test.")),
+            (
+                "TestMeasure",
+                enumeration::<TestMeasure>(
+                    "Strain and stress over first length and section, or true ones.",
+                ),
+            ),
+            (
+                "YieldPlace",
+                enumeration::<YieldPlace>(
+                    "Yield at a plastic strain, or where the record leaves its first line for good.",
+                ),
+            ),
+        ]
     }
 
     fn named(&self, name: &str) -> Value {
@@ -399,7 +430,7 @@ impl Schemas<'_> {
         let mut factors = self.entry(&OverDepth::FACTORS, None).schema;
         factors["type"] = json!("array");
         let mut hardness = object(
-            "Vickers hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − \
+            "Hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − \
              90.7 MPa.",
             vec![Entry {
                 key: "hardness",
@@ -424,6 +455,13 @@ impl Schemas<'_> {
             ("HardnessOverDepth", hardness),
             table(HardnessProfile::TABLE),
             table(HardenedCase::TABLE),
+            (
+                "HardnessScale",
+                enumeration::<HardnessScale>(
+                    "Scale of hardness: Vickers, or Rockwell C, which becomes Vickers by ISO \
+                     18265, table A.1 (20.3 to 68 HRC).",
+                ),
+            ),
             (
                 "CaseCurve",
                 enumeration::<CaseCurve>(

@@ -6,7 +6,7 @@ use serde::ser::{SerializeStruct, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FaultCode, Named, Quantity, Units, npy};
+use super::{FaultCode, Named, Quantity, Units, no_data, npy};
 
 /// Heights over the shape of a body at the middles of equal cells, along the outward normal.
 /// Lengths in mm.
@@ -49,8 +49,10 @@ impl Surface {
     pub const NPY: &'static str = "npy_base64";
     /// Least number of cells along a side.
     pub const MIN_CELLS: usize = 8;
-    /// Largest number of cells along a side.
-    pub const MAX_CELLS: usize = 512;
+    /// Largest number of cells along a side, of elastic bodies.
+    pub const MAX_CELLS: usize = 1024;
+    /// Largest number of cells along a side where a body yields: layers below the cells are kept.
+    pub const MAX_CELLS_OF_YIELD: usize = 512;
 
     /// Returns the number of cells along x and y.
     pub const fn cells(&self) -> [usize; 2] {
@@ -60,6 +62,11 @@ impl Surface {
     /// Returns the sides of a cell along x and y \[mm\].
     pub const fn spacing(&self) -> [f64; 2] {
         self.spacing
+    }
+
+    /// Returns the heights as they are given, in the order `[i * cells[1] + j]` \[mm\].
+    pub(super) fn heights(&self) -> &[f64] {
+        &self.heights
     }
 
     /// Whether both surfaces have their heights at the same points.
@@ -149,7 +156,11 @@ impl Surface {
         let object = cursor.object()?;
         object.only(Self::KEYS);
         let rows = object.required("heights", |c| {
-            if c.is_object() { Self::read_npy(c, units) } else { Self::read_rows(c, units) }
+            let rows =
+                if c.is_object() { Self::read_npy(c, units) } else { Self::read_rows(c, units) };
+            rows.filter(|(cells, heights)| {
+                units.is_none_or(|u| is_all_data(c, *cells, heights, u))
+            })
         });
         let spacing = |key| object.required(key, |c| c.quantity::<f64>(Quantity::Length, units));
         let (spacing_x, spacing_y) = (spacing("spacing_x"), spacing("spacing_y"));
@@ -157,6 +168,35 @@ impl Surface {
         let (cells, heights) = rows?;
         Some(Self { cells, heights, spacing: [spacing_x?, spacing_y?], detrend: detrend? })
     }
+}
+
+/// Refuses heights that stand for no data, with their number and first places.
+fn is_all_data(c: Cursor<'_>, cells: [usize; 2], heights: &[f64], units: Units) -> bool {
+    let to_core = |mark| Quantity::Position.to_core(units, mark);
+    let Some(found) = no_data::far_off(heights, cells[1], to_core) else { return true };
+    let wire = |height| Quantity::Position.to_wire(units, height);
+    let unit = Quantity::Position.symbol(units);
+    let places: Vec<_> = found.places.iter().map(|[i, j]| format!("[{i}, {j}]")).collect();
+    let more = if found.count > places.len() { ", …" } else { "" };
+    c.fault(
+        FaultCode::Inconsistent,
+        format_args!(
+            "{} of {} heights stand for no data: {} {unit} at {}{more}, where the others span {} \
+             {unit}. Fill them from their neighbours, or cut them off; a pit that is meant may be \
+             as deep as 1000 times that span",
+            found.count,
+            found.of,
+            wire(found.height),
+            places.join(", "),
+            rounded(wire(found.range)),
+        ),
+    );
+    false
+}
+
+/// Returns a figure to three digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 impl Serialize for InUnits<'_, Surface> {
@@ -278,7 +318,7 @@ mod tests {
             (npy(&header("<f8", "False", "(80,)"), &good), "two dimensions, not the shape [80]"),
             (npy(&header("<f8", "False", "(4, 20)"), &good), "got 4 × 20"),
             (npy(&header("<f8", "False", "(8, 11)"), &good), "704 bytes of data, not 640"),
-            (npy(&header("<f8", "False", "(99999999999, 99999999999)"), &good), "at most 262144"),
+            (npy(&header("<f8", "False", "(99999999999, 99999999999)"), &good), "at most 1048576"),
             (npy("{}", &good), "a header as numpy.save writes it"),
             (npy(&header("<f8", "0", "(8, 10)"), &good), "a header as numpy.save writes it"),
             (npy(&header("<f8", "False", "(+8, 10)"), &good), "a header as numpy.save writes it"),

@@ -4,7 +4,7 @@ use super::reader::Node;
 use super::reader::text::five_digits;
 use super::{
     Analysis, Body, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Quantity, Shape,
-    TargetFigure,
+    Surface, TargetFigure,
 };
 
 /// Least ratio of the smaller to the larger curvature of the gap. Below it the contact is a line
@@ -103,6 +103,19 @@ impl Job {
             .iter()
             .flat_map(|detail| given().map(|(at, _)| FieldError::new(*at, *detail)))
             .collect();
+        let most = Surface::MAX_CELLS_OF_YIELD;
+        let is_large = |body: &Body| {
+            body.surface.as_ref().is_some_and(|surface| surface.cells().iter().any(|n| *n > most))
+        };
+        let large = given().filter(|(_, body)| self.has_plasticity() && is_large(body));
+        faults.extend(large.map(|(at, _)| {
+            let detail = format!(
+                "must have at most {most} heights along a side where a body yields, and {} of \
+                 elastic bodies: thin them, or leave `plasticity` out",
+                Surface::MAX_CELLS
+            );
+            FieldError::new(format!("{at}/heights"), detail)
+        }));
         if let (Some(upper), Some(lower)) = (&self.upper.surface, &self.lower.surface)
             && !upper.has_cells_of(lower)
         {
@@ -280,6 +293,26 @@ mod tests {
         assert_eq!(read.analysis.force().symbol(Units::MmNMpa), "N");
         assert!(read.validate().is_ok());
         assert!(serde_json::to_value(&read).unwrap()["upper"].get("support").is_none());
+    }
+
+    #[test]
+    fn elastic_bodies_take_more_heights() {
+        let heights: Vec<Vec<f64>> =
+            (0..513).map(|i| (0..8).map(|j| 1e-3 * f64::from(i * j).sin()).collect()).collect();
+        let mut rough = ball_on_flat();
+        rough["upper"]["surface"] =
+            json!({"heights": heights, "spacing_x": 0.001, "spacing_y": 0.001});
+        assert!(faults(&rough).is_empty(), "{:?}", faults(&rough));
+        rough["lower"]["material"]["plasticity"] =
+            json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0});
+        let found = faults(&rough);
+        assert!(
+            found.len() == 1
+                && found[0].starts_with("/upper/surface/heights")
+                && found[0].contains("512")
+                && found[0].contains("1024"),
+            "{found:?}"
+        );
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! their bar, [`Finding::text`] says a finding in the units of a job.
 
 use super::surface_stress::UncertainStress;
+use crate::job::Suspicion;
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::{Figure, FigureSet};
 
@@ -72,8 +73,8 @@ pub(super) enum Finding {
     CoarseCase { change: f64, place: CasePlace, wanted: f64, bodies: [bool; 2] },
     /// A support is close below the contact.
     NearSupport,
-    /// The figures of a job in SI look like millimetres and megapascals.
-    SuspiciousUnits,
+    /// Something in the job is probably not meant.
+    Suspicious(Suspicion),
     /// The bodies are half-spaces; they must reach this far beyond the contact.
     HalfSpaces { reach: f64, across_roller: bool },
     /// The contact runs to an end of a roller.
@@ -244,7 +245,7 @@ impl Finding {
             Self::InitialYield { .. } => "initial_yield",
             Self::CoarseCase { .. } => "coarse_case",
             Self::NearSupport => "near_support",
-            Self::SuspiciousUnits => "suspicious_units",
+            Self::Suspicious(suspicion) => suspicion.code,
             Self::HalfSpaces { .. } => "half_spaces",
             Self::RollerEnd { .. } => "roller_end",
             Self::SurfaceEnd => "surface_end",

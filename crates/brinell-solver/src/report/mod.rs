@@ -22,6 +22,7 @@ mod sentences;
 mod strength;
 mod subsurface;
 mod surface_stress;
+mod suspicions;
 mod target;
 mod validity;
 

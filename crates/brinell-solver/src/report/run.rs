@@ -173,7 +173,7 @@ const STEP_BYTES_PER_ELEMENT: u64 = 832;
 /// mesh, with a quarter of the nodes, for this number of increments and for twice the number.
 const INCREMENT_BYTES: u64 = 16 * (1 + 2) / 4;
 /// Bytes of an increment and its iterations in the report.
-const REPORTED_INCREMENT_BYTES: u64 = 1024;
+pub(super) const REPORTED_INCREMENT_BYTES: u64 = 1024;
 /// Increments that the solver chooses itself: in total up to the largest load, and for each load.
 const CHOSEN_INCREMENTS: [u64; 2] = [32, 2];
 
@@ -194,13 +194,18 @@ pub(super) fn steps_and_solves(job: &Job) -> [u64; 2] {
     }
 }
 
+/// Returns the most increments of one load of a history, and those of all `steps`.
+pub(super) fn increments_of(job: &Job, steps: u64) -> [u64; 2] {
+    let [to_largest, of_load] =
+        job.solver.increments.map_or(CHOSEN_INCREMENTS, |of_load| [0, of_load.into()]);
+    [to_largest + of_load, to_largest + of_load * steps]
+}
+
 /// Adds the memory and work of the result to the estimate of the solver.
 fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let [steps, solves] = steps_and_solves(job);
-    let [to_largest, of_load] =
-        job.solver.increments.map_or(CHOSEN_INCREMENTS, |of_load| [0, of_load.into()]);
     let is_history = job.solver.theory == Theory::Flow;
-    let increments = if is_history { to_largest + of_load * steps } else { 0 };
+    let increments = if is_history { increments_of(job, steps)[1] } else { 0 };
     let nodes = estimate.equations as u64 / 2;
     let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
     let step =

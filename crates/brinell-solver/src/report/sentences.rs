@@ -5,6 +5,7 @@ use super::findings::{
     Wide, Work,
 };
 use super::run::CONFORMING_ADVICE;
+use super::suspicions;
 use crate::job::MeshSettings;
 use crate::solver::{MAX_HALF_ANGLE, SolveStatus};
 use crate::units::{UnitConverter, about, percent, rounded};
@@ -171,11 +172,7 @@ impl Finding {
                  stresses, and Hertz's figures of half-spaces do not apply."
                     .to_owned()
             }
-            Self::SuspiciousUnits => {
-                "Units are SI, but the figures look like millimetres, newtons and megapascals: \
-                 metres, N/m and pascals are expected. If they are meant in mm, leave `units` out."
-                    .to_owned()
-            }
+            Self::Suspicious(suspicion) => suspicions::text(suspicion, write),
             Self::HalfSpaces { reach, across_roller } => format!(
                 "The bodies are half-spaces. They stand for bodies that reach at least {} beyond \
                  the contact {}and in depth.",

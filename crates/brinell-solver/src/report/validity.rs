@@ -17,7 +17,7 @@ use crate::contact::{ContactLoad, KktReport};
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
 use crate::job::{
-    Body, Coupling, HistoryLoad, Job, Load, Material, PositiveF64, SolverSettings, Theory, Units,
+    Coupling, HistoryLoad, Job, Load, Material, PositiveF64, SolverSettings, Theory,
 };
 use crate::solver::outline_of;
 use crate::solver::{
@@ -59,13 +59,14 @@ pub const VALIDITY_CODES: &[&str] = &[
     "near_support",
     "sharp_corner",
     "suspicious_units",
+    "suspicious_curve",
+    "suspicious_profile",
+    "suspicious_heights",
     "half_spaces",
     "roller_end",
     "surface_end",
 ];
 
-/// Young's modulus \[MPa\] below which the job probably gives MPa in place of Pa.
-const SOFT: f64 = 1.0;
 /// Half-width over the smallest radius above which the surfaces deviate too far from their
 /// tangent.
 pub(super) const WIDE_CONTACT: f64 = 0.1;
@@ -148,9 +149,7 @@ pub(super) fn findings(
     if depths.any(|depth| depth < NEAR_SUPPORT * half_width) {
         findings.push(Finding::NearSupport);
     }
-    if looks_like_millimetres(job) {
-        findings.push(Finding::SuspiciousUnits);
-    }
+    findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
     findings
 }
 
@@ -351,12 +350,6 @@ pub(super) fn large_strain(
         return Some(Finding::Collapse { strain, last });
     }
     (strain > LARGE_STRAIN).then_some(Finding::LargeStrain { strain })
-}
-
-/// Returns whether a job in SI has a Young's modulus that is plausible in megapascals only.
-pub(super) fn looks_like_millimetres(job: &Job) -> bool {
-    let mut moduli = [&job.upper, &job.lower].into_iter().filter_map(Body::young_modulus);
-    job.units == Units::Si && moduli.any(|modulus| modulus < SOFT)
 }
 
 /// Returns the finding on falling loads under deformation theory, or on an approach that is

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from importlib.metadata import PackageNotFoundError, version
 
+from . import hardening
 from ._build import job, material, rigid
 from ._builders import (
     bilinear,
@@ -54,6 +55,7 @@ from ._errors import (
 )
 from ._fields import BodyFields, Fields
 from ._find import Found
+from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
@@ -77,6 +79,7 @@ __all__ = [
     "Fault",
     "Fields",
     "Found",
+    "Identification",
     "InvalidJob",
     "Job",
     "JobFailed",
@@ -106,7 +109,9 @@ __all__ = [
     "ellipse",
     "flat",
     "groove",
+    "hardening",
     "hole",
+    "identify",
     "job",
     "ludwik",
     "material",

@@ -254,6 +254,9 @@ class Client(_Connection):
         answer: dict[str, Any] = self._run(self._core.validate(job))["estimate"]
         return answer
 
+    def _hardening_curve(self, test: dict[str, Any]) -> dict[str, Any]:
+        return self._run(self._core.hardening_curve(test))
+
     def map(
         self,
         jobs: Iterable[JobLike],

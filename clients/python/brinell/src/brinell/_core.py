@@ -207,6 +207,10 @@ class Core:
         )
         return answer
 
+    def hardening_curve(self, test: dict[str, Any]) -> Flow[dict[str, Any]]:
+        answer: dict[str, Any] = yield from self.json("POST", "/v1/hardening-curves", body=test)
+        return answer
+
     def submit(
         self, document: dict[str, Any], priority: int, key: str | None = None
     ) -> Flow[dict[str, Any]]:

@@ -261,7 +261,11 @@ def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
         if data:
             body.append((number, row))
         elif _is_comment(line):
-            head.append((number, line, row))
+            if re.search(r"\w", line):
+                raise NotUnderstood(
+                    f"line {number}: {_quoted(line)} stands among the figures: another map? "
+                    f"skip=[{number}] leaves the line out"
+                )
         else:
             wrong = next((w for w in row if not _is_figure(w)), line)
             raise NotUnderstood(f"line {number}: {_quoted(wrong)} is not a number")
@@ -538,6 +542,11 @@ class _Header:
         heights[i, j] = z
         notes = [*self.notes, f"{grouped(len(z))} points x, y, z onto {nx} × {ny}"]
         return Grid(heights, (dx, dy), across, units[2] or self.units.get("up", ""), notes)
+
+
+def grid_of_points(table: Floats) -> Grid:
+    """Heights of points x, y and z."""
+    return _Header().grid_of_list(table)
 
 
 def _key_and_value(line: str) -> tuple[str, str]:

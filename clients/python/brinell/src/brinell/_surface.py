@@ -13,7 +13,7 @@ import numpy as np
 
 from ._arrays import Floats, grid_of
 from ._errors import Fault, InvalidJob
-from ._grid_text import NotUnderstood, read_grid
+from ._grid_text import NotUnderstood, grid_of_points, read_grid
 from ._lengths import length_in_mm
 from ._plain import Number, Quantity, grouped, need
 
@@ -296,6 +296,17 @@ class _Raw:
 def _made(raw: _Raw, no_data: float | Iterable[float] | None) -> Surface:
     """A surface of heights whose units are known; names all that is not."""
     array, spacing, across, up = grid_of(raw.heights), raw.spacing, raw.across, raw.up
+    points = array.ndim == 2 and array.shape[1] == 3 and array.shape[0] > 3
+    if points:
+        # No grid of a job is three heights wide.
+        if spacing is not None:
+            raise _refuse("inconsistent", "spacing is given, and points x, y, z bring it")
+        try:
+            grid = grid_of_points(array)
+        except NotUnderstood as error:
+            raise _refuse("not_understood", str(error)) from None
+        array, spacing = grid.heights, grid.spacing
+        raw.notes += grid.notes
     lacking = []
     if array.ndim != 2 or min(array.shape) < 2:
         lacking.append(f"heights are an array of two dimensions, not {array.shape}")
@@ -459,6 +470,12 @@ def _of_xarray(
     notes: list[str] = []
     if array.ndim != 2:
         raise _refuse("invalid", f"heights have two dimensions, not {tuple(array.dims)}")
+    packed = [one for one in ("scale_factor", "add_offset", "_FillValue") if one in array.attrs]
+    if packed:
+        raise _refuse(
+            "invalid",
+            f"the array is packed ({', '.join(packed)}): open it with mask_and_scale=True",
+        )
     order = [str(one).lower() for one in array.dims]
     if order[0] in ("y", "lat", "row") or order[1] == "x":
         array = array.T

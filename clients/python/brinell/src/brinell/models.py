@@ -926,49 +926,6 @@ class HalfWidthTarget(BaseModel):
     ] = None
 
 
-class HardenedCase(BaseModel):
-    """
-    Vickers hardness of a hardened case.
-    """
-
-    model_config = ConfigDict(
-        extra='forbid',
-    )
-    case_depth: Annotated[
-        float,
-        Field(
-            description='Case depth: where the hardness has fallen to 550 HV. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
-            examples=[1.0],
-            ge=1e-09,
-            le=1000000.0,
-        ),
-    ]
-    core: Annotated[
-        float,
-        Field(
-            description='Vickers hardness HV of the core. Without unit.',
-            examples=[380.0],
-            ge=50.0,
-            le=2000.0,
-        ),
-    ]
-    curve: Annotated[
-        Literal['error_function', 'lang'] | None,
-        Field(
-            description='Profile between surface and core: `error_function` unless given.'
-        ),
-    ] = None
-    surface: Annotated[
-        float,
-        Field(
-            description='Vickers hardness HV of the surface. Without unit.',
-            examples=[720.0],
-            ge=50.0,
-            le=2000.0,
-        ),
-    ]
-
-
 class ProfileItemItem(RootModel[float]):
     root: Annotated[
         float,
@@ -982,7 +939,12 @@ class ProfileItemItem(RootModel[float]):
 
 class ProfileItemItem1(RootModel[float]):
     root: Annotated[
-        float, Field(description='Vickers hardness. Without unit.', ge=50.0, le=2000.0)
+        float,
+        Field(
+            description='Hardness, HV unless `hardness_scale` says HRC. Without unit.',
+            ge=20.3,
+            le=2000.0,
+        ),
     ]
 
 
@@ -990,25 +952,6 @@ class ProfileItem(RootModel[tuple[ProfileItemItem, ProfileItemItem1]]):
     root: Annotated[
         tuple[ProfileItemItem, ProfileItemItem1],
         Field(description='One point.', max_length=2, min_length=2),
-    ]
-
-
-class HardnessProfile(BaseModel):
-    """
-    Vickers hardness at points.
-    """
-
-    model_config = ConfigDict(
-        extra='forbid',
-    )
-    profile: Annotated[
-        list[ProfileItem],
-        Field(
-            description='Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.',
-            examples=[[[0.0, 720.0], [0.5, 640.0], [1.0, 500.0], [1.5, 400.0], [2.0, 380.0]]],
-            max_length=1000,
-            min_length=1,
-        ),
     ]
 
 
@@ -2614,13 +2557,13 @@ class Surface(BaseModel):
 
 
 class Height(RootModel[list[float]]):
-    root: Annotated[list[float], Field(max_length=512, min_length=8)]
+    root: Annotated[list[float], Field(max_length=1024, min_length=8)]
 
 
 class Heights(RootModel[list[Height]]):
     root: Annotated[
         list[Height],
-        Field(description='Rows of one length.', max_length=512, min_length=8),
+        Field(description='Rows of one length.', max_length=1024, min_length=8),
     ]
 
 
@@ -2811,6 +2754,114 @@ class TargetResult(BaseModel):
     ]
 
 
+class Point3Item(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Strain, elastic part included. Without unit.',
+            ge=-10000000.0,
+            le=10000000.0,
+        ),
+    ]
+
+
+class Point3Item1(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Stress. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
+            ge=-10000000000000.0,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Point3(RootModel[tuple[Point3Item, Point3Item1]]):
+    root: Annotated[
+        tuple[Point3Item, Point3Item1],
+        Field(description='One point.', max_length=2, min_length=2),
+    ]
+
+
+class TestedCurve(BaseModel):
+    """
+    A hardening curve from a test, in the units of the test.
+    """
+
+    beyond_necking: Annotated[
+        int, Field(description='Number of points beyond necking, left out.', ge=0)
+    ]
+    elastic: Annotated[int, Field(description='Number of points up to yield.', ge=0)]
+    fit_largest: Annotated[
+        float,
+        Field(
+            description='Largest distance of a point from the curve. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    fit_rms: Annotated[
+        float,
+        Field(
+            description='Root mean square of the distance of the points from the curve. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    fitted: Annotated[
+        int,
+        Field(
+            description='Number of points beyond yield that the curve is fitted to.',
+            ge=0,
+        ),
+    ]
+    necking: Annotated[
+        list[float] | None,
+        Field(
+            description='Engineering strain and stress at which the specimen necks; `null` if it does not.'
+        ),
+    ]
+    points: Annotated[
+        list[list[float]],
+        Field(
+            description='Points `[plastic_strain, stress]` of the law `table`, true stress. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    remarks: Annotated[
+        list[str], Field(description='What was done to the record, in sentences.')
+    ]
+    slope: Annotated[
+        float,
+        Field(
+            description="First slope of the record; Young's modulus where no part is straight. Unit: MPa (SI: Pa)."
+        ),
+    ]
+    slope_error: Annotated[
+        float,
+        Field(description='Standard error of the slope over the slope. Without unit.'),
+    ]
+    straight: Annotated[
+        list[float] | None,
+        Field(
+            description='Stresses between which the record is straight; `null` if no part is. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    toe: Annotated[
+        float,
+        Field(
+            description='Strain at which the first line meets the axis; it is removed. Without unit.'
+        ),
+    ]
+    unloading: Annotated[
+        int,
+        Field(
+            description='Number of points of unloading and reloading, left out.', ge=0
+        ),
+    ]
+    yield_stress: Annotated[
+        float,
+        Field(
+            description='Stress at the place that counts as yield. Unit: MPa (SI: Pa).'
+        ),
+    ]
+
+
 class ThreeDimensional(BaseModel):
     """
     What only a contact in three dimensions has. x lies along the shorter semi-axis of the contact, y along the longer one, z into the body; every place, map and stress of this step is in these axes.
@@ -2945,7 +2996,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'half_spaces', 'roller_end', 'surface_end'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -3208,17 +3259,85 @@ class Flow(BaseModel):
     ]
 
 
-class HardnessOverDepth(BaseModel):
+class HardenedCase(BaseModel):
     """
-    Vickers hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.
+    Hardness of a hardened case.
     """
 
     model_config = ConfigDict(
         extra='forbid',
     )
-    hardness: Annotated[
-        HardnessProfile | HardenedCase,
-        Field(description='Measured at points, or of a case.'),
+    case_depth: Annotated[
+        float,
+        Field(
+            description='Case depth: where the hardness has fallen to `limit`. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[1.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    core: Annotated[
+        float,
+        Field(
+            description='Hardness of the core. Without unit.',
+            examples=[380.0],
+            ge=20.3,
+            le=2000.0,
+        ),
+    ]
+    curve: Annotated[
+        Literal['error_function', 'lang'] | None,
+        Field(
+            description='Profile between surface and core: `error_function` unless given.'
+        ),
+    ] = None
+    hardness_scale: Annotated[
+        Literal['HV', 'HRC'] | None,
+        Field(
+            description='Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.'
+        ),
+    ] = None
+    limit: Annotated[
+        float | None,
+        Field(
+            description='Hardness at the case depth: 550 HV unless given, as ISO 18203 has it for carburized cases. Nitrided cases have that of the core + 50 HV, induction-hardened ones 80 % of that of the surface. Without unit.',
+            ge=20.3,
+            le=2000.0,
+        ),
+    ] = None
+    surface: Annotated[
+        float,
+        Field(
+            description='Hardness of the surface, HV unless `hardness_scale` says HRC. Without unit.',
+            examples=[720.0],
+            ge=20.3,
+            le=2000.0,
+        ),
+    ]
+
+
+class HardnessProfile(BaseModel):
+    """
+    Hardness at points.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    hardness_scale: Annotated[
+        Literal['HV', 'HRC'] | None,
+        Field(
+            description='Scale of the hardness: `HV` unless given. `HRC` becomes HV by ISO 18265, table A.1.'
+        ),
+    ] = None
+    profile: Annotated[
+        list[ProfileItem],
+        Field(
+            description='Points `[depth, hardness]`, depths rising, joined by straight lines, constant beyond the ends.',
+            examples=[[[0.0, 720.0], [0.5, 640.0], [1.0, 500.0], [1.5, 400.0], [2.0, 380.0]]],
+            max_length=1000,
+            min_length=1,
+        ),
     ]
 
 
@@ -3433,6 +3552,115 @@ class Step(BaseModel):
     yield_onset: YieldOnset | None
 
 
+class TensileTest(BaseModel):
+    """
+    Strain and stress of a tensile or compression test, elastic part included.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    measure: Annotated[
+        Literal['engineering', 'true'] | None,
+        Field(
+            description='`engineering` (over first length and section), unless given, or `true`.'
+        ),
+    ] = None
+    offset: Annotated[
+        float | None,
+        Field(
+            description='Plastic strain at yield: 0.0001, R_p0.01, unless given; 0.002 is R_p0.2. Without unit.',
+            ge=1e-07,
+            le=0.05,
+        ),
+    ] = None
+    points: Annotated[
+        list[Point3],
+        Field(
+            description='Points `[strain, stress]` in the order of their recording. Negative strain and stress are compression.',
+            examples=[[[0.0, 0.0], [0.001, 210.0], [0.0024, 500.0], [0.02, 540.0], [0.05, 580.0]]],
+            max_length=100000,
+            min_length=3,
+        ),
+    ]
+    strain_unit: Annotated[
+        Literal['1', 'percent', 'microstrain'] | None,
+        Field(description='Unit of the strain: `1` unless given.'),
+    ] = None
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'] | None,
+        Field(description='Units of the stresses. Default: `mm_N_MPa`.'),
+    ] = None
+    yield_at: Annotated[
+        Literal['offset', 'departure'] | None,
+        Field(
+            description='What counts as yield: `offset`, unless given, or `departure`, where the record leaves its first line for good.'
+        ),
+    ] = None
+    young_modulus: Annotated[
+        float | None,
+        Field(
+            description="Young's modulus of the job, which the first slope is compared with, and which takes its place where no part of the record is straight. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
+            ge=0.001,
+            le=100000000000000.0,
+        ),
+    ] = None
+
+
+class HardnessOverDepth(BaseModel):
+    """
+    Hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    hardness: Annotated[
+        HardnessProfile | HardenedCase,
+        Field(description='Measured at points, or of a case.'),
+    ]
+
+
+class Report(BaseModel):
+    """
+    The answer to a job.
+    """
+
+    analysis: Annotated[
+        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
+        Field(
+            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
+        ),
+    ]
+    load_approach: Annotated[
+        LoadApproach | None, Field(description='The load–approach curve of a sweep.')
+    ] = None
+    mesh: Annotated[Mesh, Field(description='The mesh of the last step.')]
+    status: Annotated[
+        str,
+        Field(
+            description='The least good status of all steps.',
+            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+        ),
+    ]
+    steps: Annotated[list[Step], Field(description='One entry for each load.')]
+    tags: Tags | None = None
+    target: Annotated[
+        TargetResult | None,
+        Field(
+            description='The force that was asked for by what it does; only of a job with `load.target`.'
+        ),
+    ] = None
+    timings_ms: Annotated[Timings, Field(description='Where the time went.')]
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'],
+        Field(
+            description='Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.'
+        ),
+    ]
+    version: Annotated[str, Field(description='Version of the program.')]
+
+
 class Swift(BaseModel):
     """
     q = σ_y (1 + ε_p/ε_0)^n.
@@ -3590,6 +3818,82 @@ class Bilinear(BaseModel):
     ]
 
 
+class Job(BaseModel):
+    """
+    A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
+    """
+
+    attempts: Annotated[int, Field(description='How often it was taken up.', ge=0)]
+    callback: Annotated[
+        Callback | None,
+        Field(
+            description='The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.'
+        ),
+    ] = None
+    cancel_requested: Annotated[
+        bool, Field(description='Whether somebody asked it to stop.')
+    ]
+    created_at: Annotated[AwareDatetime, Field(description='When it was accepted.')]
+    done: Annotated[
+        bool, Field(description='Whether nothing can happen to it any more.')
+    ]
+    error: Annotated[Problem | None, Field(description='Why it failed.')] = None
+    expires_at: Annotated[
+        AwareDatetime | None,
+        Field(
+            description='When it is removed with its result; `null` until it is done.'
+        ),
+    ]
+    finished_at: Annotated[
+        AwareDatetime | None, Field(description='When it reached its final state.')
+    ]
+    has_result: Annotated[
+        bool,
+        Field(
+            description='Whether there is a result to fetch, of a stopped job as far as it came.'
+        ),
+    ]
+    id: Annotated[UUID, Field(description='Its name.')]
+    links: Annotated[Links, Field(description='Where to go from here.')]
+    priority: Annotated[int, Field(description='Larger goes first.', ge=-100, le=100)]
+    progress: Annotated[Progress, Field(description='How far it has come.')]
+    queue_position: Annotated[
+        int | None,
+        Field(description='Jobs before it in the queue, while it is queued.', ge=0),
+    ] = None
+    result: Annotated[
+        Report | None,
+        Field(
+            description='The result; only in the answer to a client that waits, and only if the job is done by then.'
+        ),
+    ] = None
+    started_at: Annotated[
+        AwareDatetime | None, Field(description='When its latest attempt began.')
+    ]
+    status: Annotated[
+        str,
+        Field(
+            description='Where it stands.',
+            examples=['queued', 'running', 'succeeded', 'not_converged', 'failed', 'cancelled', 'timed_out'],
+        ),
+    ]
+    tags: Tags | None = None
+
+
+class JobList(BaseModel):
+    """
+    A page of jobs.
+    """
+
+    jobs: Annotated[
+        list[Job],
+        Field(
+            description='Newest first. Places in the queue are told job by job only.'
+        ),
+    ]
+    next_cursor: UUID | None
+
+
 class Ludwik(BaseModel):
     """
     q = σ_y + k ε_p^n.
@@ -3683,122 +3987,6 @@ class RambergOsgood(BaseModel):
     ]
 
 
-class Report(BaseModel):
-    """
-    The answer to a job.
-    """
-
-    analysis: Annotated[
-        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
-        Field(
-            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
-        ),
-    ]
-    load_approach: Annotated[
-        LoadApproach | None, Field(description='The load–approach curve of a sweep.')
-    ] = None
-    mesh: Annotated[Mesh, Field(description='The mesh of the last step.')]
-    status: Annotated[
-        str,
-        Field(
-            description='The least good status of all steps.',
-            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
-        ),
-    ]
-    steps: Annotated[list[Step], Field(description='One entry for each load.')]
-    tags: Tags | None = None
-    target: Annotated[
-        TargetResult | None,
-        Field(
-            description='The force that was asked for by what it does; only of a job with `load.target`.'
-        ),
-    ] = None
-    timings_ms: Annotated[Timings, Field(description='Where the time went.')]
-    units: Annotated[
-        Literal['mm_N_MPa', 'SI'],
-        Field(
-            description='Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.'
-        ),
-    ]
-    version: Annotated[str, Field(description='Version of the program.')]
-
-
-class Job(BaseModel):
-    """
-    A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
-    """
-
-    attempts: Annotated[int, Field(description='How often it was taken up.', ge=0)]
-    callback: Annotated[
-        Callback | None,
-        Field(
-            description='The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.'
-        ),
-    ] = None
-    cancel_requested: Annotated[
-        bool, Field(description='Whether somebody asked it to stop.')
-    ]
-    created_at: Annotated[AwareDatetime, Field(description='When it was accepted.')]
-    done: Annotated[
-        bool, Field(description='Whether nothing can happen to it any more.')
-    ]
-    error: Annotated[Problem | None, Field(description='Why it failed.')] = None
-    expires_at: Annotated[
-        AwareDatetime | None,
-        Field(
-            description='When it is removed with its result; `null` until it is done.'
-        ),
-    ]
-    finished_at: Annotated[
-        AwareDatetime | None, Field(description='When it reached its final state.')
-    ]
-    has_result: Annotated[
-        bool,
-        Field(
-            description='Whether there is a result to fetch, of a stopped job as far as it came.'
-        ),
-    ]
-    id: Annotated[UUID, Field(description='Its name.')]
-    links: Annotated[Links, Field(description='Where to go from here.')]
-    priority: Annotated[int, Field(description='Larger goes first.', ge=-100, le=100)]
-    progress: Annotated[Progress, Field(description='How far it has come.')]
-    queue_position: Annotated[
-        int | None,
-        Field(description='Jobs before it in the queue, while it is queued.', ge=0),
-    ] = None
-    result: Annotated[
-        Report | None,
-        Field(
-            description='The result; only in the answer to a client that waits, and only if the job is done by then.'
-        ),
-    ] = None
-    started_at: Annotated[
-        AwareDatetime | None, Field(description='When its latest attempt began.')
-    ]
-    status: Annotated[
-        str,
-        Field(
-            description='Where it stands.',
-            examples=['queued', 'running', 'succeeded', 'not_converged', 'failed', 'cancelled', 'timed_out'],
-        ),
-    ]
-    tags: Tags | None = None
-
-
-class JobList(BaseModel):
-    """
-    A page of jobs.
-    """
-
-    jobs: Annotated[
-        list[Job],
-        Field(
-            description='Newest first. Places in the queue are told job by job only.'
-        ),
-    ]
-    next_cursor: UUID | None
-
-
 class BatchItem(BaseModel):
     """
     What became of one job: `job` or `problem`.
@@ -3828,6 +4016,21 @@ class BatchItem(BaseModel):
             le=599,
         ),
     ]
+
+
+class BatchAnswer(BaseModel):
+    """
+    What became of the jobs of a request, in their order.
+    """
+
+    accepted: Annotated[
+        int, Field(description='How many there were of which nothing is wrong.', ge=0)
+    ]
+    jobs: Annotated[
+        list[BatchItem],
+        Field(description='One for each job of the request, in the same order.'),
+    ]
+    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
 
 
 class Deformable(BaseModel):
@@ -3880,21 +4083,6 @@ class Deformable(BaseModel):
             le=100000000000000.0,
         ),
     ]
-
-
-class BatchAnswer(BaseModel):
-    """
-    What became of the jobs of a request, in their order.
-    """
-
-    accepted: Annotated[
-        int, Field(description='How many there were of which nothing is wrong.', ge=0)
-    ]
-    jobs: Annotated[
-        list[BatchItem],
-        Field(description='One for each job of the request, in the same order.'),
-    ]
-    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
 
 
 class ContactBody(BaseModel):

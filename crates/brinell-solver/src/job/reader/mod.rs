@@ -91,6 +91,19 @@ impl<'a> Cursor<'a> {
         matches!(self.node, Node::Array(_))
     }
 
+    /// Returns the pairs of numbers that stand in a list at a pointer below this value.
+    pub fn pairs_at(&self, pointer: &str) -> Option<Vec<[f64; 2]>> {
+        let Some(Node::Array(rows)) = self.node.at(pointer) else { return None };
+        let pair = |row: &Node| match row {
+            Node::Array(cells) => match cells[..] {
+                [Node::Number(x), Node::Number(y)] => Some([x, y]),
+                _ => None,
+            },
+            _ => None,
+        };
+        rows.iter().map(pair).collect()
+    }
+
     /// Whether the value is an object.
     pub fn is_object(&self) -> bool {
         matches!(self.node, Node::Object(_))

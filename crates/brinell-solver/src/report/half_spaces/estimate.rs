@@ -1,8 +1,11 @@
 //! Estimate of memory and work of a job in three dimensions.
 
-use crate::job::Job;
+use crate::job::{Job, Theory};
 use crate::report::contact_stiffness::{of_small_mesh, small_solves};
-use crate::report::run::{FIELD_COPIES, SOLVER_BYTES, STEP_BYTES, steps_and_solves};
+use crate::report::run::{
+    FIELD_COPIES, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
+    steps_and_solves,
+};
 use crate::report::{JobEstimate, LAYER_NAMES};
 use crate::solver::SolveError;
 use crate::solver::half_spaces::{self, HalfSpaceProblem};
@@ -11,6 +14,11 @@ use crate::solver::half_spaces::{self, HalfSpaceProblem};
 /// for each row and layer. A row along a roller counts twice.
 const MAP_BYTES: u64 = 32;
 const ROW_BYTES: u64 = 220;
+/// Numbers in each cell of the layers of a preliminary step: stress, plastic strain, its
+/// equivalent, yield stress. Its grid has half the cells along each axis.
+const PRELIMINARY: u64 = 13;
+/// Copies of the records of a load while its step is reported, encoded and stored.
+const RECORD_COPIES: u64 = 4;
 /// Number of cells of the layers whose load step counts as one unit of work.
 const WORK_UNIT: u64 = 1000;
 
@@ -37,14 +45,23 @@ pub(super) fn estimate(job: &Job, problem: &HalfSpaceProblem) -> Result<JobEstim
     let along = if problem.rollers.is_empty() { 0 } else { rows };
     let step = STEP_BYTES + ROW_BYTES * (columns + rows + along + layers) + maps;
     let work = (volume / WORK_UNIT).max(1);
+    let is_history = job.solver.theory == Theory::Flow;
+    let [of_load, increments] = if is_history { increments_of(job, steps) } else { [0; 2] };
+    let preliminary = if is_history {
+        size_of::<f64>() as u64 * steps * (PRELIMINARY * volume * bodies / 8 + 3 * surface / 4)
+    } else {
+        0
+    };
     Ok(JobEstimate {
         equations: usize::try_from(surface + 5 * yielding * volume).unwrap_or(usize::MAX),
         bytes: SOLVER_BYTES
             + grid.bytes
             + of_small_mesh(job, grid.bytes)
             + FIELD_COPIES * fields
-            + step * steps,
-        result_bytes: (step + fields) * steps,
+            + step * steps
+            + preliminary
+            + RECORD_COPIES * REPORTED_INCREMENT_BYTES * of_load,
+        result_bytes: (step + fields) * steps + REPORTED_INCREMENT_BYTES * increments,
         work: work * solves + of_small_mesh(job, work) * small_solves(job, steps),
     })
 }

@@ -8,7 +8,7 @@ use crate::report::findings::{
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
 use crate::report::validity::{
-    Unfinished, WIDE_CONTACT, large_strain, looks_like_millimetres, of_history, over_yield_stress,
+    Unfinished, WIDE_CONTACT, large_strain, of_history, over_yield_stress,
 };
 use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
@@ -69,9 +69,7 @@ pub(super) fn findings(
             bodies: [true; 2],
         });
     }
-    if looks_like_millimetres(job) {
-        findings.push(Finding::SuspiciousUnits);
-    }
+    findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
     of_shapes(problem, step, &mut findings);
     findings
 }

@@ -1,0 +1,347 @@
+"""A material behind a measured curve of force over approach."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ._arrays import Floats, without_mask
+from ._client import Client
+from ._errors import BrinellError, Fault, InvalidJob
+from ._plain import JobLike, document_of, need, tokens_of, with_values
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+COMPLIANCE = "frame_compliance"
+"""Approach of frame and fixture per force, beside that of the bodies [mm/N]."""
+
+# Most loads of one job; a longer curve is taken as means of neighbouring points.
+_LOADS = 24
+# Relative steps of differences: of the search, and of the slopes that tell deviations. Meshes
+# change with the parameters by small leaps, which the shorter step takes for slopes.
+_STEP, _WIDE_STEP = 0.02, 0.08
+# A direction of the parameters is told by the data if they fix it within this factor.
+_TOLD = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Identification:
+    """Parameters behind a curve, and how well it tells them."""
+
+    values: dict[str, float]
+    """The parameters, in mm, N and MPa."""
+    deviations: dict[str, float]
+    """Their standard deviations, of the residuals alone; infinite where the curve says nothing."""
+    correlation: Floats
+    """Correlation of the parameters, in their order."""
+    covariance: Floats
+    """Covariance of the relative parameters: of ln p, and of compliance over its scale."""
+    undetermined: list[str]
+    """Directions of the parameters that the curve does not tell, in words."""
+    force: Floats
+    """Forces of the compared points [N]."""
+    measured: Floats
+    """Measured approach at each [mm]."""
+    computed: Floats
+    """Approach of the bodies and the frame with these parameters [mm]."""
+    sweeps: int
+    """How often jobs were sent side by side."""
+    job: dict[str, Any] = field(repr=False)
+    """The job with these parameters."""
+    _scales: Floats = field(repr=False)
+
+    @property
+    def residuals(self) -> Floats:
+        """Computed minus measured approach [mm]."""
+        return self.computed - self.measured
+
+    def covers(self, values: Mapping[str, float], level: float = 0.95) -> bool:
+        """Whether parameters lie within the joint region of this confidence."""
+        stats = need("scipy.stats", "identify")
+        off = np.array(
+            [
+                (values[name] - one) / scale
+                if name == COMPLIANCE
+                else math.log(values[name] / one)
+                for (name, one), scale in zip(self.values.items(), self._scales, strict=True)
+            ]
+        )
+        count, free = len(off), len(self.measured) - len(off)
+        distance = float(off @ np.linalg.pinv(self.covariance) @ off)
+        return bool(distance <= count * stats.f.ppf(level, count, free))
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws the measured and the computed curve."""
+        if ax is None:
+            ax = need("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
+        assert ax is not None
+        ax.plot(1e3 * self.measured, self.force, "o", label="measured")
+        said = "\n".join(f"{name} {value:.4g}" for name, value in self.values.items())
+        ax.plot(1e3 * self.computed, self.force, label=said)
+        ax.set(xlabel="approach [µm]", ylabel="force [N]")
+        ax.legend(frameon=False)
+        return ax
+
+    def plot_residuals(self, ax: Axes | None = None) -> Axes:
+        """Draws how far the computed curve is off."""
+        if ax is None:
+            ax = need("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
+        assert ax is not None
+        ax.axhline(0, color="0.7")
+        ax.plot(self.force, 1e3 * self.residuals, "o-")
+        ax.set(xlabel="force [N]", ylabel="computed − measured approach [µm]")
+        return ax
+
+    def __str__(self) -> str:
+        lines = [
+            f"{name} {value:.5g} ± {self.deviations[name]:.2g}"
+            for name, value in self.values.items()
+        ]
+        return "\n".join([*lines, *self.undetermined])
+
+
+def identify(
+    curve: Any,
+    job: JobLike,
+    free: Sequence[str],
+    *,
+    client: Client | None = None,
+    bounds: Mapping[str, tuple[float, float]] | None = None,
+    scatter: Literal["absolute", "relative"] = "absolute",
+    noise: float | None = None,
+) -> Identification:
+    """Finds parameters of a job whose approach under the forces of a curve is that of the curve.
+
+    The job starts from the values that stand in it. Forces that fall are a history of flow
+    theory.
+
+    Args:
+        curve: two columns, approach [mm] and force [N; N/mm in plane analyses]: an array or a
+            table, in the order of the test.
+        job: the job, with any load; its own is replaced.
+        free: pointers, or names of figures of hardening laws such as "yield_stress" and
+            "exponent", which are set in each body that has them. "frame_compliance" [mm/N] is
+            that of the machine.
+        client: where the jobs are solved; a local server if left out.
+        bounds: least and largest value by name; a tenth and ten times the start if left out.
+        scatter: whether the approach scatters by a length that is the same at every point, or in
+            proportion to itself.
+        noise: standard deviation of this scatter (a length [mm], or a part), if it is known;
+            otherwise it follows from the residuals.
+
+    Raises:
+        InvalidJob: the curve has holes or too few points, or a name is not in the job.
+    """
+    optimize = need("scipy.optimize", "identify")
+    document = document_of(job)
+    approach, force = _points(curve)
+    if len(free) != len(set(free)) or not free:
+        raise _fault("free", "has to name parameters, each once")
+    places = {name: _places(document, name) for name in free if name != COMPLIANCE}
+    if len(force) <= len(free):
+        raise _fault("curve", f"{len(force)} points tell no {len(free)} parameters")
+    document["load"] = _load(force)
+    if "history" in document["load"]:
+        document["solver"] = {**document.get("solver", {}), "theory": "flow"}
+    compliance_scale = float(np.ptp(approach) / np.ptp(force))
+    starts = {name: _start(document, name, where) for name, where in places.items()}
+    limits = {
+        name: (bounds or {}).get(name, (0.1 * one, 10 * one)) for name, one in starts.items()
+    }
+
+    def values_at(point: Floats) -> dict[str, float]:
+        return {
+            name: float(compliance_scale * one)
+            if name == COMPLIANCE
+            else starts[name] * math.exp(one)
+            for name, one in zip(free, point, strict=True)
+        }
+
+    def document_at(point: Floats) -> dict[str, Any]:
+        found = values_at(point)
+        return with_values(
+            document,
+            {pointer: found[name] for name, where in places.items() for pointer in where},
+        )
+
+    low = [0.0 if n == COMPLIANCE else math.log(limits[n][0] / starts[n]) for n in free]
+    high = [1.0 if n == COMPLIANCE else math.log(limits[n][1] / starts[n]) for n in free]
+    for name, a, b in zip(free, low, high, strict=True):
+        if not a <= 0 <= b or a == b:
+            raise _fault("bounds", f"of {name} have to contain its start")
+    # The compliance enters in proportion; it needs no job of its own.
+    solved = [k for k, name in enumerate(free) if name != COMPLIANCE]
+    stiff = free.index(COMPLIANCE) if COMPLIANCE in free else None
+    scale = approach if scatter == "relative" else np.full(len(approach), np.ptp(approach))
+    if not (scale > 0).all():
+        raise _fault("curve", 'has an approach of 0, which has no scatter="relative"')
+    sweeps = 0
+    own = client is None
+    service = client or Client()
+
+    def approaches(points: Iterable[Floats]) -> list[Floats]:
+        nonlocal sweeps
+        sweeps += 1
+        found = []
+        for _, result in service.map([document_at(point) for point in points]):
+            if result.error is not None:
+                raise result.error
+            if not result.converged or len(result.steps) != len(force):
+                raise BrinellError(
+                    f"a trial is {result.status}: bounds=... keep the search where jobs converge"
+                )
+            found.append(np.array([step.approach for step in result.steps]))
+        return found
+
+    def with_frame(bodies: Floats, point: Floats) -> Floats:
+        return bodies if stiff is None else bodies + point[stiff] * compliance_scale * force
+
+    cache: dict[bytes, tuple[Floats, Floats]] = {}
+
+    def evaluated(point: Floats, step: float = _STEP) -> tuple[Floats, Floats]:
+        """Residuals and their derivatives, whose jobs are solved side by side."""
+        key = point.tobytes()
+        if key not in cache or step != _STEP:
+            moves = [step * row for row in np.eye(len(point))[solved]]
+            steps = [point, *(p for move in moves for p in (point + move, point - move))]
+            middle, *around = approaches(steps)
+            slopes = np.zeros((len(force), len(point)))
+            for at, k in enumerate(solved):
+                slopes[:, k] = (around[2 * at] - around[2 * at + 1]) / (2 * step)
+            if stiff is not None:
+                slopes[:, stiff] = compliance_scale * force
+            cache[key] = ((with_frame(middle, point) - approach) / scale, slopes / scale[:, None])
+        return cache[key]
+
+    start = np.array([0.0 if n != COMPLIANCE else 0.05 for n in free])
+    inside = np.clip(start, np.array(low) + 1e-6, np.array(high) - 1e-6)
+    try:
+        optimize.least_squares(
+            lambda point: evaluated(point)[0],
+            inside,
+            jac=lambda point: evaluated(point)[1],
+            bounds=(low, high),
+            x_scale=[1.0 if n != COMPLIANCE else 0.1 for n in free],
+            xtol=1e-5,
+            ftol=1e-8,
+            max_nfev=12,
+        )
+    finally:
+        if own:
+            service.close()
+    # Meshes change with the parameters by small leaps: the best point need not be the last.
+    best = np.frombuffer(min(cache, key=lambda key: float(cache[key][0] @ cache[key][0])))
+    residuals, slopes = evaluated(best, _WIDE_STEP)
+    variance = (
+        (noise if scatter == "relative" else noise / float(scale[0])) ** 2
+        if noise is not None
+        else float(residuals @ residuals) / (len(force) - len(free))
+    )
+    covariance = np.linalg.pinv(slopes.T @ slopes, rcond=1e-14) * variance
+    relative = np.sqrt(np.diag(covariance))
+    found = values_at(best)
+    blind = _blind(slopes, max(math.sqrt(variance), 1e-6), free)
+    steps = {name: compliance_scale if name == COMPLIANCE else found[name] for name in free}
+    with np.errstate(invalid="ignore", divide="ignore"):
+        correlation = covariance / np.outer(relative, relative)
+    return Identification(
+        values=found,
+        deviations={name: float(r * steps[name]) for name, r in zip(free, relative, strict=True)},
+        correlation=correlation,
+        covariance=covariance,
+        undetermined=blind,
+        force=force,
+        measured=approach,
+        computed=approach + scale * residuals,
+        sweeps=sweeps,
+        job=document_at(best),
+        _scales=np.array([steps[name] for name in free]),
+    )
+
+
+def _fault(where: str, detail: str) -> InvalidJob:
+    return InvalidJob([Fault(f"#/{where}", "invalid", f"{where} {detail}")], "nothing to identify")
+
+
+def _points(curve: Any) -> tuple[Floats, Floats]:
+    """Approach and force of a curve, as means of neighbours where it is long."""
+    table = np.asarray(without_mask(curve), dtype=float)
+    if table.ndim == 2 and table.shape[0] == 2 and table.shape[1] > 2:
+        table = table.T
+    if table.ndim != 2 or table.shape[1] != 2:
+        raise _fault("curve", f"has two columns, approach and force, not {table.shape}")
+    holes = np.argwhere(~np.isfinite(table))
+    if len(holes):
+        raise _fault("curve", f"has {len(holes)} holes, the first at {holes[0].tolist()}")
+    if (table[:, 1] < 0).any() or not np.ptp(table[:, 1]) > 0:
+        raise _fault("curve", "needs forces of at least 0 that differ")
+    # A force of 0 at the start has no contact.
+    while len(table) and table[0, 1] == 0:
+        table = table[1:]
+    if len(table) > _LOADS:
+        table = np.array([part.mean(axis=0) for part in np.array_split(table, _LOADS)])
+    return table[:, 0], table[:, 1]
+
+
+def _load(force: Floats) -> dict[str, Any]:
+    if (np.diff(force) > 0).all():
+        return {"forces": force.tolist()}
+    return {"history": [{"force": float(one)} for one in force]}
+
+
+def _places(document: Mapping[str, Any], name: str) -> list[str]:
+    """Pointers of a parameter in a job."""
+    if name.startswith(("/", "#")):
+        where = [name.removeprefix("#")]
+    else:
+        where = [
+            f"/{body}/material/plasticity/{name}"
+            for body in ("upper", "lower")
+            if name in ((document.get(body) or {}).get("material", {}).get("plasticity") or {})
+        ]
+    if not where:
+        laws = [
+            key
+            for body in ("upper", "lower")
+            for key, value in (
+                ((document.get(body) or {}).get("material", {}).get("plasticity") or {}).items()
+            )
+            if isinstance(value, (int, float))
+        ]
+        known = ", ".join(dict.fromkeys([*laws, COMPLIANCE]))
+        raise _fault("free", f"has {name!r}, which is not in the job: {known}")
+    return where
+
+
+def _start(document: Mapping[str, Any], name: str, where: list[str]) -> float:
+    place: Any = document
+    for step in tokens_of(where[0]):
+        try:
+            place = place[int(step)] if isinstance(place, list) else place[step]
+        except (KeyError, IndexError, TypeError, ValueError):
+            raise _fault("free", f"has {name!r}, which is not in the job") from None
+    if not isinstance(place, (int, float)) or not place > 0:
+        raise _fault("free", f"has {name!r}, which starts from {place!r} and not above 0")
+    return float(place)
+
+
+def _blind(slopes: Floats, noise: float, free: Sequence[str]) -> list[str]:
+    """Directions in which the parameters may change by half without being seen."""
+    _, sizes, rows = np.linalg.svd(slopes, full_matrices=False)
+    found = []
+    for size, row in zip(sizes, rows, strict=True):
+        if size > 0 and noise / size <= _TOLD:
+            continue
+        largest = float(np.abs(row).max())
+        parts = [
+            f"{name} ({'+' if one > 0 else '−'}{abs(one / largest):.2f})"
+            for name, one in zip(free, row, strict=True)
+            if abs(one) > 0.1 * largest
+        ]
+        found.append(f"the curve does not tell {' with '.join(parts)}")
+    return found

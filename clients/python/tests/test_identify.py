@@ -1,0 +1,93 @@
+"""A material behind a curve of force over approach, from curves that are made here."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import brinell
+
+FREE = ["yield_stress", "exponent"]
+TRUTH = {"yield_stress": 480.0, "exponent": 0.17}
+
+
+def indented(yield_stress: float, exponent: float, forces: Any = (1,)) -> Any:
+    law = brinell.swift(yield_stress=yield_stress, strain_offset=0.002, exponent=exponent)
+    steel = brinell.material(young_modulus=210000, poisson_ratio=0.3, plasticity=law)
+    return brinell.job(
+        brinell.cylinder(radius=5, material=brinell.rigid),
+        brinell.block(width=40, depth=20, material=steel),
+        analysis="axisymmetric",
+        forces=list(forces),
+        elements_per_half_width=6,
+    )
+
+
+def curve(client: brinell.Client, forces: Any) -> Any:
+    """Approach and force of the true material."""
+    result = client.solve(indented(**TRUTH, forces=forces))
+    return np.column_stack([[step.approach for step in result.steps], forces])
+
+
+def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -> None:
+    measured = curve(client, np.geomspace(60, 1000, 4))
+    found = brinell.identify(measured, indented(300, 0.1), FREE, client=client)
+    assert found.values == pytest.approx(TRUTH, rel=0.005)
+    assert found.sweeps <= 15
+    assert found.covers(found.values)
+    assert not found.covers({"yield_stress": 300, "exponent": 0.1})
+    assert np.abs(found.residuals).max() < 1e-3 * measured[:, 0].max()
+    assert found.job["lower"]["material"]["plasticity"]["yield_stress"] == pytest.approx(
+        found.values["yield_stress"]
+    )
+    assert -1 < found.correlation[0, 1] < -0.5
+    assert found.plot().get_ylabel() == "force [N]"
+    assert found.plot_residuals().get_xlabel() == "force [N]"
+    assert str(found).startswith("yield_stress 480")
+
+
+@pytest.mark.full
+def test_the_compliance_of_the_frame_is_found_beside_the_yield_stress(
+    client: brinell.Client,
+) -> None:
+    measured = curve(client, np.geomspace(60, 2000, 6))
+    measured[:, 0] += 3e-6 * measured[:, 1]
+    found = brinell.identify(
+        measured, indented(300, 0.17), ["yield_stress", "frame_compliance"], client=client
+    )
+    assert found.values["yield_stress"] == pytest.approx(480, rel=0.01)
+    assert found.values["frame_compliance"] == pytest.approx(3e-6, rel=0.05)
+
+
+def test_what_the_curve_does_not_tell_is_said(client: brinell.Client) -> None:
+    """Forces below the onset of yield tell nothing of hardening."""
+    measured = curve(client, [1.0, 2.0, 3.0, 4.0])
+    found = brinell.identify(measured, indented(450, 0.1), FREE, client=client, noise=1e-6)
+    assert any(
+        "the curve does not tell" in one and "exponent" in one for one in found.undetermined
+    )
+
+
+@pytest.mark.parametrize(
+    ("measured", "free", "said"),
+    [
+        ([[0.01, 100], [0.02, np.nan], [0.03, 300]], FREE, "has 1 holes"),
+        (np.ma.masked_array([[0.01, 100], [0.02, 200]], mask=[[0, 0], [1, 0]]), FREE, "1 holes"),
+        ([[0.01, 100], [0.02, 200]], FREE, "2 points tell no 2 parameters"),
+        ([[0.01, 100]] * 3, FREE, "forces of at least 0 that differ"),
+        ([[1, 2, 3]] * 3, FREE, "two columns"),
+        (
+            [[0.01, 100], [0.02, 200], [0.03, 300]],
+            ["hardness"],
+            "which is not in the job: exponent, strain_offset",
+        ),
+        ([[0.01, 100], [0.02, 200], [0.03, 300]], ["/lower/x"], "which is not in the job"),
+        ([[0.01, 100], [0.02, 200], [0.03, 300]], [], "has to name parameters"),
+    ],
+)
+def test_what_cannot_be_identified_is_refused(measured: Any, free: list[str], said: str) -> None:
+    with pytest.raises(brinell.InvalidJob, match="nothing to identify") as caught:
+        brinell.identify(measured, indented(300, 0.1), free)
+    assert said in caught.value.errors[0].detail
