@@ -508,8 +508,8 @@ class Frame {
     this.along = this.across === 'x' ? 'y' : 'x';
     const label = (/** @type {'x' | 'y'} */ axis) => `${axes[axis]}  [${unit('length', units)}]`;
     this.labels = [label(this.across), label(this.along)];
-    this.width = width - LEFT - RIGHT;
-    this.height = height - TOP - BOTTOM;
+    this.width = Math.max(1, Math.floor(width - LEFT - RIGHT));
+    this.height = Math.max(1, Math.floor(height - TOP - BOTTOM));
     if (!stretch) {
       const even = Math.min(this.width / long(this.across), this.height / long(this.along));
       this.width = Math.max(1, Math.floor(even * long(this.across)));

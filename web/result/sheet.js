@@ -521,7 +521,7 @@ function answers(sides) {
       h('th', { scope: 'row' }, answer.label),
       h('td', {}, valueOf(answer)),
       h('td', { class: 'unit' }, unitOf(answer)),
-      h('td', {}, errorWords(answer)),
+      h('td', {}, errorWords(answer).replace('error not known', 'not known')),
       notes
         ? [
             hasElastic && h('td', {}, elasticWords(answer)),

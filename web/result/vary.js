@@ -6,7 +6,7 @@
 import { Problem } from '../api/client.js';
 import { solveAll, solveOne } from '../jobs/batch.js';
 import { numbersOf, withValue } from '../jobs/numbers.js';
-import { h, toast } from '../lib/dom.js';
+import { byId, h, toast } from '../lib/dom.js';
 import { readNumber } from '../lib/number.js';
 import { exact, plain } from '../lib/units.js';
 import { answersOf, shareOf, unitOf, valueOf } from './answers.js';
@@ -207,7 +207,9 @@ export class VaryPanel {
       ? `With another ${number.label.toLowerCase()}: ${failed.problem}.`
       : `${number.label} ± 10 %: each card has both answers, the charts both curves.`;
     const solved = trials.filter(({ report }) => report).map(({ id }) => id);
-    if (solved.length && !signal.aborted) this.on.spread(solved);
+    if (solved.length === 0 || signal.aborted) return;
+    this.on.spread(solved);
+    byId('headline').scrollIntoView({ block: 'center' });
   }
 
   async #sweep() {

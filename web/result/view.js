@@ -10,6 +10,7 @@ import { sentence } from '../setup/send.js';
 import { LayerSource, reportOf } from '../field/layers.js';
 import { stemOf } from '../jobs/names.js';
 import { FieldPanel } from '../field/panel.js';
+import { answersOf } from './answers.js';
 import { axesOf } from './axes.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
@@ -44,6 +45,7 @@ const HEIGHTS = new Map([
   ['depth', 400],
   ['spread', 300],
   ['dent', 320],
+  ['vary', 250],
 ]);
 
 export class View {
@@ -169,7 +171,7 @@ export class View {
     for (const one of seen) {
       const least = columns.reduce((a, b) => (b.high < a.high - 1 ? b : a));
       least.own.push(one.panel.element);
-      least.high += HEIGHTS.get(one.panel.id) ?? 360;
+      least.high += one === vary && vary.hasCurve ? 700 : (HEIGHTS.get(one.panel.id) ?? 360);
     }
     const hidden = [...new Set(all)]
       .filter(({ panel }) => panel.element.hidden)
@@ -234,7 +236,7 @@ export class View {
     this.#given = shown;
     if (shown.length === 0) return;
     const last = shown[0].report.steps.length - 1;
-    this.#at = anew ? last : Math.min(this.#at, last);
+    this.#at = anew ? askedStep(shown[0]) : Math.min(this.#at, last);
     this.#anew ||= anew;
     // A part of a chart that was dragged up is a part of that job's.
     if (anew && !moving) {
@@ -441,6 +443,14 @@ function fieldOf({ job, report, raw, fields }, at, axis) {
   return fields instanceof LayerSource
     ? { asked: { ...asked, report: reportOf(raw, axis) }, source: fields.planes[axis] }
     : { asked: { ...asked, report: raw }, source: fields };
+}
+
+/** The step that is seen first: that of the force that was looked for, else the last one. @param {Shown} one */
+function askedStep({ report }) {
+  const found = report.steps.findIndex((step) =>
+    answersOf(step, report).some(({ name }) => name === 'force_found'),
+  );
+  return found < 0 ? report.steps.length - 1 : found;
 }
 
 /** Names the sections of half-spaces in the axes of the job. @param {HTMLElement} choice @param {import('../types.js').Step} step */

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, shown, solved, steel } from '../jobs.js';
+import { drawn, follow, mises, shown, solved, steel } from '../jobs.js';
 
 const service = suite();
 
@@ -124,7 +124,7 @@ service.test(
 
 service.test('results are shown in other units than the job has', async (page) => {
   await shown(page, { load: { force: 612.6106 }, output: { fields: true } });
-  await drawn(page);
+  await mises(page);
   await page.getByText('Units shown').click();
   await page.getByLabel('Unit of length').selectOption('µm');
   await page.getByLabel('Unit of stress').selectOption('GPa');
@@ -288,7 +288,13 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
     return head.filter((_, k) => head[k + 1]?.startsWith('±'));
   };
   await shown(page, { load: { approach: 0.01 } });
-  assert.deepEqual(await barred(), ['Peak pressure', 'Half-width', 'Force']);
+  assert.deepEqual(await barred(), [
+    'Peak pressure',
+    'Half-width',
+    'Force',
+    'Mean pressure',
+    'Largest plastic strain',
+  ]);
   assert.match((await columns()).join(), /^force N\/mm,peak pressure MPa,half-width mm/);
   // What is prescribed says so, and no card is silent.
   assert.equal(await page.locator('#headline .bar-of-error', { hasText: 'as given' }).count(), 1);
@@ -297,6 +303,8 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
     'Peak pressure',
     'Half-width',
     'Approach',
+    'Mean pressure',
+    'Largest plastic strain',
     'Contact stiffness',
   ]);
   assert.match((await columns()).join(), /^approach mm,peak pressure MPa,half-width mm,dP/);
@@ -498,6 +506,7 @@ service.test('files of figures in other units have names of their own', async (p
   assert.equal(await named(), '-step-2-pressure.svg');
   await page.getByText('Units shown').click();
   await page.getByLabel('Unit of length').selectOption('in');
+  await page.keyboard.press('Escape');
   assert.equal(await named(), '-in-step-2-pressure.svg');
   await page.getByText('Download').click();
   await page.getByText('in the units of the job').waitFor();
