@@ -4,6 +4,29 @@
  *
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
+ * @typedef {object} Answer
+ * @property {number | null} bias
+ * @property {AnswerBody | null} body
+ * @property {number | null} elastic
+ * @property {number | null} error
+ * @property {string} label
+ * @property {string} name
+ * @property {AnswerPlace | null} place
+ * @property {AnswerQuantity} quantity
+ * @property {string} text
+ * @property {string} unit
+ * @property {number | null} value
+ *
+ * @typedef {'upper' | 'lower' | 'both'} AnswerBody
+ *
+ * @typedef {object} AnswerPlace
+ * @property {AnswerBody} body
+ * @property {number} depth
+ * @property {number} x
+ * @property {number} [y]
+ *
+ * @typedef {string} AnswerQuantity
+ *
  * @typedef {object} BodyErrors
  * @property {number | null} area
  * @property {number | null} depth
@@ -313,6 +336,7 @@
  * @typedef {string} SolveStatus
  *
  * @typedef {object} Step
+ * @property {(Answer)[]} answers
  * @property {number} approach
  * @property {string} approach_datum
  * @property {Contact} contact
@@ -330,6 +354,7 @@
  * @property {SubsurfaceOfBodies} [subsurface_below_peak]
  * @property {ThreeDimensional} [three_dimensional]
  * @property {(ValidityNote)[]} validity
+ * @property {Verdict} [verdict]
  * @property {YieldOnset | null} yield_onset
  *
  * @typedef {object} Subsurface
@@ -414,6 +439,12 @@
  * @typedef {object} ValidityNote
  * @property {string} code
  * @property {string} message
+ *
+ * @typedef {object} Verdict
+ * @property {VerdictLevel} level
+ * @property {string} text
+ *
+ * @typedef {string} VerdictLevel
  *
  * @typedef {object} YieldOnset
  * @property {number} approach

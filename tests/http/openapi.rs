@@ -103,7 +103,8 @@ fn answers_are_as_documented() {
         assert_eq!(service.post(path, path, &"[".repeat(2 << 20), &[JSON]).status, 413);
     }
     let path = "/v1/hardening-curves";
-    let test = r#"{"points": [[0, 0], [0.001, 210], [0.01, 380], [0.05, 450]]}"#;
+    let test = r#"{"points": [[0, 0], [0.001, 210], [0.01, 380], [0.05, 450]],
+        "young_modulus": 210000}"#;
     assert_eq!(service.post(path, path, test, &[JSON]).status, 200);
     assert_eq!(service.post(path, path, "{}", &[JSON]).status, 422);
     let id = "/v1/jobs/{id}";

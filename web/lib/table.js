@@ -3,7 +3,14 @@
  * known word for word, or refused.
  */
 
-import { columnsInWords, hasDecimalComma, parted, quoted, readNumber, withMinus } from './number.js';
+import {
+  columnsInWords,
+  hasDecimalComma,
+  parted,
+  quoted,
+  readNumber,
+  withMinus,
+} from './number.js';
 import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
@@ -261,7 +268,8 @@ const isTitle = (line) =>
   !line.split(/[^\p{L}µ°]+/u).some((word) => isUnit(word) || /^(HV|HR[A-C]?|HBW?)$/.test(word));
 
 /** Names of columns that count the lines. */
-const COUNTS = /^(nr|no|n°|nº|num|number|nummer|lfdnr|index|i|point|punkt|messpunkt|indent|eindruck|mesure|#)$/;
+const COUNTS =
+  /^(nr|no|n°|nº|num|number|nummer|lfdnr|index|i|point|punkt|messpunkt|indent|eindruck|mesure|#)$/;
 
 /** Whether the first column is 1, 2, 3, … @param {Row[]} body */
 const countsLines = (body) =>

@@ -313,7 +313,10 @@ function cellsOf(line, separator) {
   const bare = withoutSign(line);
   const cells =
     separator === ', '
-      ? bare.trim().split(/,\s+|\s+/)
+      ? bare
+          .trim()
+          .replace(/,$/, '')
+          .split(/,\s+|\s+/)
       : separator === ' '
         ? wordsOf(bare.replace(/no data/gi, 'nodata'))
         : bare.replace(/[ \r\n]+$/, '').split(separator);

@@ -340,10 +340,9 @@ function lengthsForm(grid, units, done) {
     h('select', {}, h('option', { value: '' }, 'choose…'), UNITS.map((name) => h('option', {}, name))); // prettier-ignore
   const labelled = (/** @type {string} */ words, /** @type {HTMLElement} */ of) =>
     h('label', {}, words, ' ', of);
-  const example = () => `such as 1 µm; in ${unit('length', units())} without a unit`;
   const box = (/** @type {string} */ placeholder) =>
     h('input', { type: 'text', autocomplete: 'off', spellcheck: 'false', placeholder });
-  const [up, across, dx, dy] = [choice(), choice(), box(example()), box('as along x')];
+  const [up, across, dx, dy] = [choice(), choice(), box('such as 1 µm'), box('as along x')];
   const asksSpacing = !grid.spacing;
   const lacking = [grid.up ? '' : 'unit of its heights', asksSpacing ? 'distance of its heights' : grid.across ? '' : 'unit of its distances'].filter(Boolean); // prettier-ignore
   const refuse = (/** @type {string} */ words) => {

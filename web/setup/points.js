@@ -176,7 +176,7 @@ export function fileButton(open, words = 'Open CSV…', more = '') {
 
 /** @typedef {[number, number]} Pair */
 /** @typedef {{points: Point[], note: string} | {problem: string}} Converted */
-/** @typedef {(work: (points: Pair[]) => Converted | Promise<Converted>) => void} Convert of the fields of two columns */
+/** @typedef {(work: (points: Pair[]) => Converted | Promise<Converted>) => Promise<void>} Convert of the fields of two columns */
 
 /** @param {string} text @param {string} title @param {() => void} work */
 const button = (text, title, work) =>

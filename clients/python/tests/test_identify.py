@@ -13,7 +13,7 @@ FREE = ["yield_stress", "exponent"]
 TRUTH = {"yield_stress": 480.0, "exponent": 0.17}
 
 
-def indented(yield_stress: float, exponent: float, forces: Any = (1,)) -> Any:
+def indented(yield_stress: float, exponent: float, forces: Any = (1,), elements: int = 6) -> Any:
     law = brinell.swift(yield_stress=yield_stress, strain_offset=0.002, exponent=exponent)
     steel = brinell.material(young_modulus=210000, poisson_ratio=0.3, plasticity=law)
     return brinell.job(
@@ -21,7 +21,7 @@ def indented(yield_stress: float, exponent: float, forces: Any = (1,)) -> Any:
         brinell.block(width=40, depth=20, material=steel),
         analysis="axisymmetric",
         forces=list(forces),
-        elements_per_half_width=6,
+        elements_per_half_width=elements,
     )
 
 
@@ -46,6 +46,8 @@ def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -
     assert found.plot().get_ylabel() == "force [N]"
     assert found.plot_residuals().get_xlabel() == "force [N]"
     assert str(found).startswith("yield_stress 480")
+    assert 0 < found.mesh_error < 0.1
+    assert "of the approach open" in str(found)
 
 
 @pytest.mark.full
@@ -59,6 +61,26 @@ def test_the_compliance_of_the_frame_is_found_beside_the_yield_stress(
     )
     assert found.values["yield_stress"] == pytest.approx(480, rel=0.01)
     assert found.values["frame_compliance"] == pytest.approx(3e-6, rel=0.05)
+
+
+@pytest.mark.full
+def test_the_truth_lies_within_the_region_of_nineteen_in_twenty(client: brinell.Client) -> None:
+    forces = np.geomspace(60, 2000, 12)
+    exact = client.solve(indented(**TRUTH, forces=forces, elements=10))
+    approach = np.array([step.approach for step in exact.steps])
+    covered = 0
+    for seed in range(20):
+        scatter = 1 + 0.01 * np.random.default_rng(seed).normal(size=len(forces))
+        found = brinell.identify(
+            np.column_stack([approach * scatter, forces]),
+            indented(300, 0.1, elements=10),
+            FREE,
+            client=client,
+            scatter="relative",
+        )
+        covered += found.covers(TRUTH)
+        assert found.sweeps <= 15
+    assert covered >= 18
 
 
 def test_what_the_curve_does_not_tell_is_said(client: brinell.Client) -> None:

@@ -69,6 +69,8 @@ pub fn document() -> Value {
     for (name, words, description) in [
         ("JobState", JobState::ALL.map(JobState::name).to_vec(), JOB_STATES),
         ("SolveStatus", words::<SolveStatus>(), SOLVE_STATUS),
+        ("VerdictLevel", words::<report::VerdictLevel>(), VERDICT_LEVELS),
+        ("AnswerQuantity", words::<report::AnswerQuantity>(), ANSWER_QUANTITIES),
     ] {
         schemas[name] = open_set(description, &words);
     }
@@ -194,6 +196,12 @@ const JOB_STATES: &str = "Where a job stands. `queued` and `running` are passed 
 const SOLVE_STATUS: &str = "How a solve ended. Converged means that displacements and \
                             out-of-balance force are below the tolerance and the final state has \
                             passed a check of its own.";
+const VERDICT_LEVELS: &str = "The state of the bodies: `not_converged` and `collapse` are no answers; \
+                              `above_shakedown_limit`, `yields` and `dented` have plastic strain; \
+                              `not_known` where no yield stress is given, or the mesh does not \
+                              resolve the onset of yield.";
+const ANSWER_QUANTITIES: &str =
+    "The physical quantity of an answer. `strain` and `ratio` are shown in per cent.";
 const VALIDITY_CODES: &str = "Stable identifier.";
 const PROBLEM_TYPES: &str =
     "The kind of error: a relative address that this service answers with an explanation.";

@@ -15,6 +15,8 @@ const CURVATURE: f64 = 0.02;
 const SCATTER: f64 = 2e-3;
 /// Range of stress of a straight part over that of the rise.
 const SHORTEST: f64 = 0.15;
+/// Stress where a straight part begins over that where it ends: what begins higher is hardening.
+const FOOT: f64 = 0.5;
 /// Standard error of a slope above which a part is too noisy to have one.
 const NOISIEST: f64 = 0.03;
 /// Slope over the steepest one above which a part belongs to the same line.
@@ -63,8 +65,10 @@ pub(super) fn of_rise(points: &[[f64; 2]]) -> Option<Line> {
     let mut parts = Vec::new();
     for i in 0..bins.len() {
         for j in i + fewest..=bins.len() {
-            let range = (bins[j - 1].mean[1] - bins[i].mean[1]) / scale[1];
+            let [from, to] = [i, j - 1].map(|k| bins[k].mean[1] - bins[0].mean[1]);
+            let range = (to - from) / scale[1];
             if range >= SHORTEST
+                && from <= FOOT * to
                 && let Some(part) = sums.part(i, j, range, noise / scale[1])
             {
                 parts.push(part);

@@ -157,7 +157,7 @@ fn points_beyond_necking_are_left_out() {
     for stress in [0.0, 1.5] {
         let mut pulled = record(&law, 100, 800, 0.25);
         let top = pulled.iter().map(|point| point[1]).fold(0.0, f64::max);
-        let at = pulled.iter().position(|point| point[1] == top).unwrap();
+        let at = pulled.iter().position(|point| point[1] >= top).unwrap();
         // Consideré: the force is largest where the slope is the stress, n - ε_0 = 0.095.
         let [strain, _] = pulled[at];
         assert!((strain.ln_1p() - 0.095 - top * strain.exp() / YOUNG).abs() < 3e-3, "{strain}");
@@ -252,7 +252,11 @@ fn few_points_are_a_curve() {
     // The second point is beyond yield: the line is that of the modulus.
     let printed = [[0.0, 0.0], [0.01, 380.0], [0.05, 450.0], [0.1, 480.0]];
     let curve = hardening_curve(&printed, settings()).unwrap();
-    assert!(curve.line.straight.is_none() && curve.line.slope == 210_000.0, "{:?}", curve.line);
+    assert!(
+        curve.line.straight.is_none() && (curve.line.slope - 210_000.0).abs() < 1e-9,
+        "{:?}",
+        curve.line
+    );
     assert!(is_a_table(&curve) && curve.points[0][1] < 384.0, "{:?}", curve.points);
 }
 
@@ -271,6 +275,24 @@ fn a_round_curve_has_the_slope_of_its_start() {
         curve.yield_stress
     );
     assert!(off(&curve, &law, 1e-3) < 0.01, "{}", off(&curve, &law, 1e-3));
+}
+
+/// Annealed copper with six elastic points among two thousand noisy ones: hardening is no first
+/// slope.
+#[test]
+fn a_rise_that_noise_hides_is_that_of_the_modulus() {
+    let law = crate::hardening::Ludwik { yield_stress: 33.0, coefficient: 400.0, exponent: 0.5 };
+    for seed in 1..=4 {
+        let noisy = noisy(&record(&law, 6, 2000, 0.3), 1e-5, 0.5, seed);
+        let curve = hardening_curve(&noisy, settings()).unwrap();
+        assert!(curve.line.straight.is_none(), "{:?}", curve.line);
+        assert!(
+            (curve.yield_stress / law.stress(1e-4) - 1.0).abs() < 0.1,
+            "{}",
+            curve.yield_stress
+        );
+        assert!(off(&curve, &law, 2e-3) < 0.02, "{}", off(&curve, &law, 2e-3));
+    }
 }
 
 #[test]

@@ -9,8 +9,8 @@ const GAP_OF_MARK: f64 = 10.0;
 /// Figures that programs write for missing heights.
 const MARKS: [f64; 8] =
     [-9999.0, 9999.0, -99_999.0, 99_999.0, -32_768.0, -32_767.0, 32_767.0, 65_535.0];
-/// Fewest heights of one value that are a block, and their share of all.
-const BLOCK: (usize, f64) = (16, 0.01);
+/// Fewest heights of one value that are a block; of more than 1600 heights it is a hundredth.
+const BLOCK: usize = 16;
 /// Most places that are named.
 const NAMED: usize = 3;
 
@@ -60,7 +60,7 @@ pub(super) fn of_one_value(heights: &[f64], columns: usize) -> Option<NoData> {
     sorted.sort_unstable_by(f64::total_cmp);
     let runs = || sorted.chunk_by(|a, b| a.to_bits() == b.to_bits());
     let longest = runs().max_by_key(|run| run.len())?;
-    let least = BLOCK.0.max((BLOCK.1 * heights.len() as f64) as usize);
+    let least = BLOCK.max(heights.len() / 100);
     let rest = heights.len() - longest.len();
     let differ = runs().count() - 1;
     // Computed shapes have symmetries, and coarse steps repeat.
@@ -131,9 +131,7 @@ mod tests {
         assert_eq!(found(&rough()), None);
         for (mark, share) in [(-9999.0, 12), (-32_768.0, 1), (55.5, 3), (-120.0, 100), (1e6, 1)] {
             let mut heights = rough();
-            for k in 0..share {
-                heights[20 + k] = mark;
-            }
+            heights[20..20 + share].fill(mark);
             let (height, count, places) = found(&heights).unwrap();
             assert_eq!((height, count, places[0]), (mark, share, [1, 4]));
         }
@@ -152,8 +150,9 @@ mod tests {
         let bump =
             |k: i32| (1.0 - f64::from((k % 16 - 8).pow(2) + (k / 16 - 8).pow(2)) / 20.0).max(0.0);
         let punch = |k: i32| if (k % 16 - 8).abs() < 4 { 0.0 } else { -1.0 };
-        let worn = |k: i32| rough()[k as usize].min(0.0005);
-        let scratch = |k: i32| rough()[k as usize] - if k % 16 == 5 { 0.5 } else { 0.0 };
+        let rough = |k: i32| 0.001 * (f64::from(k) * 0.7).sin() + 1e-6 * f64::from(k);
+        let worn = |k: i32| rough(k).min(0.0005);
+        let scratch = |k: i32| rough(k) - if k % 16 == 5 { 0.5 } else { 0.0 };
         let linear = |k: i32| 1000.0 * f64::from(k);
         let shapes: [&dyn Fn(i32) -> f64; 5] = [&bump, &punch, &worn, &scratch, &linear];
         for (n, shape) in shapes.iter().enumerate() {
@@ -165,9 +164,7 @@ mod tests {
     #[test]
     fn a_block_of_one_value_is_told() {
         let mut filled = rough();
-        for k in 40..60 {
-            filled[k] = 4e-4;
-        }
+        filled[40..60].fill(4e-4);
         let found = of_one_value(&filled, 16).unwrap();
         assert_eq!((found.count, found.of, found.places[0]), (20, 256, [2, 8]));
         assert_eq!(of_one_value(&rough(), 16), None);

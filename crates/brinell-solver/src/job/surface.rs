@@ -6,7 +6,7 @@ use serde::ser::{SerializeStruct, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FaultCode, Named, Quantity, Units, no_data, npy};
+use super::{FaultCode, Named, NoData, Quantity, Units, no_data, npy};
 
 /// Heights over the shape of a body at the middles of equal cells, along the outward normal.
 /// Lengths in mm.
@@ -17,6 +17,8 @@ pub struct Surface {
     cells: [usize; 2],
     spacing: [f64; 2],
     detrend: Detrend,
+    /// Heights of exactly one value among others that differ.
+    block: Option<NoData>,
 }
 
 /// The trend that is subtracted from heights.
@@ -64,9 +66,9 @@ impl Surface {
         self.spacing
     }
 
-    /// Returns the heights as they are given, in the order `[i * cells[1] + j]` \[mm\].
-    pub(super) fn heights(&self) -> &[f64] {
-        &self.heights
+    /// Returns the heights of exactly one value among others that all differ.
+    pub(super) const fn block(&self) -> Option<&NoData> {
+        self.block.as_ref()
     }
 
     /// Whether both surfaces have their heights at the same points.
@@ -166,7 +168,8 @@ impl Surface {
         let (spacing_x, spacing_y) = (spacing("spacing_x"), spacing("spacing_y"));
         let detrend = object.or("detrend", Detrend::default(), |c| c.named());
         let (cells, heights) = rows?;
-        Some(Self { cells, heights, spacing: [spacing_x?, spacing_y?], detrend: detrend? })
+        let block = no_data::of_one_value(&heights, cells[1]);
+        Some(Self { cells, heights, spacing: [spacing_x?, spacing_y?], detrend: detrend?, block })
     }
 }
 

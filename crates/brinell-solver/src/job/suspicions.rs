@@ -4,7 +4,7 @@
 //! A finding follows from the job alone. It refuses nothing: somebody may mean it.
 
 use super::fields::{Figure, Value};
-use super::no_data::{self, NoData};
+use super::no_data::NoData;
 use super::{
     Analysis, Body, Deformable, Hardening, HistoryLoad, InitialStress, Job, Load, Material,
     OverDepth, Quantity, RambergOsgood, Shape, TablePoints, Units,
@@ -176,12 +176,8 @@ impl Job {
                 let size = size(&body.shape).or_else(|| self::size(&other.shape));
                 of_depths(material, size, &mut say);
             }
-            let heights = body
-                .surface
-                .as_ref()
-                .and_then(|surface| no_data::of_one_value(surface.heights(), surface.cells()[1]));
-            if let Some(heights) = heights {
-                say(HEIGHTS, "/surface/heights", Finding::OneHeight(heights));
+            if let Some(heights) = body.surface.as_ref().and_then(|surface| surface.block()) {
+                say(HEIGHTS, "/surface/heights", Finding::OneHeight(heights.clone()));
             }
         }
         if let Some((half_width, limit)) = self.wider_than_body() {

@@ -272,7 +272,7 @@ impl Words {
                 }
             )),
             TestFault::NoYield { slope, largest } => points(format!(
-                "ends before yield: it rises with {} up to {}",
+                "ends before yield: it rises with {} up to {}; points go from the first to the last",
                 self.stress(slope),
                 self.stress(largest)
             )),

@@ -2,9 +2,11 @@
 
 use std::time::Duration;
 
+use super::answers::Measured;
 use super::contact_stiffness::{LoadDifferences, Seen};
 use super::findings::{Finding, Known};
 use super::load_approach::CurvePoint;
+use super::measured::measured;
 use super::target::TargetSeen;
 use super::{
     ErrorEstimate, FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport,
@@ -31,6 +33,8 @@ pub(super) struct ReportBuilder<'a> {
     differences: LoadDifferences<'a>,
     /// Whether the load steps form a history; otherwise they are independent points of a curve.
     is_history: bool,
+    /// Largest force so far that has left plastic strain in a history.
+    dented_under: f64,
     /// Number of loads of the history whose peak pressure the mesh does not resolve.
     unknown_peaks: usize,
     target: TargetSeen,
@@ -50,6 +54,7 @@ impl<'a> ReportBuilder<'a> {
             curve: Vec::new(),
             differences: LoadDifferences::new(job, options),
             is_history: false,
+            dented_under: 0.0,
             unknown_peaks: 0,
             target: TargetSeen::default(),
             mesh: MeshReport::NONE,
@@ -109,13 +114,16 @@ impl<'a> ReportBuilder<'a> {
             self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
         }
         self.target.see(self.job, step, &findings);
-        let report = step_report(
-            self.job,
-            step,
-            Judged { reference, bars, findings: &findings },
-            fields,
-            self.write,
-        );
+        let measured = Measured {
+            is_dented: self.dented_under > 0.0 && self.dented_under >= step.force(),
+            ..measured(self.job, step, reference.as_ref(), &findings)
+        };
+        if step.energy.is_some() && step.bodies.iter().flatten().any(|body| body.has_yielded()) {
+            self.dented_under = self.dented_under.max(step.force());
+        }
+        let judged = Judged { reference, bars, findings: &findings };
+        let report = step_report(self.job, step, judged, fields, self.write);
+        let report = report.answered(self.job, &measured, &findings, self.write);
         self.time += observer.elapsed().saturating_sub(start);
         report
     }
@@ -218,6 +226,8 @@ fn step_report(
     let FieldReports { subsurface: [subsurface, subsurface_below_peak], plasticity, fields } =
         fields;
     StepReport {
+        verdict: None,
+        answers: Vec::new(),
         load: match step.load {
             ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
             ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),

@@ -11,8 +11,8 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LayersReport, LoadApproach,
-    TargetReport, ThreeDimensionalReport, ValidityNote, YieldOnsetReport,
+    Answer, ContactReport, ErrorEstimate, FieldsReport, FlowReport, LayersReport, LoadApproach,
+    TargetReport, ThreeDimensionalReport, ValidityNote, Verdict, YieldOnsetReport,
 };
 use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
@@ -53,6 +53,14 @@ pub struct StepReport {
     pub load: LoadReport,
     /// How this step ended.
     pub status: SolveStatus,
+    /// The state of the bodies in one sentence; absent of results of 0.2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub verdict: Option<Verdict>,
+    /// The figures that answer the job, in the order in which it asks for them; empty of results
+    /// of 0.2 and of a step that was stopped.
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub answers: Vec<Answer>,
     /// Approach α of the supports \[length\].
     pub approach: f64,
     /// Between which two boundaries α is counted.

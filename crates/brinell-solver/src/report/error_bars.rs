@@ -31,7 +31,7 @@ use crate::solver::{ElasticReference, StepSolution};
 
 /// Returns the name of a figure in `docs/validity.md` and its floors over h/a: in plane analyses,
 /// and of bodies of revolution.
-const fn floors(figure: Figure) -> (&'static str, [f64; 2]) {
+pub(super) const fn floors(figure: Figure) -> (&'static str, [f64; 2]) {
     match figure {
         Figure::PeakPressure => ("peak pressure", [0.03, 0.1]),
         Figure::HalfWidth => ("half-width", [0.3, 0.3]),

@@ -316,3 +316,68 @@ impl Known {
         bar.filter(|_| self.has(figure, side))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::error_bars::floors;
+
+    /// The table of `docs/validity.md`: what each finding takes.
+    #[test]
+    fn the_document_says_which_bars_a_finding_takes() {
+        let document = include_str!("../../../../docs/validity.md");
+        let at_edge = OnsetUnknown::AtCorner { x: 0.0 };
+        let findings = [
+            (Finding::NotConverged(Unconverged::Collapse), "no answer"),
+            (
+                Finding::Stopped { status: SolveStatus::Cancelled, is_preliminary: false },
+                "stopped",
+            ),
+            (Finding::Collapse { strain: 1.0, last: None }, "limit load"),
+            (Finding::OnsetUnknown { cause: at_edge, is_sought: true }, "at the onset of yield"),
+            (Finding::RingOnFewElements { radius: 1.0 }, "a ring on few elements"),
+            (
+                Finding::RoundedEdge { width: 0.0, pressure: 0.0, spacing: 0.0, is_onset: false },
+                "a rounded edge that elements leave out",
+            ),
+            (
+                Finding::RoundedTip { arc: None, needed: 0.0, pressure: 0.0, spacing: 0.0 },
+                "a tip that elements leave out",
+            ),
+            (Finding::PeakNextToEnd { x: 0.0, spacing: 0.0 }, "the peak next to an end"),
+            (Finding::EarlierPeak, "the peak of an earlier load"),
+            (Finding::ClampedColumn, "a clamped column"),
+            (Finding::ElasticCorner { x: 0.0 }, "pressure without bound"),
+            (Finding::YieldingCorner { x: 0.0 }, "pressure without bound"),
+            (Finding::Kinks, "pressure without bound"),
+            (Finding::RollerEnd { pressure: 0.0, is_sharp: false }, "the end of a roller"),
+            (Finding::SurfaceEnd, "the rim of heights"),
+            (
+                Finding::CoarseCase {
+                    change: 0.0,
+                    place: CasePlace::Element([0.0; 2]),
+                    wanted: 0.0,
+                    bodies: [true, false],
+                },
+                "strength within an element, of that body",
+            ),
+            (
+                Finding::UnboundedStrain { bodies: [true, false] },
+                "strain without limit, of that body",
+            ),
+        ];
+        for (finding, words) in findings {
+            let taken = match finding.voids() {
+                Voids::Estimate => "the whole estimate".to_owned(),
+                Voids::Figures(FigureSet::ALL) => "all figures".to_owned(),
+                Voids::Figures(set) => {
+                    let figures = Figure::ALL.iter().filter(|figure| set.has(**figure, 0));
+                    let names: Vec<&str> = figures.map(|figure| floors(*figure).0).collect();
+                    names.join(", ")
+                }
+            };
+            let row = format!("| `{}`: {words} | {taken} |", finding.code());
+            assert!(document.contains(&row), "{row}");
+        }
+    }
+}

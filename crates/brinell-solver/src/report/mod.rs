@@ -1,5 +1,6 @@
 //! The report of a solution: its figures, their validity and their error bars.
 
+mod answers;
 mod build;
 mod contact;
 mod contact_stiffness;
@@ -13,6 +14,7 @@ mod flow;
 mod half_spaces;
 mod layer_fields;
 mod load_approach;
+mod measured;
 mod mesh_effects;
 mod onset;
 mod plastic_strain;
@@ -25,7 +27,9 @@ mod surface_stress;
 mod suspicions;
 mod target;
 mod validity;
+mod verdict;
 
+pub use answers::{Answer, AnswerBody, AnswerPlace, AnswerQuantity};
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
 pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error};
@@ -45,3 +49,4 @@ pub use onset::{Side, YieldOnsetReport};
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
 pub use target::TargetReport;
 pub use validity::{VALIDITY_CODES, ValidityNote};
+pub use verdict::{Verdict, VerdictLevel};

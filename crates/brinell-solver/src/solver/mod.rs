@@ -53,6 +53,7 @@ pub use outline::outline_of;
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
+pub(crate) use reference::{elastic_utilization, factor_of_onset};
 pub(crate) use solution::has_yielded;
 pub use solution::{
     BodySolution, Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution,

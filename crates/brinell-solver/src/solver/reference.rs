@@ -46,7 +46,7 @@ impl ElasticReference {
         // The closed forms know of no stress before the load.
         let is_stressed = problem.bodies.iter().any(|body| body.initial_stress.is_some());
         let yielding = || problem.bodies.iter().filter(|_| !is_stressed);
-        let onset = |body: &ProblemBody| onset(problem.stress_state, body, radius, modulus);
+        let onset = |body: &ProblemBody| onset(problem.stress_state, body, radius, modulus, 1.0);
         let first = yielding().filter_map(onset).min_by(|a, b| a.0.total_cmp(&b.0));
         let rolling =
             |body: &ProblemBody| rolling_limit(problem.stress_state, body, radius, modulus);
@@ -62,6 +62,45 @@ impl ElasticReference {
                 .min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure)),
         })
     }
+}
+
+/// The largest von Mises stress of elastic bodies over the yield stress under a force, its place
+/// `[x, depth]` \[mm\] and the body, by Hertz's theory: the factor on both yield stresses that
+/// makes the force that of first yield. `None` where [`ElasticReference::of`] has no onset of
+/// yield.
+pub(crate) fn elastic_utilization(job: &Job, force: f64) -> Option<(f64, [f64; 2], usize)> {
+    let problem = Problem::of(job);
+    let (curvature, modulus) = (problem.curvature()?, problem.effective_modulus());
+    if problem.bodies.iter().any(|body| body.initial_stress.is_some()) {
+        return None;
+    }
+    let radius = curvature.recip();
+    let of_body = |body: &ProblemBody| {
+        let onset = |factor: f64| onset(problem.stress_state, body, radius, modulus, factor);
+        onset(1.0)?;
+        Some(factor_of_onset(|factor| onset(factor).unwrap_or_default(), force))
+    };
+    let bodies = problem.bodies.iter().enumerate();
+    let used = bodies.filter_map(|(side, body)| Some((of_body(body)?, side)));
+    let ((ratio, depth), side) = used.max_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
+    Some((ratio, [0.0, depth], side))
+}
+
+/// Returns the factor on a yield stress that makes `force` the force of first yield, and the depth
+/// of first yield with this factor. `onset` returns both forces and depths for a factor.
+pub(crate) fn factor_of_onset(onset: impl Fn(f64) -> (f64, f64), force: f64) -> (f64, f64) {
+    let mut factor = 1.0;
+    let mut found = onset(factor);
+    // The force of first yield grows with the square to the cube of a uniform yield stress.
+    for _ in 0..60 {
+        let off = force / found.0;
+        if (off - 1.0).abs() < 1e-9 || !off.is_finite() {
+            break;
+        }
+        factor *= off.powf(0.4);
+        found = onset(factor);
+    }
+    (factor, found.1)
 }
 
 /// Half-width and peak pressure.
@@ -95,15 +134,16 @@ fn rolling_limit(
     })
 }
 
-/// Force and depth at which a body begins to yield.
+/// Force and depth at which a body begins to yield, with a factor on its yield stress.
 fn onset(
     stress_state: StressState,
     body: &ProblemBody,
     radius: f64,
     modulus: f64,
+    factor: f64,
 ) -> Option<(f64, f64)> {
     let material = body.material.as_ref()?;
-    let yield_stress = body.hardening()?.yield_stress();
+    let yield_stress = factor * body.hardening()?.yield_stress();
     if yield_stress <= 0.0 {
         return None;
     }

@@ -377,6 +377,11 @@ impl BodySolution {
         Some(at_rest)
     }
 
+    /// Whether a point has yielded.
+    pub fn has_yielded(&self) -> bool {
+        self.stress.points.iter().flatten().any(has_yielded)
+    }
+
     /// Largest equivalent plastic strain at a Gauss point.
     pub fn max_plastic_strain(&self) -> f64 {
         let strains =

@@ -59,7 +59,7 @@ from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
-from ._result import Pressure, Remark, Result, Step
+from ._result import Answer, Pressure, Remark, Result, Step, Verdict
 from ._surface import Surface, surface
 from ._trace import Trace, trace
 
@@ -69,6 +69,7 @@ except PackageNotFoundError:  # pragma: no cover - run from its source without b
     __version__ = "0"
 
 __all__ = [
+    "Answer",
     "AsyncClient",
     "AsyncJob",
     "AsyncResult",
@@ -95,11 +96,12 @@ __all__ = [
     "ServerNotFound",
     "ServiceError",
     "Step",
+    "StillRunning",
     "Surface",
     "Trace",
-    "StillRunning",
     "Unauthorized",
     "Unavailable",
+    "Verdict",
     "bilinear",
     "block",
     "cone",

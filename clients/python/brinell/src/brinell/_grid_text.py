@@ -308,7 +308,7 @@ def _separator(lines: list[tuple[int, str]]) -> str:
 def _cells(line: str, separator: str) -> list[str]:
     bare = _without_sign(line)
     if separator == ", ":
-        row = re.split(r",\s+|\s+", bare.strip())
+        row = re.split(r",\s+|\s+", bare.strip().rstrip(","))
     elif separator == " ":
         row = re.sub(r"(?i)no data", "nodata", bare).split()
     else:

@@ -1,4 +1,4 @@
-"""A result in words: remarks first, then figures with their error bars."""
+"""A result in words: the verdict, remarks, then the answers of the service."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from html import escape
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ._result import Result
+    from ._result import Answer, Result
 
-# Figures of one step, with the words and the units [mm_N_MPa, SI] for them.
+# Figures of a step of 0.2, which has no answers, with words and units [mm_N_MPa, SI].
 ROWS = (
     ("peak_pressure", "peak pressure", ("MPa", "Pa")),
     ("half_width", "half-width", ("mm", "m")),
@@ -30,8 +30,22 @@ def unit_of_force(result: Result) -> str:
     return "N/m" if result.units == "SI" else "N/mm"
 
 
+def _answer(answer: Answer) -> tuple[str, str, str, str, str]:
+    """Name, figure, error bar, Hertz's figure and unit of an answer."""
+    part = answer.quantity in ("strain", "ratio")
+    factor, unit = (100.0, "%") if part else (1.0, answer.unit)
+    shown = "" if math.isnan(answer.value) else f"{factor * answer.value:.5g}"
+    # Where one number fits, the bias of the theory adds to the error of the mesh.
+    error = answer.error + (0.0 if math.isnan(answer.bias) else abs(answer.bias))
+    bar = f"± {100 * error:.2g} %" if error > 0.0 else ""
+    hertz = f"{factor * answer.elastic:.5g}" if answer.elastic > 0.0 else ""
+    return (answer.label, shown or "not known", bar, hertz, unit)
+
+
 def _lines(result: Result) -> list[tuple[str, str, str, str, str]]:
     """Name, figure, error bar, Hertz's figure and unit."""
+    if result.last.answers:
+        return [_answer(answer) for answer in result.last.answers]
     lines = []
     for name, words, units in ROWS:
         value = getattr(result, name)
@@ -57,11 +71,12 @@ def text_of(result: Result) -> str:
         return f"<Result: {result.status}{f': {result.error}' if result.error else ''}>"
     remarks = [f"! {remark.code}: {remark.message}" for remark in result.remarks]
     rows = [
-        f"{name:24}{value:>12} {unit:5} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
+        f"{name:30}{value:>12} {unit:6} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
         for name, value, bar, hertz, unit in _lines(result)
     ]
     bars = ["± is the error of the mesh alone"] if result.relative_error else []
-    return "\n".join([_head(result), *remarks, *rows, *bars])
+    verdict = [result.verdict.text] if result.verdict.text else []
+    return "\n".join([_head(result), *verdict, *remarks, *rows, *bars])
 
 
 def html_of(result: Result) -> str:
@@ -85,7 +100,8 @@ def html_of(result: Result) -> str:
     )
     steps = _steps(result) if len(result.steps) > 1 else ""
     notes = f"<ul>{remarks}</ul>" if remarks else ""
-    return f"<div>{notes}<p><b>{escape(_head(result))}</b></p>{table}{steps}</div>"
+    verdict = f"<p>{escape(result.verdict.text)}</p>" if result.verdict.text else ""
+    return f"<div>{verdict}{notes}<p><b>{escape(_head(result))}</b></p>{table}{steps}</div>"
 
 
 def _steps(result: Result) -> str:

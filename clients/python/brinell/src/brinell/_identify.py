@@ -49,6 +49,8 @@ class Identification:
     """Measured approach at each [mm]."""
     computed: Floats
     """Approach of the bodies and the frame with these parameters [mm]."""
+    mesh_error: float
+    """Largest relative error that the mesh leaves in an approach; `deviations` lack it."""
     sweeps: int
     """How often jobs were sent side by side."""
     job: dict[str, Any] = field(repr=False)
@@ -102,6 +104,11 @@ class Identification:
             f"{name} {value:.5g} ± {self.deviations[name]:.2g}"
             for name, value in self.values.items()
         ]
+        if self.mesh_error > 0:
+            lines.append(
+                f"the mesh leaves {100 * self.mesh_error:.1f} % of the approach open, which these "
+                "deviations lack"
+            )
         return "\n".join([*lines, *self.undetermined])
 
 
@@ -180,13 +187,14 @@ def identify(
     scale = approach if scatter == "relative" else np.full(len(approach), np.ptp(approach))
     if not (scale > 0).all():
         raise _fault("curve", 'has an approach of 0, which has no scatter="relative"')
-    sweeps = 0
+    sweeps, mesh_error = 0, 0.0
     own = client is None
     service = client or Client()
 
     def approaches(points: Iterable[Floats]) -> list[Floats]:
-        nonlocal sweeps
+        nonlocal sweeps, mesh_error
         sweeps += 1
+        mesh_error = 0.0
         found = []
         for _, result in service.map([document_at(point) for point in points]):
             if result.error is not None:
@@ -196,6 +204,8 @@ def identify(
                     f"a trial is {result.status}: bounds=... keep the search where jobs converge"
                 )
             found.append(np.array([step.approach for step in result.steps]))
+            known = [step.relative_error.get("approach", 0.0) for step in result.steps]
+            mesh_error = max(mesh_error, *known)
         return found
 
     def with_frame(bodies: Floats, point: Floats) -> Floats:
@@ -229,7 +239,7 @@ def identify(
             x_scale=[1.0 if n != COMPLIANCE else 0.1 for n in free],
             xtol=1e-5,
             ftol=1e-8,
-            max_nfev=12,
+            max_nfev=12 if len(free) <= 2 else 26,
         )
     finally:
         if own:
@@ -258,6 +268,7 @@ def identify(
         force=force,
         measured=approach,
         computed=approach + scale * residuals,
+        mesh_error=mesh_error,
         sweeps=sweeps,
         job=document_at(best),
         _scales=np.array([steps[name] for name in free]),

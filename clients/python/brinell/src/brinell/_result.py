@@ -32,6 +32,54 @@ class Remark(NamedTuple):
     message: str
 
 
+class Verdict(NamedTuple):
+    """The state of the bodies: `level` for programs, `text` for a person. Both are empty of
+    results of 0.2.
+    """
+
+    level: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A figure as the service answers it. Unknown numbers are NaN."""
+
+    name: str
+    label: str
+    body: str | None
+    """`upper`, `lower`, `both`; None of the contact."""
+    value: float
+    quantity: str
+    """`length`, `stress`, `force`; `strain` and `ratio` are shown in per cent."""
+    unit: str
+    error: float
+    """Bound of the relative error of the mesh; 0 where the figure is prescribed."""
+    bias: float
+    """Relative difference to flow theory; NaN where it is not known."""
+    elastic: float
+    """The figure by Hertz's theory."""
+    place: dict[str, Any] | None
+    text: str
+
+    @classmethod
+    def of(cls, data: dict[str, Any]) -> Answer:
+        """An answer as the service sends it."""
+        return cls(
+            name=data["name"],
+            label=data["label"],
+            body=data.get("body"),
+            value=number(data.get("value")),
+            quantity=data["quantity"],
+            unit=data["unit"],
+            error=number(data.get("error")),
+            bias=number(data.get("bias")),
+            elastic=number(data.get("elastic")),
+            place=data.get("place"),
+            text=data["text"],
+        )
+
+
 @dataclass(frozen=True)
 class Pressure:
     """Values at the pairs of nodes of a contact: over x, in axisymmetry over the radius."""
@@ -89,6 +137,17 @@ class Step:
     def converged(self) -> bool:
         """Whether the solution passes every check."""
         return self.status == "converged"
+
+    @property
+    def verdict(self) -> Verdict:
+        """The state of the bodies in one sentence."""
+        verdict = self.data.get("verdict") or {}
+        return Verdict(verdict.get("level", ""), verdict.get("text", ""))
+
+    @property
+    def answers(self) -> list[Answer]:
+        """The figures that answer the job, in the order in which it asks for them."""
+        return [Answer.of(answer) for answer in self.data.get("answers") or []]
 
     @property
     def force(self) -> float:
@@ -345,6 +404,16 @@ class Result:
     def analysis(self) -> str:
         """`plane_strain`, `plane_stress` or `axisymmetric`."""
         return str(self.data["analysis"])
+
+    @property
+    def verdict(self) -> Verdict:
+        """The state of the bodies in one sentence."""
+        return self.last.verdict
+
+    @property
+    def answers(self) -> list[Answer]:
+        """The figures that answer the job, in the order in which it asks for them."""
+        return self.last.answers
 
     @property
     def force(self) -> float:

@@ -356,7 +356,7 @@ def _read_file(
         array = np.load(path, allow_pickle=False)
         return _Raw(array, spacing, unit, height_unit or unit, [])
     text = _text_of(data)
-    if text is not None and not text.lstrip().lower().startswith(("aiso", "aber")):
+    if text is not None and not text.lstrip().lower().startswith(("aiso-", "abcr-")):
         try:
             grid = read_grid(text, skip)
         except NotUnderstood as error:

@@ -16,6 +16,24 @@ from pydantic import (
 from typing_extensions import TypeAliasType
 
 
+class AnswerPlace(BaseModel):
+    """
+    The place of an answer, in the coordinates of `contact` and `plasticity`.
+    """
+
+    body: Annotated[
+        Literal['upper', 'lower', 'both'], Field(description='In which body.')
+    ]
+    depth: Annotated[
+        float, Field(description='Depth below the surface. Unit: mm (SI: m).')
+    ]
+    x: Annotated[float, Field(description='x, or the radius. Unit: mm (SI: m).')]
+    y: Annotated[
+        float | None,
+        Field(description='y; only in three dimensions. Unit: mm (SI: m).'),
+    ] = None
+
+
 class ApproachLoad(BaseModel):
     """
     An approach; the force is an output.
@@ -3083,6 +3101,64 @@ class YieldOnset(BaseModel):
     ]
 
 
+class Answer(BaseModel):
+    """
+    One figure of a load step, made to be shown.
+    """
+
+    bias: Annotated[
+        float | None,
+        Field(
+            description='Relative difference to flow theory; positive where the figure is larger. `null` where it is not known. Without unit.'
+        ),
+    ]
+    body: Literal['upper', 'lower', 'both'] | None
+    elastic: Annotated[
+        float | None,
+        Field(description="The figure by Hertz's elastic theory, where that has one."),
+    ]
+    error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is prescribed, `null` where it is not known. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    label: Annotated[str, Field(description='Name for a person.')]
+    name: Annotated[
+        str,
+        Field(
+            description='Stable identifier, such as `peak_pressure`. An identifier may occur once for each body.'
+        ),
+    ]
+    place: AnswerPlace | None
+    quantity: Annotated[
+        str,
+        Field(
+            description='Its physical quantity. A `strain` and a `ratio` are shown in per cent.',
+            examples=['length', 'stress', 'force', 'line_force', 'stiffness', 'line_stiffness', 'energy', 'line_energy', 'strain', 'ratio', 'number', 'angle'],
+        ),
+    ]
+    text: Annotated[
+        str,
+        Field(
+            description='A note for a person: over which points a maximum was taken, or against what the figure counts.'
+        ),
+    ]
+    unit: Annotated[
+        str,
+        Field(
+            description='Symbol of its unit in the units of the job; empty of a strain, a ratio and a number.'
+        ),
+    ]
+    value: Annotated[
+        float | None,
+        Field(
+            description='The figure in `unit`; `null` where it is not known, and `text` says why.'
+        ),
+    ]
+
+
 class BatchOfIds(BaseModel):
     """
     Jobs that exist.
@@ -3475,11 +3551,101 @@ class SolverSettings(BaseModel):
     ] = None
 
 
+class TensileTest(BaseModel):
+    """
+    Strain and stress of a tensile or compression test, elastic part included.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    measure: Annotated[
+        Literal['engineering', 'true'] | None,
+        Field(
+            description='`engineering` (over first length and section), unless given, or `true`.'
+        ),
+    ] = None
+    offset: Annotated[
+        float | None,
+        Field(
+            description='Plastic strain at yield: 0.0001, R_p0.01, unless given; 0.002 is R_p0.2. Without unit.',
+            ge=1e-07,
+            le=0.05,
+        ),
+    ] = None
+    points: Annotated[
+        list[Point3],
+        Field(
+            description='Points `[strain, stress]` in the order of their recording. Negative strain and stress are compression.',
+            examples=[[[0.0, 0.0], [0.001, 210.0], [0.0024, 500.0], [0.02, 540.0], [0.05, 580.0]]],
+            max_length=100000,
+            min_length=3,
+        ),
+    ]
+    strain_unit: Annotated[
+        Literal['1', 'percent', 'microstrain'] | None,
+        Field(description='Unit of the strain: `1` unless given.'),
+    ] = None
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'] | None,
+        Field(description='Units of the stresses. Default: `mm_N_MPa`.'),
+    ] = None
+    yield_at: Annotated[
+        Literal['offset', 'departure'] | None,
+        Field(
+            description='What counts as yield: `offset`, unless given, or `departure`, where the record leaves its first line for good.'
+        ),
+    ] = None
+    young_modulus: Annotated[
+        float | None,
+        Field(
+            description="Young's modulus of the job, which the first slope is compared with, and which takes its place where no part of the record is straight. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
+            ge=0.001,
+            le=100000000000000.0,
+        ),
+    ] = None
+
+
+class Verdict(BaseModel):
+    """
+    The verdict on a load step.
+    """
+
+    level: Annotated[
+        str,
+        Field(
+            description='The state of the bodies.',
+            examples=['not_converged', 'collapse', 'above_shakedown_limit', 'yields', 'dented', 'elastic', 'not_known', 'no_contact'],
+        ),
+    ]
+    text: Annotated[str, Field(description='One sentence for a person.')]
+
+
+class HardnessOverDepth(BaseModel):
+    """
+    Hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    hardness: Annotated[
+        HardnessProfile | HardenedCase,
+        Field(description='Measured at points, or of a case.'),
+    ]
+
+
 class Step(BaseModel):
     """
     One load step.
     """
 
+    answers: Annotated[
+        list[Answer],
+        Field(
+            description='The figures that answer the job, in the order in which it asks for them; empty of results of 0.2 and of a step that was stopped.'
+        ),
+    ]
     approach: Annotated[
         float, Field(description='Approach α of the supports. Unit: mm (SI: m).')
     ]
@@ -3549,116 +3715,13 @@ class Step(BaseModel):
     validity: Annotated[
         list[ValidityNote], Field(description='What to keep in mind about this answer.')
     ]
+    verdict: Annotated[
+        Verdict | None,
+        Field(
+            description='The state of the bodies in one sentence; absent of results of 0.2.'
+        ),
+    ] = None
     yield_onset: YieldOnset | None
-
-
-class TensileTest(BaseModel):
-    """
-    Strain and stress of a tensile or compression test, elastic part included.
-    """
-
-    model_config = ConfigDict(
-        extra='forbid',
-    )
-    measure: Annotated[
-        Literal['engineering', 'true'] | None,
-        Field(
-            description='`engineering` (over first length and section), unless given, or `true`.'
-        ),
-    ] = None
-    offset: Annotated[
-        float | None,
-        Field(
-            description='Plastic strain at yield: 0.0001, R_p0.01, unless given; 0.002 is R_p0.2. Without unit.',
-            ge=1e-07,
-            le=0.05,
-        ),
-    ] = None
-    points: Annotated[
-        list[Point3],
-        Field(
-            description='Points `[strain, stress]` in the order of their recording. Negative strain and stress are compression.',
-            examples=[[[0.0, 0.0], [0.001, 210.0], [0.0024, 500.0], [0.02, 540.0], [0.05, 580.0]]],
-            max_length=100000,
-            min_length=3,
-        ),
-    ]
-    strain_unit: Annotated[
-        Literal['1', 'percent', 'microstrain'] | None,
-        Field(description='Unit of the strain: `1` unless given.'),
-    ] = None
-    units: Annotated[
-        Literal['mm_N_MPa', 'SI'] | None,
-        Field(description='Units of the stresses. Default: `mm_N_MPa`.'),
-    ] = None
-    yield_at: Annotated[
-        Literal['offset', 'departure'] | None,
-        Field(
-            description='What counts as yield: `offset`, unless given, or `departure`, where the record leaves its first line for good.'
-        ),
-    ] = None
-    young_modulus: Annotated[
-        float | None,
-        Field(
-            description="Young's modulus of the job, which the first slope is compared with, and which takes its place where no part of the record is straight. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
-            ge=0.001,
-            le=100000000000000.0,
-        ),
-    ] = None
-
-
-class HardnessOverDepth(BaseModel):
-    """
-    Hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.
-    """
-
-    model_config = ConfigDict(
-        extra='forbid',
-    )
-    hardness: Annotated[
-        HardnessProfile | HardenedCase,
-        Field(description='Measured at points, or of a case.'),
-    ]
-
-
-class Report(BaseModel):
-    """
-    The answer to a job.
-    """
-
-    analysis: Annotated[
-        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
-        Field(
-            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
-        ),
-    ]
-    load_approach: Annotated[
-        LoadApproach | None, Field(description='The load–approach curve of a sweep.')
-    ] = None
-    mesh: Annotated[Mesh, Field(description='The mesh of the last step.')]
-    status: Annotated[
-        str,
-        Field(
-            description='The least good status of all steps.',
-            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
-        ),
-    ]
-    steps: Annotated[list[Step], Field(description='One entry for each load.')]
-    tags: Tags | None = None
-    target: Annotated[
-        TargetResult | None,
-        Field(
-            description='The force that was asked for by what it does; only of a job with `load.target`.'
-        ),
-    ] = None
-    timings_ms: Annotated[Timings, Field(description='Where the time went.')]
-    units: Annotated[
-        Literal['mm_N_MPa', 'SI'],
-        Field(
-            description='Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.'
-        ),
-    ]
-    version: Annotated[str, Field(description='Version of the program.')]
 
 
 class Swift(BaseModel):
@@ -3818,82 +3881,6 @@ class Bilinear(BaseModel):
     ]
 
 
-class Job(BaseModel):
-    """
-    A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
-    """
-
-    attempts: Annotated[int, Field(description='How often it was taken up.', ge=0)]
-    callback: Annotated[
-        Callback | None,
-        Field(
-            description='The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.'
-        ),
-    ] = None
-    cancel_requested: Annotated[
-        bool, Field(description='Whether somebody asked it to stop.')
-    ]
-    created_at: Annotated[AwareDatetime, Field(description='When it was accepted.')]
-    done: Annotated[
-        bool, Field(description='Whether nothing can happen to it any more.')
-    ]
-    error: Annotated[Problem | None, Field(description='Why it failed.')] = None
-    expires_at: Annotated[
-        AwareDatetime | None,
-        Field(
-            description='When it is removed with its result; `null` until it is done.'
-        ),
-    ]
-    finished_at: Annotated[
-        AwareDatetime | None, Field(description='When it reached its final state.')
-    ]
-    has_result: Annotated[
-        bool,
-        Field(
-            description='Whether there is a result to fetch, of a stopped job as far as it came.'
-        ),
-    ]
-    id: Annotated[UUID, Field(description='Its name.')]
-    links: Annotated[Links, Field(description='Where to go from here.')]
-    priority: Annotated[int, Field(description='Larger goes first.', ge=-100, le=100)]
-    progress: Annotated[Progress, Field(description='How far it has come.')]
-    queue_position: Annotated[
-        int | None,
-        Field(description='Jobs before it in the queue, while it is queued.', ge=0),
-    ] = None
-    result: Annotated[
-        Report | None,
-        Field(
-            description='The result; only in the answer to a client that waits, and only if the job is done by then.'
-        ),
-    ] = None
-    started_at: Annotated[
-        AwareDatetime | None, Field(description='When its latest attempt began.')
-    ]
-    status: Annotated[
-        str,
-        Field(
-            description='Where it stands.',
-            examples=['queued', 'running', 'succeeded', 'not_converged', 'failed', 'cancelled', 'timed_out'],
-        ),
-    ]
-    tags: Tags | None = None
-
-
-class JobList(BaseModel):
-    """
-    A page of jobs.
-    """
-
-    jobs: Annotated[
-        list[Job],
-        Field(
-            description='Newest first. Places in the queue are told job by job only.'
-        ),
-    ]
-    next_cursor: UUID | None
-
-
 class Ludwik(BaseModel):
     """
     q = σ_y + k ε_p^n.
@@ -3987,6 +3974,122 @@ class RambergOsgood(BaseModel):
     ]
 
 
+class Report(BaseModel):
+    """
+    The answer to a job.
+    """
+
+    analysis: Annotated[
+        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
+        Field(
+            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
+        ),
+    ]
+    load_approach: Annotated[
+        LoadApproach | None, Field(description='The load–approach curve of a sweep.')
+    ] = None
+    mesh: Annotated[Mesh, Field(description='The mesh of the last step.')]
+    status: Annotated[
+        str,
+        Field(
+            description='The least good status of all steps.',
+            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+        ),
+    ]
+    steps: Annotated[list[Step], Field(description='One entry for each load.')]
+    tags: Tags | None = None
+    target: Annotated[
+        TargetResult | None,
+        Field(
+            description='The force that was asked for by what it does; only of a job with `load.target`.'
+        ),
+    ] = None
+    timings_ms: Annotated[Timings, Field(description='Where the time went.')]
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'],
+        Field(
+            description='Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.'
+        ),
+    ]
+    version: Annotated[str, Field(description='Version of the program.')]
+
+
+class Job(BaseModel):
+    """
+    A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
+    """
+
+    attempts: Annotated[int, Field(description='How often it was taken up.', ge=0)]
+    callback: Annotated[
+        Callback | None,
+        Field(
+            description='The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.'
+        ),
+    ] = None
+    cancel_requested: Annotated[
+        bool, Field(description='Whether somebody asked it to stop.')
+    ]
+    created_at: Annotated[AwareDatetime, Field(description='When it was accepted.')]
+    done: Annotated[
+        bool, Field(description='Whether nothing can happen to it any more.')
+    ]
+    error: Annotated[Problem | None, Field(description='Why it failed.')] = None
+    expires_at: Annotated[
+        AwareDatetime | None,
+        Field(
+            description='When it is removed with its result; `null` until it is done.'
+        ),
+    ]
+    finished_at: Annotated[
+        AwareDatetime | None, Field(description='When it reached its final state.')
+    ]
+    has_result: Annotated[
+        bool,
+        Field(
+            description='Whether there is a result to fetch, of a stopped job as far as it came.'
+        ),
+    ]
+    id: Annotated[UUID, Field(description='Its name.')]
+    links: Annotated[Links, Field(description='Where to go from here.')]
+    priority: Annotated[int, Field(description='Larger goes first.', ge=-100, le=100)]
+    progress: Annotated[Progress, Field(description='How far it has come.')]
+    queue_position: Annotated[
+        int | None,
+        Field(description='Jobs before it in the queue, while it is queued.', ge=0),
+    ] = None
+    result: Annotated[
+        Report | None,
+        Field(
+            description='The result; only in the answer to a client that waits, and only if the job is done by then.'
+        ),
+    ] = None
+    started_at: Annotated[
+        AwareDatetime | None, Field(description='When its latest attempt began.')
+    ]
+    status: Annotated[
+        str,
+        Field(
+            description='Where it stands.',
+            examples=['queued', 'running', 'succeeded', 'not_converged', 'failed', 'cancelled', 'timed_out'],
+        ),
+    ]
+    tags: Tags | None = None
+
+
+class JobList(BaseModel):
+    """
+    A page of jobs.
+    """
+
+    jobs: Annotated[
+        list[Job],
+        Field(
+            description='Newest first. Places in the queue are told job by job only.'
+        ),
+    ]
+    next_cursor: UUID | None
+
+
 class BatchItem(BaseModel):
     """
     What became of one job: `job` or `problem`.
@@ -4016,21 +4119,6 @@ class BatchItem(BaseModel):
             le=599,
         ),
     ]
-
-
-class BatchAnswer(BaseModel):
-    """
-    What became of the jobs of a request, in their order.
-    """
-
-    accepted: Annotated[
-        int, Field(description='How many there were of which nothing is wrong.', ge=0)
-    ]
-    jobs: Annotated[
-        list[BatchItem],
-        Field(description='One for each job of the request, in the same order.'),
-    ]
-    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
 
 
 class Deformable(BaseModel):
@@ -4083,6 +4171,21 @@ class Deformable(BaseModel):
             le=100000000000000.0,
         ),
     ]
+
+
+class BatchAnswer(BaseModel):
+    """
+    What became of the jobs of a request, in their order.
+    """
+
+    accepted: Annotated[
+        int, Field(description='How many there were of which nothing is wrong.', ge=0)
+    ]
+    jobs: Annotated[
+        list[BatchItem],
+        Field(description='One for each job of the request, in the same order.'),
+    ]
+    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
 
 
 class ContactBody(BaseModel):

@@ -9,6 +9,7 @@ use brinell_halfspace::{EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
 use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
 use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
+use crate::solver::factor_of_onset;
 use crate::solver::half_spaces::{
     HalfSpaceProblem, HalfSpaceStep, HeightMap, Relief, RollerGap, SurfaceMap,
 };
@@ -144,7 +145,10 @@ impl EllipticReference {
             let limits = bodies.filter_map(|material| limit(material, ellipse, half_width));
             limits.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure))
         };
-        let (onset, rolling) = (least(onset), least(rolling));
+        let (onset, rolling) = (
+            least(|body, ellipse, half_width| onset(body, ellipse, half_width, 1.0)),
+            least(rolling),
+        );
         // The closed forms neglect stress before the load.
         let is_stressed =
             problem.materials.iter().flatten().any(|body| !body.initial_stress().is_empty());
@@ -176,6 +180,30 @@ impl EllipticReference {
         self.onset.filter(|_| is_plain).map(|limit| force(limit.peak_pressure))
     }
 
+    /// Returns the largest von Mises stress of elastic bodies over the yield stress under a force,
+    /// its depth \[mm\] and the body: the factor on the yield stresses that makes the force that
+    /// of first yield. Returns `None` where [`onset_force`](Self::onset_force) does.
+    pub fn utilization(&self, force: f64) -> Option<(f64, f64, usize)> {
+        self.onset_force()?;
+        let hertz = self.problem.hertz(force);
+        let ellipse = (!self.problem.is_line(&hertz))
+            .then_some(HertzEllipse { axis_ratio: hertz.semi_axis_x / hertz.semi_axis_y });
+        let half_width = hertz.semi_axis_x / hertz.peak_pressure;
+        let bodies = self.problem.materials.iter().enumerate();
+        let used = bodies.filter_map(|(side, material)| {
+            let onset = |factor: f64| onset(material.as_ref()?, ellipse, half_width, factor);
+            onset(1.0)?;
+            // The force goes with the cube of the peak pressure, or with its square.
+            let of_peak = |factor: f64| {
+                onset(factor)
+                    .map_or((0.0, 0.0), |limit| (limit.peak_pressure.powf(2.5), limit.depth))
+            };
+            let (factor, depth) = factor_of_onset(of_peak, hertz.peak_pressure.powf(2.5));
+            Some((factor, depth, side))
+        });
+        used.max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
     /// Returns the depth of the onset of yield \[mm\].
     pub fn onset_depth(&self) -> Option<f64> {
         self.onset.map(|limit| limit.depth)
@@ -187,9 +215,10 @@ impl EllipticReference {
         self.rolling
     }
 
-    /// Returns the radius of a ball with the mean curvature of the gap \[mm\].
+    /// Returns the reciprocal of the sum of the curvatures of both surfaces along the shorter
+    /// semi-axis \[mm\]: of two cylinders and of two balls that of their plane section.
     pub fn effective_radius(&self) -> f64 {
-        2.0 / self.problem.principal_curvatures().iter().sum::<f64>()
+        self.problem.principal_curvatures()[0].recip()
     }
 
     /// Returns dP/dα of elastic bodies at a constant contact area of the load step \[N/mm\], or 0
@@ -279,13 +308,15 @@ fn rolling(
 }
 
 /// Returns peak pressure and depth at the onset of yield of a body. `half_width` is the shorter
-/// semi-axis at a unit peak pressure. Without an ellipse the contact is a line contact.
+/// semi-axis at a unit peak pressure. Without an ellipse the contact is a line contact. `factor`
+/// multiplies the yield stress.
 fn onset(
     material: &Deformable,
     ellipse: Option<HertzEllipse>,
     half_width: f64,
+    factor: f64,
 ) -> Option<DepthLimit> {
-    let yield_stress = yield_stress(material)?;
+    let yield_stress = factor * yield_stress(material)?;
     let poisson_ratio = material.elastic().poisson_ratio.get();
     if let Some(strength) = material.strength() {
         let over_depth = |depth: f64| yield_stress * strength.factor(depth);

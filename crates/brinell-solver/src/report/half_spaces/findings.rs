@@ -193,7 +193,7 @@ fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
 }
 
 /// Returns whether a cell of the rim is in contact.
-fn reaches_rim(map: &SurfaceMap) -> bool {
+pub(super) fn reaches_rim(map: &SurfaceMap) -> bool {
     let (nx, ny) = (map.grid.nx(), map.grid.ny());
     let is_rim = |cell: usize| {
         let (i, j) = (cell / ny, cell % ny);

@@ -7,6 +7,7 @@ mod estimate;
 mod findings;
 mod flow;
 mod layers;
+mod measured;
 mod run;
 mod step;
 

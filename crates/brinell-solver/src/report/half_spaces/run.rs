@@ -6,8 +6,10 @@ use super::elastic::{EllipticReference, problem_of};
 use super::estimate::estimate;
 use super::findings::findings;
 use super::flow::FlowState;
+use super::measured::measured;
 use super::step::StepWriter;
 use crate::job::{FieldError, Job, Load, Named as _, TargetFigure, Theory};
+use crate::report::answers::Measured;
 use crate::report::build::{timings, worse};
 use crate::report::contact_stiffness::{LoadDifferences, Seen as SeenLoad};
 use crate::report::load_approach::CurvePoint;
@@ -77,6 +79,8 @@ struct Seen {
     curve: Vec<CurvePoint>,
     mesh: MeshReport,
     flow: FlowState,
+    /// Largest force so far that has left plastic strain in a history.
+    dented_under: f64,
     target: TargetSeen,
 }
 
@@ -87,6 +91,7 @@ impl Default for Seen {
             curve: Vec::new(),
             mesh: MeshReport::NONE,
             flow: FlowState::default(),
+            dented_under: 0.0,
             target: TargetSeen::default(),
         }
     }
@@ -120,7 +125,17 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
         let flow = seen.flow.report(job, &step, reference, write);
         let findings = findings(job, self.writer.problem, &step);
+        let force = step.figures.force;
+        let measured = Measured {
+            is_dented: seen.dented_under > 0.0 && seen.dented_under >= force,
+            ..measured(job, self.writer.problem, reference, &step, &findings)
+        };
+        if flow.is_some() && step.bodies.iter().flatten().any(|body| body.largest_strain.is_some())
+        {
+            seen.dented_under = seen.dented_under.max(force);
+        }
         let report = self.writer.report(&step, stiffness, flow, &findings);
+        let report = report.answered(job, &measured, &findings, write);
         if let Load::Target(target) = &job.load {
             let reached = step.target_figure(target.figure);
             seen.target.take(step.figures.force, reached, target_error(&step, target.figure));

@@ -48,6 +48,8 @@ impl StepWriter<'_> {
         let is_stopped = step.status.is_stopped();
         let [subsurface, below_peak] = self.subsurface(step);
         StepReport {
+            verdict: None,
+            answers: Vec::new(),
             load: match step.load {
                 ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
                 ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),

@@ -1,0 +1,816 @@
+//! Answers: the figures of a load step in the order in which the job asks for them, and a verdict.
+//! Terminal, page, printed report and Python draw them and compute nothing.
+
+use serde::{Deserialize, Serialize};
+
+use super::findings::Finding;
+use super::{ErrorEstimate, FlowReport, PerBody, PlasticityReport, Side, StepReport};
+use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory};
+use crate::solver::SolveStatus;
+use crate::units::{UnitConverter, about, rounded};
+
+/// One figure of a load step, made to be shown.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct Answer {
+    /// Stable identifier, such as `peak_pressure`. An identifier may occur once for each body.
+    pub name: String,
+    /// Name for a person.
+    pub label: String,
+    /// Whose figure it is: `upper`, `lower` or, of bodies that are alike, `both`; `null` of the
+    /// contact.
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub body: Option<AnswerBody>,
+    /// The figure in `unit`; `null` where it is not known, and `text` says why.
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub value: Option<f64>,
+    /// Its physical quantity. A `strain` and a `ratio` are shown in per cent.
+    pub quantity: AnswerQuantity,
+    /// Symbol of its unit in the units of the job; empty of a strain, a ratio and a number.
+    pub unit: String,
+    /// Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is
+    /// prescribed, `null` where it is not known \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub error: Option<f64>,
+    /// Relative difference to flow theory; positive where the figure is larger. `null` where it is
+    /// not known \[1\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub bias: Option<f64>,
+    /// The figure by Hertz's elastic theory, where that has one.
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub elastic: Option<f64>,
+    /// Where it is; `null` of a figure without a place.
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub place: Option<AnswerPlace>,
+    /// A note for a person: over which points a maximum was taken, or against what the figure
+    /// counts.
+    pub text: String,
+}
+
+/// Whose figure an answer is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum AnswerBody {
+    /// The upper body.
+    Upper,
+    /// The lower body.
+    Lower,
+    /// Both bodies, which are alike.
+    Both,
+}
+
+/// The physical quantity of an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum AnswerQuantity {
+    /// A length.
+    Length,
+    /// A stress.
+    Stress,
+    /// A force.
+    Force,
+    /// A force on unit thickness.
+    LineForce,
+    /// A force over a length.
+    Stiffness,
+    /// A force on unit thickness over a length.
+    LineStiffness,
+    /// A force times a length; also a moment.
+    Energy,
+    /// The same on unit thickness.
+    LineEnergy,
+    /// A strain, shown in per cent.
+    Strain,
+    /// A part of a whole, shown in per cent.
+    Ratio,
+    /// A factor.
+    Number,
+    /// An angle \[mrad\].
+    Angle,
+}
+
+impl Named for AnswerQuantity {
+    const ALL: &'static [Self] = &[
+        Self::Length,
+        Self::Stress,
+        Self::Force,
+        Self::LineForce,
+        Self::Stiffness,
+        Self::LineStiffness,
+        Self::Energy,
+        Self::LineEnergy,
+        Self::Strain,
+        Self::Ratio,
+        Self::Number,
+        Self::Angle,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Stress => "stress",
+            Self::Force => "force",
+            Self::LineForce => "line_force",
+            Self::Stiffness => "stiffness",
+            Self::LineStiffness => "line_stiffness",
+            Self::Energy => "energy",
+            Self::LineEnergy => "line_energy",
+            Self::Strain => "strain",
+            Self::Ratio => "ratio",
+            Self::Number => "number",
+            Self::Angle => "angle",
+        }
+    }
+}
+
+/// The place of an answer, in the coordinates of `contact` and `plasticity`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct AnswerPlace {
+    /// In which body.
+    pub body: AnswerBody,
+    /// x, or the radius \[length\].
+    pub x: f64,
+    /// y; only in three dimensions \[length\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub y: Option<f64>,
+    /// Depth below the surface \[length\].
+    pub depth: f64,
+}
+
+/// A largest value of a field, and its place. Lengths in mm, stresses in MPa.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Largest {
+    pub value: f64,
+    /// 0 for the upper body, 1 for the lower body.
+    pub side: usize,
+    /// `[x, y, depth]`; y only in three dimensions.
+    pub place: [f64; 3],
+}
+
+/// Figures of a load step that its report does not have, in N–mm–MPa.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Measured {
+    /// Largest elastic von Mises stress over the yield stress, and where.
+    pub utilization: Option<Largest>,
+    /// The force of first yield.
+    pub first_yield: Option<f64>,
+    /// Largest von Mises stress over the yield stress below the hardened cases.
+    pub core: Option<Largest>,
+    /// Largest principal stress that a load has left.
+    pub tension: Option<Largest>,
+    /// Reciprocal of the sum of the curvatures of both surfaces along the shorter semi-axis.
+    pub effective_radius: Option<f64>,
+    /// Largest pressure of a cell beside the rim of heights, and its `[x, y]`, where the contact
+    /// reaches the rim.
+    pub inside_rim: Option<(f64, [f64; 2])>,
+    /// Over which points the fields were searched.
+    pub points: &'static str,
+    /// Whether an earlier load of the history, at least as large, has dented the bodies.
+    pub is_dented: bool,
+}
+
+/// What the answers and the verdict of a load step are made of.
+pub(super) struct Facts<'a> {
+    pub job: &'a Job,
+    pub step: &'a StepReport,
+    pub measured: &'a Measured,
+    pub findings: &'a [Finding],
+    pub write: UnitConverter,
+}
+
+impl StepReport {
+    /// Adds answers and verdict to a report that is complete but for them.
+    pub(super) fn answered(
+        mut self,
+        job: &Job,
+        measured: &Measured,
+        findings: &[Finding],
+        write: UnitConverter,
+    ) -> Self {
+        let facts = Facts { job, step: &self, measured, findings, write };
+        let (answers, verdict) = (facts.answers(), facts.verdict());
+        (self.answers, self.verdict) = (answers, Some(verdict));
+        self
+    }
+}
+
+impl Answer {
+    fn error(self, error: Option<f64>) -> Self {
+        Self { error, ..self }
+    }
+
+    fn elastic(self, elastic: Option<f64>) -> Self {
+        Self { elastic, ..self }
+    }
+
+    fn place(self, place: Option<AnswerPlace>) -> Self {
+        Self { place, ..self }
+    }
+
+    fn of(self, body: AnswerBody) -> Self {
+        let label = match body {
+            AnswerBody::Upper => format!("{}, upper body", self.label),
+            AnswerBody::Lower => format!("{}, lower body", self.label),
+            AnswerBody::Both => self.label,
+        };
+        Self { body: Some(body), label, ..self }
+    }
+
+    fn text(self, text: impl Into<String>) -> Self {
+        Self { text: text.into(), ..self }
+    }
+}
+
+impl Facts<'_> {
+    fn is_three_dimensional(&self) -> bool {
+        self.job.analysis == Analysis::ThreeDimensional
+    }
+
+    /// Returns whether a force is that of the whole contact and not of a unit of thickness.
+    fn is_whole(&self) -> bool {
+        self.is_three_dimensional() || self.job.analysis == Analysis::Axisymmetric
+    }
+
+    pub fn is_rough(&self) -> bool {
+        self.step.three_dimensional.as_ref().is_some_and(|whole| whole.surface.is_some())
+    }
+
+    pub fn is_alike(&self) -> bool {
+        self.job.upper == self.job.lower
+    }
+
+    pub fn touches(&self) -> bool {
+        self.step.contact.force > 0.0
+    }
+
+    /// Returns whether the load of a history is taken away.
+    pub fn is_unloaded(&self) -> bool {
+        !self.touches() && self.job.solver.theory == Theory::Flow
+    }
+
+    pub fn has_yielded(&self) -> bool {
+        self.zones().any(|(_, zone)| zone.yielded)
+    }
+
+    /// Returns whether a body can yield.
+    pub fn can_yield(&self) -> bool {
+        [&self.job.upper, &self.job.lower].iter().any(|body| match &body.material {
+            Material::Deformable(material) => material.hardening_law().is_some(),
+            Material::Rigid => false,
+        })
+    }
+
+    fn zones(&self) -> impl Iterator<Item = (Side, &PlasticityReport)> {
+        let PerBody { upper, lower } = &self.step.plasticity;
+        [(Side::Upper, upper), (Side::Lower, lower)]
+            .into_iter()
+            .filter_map(|(side, zone)| Some((side, zone.as_ref()?)))
+    }
+
+    /// Returns the zone with the largest plastic strain, or with the largest mean of strains
+    /// without limit.
+    pub fn most_strained(&self) -> Option<(AnswerBody, &PlasticityReport)> {
+        let strain = |zone: &PlasticityReport| {
+            zone.max_equivalent_plastic_strain.unwrap_or(zone.mean_equivalent_plastic_strain)
+        };
+        let yielded = self.zones().filter(|(_, zone)| zone.yielded);
+        let (side, zone) = yielded.max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
+        Some((self.body(side), zone))
+    }
+
+    pub fn body(&self, side: Side) -> AnswerBody {
+        match side {
+            _ if self.is_alike() => AnswerBody::Both,
+            Side::Upper => AnswerBody::Upper,
+            Side::Lower => AnswerBody::Lower,
+        }
+    }
+
+    pub fn place_of(&self, largest: &Largest) -> AnswerPlace {
+        let [x, y, depth] = largest.place.map(|length| self.write.length(length));
+        let side = if largest.side == 0 { Side::Upper } else { Side::Lower };
+        AnswerPlace {
+            body: self.body(side),
+            x,
+            y: self.is_three_dimensional().then_some(y),
+            depth,
+        }
+    }
+
+    fn answer(
+        &self,
+        name: &str,
+        label: &str,
+        quantity: AnswerQuantity,
+        value: impl Into<Option<f64>>,
+    ) -> Answer {
+        Answer {
+            name: name.to_owned(),
+            label: label.to_owned(),
+            body: None,
+            value: value.into().filter(|value| value.is_finite()),
+            quantity,
+            unit: self.unit(quantity),
+            error: None,
+            bias: None,
+            elastic: None,
+            place: None,
+            text: String::new(),
+        }
+    }
+
+    pub fn force_quantity(&self) -> AnswerQuantity {
+        if self.is_whole() { AnswerQuantity::Force } else { AnswerQuantity::LineForce }
+    }
+
+    pub fn unit(&self, quantity: AnswerQuantity) -> String {
+        let symbol = |quantity: Quantity| quantity.symbol(self.job.units);
+        let (length, force) = (symbol(Quantity::Length), symbol(self.job.analysis.force()));
+        match quantity {
+            AnswerQuantity::Length => length.to_owned(),
+            AnswerQuantity::Stress => symbol(Quantity::Stress).to_owned(),
+            AnswerQuantity::Force | AnswerQuantity::LineForce => force.to_owned(),
+            AnswerQuantity::Stiffness => format!("{force}/{length}"),
+            AnswerQuantity::LineStiffness => format!("{force}²"),
+            AnswerQuantity::Energy => format!("{force} {length}"),
+            AnswerQuantity::LineEnergy => "N".to_owned(),
+            AnswerQuantity::Angle => "mrad".to_owned(),
+            AnswerQuantity::Strain | AnswerQuantity::Ratio | AnswerQuantity::Number => {
+                String::new()
+            }
+        }
+    }
+
+    /// Returns a value of the report with its unit, to `digits` of [`rounded`] or [`about`].
+    pub fn with_unit(
+        &self,
+        digits: fn(f64) -> String,
+        quantity: AnswerQuantity,
+        value: f64,
+    ) -> String {
+        format!("{} {}", digits(value), self.unit(quantity))
+    }
+
+    /// Returns the error estimate of a step that has converged.
+    fn bars(&self) -> Option<&ErrorEstimate> {
+        let bars = self.step.estimated_error.as_ref();
+        bars.filter(|_| self.step.status == SolveStatus::Converged)
+    }
+
+    fn body_bar(&self, side: Side, bar: fn(&super::BodyErrors) -> Option<f64>) -> Option<f64> {
+        let of_ellipse = self
+            .step
+            .three_dimensional
+            .as_ref()
+            .and_then(|whole| whole.estimated_error.as_ref())
+            .map(|errors| errors.bodies);
+        let PerBody { upper, lower } = of_ellipse.or(self.bars()?.bodies)?;
+        let errors = if side == Side::Upper { upper } else { lower };
+        errors.as_ref().and_then(bar)
+    }
+
+    /// Returns the answers in their order.
+    fn answers(&self) -> Vec<Answer> {
+        if self.step.status.is_stopped() {
+            return Vec::new();
+        }
+        let mut answers = self.asked();
+        let is_graded = self.step.profiles().any(|(_, profile)| profile.yield_stress.is_some());
+        if self.is_unloaded() {
+            answers.extend(self.surfaces("dent_depth", "Dent"));
+            answers.push(self.approach("permanent_approach", "Permanent approach"));
+            answers.extend(self.tension());
+            answers.extend(self.core());
+            answers.extend(self.strain());
+            answers.extend(self.work());
+            return answers;
+        }
+        answers.extend(self.of_heights());
+        answers.extend(self.of_roller());
+        if is_graded {
+            answers.extend(self.strength());
+        }
+        answers.extend(self.of_contact());
+        answers.extend(self.strain());
+        if !is_graded {
+            answers.extend(self.strength());
+        }
+        answers.extend(self.of_shapes());
+        answers.extend(self.stiffness());
+        if self.step.flow.is_some() {
+            answers.extend(self.surfaces("surface_depth", "Surface depth"));
+            answers.extend(self.work());
+        }
+        answers
+    }
+
+    /// Returns what the load of the job asks for: a force, or the onset of yield.
+    fn asked(&self) -> Vec<Answer> {
+        let step = self.step;
+        let mut answers = Vec::new();
+        if let (Load::Target(target), true) = (&self.job.load, self.touches()) {
+            let figure = self.write.target_text(target.figure, target.value.get());
+            answers.push(
+                self.answer(
+                    "force_found",
+                    "Force found",
+                    self.force_quantity(),
+                    step.contact.force,
+                )
+                .error(self.bars().and_then(|bars| bars.force))
+                .text(format!("for a {} of {figure}", target.figure.label())),
+            );
+        }
+        if let Some(onset) = &step.yield_onset {
+            let body = self.body(onset.body);
+            let error = self.bars().and_then(|bars| bars.force);
+            answers.push(
+                self.answer(
+                    "first_yield_force",
+                    "First yield",
+                    self.force_quantity(),
+                    onset.force,
+                )
+                .error(error)
+                .elastic(step.hertz.as_ref().and_then(|hertz| hertz.yield_onset_force))
+                .place(Some(AnswerPlace { body, x: onset.position, y: None, depth: onset.depth }))
+                .text("the force under which a body begins to yield, on this mesh"),
+            );
+        }
+        answers
+    }
+
+    /// Returns depth and pile-up of each surface.
+    fn surfaces(&self, name: &str, label: &str) -> Vec<Answer> {
+        let Some(FlowReport { surfaces, .. }) = &self.step.flow else { return Vec::new() };
+        let both = [(Side::Upper, &surfaces.upper), (Side::Lower, &surfaces.lower)];
+        let both = both.into_iter().filter(|(side, _)| !self.is_alike() || *side == Side::Lower);
+        let both: Vec<_> =
+            both.filter_map(|(side, surface)| Some((side, surface.as_ref()?))).collect();
+        let mut answers = Vec::new();
+        // Under load the surfaces of half-spaces have an elastic deflection, which has no bar.
+        let has_bar = self.is_unloaded() || !self.is_three_dimensional();
+        for (side, surface) in &both {
+            let bar = self.body_bar(*side, |errors| errors.depth).filter(|_| has_bar);
+            let reversed = if surface.yielded_in_reverse { "; yielded in reverse" } else { "" };
+            answers.push(
+                self.answer(name, label, AnswerQuantity::Length, surface.depth)
+                    .of(self.body(*side))
+                    .error(bar)
+                    .text(format!("deepest point below the undeformed surface{reversed}")),
+            );
+        }
+        for (side, surface) in &both {
+            let bar = self.body_bar(*side, |errors| errors.pile_up).filter(|_| has_bar);
+            let body = self.body(*side);
+            answers.push(
+                self.answer("pile_up", "Pile-up", AnswerQuantity::Length, surface.pile_up)
+                    .of(body)
+                    .error(bar)
+                    .text(if surface.pile_up > 0.0 {
+                        format!(
+                            "highest point above the undeformed surface, {} from the middle",
+                            self.with_unit(
+                                about,
+                                AnswerQuantity::Length,
+                                surface.pile_up_position
+                            )
+                        )
+                    } else {
+                        String::new()
+                    }),
+            );
+        }
+        answers
+    }
+
+    fn approach(&self, name: &str, label: &str) -> Answer {
+        let step = self.step;
+        let hertz = step.three_dimensional.as_ref().and_then(|whole| whole.hertz);
+        self.answer(name, label, AnswerQuantity::Length, step.approach)
+            .error(self.bars().and_then(|bars| bars.approach))
+            .elastic(hertz.filter(|_| self.touches()).map(|hertz| hertz.approach))
+            .text(format!("between {}", step.approach_datum.replacen(" towards ", " and ", 1)))
+    }
+
+    fn tension(&self) -> Option<Answer> {
+        let largest = self.measured.tension.as_ref().filter(|most| most.value > 0.0)?;
+        let place = self.place_of(largest);
+        Some(
+            self.answer(
+                "residual_tension",
+                "Residual tension",
+                AnswerQuantity::Stress,
+                self.write.stress(largest.value),
+            )
+            .of(place.body)
+            .place(Some(place))
+            .text(format!("largest principal stress of all {}", self.measured.points)),
+        )
+    }
+
+    fn work(&self) -> Option<Answer> {
+        let energy = &self.step.flow.as_ref()?.energy;
+        let quantity =
+            if self.is_whole() { AnswerQuantity::Energy } else { AnswerQuantity::LineEnergy };
+        (energy.dissipated > 0.0).then(|| {
+            self.answer("dissipated_work", "Dissipated work", quantity, energy.dissipated)
+                .text("since the bodies were at rest")
+        })
+    }
+
+    fn of_heights(&self) -> Vec<Answer> {
+        let whole = self.step.three_dimensional.as_ref();
+        let Some(rough) = whole.and_then(|whole| whole.surface.as_ref()) else {
+            return Vec::new();
+        };
+        let mut answers = vec![
+            self.answer(
+                "contact_ratio",
+                "Real contact area",
+                AnswerQuantity::Ratio,
+                rough.contact_ratio,
+            )
+            .text("cells in contact over the area of all heights"),
+            self.answer(
+                "nominal_pressure",
+                "Nominal pressure",
+                AnswerQuantity::Stress,
+                rough.nominal_pressure,
+            )
+            .text("force over the area of all heights"),
+        ];
+        answers.extend(rough.plastic_part.map(|part| {
+            self.answer("yielded_part", "Area that yields", AnswerQuantity::Ratio, part)
+                .text("of the area in contact, below which a body has yielded")
+        }));
+        answers
+    }
+
+    fn of_roller(&self) -> Vec<Answer> {
+        let whole = self.step.three_dimensional.as_ref();
+        let roller = whole.and_then(|whole| Some((whole, whole.roller.as_ref()?)));
+        let Some((whole, roller)) = roller.filter(|_| self.touches()) else {
+            return Vec::new();
+        };
+        let [low, high] = roller.end_pressure;
+        let edge = low.max(high);
+        let text = if edge > 0.0 {
+            format!("{} times the pressure in the middle", about(edge / roller.middle_pressure))
+        } else {
+            "the contact ends before the roller".to_owned()
+        };
+        let mut answers = vec![
+            self.answer("edge_pressure", "Edge pressure", AnswerQuantity::Stress, edge).text(text),
+        ];
+        if roller.moment.abs() > 1e-6 * self.step.contact.force * whole.b {
+            answers.push(
+                self.answer("moment", "Moment", AnswerQuantity::Energy, roller.moment)
+                    .text("of the pressure about the middle, positive towards y"),
+            );
+            answers.push(
+                self.answer("tilt", "Tilt", AnswerQuantity::Angle, roller.tilt)
+                    .text("positive where the surfaces are closer at positive y"),
+            );
+        }
+        answers
+    }
+
+    fn of_contact(&self) -> Vec<Answer> {
+        let (step, bars) = (self.step, self.bars());
+        let contact = &step.contact;
+        let hertz = step.hertz.as_ref().filter(|_| self.touches() && !self.is_rough());
+        let whole = step.three_dimensional.as_ref();
+        let beside = if self.measured.is_dented { "elastic bodies without a dent" } else { "" };
+        let of_surface = |x: f64, y: Option<f64>| {
+            Some(AnswerPlace { body: AnswerBody::Both, x, y, depth: 0.0 })
+        };
+        let mut answers = Vec::new();
+        let peak = |value: f64| {
+            self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, value)
+        };
+        answers.push(match self.measured.inside_rim {
+            Some((pressure, [x, y])) => peak(self.write.stress(pressure))
+                .place(of_surface(self.write.length(x), Some(self.write.length(y))))
+                .text("largest pressure of a cell, without the cells of the rim"),
+            None => peak(contact.peak_pressure)
+                .error(bars.and_then(|bars| bars.peak_pressure))
+                .elastic(hertz.map(|hertz| hertz.peak_pressure))
+                .place(of_surface(contact.peak_position, whole.map(|whole| whole.peak_position_y)))
+                .text(beside),
+        });
+        let half_width = |name: &str, label: &str| {
+            self.answer(name, label, AnswerQuantity::Length, contact.half_width)
+                .error(bars.and_then(|bars| bars.half_width))
+                .elastic(hertz.map(|hertz| hertz.half_width))
+                .text(beside)
+        };
+        match whole {
+            Some(_) if self.is_rough() => {}
+            Some(whole) => {
+                answers.push(half_width("semi_axis_a", "Shorter semi-axis"));
+                answers.push(
+                    self.answer(
+                        "semi_axis_b",
+                        "Longer semi-axis",
+                        AnswerQuantity::Length,
+                        whole.b,
+                    )
+                    .error(whole.estimated_error.as_ref().and_then(|errors| errors.b))
+                    .elastic(whole.hertz.filter(|_| self.touches()).map(|hertz| hertz.b))
+                    .text(beside),
+                );
+            }
+            None if self.job.analysis == Analysis::Axisymmetric => {
+                answers.push(half_width("half_width", "Contact radius"));
+            }
+            None => answers.push(half_width("half_width", "Half-width").text(
+                contact.half_angle.map_or_else(
+                    || beside.to_owned(),
+                    |angle| format!("along the arc, {}° to each side", about(angle)),
+                ),
+            )),
+        }
+        answers.push(self.approach("approach", "Approach"));
+        let force = self.answer("force", "Force", self.force_quantity(), contact.force);
+        answers.push(force.error(bars.and_then(|bars| bars.force)));
+        // A roller that touches from end to end has Hertz's line contact.
+        let is_roller = whole.is_some_and(|whole| whole.roller.is_some());
+        let over_peak = if is_roller {
+            None
+        } else if self.is_whole() {
+            Some(2.0 / 3.0)
+        } else {
+            Some(std::f64::consts::FRAC_PI_4)
+        };
+        answers.push(
+            self.answer(
+                "mean_pressure",
+                "Mean pressure",
+                AnswerQuantity::Stress,
+                contact.mean_pressure,
+            )
+            .error(self.mean_pressure_bar())
+            .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
+            .text(if self.is_rough() { "over the cells in contact" } else { beside }),
+        );
+        answers
+    }
+
+    /// Returns the bar of the mean pressure: under a given force that of the contact area.
+    fn mean_pressure_bar(&self) -> Option<f64> {
+        let bars = self.bars().filter(|_| !self.is_rough())?;
+        let of_area = match &self.step.three_dimensional {
+            Some(whole) => whole.estimated_error.as_ref()?.area,
+            None if self.is_whole() => 2.0 * bars.half_width?,
+            None => bars.half_width?,
+        };
+        Some(of_area + bars.force?)
+    }
+
+    fn strain(&self) -> Option<Answer> {
+        let (body, zone) = self.most_strained()?;
+        let side = if body == AnswerBody::Upper { Side::Upper } else { Side::Lower };
+        let is_limited =
+            self.zones().all(|(_, zone)| zone.max_equivalent_plastic_strain.is_some());
+        let answer = if is_limited {
+            let place =
+                AnswerPlace { body, x: zone.position, y: zone.position_y, depth: zone.depth };
+            self.answer(
+                "max_plastic_strain",
+                "Largest plastic strain",
+                AnswerQuantity::Strain,
+                zone.max_equivalent_plastic_strain,
+            )
+            .error(self.body_bar(side, |errors| errors.max_equivalent_plastic_strain))
+            .elastic(Some(0.0).filter(|_| self.touches()))
+            .place(Some(place))
+            .text(format!("of all {}", self.measured.points))
+        } else {
+            self.answer(
+                "mean_plastic_strain",
+                "Mean plastic strain",
+                AnswerQuantity::Strain,
+                zone.mean_equivalent_plastic_strain,
+            )
+            .error(self.body_bar(side, |errors| errors.mean_equivalent_plastic_strain))
+            .text("over the area that has yielded; the largest has no limit on finer meshes")
+        };
+        Some(Answer { body: Some(body), ..answer })
+    }
+
+    /// Returns utilization and margin, which every loaded job has.
+    fn strength(&self) -> Vec<Answer> {
+        if !self.touches() {
+            return Vec::new();
+        }
+        let none = "no yield stress is given";
+        let used = self.measured.utilization.as_ref();
+        let place = used.map(|used| self.place_of(used));
+        let utilization = self
+            .answer(
+                "utilization",
+                "Utilization",
+                AnswerQuantity::Ratio,
+                used.map(|used| used.value),
+            )
+            .place(place)
+            .text(if used.is_some() {
+                "largest von Mises stress of elastic bodies over the yield stress there"
+            } else if self.can_yield() {
+                "not known: closed forms do not have these shapes, and the bodies yield or the \
+                 mesh does not tell the onset of yield"
+            } else {
+                none
+            });
+        let utilization = Answer { body: place.map(|place| place.body), ..utilization };
+        let first = self.measured.first_yield.map(|force| self.write.force(force));
+        let margin = self
+            .answer(
+                "margin",
+                "Margin to first yield",
+                AnswerQuantity::Number,
+                first.map(|first| first / self.step.contact.force),
+            )
+            .text(match first {
+                Some(first) => format!(
+                    "force of first yield, {}, over this force",
+                    self.with_unit(rounded, self.force_quantity(), first)
+                ),
+                None if self.can_yield() => {
+                    "not known: `load.onset` looks for the force of first yield".to_owned()
+                }
+                None => none.to_owned(),
+            });
+        [utilization, margin].into_iter().chain(self.core()).collect()
+    }
+
+    fn core(&self) -> Option<Answer> {
+        let core = self.measured.core.as_ref()?;
+        let place = self.place_of(core);
+        Some(
+            self.answer("core_utilization", "Core utilization", AnswerQuantity::Ratio, core.value)
+                .of(place.body)
+                .place(Some(place))
+                .text(format!(
+                    "von Mises stress over the yield stress below the case, largest of all {}",
+                    self.measured.points
+                )),
+        )
+    }
+
+    fn of_shapes(&self) -> Vec<Answer> {
+        let mut answers = Vec::new();
+        if let Some(hertz) = self.step.hertz.as_ref().filter(|_| self.touches())
+            && let Some(limit) = hertz.shakedown_pressure
+        {
+            answers.push(
+                self.answer(
+                    "shakedown_pressure",
+                    "Shakedown pressure",
+                    AnswerQuantity::Stress,
+                    limit,
+                )
+                .text(format!(
+                    "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
+                    about(hertz.peak_pressure / limit)
+                )),
+            );
+        }
+        answers.extend(self.measured.effective_radius.map(|radius| {
+            self.answer(
+                "effective_radius",
+                "Effective radius",
+                AnswerQuantity::Length,
+                self.write.length(radius),
+            )
+            .text(
+                "reciprocal of the sum of both curvatures across the shorter side of the contact",
+            )
+        }));
+        answers
+    }
+
+    fn stiffness(&self) -> Vec<Answer> {
+        let quantity = if self.is_whole() {
+            AnswerQuantity::Stiffness
+        } else {
+            AnswerQuantity::LineStiffness
+        };
+        let contact = self.step.contact_stiffness.filter(|_| self.touches());
+        let contact = contact.map(|slope| {
+            self.answer("contact_stiffness", "Contact stiffness", quantity, slope)
+                .error(self.bars().and_then(|bars| bars.contact_stiffness))
+                .text("slope of the force over the approach")
+        });
+        let unloading = self.step.flow.as_ref().map(|flow| flow.unloading_stiffness);
+        let unloading = unloading.filter(|slope| *slope > 0.0).map(|slope| {
+            self.answer("unloading_stiffness", "Unloading stiffness", quantity, slope)
+                .text("slope where the load begins to fall")
+        });
+        contact.into_iter().chain(unloading).collect()
+    }
+}

@@ -1,0 +1,117 @@
+//! Figures of contacts of finite elements that only answers and verdict have.
+
+use super::answers::{Largest, Measured};
+use super::findings::Finding;
+use crate::analytical::von_mises;
+use crate::fem::assembly::GaussPoint;
+use crate::job::{Job, Load, Material, OverDepth};
+use crate::material::HardeningLaw;
+use crate::solver::{
+    BodySolution, ElasticReference, Problem, StepSolution, elastic_utilization,
+    highest_utilization,
+};
+
+/// Measures what the report of a load step does not have.
+pub(super) fn measured(
+    job: &Job,
+    step: &StepSolution,
+    reference: Option<&ElasticReference>,
+    findings: &[Finding],
+) -> Measured {
+    let radius = reference.map(|reference| reference.effective_radius);
+    let at_rest = Measured {
+        effective_radius: radius.filter(|radius| radius.is_finite() && *radius > 0.0),
+        points: "integration points",
+        ..Measured::default()
+    };
+    if step.status.is_stopped() {
+        return at_rest;
+    }
+    let core = largest_in(step, |side, body| core(job, side, body));
+    if step.force() <= 0.0 {
+        let tension = largest_in(step, tension).filter(|_| step.energy.is_some());
+        return Measured { core, tension, ..at_rest };
+    }
+    let is_sought = job.load == Load::Onset;
+    let is_unknown = findings.iter().any(|finding| {
+        matches!(finding, Finding::OnsetUnknown { .. } | Finding::ElasticCorner { .. })
+    });
+    let is_half_space = !findings.contains(&Finding::NearSupport) && !is_sought;
+    let reference = reference.filter(|_| is_half_space);
+    let closed = reference.and_then(|_| elastic_utilization(job, step.force()));
+    let is_elastic = !step.bodies.iter().flatten().any(|body| body.has_yielded());
+    let utilization = closed.or_else(|| {
+        let found = highest_utilization(step, &Problem::of(job)).filter(|_| is_elastic)?;
+        let frame = step.bodies[found.body].as_ref()?.mesh.frame;
+        let [x, depth] = frame.place(found.position);
+        Some((found.ratio, [x, depth], found.body))
+    });
+    let first_yield = if is_sought {
+        Some(step.force())
+    } else {
+        reference.and_then(|reference| reference.yield_onset_force)
+    };
+    Measured {
+        utilization: utilization
+            .filter(|_| !is_unknown)
+            .map(|(value, [x, depth], side)| Largest { value, side, place: [x, 0.0, depth] }),
+        first_yield: first_yield.filter(|_| !is_unknown),
+        core,
+        ..at_rest
+    }
+}
+
+/// Returns the largest of both bodies; of two alike the lower one.
+fn largest_in(
+    step: &StepSolution,
+    of: impl Fn(usize, &BodySolution) -> Option<Largest>,
+) -> Option<Largest> {
+    let bodies = step.bodies.iter().enumerate();
+    let found = bodies.filter_map(|(side, body)| of(side, body.as_ref()?));
+    found.max_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+/// Returns the largest principal stress of all Gauss points.
+fn tension(side: usize, body: &BodySolution) -> Option<Largest> {
+    let points = body.stress.points.iter().flatten();
+    let most = points
+        .map(|point| {
+            let [x, y, z, xy] = point.stress;
+            let in_plane = 0.5 * (x + y) + f64::hypot(0.5 * (x - y), xy);
+            (in_plane.max(z), point.position)
+        })
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    most.map(|(value, position)| {
+        let [x, depth] = body.mesh.frame.place(position);
+        Largest { value, side, place: [x, 0.0, depth] }
+    })
+}
+
+/// Returns the depth of the hardened case of a body \[mm\].
+pub(super) fn case_depth(job: &Job, side: usize) -> Option<f64> {
+    match &[&job.upper, &job.lower][side].material {
+        Material::Deformable(material) => match material.over_depth()? {
+            OverDepth::Case(case) => Some(case.case_depth.get()),
+            _ => None,
+        },
+        Material::Rigid => None,
+    }
+}
+
+/// Returns the largest von Mises stress over the yield stress below a hardened case, of the means
+/// of elements.
+fn core(job: &Job, side: usize, body: &BodySolution) -> Option<Largest> {
+    let case = case_depth(job, side)?;
+    let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress)?;
+    let used = body.stress.points.iter().filter_map(|points| {
+        let mean = GaussPoint::mean(points);
+        let [x, depth] = body.mesh.frame.place(mean.position);
+        let strength = limit * body.model.strength(mean.position);
+        (depth >= case).then(|| Largest {
+            value: von_mises(mean.stress) / strength,
+            side,
+            place: [x, 0.0, depth],
+        })
+    });
+    used.max_by(|a, b| a.value.total_cmp(&b.value))
+}
