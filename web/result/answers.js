@@ -11,36 +11,15 @@ import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
-/**
- * @typedef {object} Place
- * @property {string} body
- * @property {number} x
- * @property {number} [y] in three dimensions
- * @property {number} depth
- *
- * @typedef {object} Answer
- * @property {string} name
- * @property {string} label
- * @property {'upper' | 'lower' | 'both' | null} body
- * @property {number | null} value
- * @property {import('../lib/units.js').Quantity | 'angle' | 'ratio'} quantity
- * @property {string} unit
- * @property {number | null} error relative; 0 of what the job prescribes
- * @property {number | null} bias relative and signed, against flow theory
- * @property {number | null} elastic
- * @property {Place | null} place
- * @property {string} text
- *
- * @typedef {object} Verdict
- * @property {string} level
- * @property {string} text
- *
- * @typedef {{answer: Answer, step: Step}} OfJob
- */
+/** @typedef {import('../wire.js').Answer} Answer */
+/** @typedef {import('../wire.js').Verdict} Verdict */
 
 /** @param {Step} step @param {Report} report @returns {Answer[]} */
 export const answersOf = (step, report) =>
-  /** @type {any} */ (step).answers ?? plainAnswers(step, report);
+  step.verdict ? step.answers : plainAnswers(step, report);
+
+/** @param {Step} step @returns {Verdict | undefined} */
+export const verdictOf = ({ verdict }) => verdict;
 
 /** The plain figures of a result that has no answers. @param {Step} step @param {Report} report @returns {Answer[]} */
 function plainAnswers(step, report) {
@@ -76,9 +55,6 @@ function plainAnswers(step, report) {
         ];
   });
 }
-
-/** @param {Step} step @returns {Verdict | undefined} */
-export const verdictOf = (step) => /** @type {any} */ (step).verdict;
 
 /** Marks of verdicts, and what they are beside their colour. @type {Record<string, {kind: 'good' | 'warning' | 'bad', mark: string}>} */
 const LEVELS = {

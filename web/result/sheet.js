@@ -268,12 +268,16 @@ function headings({ id, job }) {
 
 /** The sheet as a file by itself, with the job and the answer. @param {Shown} shown */
 function saveSheet({ id, job, report, raw = report }) {
-  const sheet = /** @type {HTMLElement} */ (byId('sheet').cloneNode(true));
+  // A document that is not seen loads no pictures, which this page may not.
+  const unseen = document.implementation.createHTMLDocument();
+  const sheet = unseen.importNode(byId('sheet'), true);
   sheet.querySelector('.sheet-tools')?.remove();
   const canvases = byId('sheet').querySelectorAll('canvas');
   sheet.querySelectorAll('canvas').forEach((canvas, k) => {
-    const src = canvases[k].toDataURL();
-    canvas.replaceWith(h('img', { src, alt: canvases[k].getAttribute('aria-label') ?? '' }));
+    const image = unseen.createElement('img');
+    image.src = canvases[k].toDataURL();
+    image.alt = canvases[k].getAttribute('aria-label') ?? '';
+    canvas.replaceWith(image);
   });
   const fields = byId('sheet').querySelectorAll('input');
   sheet.querySelectorAll('input').forEach((input, k) => {
