@@ -32,6 +32,13 @@ impl Body {
         }
     }
 
+    /// Whether the other body has the same figures; names are none.
+    pub fn is_alike(&self, other: &Self) -> bool {
+        let Self { shape, material, material_name: _, support, surface } = self;
+        let figures = (&other.shape, &other.material, &other.support, &other.surface);
+        (shape, material, support, surface) == figures
+    }
+
     pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(&["shape", "support", "material", Surface::KEY]);
