@@ -9,7 +9,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use sqlx::postgres::{PgListener, PgPoolOptions};
+use sqlx::postgres::PgListener;
 use sqlx::{Executor, PgPool};
 use tokio::sync::mpsc::{Receiver, Sender, channel};
 use tokio::time::{sleep, timeout};
@@ -42,15 +42,8 @@ impl Announcer {
     /// empty.
     pub(super) fn start(pool: &PgPool, node: WorkerId) -> Self {
         // A notification need not survive a loss of power.
-        let options = PgPoolOptions::new()
-            .max_connections(1)
-            .acquire_timeout(CONNECT_TIMEOUT)
-            .after_connect(|connection, _| {
-                Box::pin(async move {
-                    connection.execute("SET synchronous_commit = off").await.map(drop)
-                })
-            });
-        let own = options.connect_lazy_with((*pool.connect_options()).clone());
+        let own = super::pool(1, CONNECT_TIMEOUT, super::OF_LINES)
+            .connect_lazy_with((*pool.connect_options()).clone());
         let (sender, changes) = channel(WAITING);
         tokio::spawn(tell(own, node, changes));
         Self(sender)

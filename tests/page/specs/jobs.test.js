@@ -298,6 +298,7 @@ service.test('the list says why older jobs do not come', async (page) => {
 
 service.test('pictures of the convergence have both of its charts', async (page) => {
   await shown(page);
+  await page.locator('.solver > summary').click();
   const panel = page.locator('#panel-convergence');
   const [file] = await Promise.all([
     page.waitForEvent('download'),

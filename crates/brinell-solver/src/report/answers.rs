@@ -246,7 +246,7 @@ impl Facts<'_> {
     }
 
     pub fn is_alike(&self) -> bool {
-        self.job.upper == self.job.lower
+        self.job.upper.is_alike(&self.job.lower)
     }
 
     pub fn touches(&self) -> bool {
