@@ -3232,7 +3232,7 @@ class ClosedForm(BaseModel):
     effective_radius: Annotated[
         float,
         Field(
-            description='Effective radius of the two surfaces, in three dimensions that of their mean curvature. Unit: mm (SI: m).',
+            description='Effective radius of the two surfaces, along the shorter side of their contact. Unit: mm (SI: m).',
             examples=[10.0],
             gt=0.0,
         ),
