@@ -717,9 +717,10 @@ impl Facts<'_> {
     fn without_member(&self) -> Vec<Answer> {
         let mut answers = Vec::new();
         for figure in Figure::ALL.iter().filter(|figure| !figure.has_member()) {
-            let sides: &[Side] = match figure.is_of_body() {
-                true if !self.is_alike() => &[Side::Upper, Side::Lower],
-                _ => &[Side::Lower],
+            let sides: &[Side] = if figure.is_of_body() && !self.is_alike() {
+                &[Side::Upper, Side::Lower]
+            } else {
+                &[Side::Lower]
             };
             for side in sides {
                 let core = self.measured.figures.get(*figure, usize::from(*side == Side::Lower));

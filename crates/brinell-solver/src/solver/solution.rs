@@ -488,7 +488,6 @@ impl BodySolution {
             pile_up: self.pile_up(),
             least_stress,
             largest_von_mises,
-            ..BodyFigures::default()
         }
     }
 
