@@ -45,7 +45,7 @@ impl Body {
         let shape = object.required("shape", |c| Shape::read(c, units, &[]));
         let support = object.or("support", Support::default(), |c| c.named());
         let material = object.required("material", |c| {
-            let name = c.object()?.or("name", None, name::read);
+            let name = c.object()?.or("name", None, |c| name::read(c).map(Some));
             Some((Material::read(c, units)?, name?))
         });
         let surface =

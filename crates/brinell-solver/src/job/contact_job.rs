@@ -144,7 +144,7 @@ impl Job {
     fn read_members(cursor: Cursor<'_>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(Self::KEYS);
-        let title = object.or("title", None, name::read);
+        let title = object.or("title", None, |c| name::read(c).map(Some));
         let analysis = object.required("analysis", |c| c.named::<Analysis>());
         let units = object.or("units", Units::default(), |c| c.named());
         let upper = object.required("upper", |c| Body::read(c, units));

@@ -7,7 +7,7 @@ use super::tags::check;
 pub const MAX_NAME: usize = 80;
 
 /// Reads a name of 1 to [`MAX_NAME`] printable characters.
-pub(super) fn read(cursor: Cursor<'_>) -> Option<Option<String>> {
+pub(super) fn read(cursor: Cursor<'_>) -> Option<String> {
     let name = cursor.text()?;
-    check(cursor, "the name", name, 1, MAX_NAME).then(|| Some(name.to_owned()))
+    check(cursor, "the name", name, 1, MAX_NAME).then(|| name.to_owned())
 }
