@@ -289,13 +289,9 @@ export class FieldPanel {
     }
     this.scene.fit();
     // A body may have yielded elsewhere than in this section.
+    const alone = report.steps.length === 1 && !this.#touched && !this.#led;
     const strain = this.#chosen === 'equivalent_plastic_strain';
-    if (
-      !this.#touched &&
-      !this.#led &&
-      strain &&
-      this.scene.ends.every(({ value }) => value === 0)
-    ) {
+    if (alone && strain && this.scene.ends.every(({ value }) => value === 0)) {
       this.#preset = 'von_mises';
       return this.#update();
     }

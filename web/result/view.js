@@ -173,8 +173,9 @@ export class View {
       least.own.push(one.panel.element);
       least.high += one === vary && vary.hasCurve ? 700 : (HEIGHTS.get(one.panel.id) ?? 360);
     }
+    // The field beside is on the page only where jobs are compared: it has the tools of the other.
     const hidden = [...new Set(all)]
-      .filter(({ panel }) => panel.element.hidden)
+      .filter((one) => one.panel.element.hidden && one !== other)
       .map(({ panel }) => panel.element);
     columns.forEach(({ element, own }, k) => arrange(element, k ? own : [...own, ...hidden]));
   }
@@ -379,8 +380,7 @@ export class View {
     this.plane.hidden = !solid;
     if (!raw) return;
     if (solid) namePlanes(this.plane, report.steps[this.#at]);
-    const { upper, lower } = raw.steps[this.#at].plasticity;
-    const yields = Boolean(upper?.yielded || lower?.yielded);
+    const yields = hasYielded(raw);
     const asked = { job, at: this.#at, yields, units: setOf(report.units) };
     if (!solid) this.field.show({ ...asked, report: raw }, anew, /** @type {any} */ (fields));
     // The map offers to solve again with both.
@@ -434,12 +434,14 @@ function soFar(history, job, set) {
     : h('p', { class: 'empty' }, 'Meshing and factorizing.');
 }
 
+/** Whether a body yields in any step: all steps of a job are looked at in the same quantity. @param {import('../types.js').Report} report */
+const hasYielded = ({ steps }) =>
+  steps.some(({ plasticity: { upper, lower } }) => upper?.yielded || lower?.yielded);
+
 /** The field of a job, its step as it is laid beside that of the first. @param {Shown} one @param {number} at @param {'x' | 'y'} axis */
 function fieldOf({ job, report, raw, fields }, at, axis) {
   if (!raw || !fields) return undefined;
-  const { upper, lower } = raw.steps[at].plasticity;
-  const yields = Boolean(upper?.yielded || lower?.yielded);
-  const asked = { job, at, yields, units: setOf(report.units) };
+  const asked = { job, at, yields: hasYielded(raw), units: setOf(report.units) };
   return fields instanceof LayerSource
     ? { asked: { ...asked, report: reportOf(raw, axis) }, source: fields.planes[axis] }
     : { asked: { ...asked, report: raw }, source: fields };

@@ -386,7 +386,7 @@ service.test(
     // 285 HBW are 300 HV: 2.876 · 300 − 90.7.
     assert.equal((await draft(page)).upper.material.plasticity.yield_stress, 772);
     await page.getByRole('button', { name: 'Keep as own…' }).first().click();
-    await dialog.getByLabel('Name').fill('Race of pump P-12');
+    await dialog.getByLabel('Name', { exact: true }).fill('Race of pump P-12');
     await dialog.getByLabel('Source of its figures').fill('hardness test 2026-11');
     await dialog.getByRole('button', { name: 'Keep' }).click();
     await page.locator('[data-source=upper]').getByText('hardness test 2026-11').waitFor();

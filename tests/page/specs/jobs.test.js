@@ -156,6 +156,7 @@ service.test('every panel is a picture', async (page) => {
   const id = await solved(page, { output: { fields: true } });
   await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
+  await page.locator('.solver > summary').click();
   for (const panel of ['pressure', 'field', 'depth', 'convergence']) {
     const [file] = await Promise.all([
       page.waitForEvent('download'),

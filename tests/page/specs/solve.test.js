@@ -196,7 +196,7 @@ service.test('a key of the form solves nothing behind a dialogue or a report', a
     if (request.method() === 'POST' && request.url().endsWith('/v1/jobs')) count += 1;
   });
   await page.getByRole('button', { name: 'Keep as own…' }).first().click();
-  await page.getByLabel('Name').press('Control+Enter');
+  await page.getByLabel('Name', { exact: true }).press('Control+Enter');
   await page.getByRole('dialog').getByRole('button', { name: 'Cancel' }).click();
   await page.keyboard.press('Control+Enter');
   await page.locator(SOLVED).waitFor();
