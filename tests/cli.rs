@@ -59,13 +59,9 @@ fn three_dimensions_have_two_semi_axes_and_two_pictures() {
     let output = brinell(&["solve", raceway, "--format", "table"], "");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let text = stdout(&output);
-    for part in [
-        "force 500.0000 N",
-        "shorter semi-axis",
-        "longer semi-axis",
-        "x = 0 mm",
-        "y = 0 mm",
-    ] {
+    for part in
+        ["force 500.0000 N", "shorter semi-axis", "longer semi-axis", "x = 0 mm", "y = 0 mm"]
+    {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
