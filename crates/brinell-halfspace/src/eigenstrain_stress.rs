@@ -257,7 +257,7 @@ const SERIES_BELOW: f64 = 0.5;
 const TERMS: u32 = 16;
 
 /// e, al, be, I0/h, I1/h.
-fn coefficients_of(q: f64, h: f64) -> [f64; COEFFICIENTS] {
+pub(crate) fn coefficients_of(q: f64, h: f64) -> [f64; COEFFICIENTS] {
     let x = q * h;
     let e = (-x).exp();
     if x > SERIES_BELOW {

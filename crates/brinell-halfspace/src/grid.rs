@@ -8,6 +8,9 @@ pub enum GridError {
     /// Fewer than two cells along a side.
     #[error("a surface grid needs two cells along each side, got {0} × {1}")]
     TooFewCells(usize, usize),
+    /// More columns than anybody can wait for.
+    #[error("a track of {0} columns is too long")]
+    TooManyColumns(usize),
     /// A cell without a size.
     #[error("the cells' sides have to be positive, got {0} × {1} mm")]
     CellSize(f64, f64),

@@ -9,7 +9,8 @@
 //!   (plastic strains to stresses);
 //! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and
 //!   what its [`PlasticLaw`] answers;
-//! - [`EllipticContact`] is Hertz.
+//! - [`EllipticContact`] is Hertz;
+//! - [`track`]: line contacts that roll and slide.
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
 
@@ -25,6 +26,7 @@ mod pressure_stress;
 mod stop;
 mod surface;
 mod tensors;
+pub mod track;
 mod transform;
 mod waves;
 

@@ -46,6 +46,9 @@ pub trait StreamLaw: std::fmt::Debug + Send + Sync {
         strain: &mut [f64],
     ) -> bool;
 
+    /// Takes all layers back to what they remember at the front, as if nothing flowed.
+    fn rest(&mut self);
+
     /// Accepts what the layers remember at the back: the inlet of the next pass.
     fn accept(&mut self);
 
@@ -133,6 +136,10 @@ impl<const N: usize> StreamLaw for StreamOfLayers<N> {
             plastic_work: end.plastic_work,
         };
         flows
+    }
+
+    fn rest(&mut self) {
+        self.outlet.copy_from_slice(&self.inlet);
     }
 
     fn accept(&mut self) {
@@ -280,7 +287,7 @@ mod tests {
             layer.mirror();
             assert_eq!(layer.backstress(0)[3].to_bits(), (-kept[3]).to_bits());
             layer.mirror();
-            assert_eq!(layer.backstress(0), kept);
+            assert!(layer.backstress(0).iter().zip(kept).all(|(a, b)| a.to_bits() == b.to_bits()));
             assert!(layer.yield_stress(0) > 0.0 && kept[3] != 0.0);
         }
     }

@@ -1,0 +1,9 @@
+//! Line contacts that roll and slide.
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
+
+mod attack;
+mod driver;
+mod march;
+mod operators;
+mod passes;
+mod sequences;
