@@ -34,7 +34,8 @@ const SAID = [
 function* numbers(node, key, said, seen = []) {
   if (node.$ref) {
     const name = node.$ref.split('/').pop();
-    if (!seen.includes(name))
+    // An answer says what it is; the test below converts one of each quantity.
+    if (name !== 'Answer' && !seen.includes(name))
       yield* numbers(schemas[name], key, node.description ?? schemas[name].description ?? said, [
         ...seen,
         name,
@@ -87,6 +88,48 @@ test('initial stresses, work and reversed yield come in the units that are shown
     inUnits({ work: 2 }, { analysis: 'axisymmetric', units: 'mm_N_MPa' }, { ...set, length: 'mm' })
       .work,
     2e-3,
+  );
+});
+
+test('an answer comes in the unit of its own quantity', () => {
+  const set = { length: 'µm', per: 'mm', stress: 'GPa', force: 'kN' };
+  const of = { analysis: 'plane_strain', units: /** @type {const} */ ('mm_N_MPa') };
+  const place = { body: 'both', x: 0.5, depth: 0.25 };
+  const answer = (/** @type {string} */ quantity, /** @type {string} */ unit) => ({
+    quantity,
+    unit,
+    value: 2,
+    elastic: null,
+    place,
+  });
+  const { answers } = inUnits(
+    {
+      answers: [
+        { ...answer('length', 'mm'), elastic: 1 },
+        answer('stress', 'MPa'),
+        answer('area', 'mm²'),
+        answer('ratio', ''),
+        answer('angle', 'mrad'),
+        answer('number', ''),
+      ],
+    },
+    of,
+    set,
+  );
+  assert.deepEqual(
+    answers.map(({ value, unit }) => [value, unit]),
+    [
+      [2000, 'µm'],
+      [0.002, 'GPa'],
+      [2e6, 'µm²'],
+      [2, ''],
+      [2, 'mrad'],
+      [2, ''],
+    ],
+  );
+  assert.deepEqual(
+    [answers[0].elastic, answers[0].place],
+    [1000, { ...place, x: 500, depth: 250 }],
   );
 });
 
