@@ -1,6 +1,6 @@
 //! Announcements of changes between processes, by `LISTEN` and `NOTIFY`.
 //!
-//! Each process listens on one connection and notifies on another, after its changes are
+//! Each process listens on one connection and notifies on its others, after its changes are
 //! committed. `NOTIFY` inside the changing transaction would take a lock of the whole database
 //! until the commit is on the disk, and the commits of all processes would wait for each other. A
 //! notification may be lost with its connection or process; every process therefore also queries
@@ -41,11 +41,8 @@ impl Announcer {
     /// Starts the task that notifies. The task ends when the announcer is dropped and its queue is
     /// empty.
     pub(super) fn start(pool: &PgPool, node: WorkerId) -> Self {
-        // A notification need not survive a loss of power.
-        let own = super::pool(1, CONNECT_TIMEOUT, super::OF_LINES)
-            .connect_lazy_with((*pool.connect_options()).clone());
         let (sender, changes) = channel(WAITING);
-        tokio::spawn(tell(own, node, changes));
+        tokio::spawn(tell(pool.clone(), node, changes));
         Self(sender)
     }
 
