@@ -10,6 +10,9 @@ use crate::solver::SolveStatus;
 use crate::solver::method::figures::{Figure, Figures, Measure};
 use crate::units::{UnitConverter, about, rounded};
 
+/// Relative difference of forces that are alike.
+const ROUNDING: f64 = 1e-9;
+
 /// One figure of a load step, made to be shown.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -177,6 +180,13 @@ pub(super) struct Measured {
     pub points: &'static str,
     /// Whether an earlier load of the history, at least as large, has dented the bodies.
     pub is_dented: bool,
+}
+
+/// Returns whether an earlier load has dented the bodies at least as much as this force.
+/// `dented_under` is the largest force that has left plastic strain, 0 without one. Forces that
+/// differ by rounding are alike.
+pub(super) fn is_dented(dented_under: f64, force: f64) -> bool {
+    dented_under > 0.0 && dented_under >= (1.0 - ROUNDING) * force
 }
 
 /// What the answers and the verdict of a load step are made of.

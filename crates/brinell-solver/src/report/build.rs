@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::answers::Measured;
+use super::answers::{Measured, is_dented};
 use super::contact_stiffness::{LoadDifferences, Seen};
 use super::findings::{Finding, Known};
 use super::load_approach::CurvePoint;
@@ -115,7 +115,7 @@ impl<'a> ReportBuilder<'a> {
         }
         self.target.see(self.job, step, &findings);
         let measured = Measured {
-            is_dented: self.dented_under > 0.0 && self.dented_under >= step.force(),
+            is_dented: is_dented(self.dented_under, step.force()),
             ..measured(self.job, step, reference.as_ref(), &findings)
         };
         if step.energy.is_some() && step.bodies.iter().flatten().any(|body| body.has_yielded()) {

@@ -14,9 +14,8 @@ const DIGITS: f64 = 0.06;
 /// All sentences of an answer or a refusal, and whether their figures are those of an answer. An
 /// iteration that ends without an answer depends on rounding.
 fn told(job: &Value) -> (Vec<String>, bool) {
-    let parsed = match Job::from_value(job) {
-        Ok(job) => job,
-        Err(_) => return (vec!["refused by the reader".to_owned()], true),
+    let Ok(parsed) = Job::from_value(job) else {
+        return (vec!["refused by the reader".to_owned()], true);
     };
     let report = match report::run(&parsed, &mut Unobserved) {
         Ok(report) => serde_json::to_value(report).unwrap(),
@@ -63,12 +62,10 @@ fn words(text: &str) -> Vec<Result<f64, String>> {
     let word = |k: usize| match all[k].parse::<f64>() {
         // The unit may stand behind the last of several numbers.
         Ok(number) => {
-            let behind = all[k + 1..].iter();
-            let unit = behind
-                .skip_while(|next| {
-                    next.parse::<f64>().is_ok() || matches!(next.as_str(), ">" | "to")
-                })
-                .next();
+            let mut behind = all[k + 1..].iter();
+            let is_between =
+                |next: &str| next.parse::<f64>().is_ok() || matches!(next, ">" | "to");
+            let unit = behind.find(|next| !is_between(next.as_str()));
             Ok(number * unit.and_then(|unit| factor(unit)).unwrap_or(1.0))
         }
         Err(_) => Err(if factor(&all[k]).is_some() { "unit".to_owned() } else { all[k].clone() }),

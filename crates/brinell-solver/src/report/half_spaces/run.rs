@@ -9,7 +9,7 @@ use super::flow::FlowState;
 use super::measured::measured;
 use super::step::StepWriter;
 use crate::job::{FieldError, Job, Load, Named as _, TargetFigure, Theory};
-use crate::report::answers::Measured;
+use crate::report::answers::{Measured, is_dented};
 use crate::report::build::{timings, worse};
 use crate::report::contact_stiffness::{LoadDifferences, Seen as SeenLoad};
 use crate::report::load_approach::CurvePoint;
@@ -128,7 +128,7 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         let findings = findings(job, self.writer.problem, &step);
         let force = step.figures.force;
         let measured = Measured {
-            is_dented: seen.dented_under > 0.0 && seen.dented_under >= force,
+            is_dented: is_dented(seen.dented_under, force),
             ..measured(job, self.writer.problem, reference, &step, &findings)
         };
         if flow.is_some() && step.bodies.iter().flatten().any(|body| body.largest_strain.is_some())
