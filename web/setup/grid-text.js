@@ -573,7 +573,8 @@ class Header {
       notes.push('width and height of the head are numbers of points');
     }
     const said = this.#spacing(nx, ny);
-    const isOther = said && spacing?.some((one, k) => Math.abs(one - said.spacing[k]) > 1e-3 * one);
+    const isOther =
+      said && spacing?.some((one, k) => Math.abs(one - said.spacing[k]) > 1e-3 * one);
     if (isOther)
       throw new NotUnderstood(
         `the head makes distances of ${said.spacing.join(' and ')}, the first line and the first column of ${spacing?.join(' and ')}`,
