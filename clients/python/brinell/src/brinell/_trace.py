@@ -283,7 +283,7 @@ def _read(
 def _is_in_order(values: Floats) -> bool:
     """Whether values rise or fall throughout."""
     steps = np.diff(values)
-    return len(steps) > 1 and bool((steps > 0).all() or (steps < 0).all())
+    return len(steps) > 1 and bool((steps >= 0).all() or (steps <= 0).all()) and bool(steps.any())
 
 
 def _of_pandas(source: Any, is_spaced: bool) -> Any:
