@@ -502,6 +502,7 @@ def waves() -> tuple[Any, Any]:
         (["X-Einheit [mm]", "Z-Einheit [µm]"], {}, None),
         (["x unit = mm", "z unit = µm"], {}, None),
         (["x\tz", "mm\tµm"], {}, None),
+        (["Profile in direction of rolling", "# x(mm) z(um)"], {}, None),
         (["X (mm)\tZ"], {"height_unit": "µm"}, None),
         (["X (mm)\tZ"], {}, "no unit of heights"),
         (["X\tZ [µm]"], {}, "no unit of x"),

@@ -419,7 +419,8 @@ def _said(line: str, columns: int) -> list[tuple[int, str]] | None:
         names = [_axis_of(one) for one in cells]
         if len(cells) == 2 and sorted(map(str, names)) == ["0", "1"]:
             return [(int(name or 0), "") for name in names]
-        return None if any(map(is_length, re.split(r"[\s;,]+", line))) else []
+        words = [one for one in re.split(r"[\s;,]+", line) if one != "in"]
+        return None if any(map(is_length, words)) else []
     if not all(map(is_length, units)):
         return None
     if columns == 1:

@@ -82,6 +82,9 @@ def from_tensile(
         ]
         detail = f"{len(missing)} of {points.size} figures are missing: leave out their points"
         raise InvalidJob(faults, detail)
+    for name, figure in (("young_modulus", young_modulus), ("offset", offset)):
+        if figure is not None and not math.isfinite(figure):
+            raise InvalidJob([Fault(f"#/{name}", "wrong_type", f"{figure} is no finite number")])
     test: dict[str, Any] = {
         "points": points.tolist(),
         "strain_unit": strain_unit,
