@@ -357,7 +357,13 @@ fn first_line(samples: &[Sample], young_modulus: Option<f64>) -> Result<Line, Te
             Ok(found)
         };
     };
-    let Some(found) = found else { return Ok(line::of_modulus(&points, modulus)) };
+    let is_possible = |slope: f64| (SLOPES[0]..=SLOPES[1]).contains(&(slope / modulus));
+    let Some(found) = found else {
+        return match foot(&points) {
+            Some(slope) if !is_possible(slope) => Err(TestFault::Slope(slope)),
+            _ => Ok(line::of_modulus(&points, modulus)),
+        };
+    };
     let power = (modulus / found.slope).log10().round();
     let off = modulus / found.slope / 10f64.powf(power);
     // Records have their strain in per cent, parts per thousand or per million, or their stress
@@ -370,10 +376,20 @@ fn first_line(samples: &[Sample], young_modulus: Option<f64>) -> Result<Line, Te
     if found.points == 2 && !(NEAR.recip()..NEAR).contains(&(found.slope / modulus)) {
         return Ok(line::of_modulus(&points, modulus));
     }
-    if !(SLOPES[0]..=SLOPES[1]).contains(&(found.slope / modulus)) {
+    if !is_possible(found.slope) {
         return Err(TestFault::Slope(found.slope));
     }
     Ok(found)
+}
+
+/// Returns the slope from the first point to a tenth of the largest stress, where a record that
+/// begins without stress has several points on the way.
+fn foot(points: &[[f64; 2]]) -> Option<f64> {
+    let most = points.iter().map(|point| point[1]).fold(0.0, f64::max);
+    let [strain, stress] = *points.first()?;
+    let at = points.iter().position(|point| point[1] >= 0.1 * most)?;
+    (at >= 4 && stress <= 0.02 * most && points[at][0] > strain)
+        .then(|| (points[at][1] - stress) / (points[at][0] - strain))
 }
 
 #[cfg(test)]

@@ -101,7 +101,7 @@ fn a_record_that_is_none_is_refused_or_asked_about() {
         (json!({"points": scaled(1.0, 1.0 / 6.895), "young_modulus": 206_000}), "in ksi?"),
         (json!({"points": scaled(1.0, 1e-3)}), "in GPa?"),
         (json!({"points": scaled(1.0, 1.3), "young_modulus": 206_000}), "makes a test steeper"),
-        (json!({"points": scaled(8.0, 1.0), "young_modulus": 206_000}), "does no harm"),
+        (json!({"points": scaled(4.0, 1.0), "young_modulus": 206_000}), "does no harm"),
     ];
     for (test, words) in asked {
         let remarks = solve(&test).unwrap().remarks.join(" ");
