@@ -16,6 +16,7 @@ import { DEFAULTS } from './setup/fields.js';
 import { examplesOf } from './setup/examples.js';
 import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
+import { allMaterials } from './setup/library.js';
 import { Live } from './setup/live.js';
 import { refusalWords, send, sentence, waitingWords } from './setup/send.js';
 import { startSketch } from './setup/sketch.js';
@@ -41,18 +42,24 @@ const WELCOME =
   'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
 /**
+ * Where the fields of a job come from.
  * @param {string} id
  * @param {import('./types.js').Report} report
- * @returns {FieldSource | LayerSource}
+ * @param {import('./types.js').Job} job
+ * @returns {FieldSource | LayerSource | undefined} nothing where it did not ask for them, or the report has them
  */
-const sourceOf = (id, report) =>
-  report.analysis === 'three_dimensional'
+function sourceOf(id, report, job) {
+  const inside = report.steps.some(({ fields, layers }) => fields ?? layers);
+  if (!job.output?.fields || inside) return undefined;
+  return report.analysis === 'three_dimensional'
     ? new LayerSource(id, report)
     : new FieldSource(id, report);
+}
 
 startMemory();
 startTheme();
 const draft = new Draft();
+draft.known = (/** @type {unknown} */ name) => allMaterials().some((one) => one.name === name);
 const form = new Form(draft, (moving) => live.ask(draft.job, moving));
 const json = startJson(draft);
 const sketch = startSketch(draft);
@@ -64,6 +71,12 @@ const view = new View({
     solve();
   },
   stepped: () => {},
+  spread: (ids) => {
+    if (current?.id) location.hash = link.jobFragment(current.id, ids);
+  },
+  open: openBeside,
+  use: (job) => draft.replace(job, 'page'),
+  listed: () => list.refresh(),
 });
 const check = new Check(draft, form, json, (hertz) => {
   sketch(hertz);
@@ -84,9 +97,7 @@ const watch = new Watch({
   },
   solved: (id, report) => {
     const job = current?.job ?? {};
-    const inside = report.steps.some(({ fields, layers }) => fields ?? layers);
-    const fields = job.output?.fields && !inside ? sourceOf(id, report) : undefined;
-    first = { id, report, job, fields, colour: COLOURS[0], label: '' };
+    first = { id, report, job, fields: sourceOf(id, report, job), colour: COLOURS[0], label: '' };
     show();
     if (innerWidth < 900)
       byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });
@@ -135,7 +146,7 @@ const live = new Live({
       `solved in ${duration(total)}${coarse}; press Solve to keep it as a job with a link`,
     );
     compareWithDraft();
-    show();
+    show(true);
   },
   failed: ({ status, message }) => {
     if (current?.id === '')
@@ -176,12 +187,16 @@ function leaveUnlike() {
     );
 }
 
-function show() {
+/** @param {boolean} [moving] whether a slider moves */
+function show(moving = false) {
   if (!first) return;
   leaveUnlike();
   const shown = [first, ...[...compared.values()].filter(({ id }) => id !== first?.id)];
   const labels = names(shown);
-  view.show(shown.map((one, k) => ({ ...one, label: labels[k] })));
+  view.show(
+    shown.map((one, k) => ({ ...one, label: labels[k] })),
+    moving,
+  );
 }
 
 /** @param {string} text */
@@ -388,7 +403,15 @@ async function layOver(id, still) {
     const used = new Set([...compared.values()].map(({ colour }) => colour));
     const free = COLOURS.findIndex((one, k) => k > 0 && !used.has(one));
     if (free < 0) return toast(`${COLOURS.length} jobs are as many as can be told apart`);
-    compared.set(id, { id, report, job, label: '', colour: COLOURS[free], dash: DASHES[free] });
+    compared.set(id, {
+      id,
+      report,
+      job,
+      fields: sourceOf(id, report, job),
+      label: '',
+      colour: COLOURS[free],
+      dash: DASHES[free],
+    });
   } catch (error) {
     if (still()) toast(/** @type {Error} */ (error).message);
   }

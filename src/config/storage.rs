@@ -55,7 +55,7 @@ pub struct StorageConfig {
     #[arg(long, env = "BRINELL_DATABASE_URL", value_name = "URL", hide_env_values = true)]
     pub database_url: Option<DatabaseUrl>,
 
-    /// Most connections to the shared database, and two more that carry notifications
+    /// Most connections to the shared database, and one more that listens
     #[arg(
         long, env = "BRINELL_DATABASE_CONNECTIONS", value_name = "N", default_value = "10",
         value_parser = clap::value_parser!(u32).range(2..=1000),

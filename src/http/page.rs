@@ -83,7 +83,8 @@ pub(super) async fn file(
     let named = NAMED.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let kept = if digest.is_some() && digest == named.as_deref() { FOR_GOOD } else { "no-cache" };
     let digest = digest_of(&file);
-    let data = if path.ends_with(".js") { bare(&file.data).into() } else { file.data };
+    let is_module = media_type(path).starts_with("text/javascript");
+    let data = if is_module { bare(&file.data).into() } else { file.data };
     answer(Sent { path, data, digest, kept }, &headers)
 }
 

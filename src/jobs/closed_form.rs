@@ -13,7 +13,7 @@ pub struct ClosedForm {
     /// Units of all figures: `mm_N_MPa` or `SI`.
     #[schema(example = "mm_N_MPa")]
     pub units: &'static str,
-    /// Effective radius of the two surfaces, in three dimensions that of their mean curvature.
+    /// Effective radius of the two surfaces, along the shorter side of their contact.
     /// Unit: mm (SI: m).
     #[schema(exclusive_minimum = 0, example = 10.0)]
     pub effective_radius: f64,

@@ -74,7 +74,7 @@ impl Slots {
             permits.push(permit);
         }
         let all = permits.len() == self.n_places && self.shared().without_place == 0;
-        Reservation { all, permits }
+        Reservation { permits, all }
     }
 
     /// Waits until no job runs and takes all places.

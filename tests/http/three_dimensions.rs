@@ -33,6 +33,26 @@ fn assert_near(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() < tolerance, "{found} and not {expected}");
 }
 
+/// Each increment is reported, of a history in three dimensions as well.
+#[test]
+fn increments_count_in_the_estimate() {
+    let server = Server::start();
+    let estimate = |loads: usize, increments: usize| {
+        let mut job = ball();
+        job["lower"]["material"]["plasticity"] =
+            json!({"law": "bilinear", "yield_stress": 1000, "tangent_modulus": 2000});
+        let load = |number: usize| json!({"force": if number % 2 == 0 { 100 } else { 50 }});
+        job["load"] = json!({"history": (0..loads).map(load).collect::<Vec<_>>()});
+        job["solver"] = json!({"theory": "flow", "increments": increments});
+        server.target.post("/v1/validate", job.to_string())
+    };
+    let (few, many) = (estimate(10, 10).json(), estimate(10, 1000).json());
+    for figure in ["/estimate/bytes", "/estimate/result_bytes"] {
+        assert!(few.pointer(figure).unwrap().as_u64() < many.pointer(figure).unwrap().as_u64());
+    }
+    estimate(1000, 10_000).problem(422, "job-too-large");
+}
+
 #[test]
 fn a_ball_is_the_contact_of_hertz() {
     let server = Server::start();

@@ -107,6 +107,12 @@ export const unfold = (page) =>
 export const drawn = (page) =>
   page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
 
+/** Shows the von Mises stress, whatever the field begins with. @param {Page} page */
+export async function mises(page) {
+  await drawn(page);
+  await page.getByLabel('Shown', { exact: true }).selectOption('von_mises');
+}
+
 /** The draft as it is kept. @param {Page} page @returns {Promise<any>} */
 export const draft = async (page) =>
   JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');

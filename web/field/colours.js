@@ -6,7 +6,7 @@
 import { h } from '../lib/dom.js';
 import { readShown } from '../lib/number.js';
 import { factor as between, plain } from '../lib/units.js';
-import { bands, bandsWithin } from './palette.js';
+import { bands, bandsWithin, symmetricBands } from './palette.js';
 
 const RANGES = { step: 'this step', steps: 'all steps', fixed: 'fixed' };
 
@@ -128,6 +128,8 @@ export class ColourRange {
    * @param {(step: number) => Limits | undefined} of.limits of a step whose field is here, in the units of the job
    * @param {Limits} of.own of the step that is shown
    * @param {boolean} of.signed whether the colours need not begin at 0
+   * @param {boolean} of.beside whether another field has the same scale
+   * @param {boolean} of.residual whether it is what a load has left: it has a scale of its own
    * @param {number} of.factor to the units shown
    * @param {string} of.unit of these
    * @param {import('../lib/units.js').Quantity} of.kind
@@ -135,13 +137,27 @@ export class ColourRange {
    * @param {boolean} of.whole whether the fields of all steps are kept
    * @returns {import('./palette.js').Bands}
    */
-  bands({ quantity, steps, limits, own, signed, factor, unit, kind, units, whole }) {
+  bands({
+    quantity,
+    steps,
+    limits,
+    own,
+    signed,
+    beside,
+    residual,
+    factor,
+    unit,
+    kind,
+    units,
+    whole,
+  }) {
     /** @type {HTMLOptionElement} */ (this.choice.options[1]).text = whole
       ? RANGES.steps
       : 'the steps seen';
-    const all =
-      this.#of === 'steps' && !this.#single ? this.#overAll(quantity, steps, limits) : own;
     const held = this.#of === 'fixed';
+    const alone = this.#of === 'step' || this.#single || residual || beside;
+    if (!held) this.choice.value = alone ? 'step' : 'steps';
+    const all = alone ? own : this.#overAll(quantity, steps, limits);
     if (held && units !== this.#measure.units) {
       // Held for another job, they are the same stresses in the units of this one.
       const times = between(kind, this.#measure.units, units);
@@ -150,7 +166,9 @@ export class ColourRange {
     const [low, high] = (held ? this.#fixed : all).map((value) => value * factor);
     const made = held
       ? bandsWithin(low, high)
-      : bands(signed ? low : 0, high > low ? high : low + 1);
+      : residual && signed
+        ? symmetricBands(low, high)
+        : bands(signed ? low : 0, high > low ? high : low + 1);
     const ends = held ? [low, high] : [made.low, made.low + made.step * made.colours.length];
     this.#measure = { kind, units, factor };
     this.#fixed = /** @type {Limits} */ (ends.map((end) => end / factor));

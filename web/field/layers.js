@@ -5,6 +5,7 @@
  */
 
 import { fetchFields } from '../api/result.js';
+import { alongJob, axesOf } from '../result/axes.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('../types.js').Report} Report */
@@ -33,6 +34,7 @@ export class LayerSource {
     this.id = id;
     /** Whether every step is fetched. */
     this.whole = steps.length * mesh.elements * 15 < FEW;
+    this.axes = axesOf(steps[0]?.three_dimensional ?? { orientation: 0 });
     this.planes = { x: this.#plane('x'), y: this.#plane('y') };
   }
 
@@ -58,7 +60,7 @@ export class LayerSource {
         const kept = this.#steps.get(step);
         if (kept) return kept;
         const layers = /** @type {any} */ (await fetchFields(this.id, step, [], { progress }));
-        const made = planesOf(layers);
+        const made = planesOf(layers, this.axes);
         this.#steps.set(step, made);
         return made;
       });
@@ -72,21 +74,22 @@ export class LayerSource {
   }
 }
 
-/** @param {Record<'upper' | 'lower', Layers | null>} layers of both bodies @returns {Record<Axis, Fields>} */
-export const planesOf = ({ upper, lower }) => {
+/** @param {Record<'upper' | 'lower', Layers | null>} layers of both bodies @param {import('../result/axes.js').Axes} [axes] of the contact @returns {Record<Axis, Fields>} along the axes of the contact, in the directions of the job's */
+export const planesOf = ({ upper, lower }, axes) => {
   const plane = (/** @type {Axis} */ axis) => ({
-    upper: upper && section(upper, axis, 1),
-    lower: lower && section(lower, axis, -1),
+    upper: upper && section(upper, axis, 1, axes?.[axis].sign),
+    lower: lower && section(lower, axis, -1, axes?.[axis].sign),
   });
   return { x: plane('x'), y: plane('y') };
 };
 
 /**
  * Nodes are the middles of the cells; the surface has the values of the first layer.
- * @param {Layers} layers @param {Axis} axis @param {1 | -1} up where depth points in the picture @returns {Mesh}
+ * @param {Layers} layers @param {Axis} axis @param {1 | -1} up where depth points in the picture @param {1 | -1} [way] whether the axis runs as that of the job @returns {Mesh}
  */
-function section({ x, y, z, ...arrays }, axis, up) {
-  const [along, across] = axis === 'x' ? [x, y] : [y, x];
+function section({ x, y, z, ...arrays }, axis, up, way = 1) {
+  const [given, across] = axis === 'x' ? [x, y] : [y, x];
+  const along = way > 0 ? given : Array.from(given, (place) => -place).reverse();
   const [many, rows] = [along.length, z.length + 1];
   // The cells on both sides of the plane, or those in it.
   const [before, behind] = [across.length - 1, across.length].map((twice) => twice >> 1);
@@ -114,7 +117,8 @@ function section({ x, y, z, ...arrays }, axis, up) {
     for (let row = 0; row < rows; row++)
       for (let k = 0; k < many; k++) {
         const layer = Math.max(0, row - 1);
-        made[row * many + k] = (sign * (cell(layer, k, before) + cell(layer, k, behind))) / 2;
+        const at = way > 0 ? k : many - 1 - k;
+        made[row * many + k] = (sign * (cell(layer, at, before) + cell(layer, at, behind))) / 2;
       }
     return made;
   };
@@ -127,7 +131,7 @@ function section({ x, y, z, ...arrays }, axis, up) {
   mesh.outline = outlineOf(mesh, many, rows);
   // z points into each body; shear is that of the section, upward.
   for (const [name, own] of Object.entries(NAMES[axis]))
-    mesh[name] = values(arrays[own], name === 'tau_xy' ? up : 1);
+    mesh[name] = values(arrays[own], name === 'tau_xy' ? up * way : 1);
   return mesh;
 }
 
@@ -155,26 +159,36 @@ function outlineOf({ nodes, equivalent_plastic_strain: strain }, many, rows) {
   return lines;
 }
 
-/** A report as that of the section: its contact lies along the section, and its bodies are whole. @param {Report} report @param {Axis} axis @returns {Report} */
-export const reportOf = (report, axis) => ({
-  ...report,
-  analysis: /** @type {any} */ (`section_${axis}`),
-  mesh: { ...report.mesh, symmetric: false },
-  steps: report.steps.map((step) => {
-    const { three_dimensional: ellipse, contact } = step;
-    // The surfaces of both bodies are where they touch; the section has a zone of its own.
-    const still = { ...step, approach: 0, plasticity: { upper: null, lower: null } };
-    const fields = step.layers && planesOf(/** @type {any} */ (step.layers))[axis];
-    if (axis === 'x' || !ellipse) return { ...still, fields };
-    const { y, pressure } = ellipse.section;
-    const touching = y.filter((_, k) => pressure[k] > 0);
-    const patches = touching.length
-      ? [{ left: touching[0], right: touching[touching.length - 1] }]
-      : [];
-    return {
-      ...still,
-      fields,
-      contact: { ...contact, patches, nodes: { ...contact.nodes, x: y } },
-    };
-  }),
-});
+/** A report as that of the section: its contact lies along the section, and its bodies are whole. @param {Report} report @param {Axis} axis of the contact @returns {Report} */
+export const reportOf = (report, axis) => {
+  const axes = axesOf(report.steps[0].three_dimensional ?? { orientation: 0 });
+  const { name } = axes[axis];
+  return {
+    ...report,
+    analysis: /** @type {any} */ (`section_${name}`),
+    mesh: { ...report.mesh, symmetric: false },
+    steps: report.steps.map((step) => {
+      const { three_dimensional: ellipse, contact } = step;
+      // The surfaces of both bodies are where they touch; the section has a zone of its own.
+      const still = { ...step, approach: 0, plasticity: { upper: null, lower: null } };
+      const fields = step.layers && planesOf(/** @type {any} */ (step.layers), axes)[axis];
+      if (!ellipse) return { ...still, fields };
+      const { y, pressure } = ellipse.section;
+      const own = axis === 'x' ? contact.nodes : { x: y, pressure };
+      const { x: places, y: values } = alongJob(own.x, own.pressure, axes[axis]);
+      const touching = places.filter((_, k) => values[k] > 0);
+      const patches = touching.length
+        ? [{ left: touching[0], right: touching[touching.length - 1] }]
+        : [];
+      return {
+        ...still,
+        fields,
+        contact: {
+          ...contact,
+          patches: axis === 'x' && axes.x.sign > 0 ? contact.patches : patches,
+          nodes: { ...contact.nodes, x: places },
+        },
+      };
+    }),
+  };
+};

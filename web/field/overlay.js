@@ -92,7 +92,8 @@ function outline(context, camera, polygons, deformation, lift) {
 }
 
 /**
- * A node where the quantity is largest, or least, in ink on a rim of the ground.
+ * A node where the quantity is largest, or least; its figure stands on the ground of the page, so
+ * that it is read on every colour.
  * @param {CanvasRenderingContext2D} context
  * @param {Over['camera']} camera
  * @param {Over['ends'][0]} end
@@ -113,9 +114,6 @@ function marked(context, camera, { x, y, u, v, lift, text }, deformation, colour
     context.stroke();
     context.lineWidth = 1.25;
   }
-  context.lineJoin = 'round';
-  context.lineWidth = 3;
-  context.strokeStyle = ground;
   // Beside the scale of colours there is no room.
   const { width } = context.measureText(text);
   const edge = camera.width - SCALE;
@@ -123,7 +121,10 @@ function marked(context, camera, { x, y, u, v, lift, text }, deformation, colour
   const at = px + 9 + width > edge && left > 0 ? left : px + 9;
   const covers = before && Math.abs(before[1] - py - 4) < ROW && Math.abs(before[0] - at) < width;
   const line = py + 4 + (covers ? (before[1] > py + 4 ? -ROW : ROW) : 0);
-  context.strokeText(text, at, line);
+  context.globalAlpha = 0.85;
+  context.fillStyle = ground;
+  context.fillRect(at - 3, line - 11, width + 6, 15);
+  context.globalAlpha = 1;
   context.fillStyle = ink;
   context.fillText(text, at, line);
   return [at, line];

@@ -69,6 +69,18 @@ export function bands(low, high) {
 }
 
 /**
+ * The same on both sides of 0.
+ * @param {number} low
+ * @param {number} high
+ */
+export function symmetricBands(low, high) {
+  const most = Math.max(Math.abs(low), Math.abs(high));
+  const step = roundStep(most / 7 || 1);
+  const end = step * Math.ceil(most / step - 1e-9);
+  return bands(-end, end);
+}
+
+/**
  * Bands from one limit to the other, whatever these are.
  * @param {number} low
  * @param {number} high
@@ -102,3 +114,6 @@ function between(stops, t) {
   const k = Math.min(stops.length - 2, Math.floor(at));
   return /** @type {Rgb} */ (stops[k].map((c, j) => c + (at - k) * (stops[k + 1][j] - c)));
 }
+
+/** Whether white is read better on a colour than black. @param {Rgb} colour */
+export const isDark = ([r, g, b]) => 0.3 * r + 0.59 * g + 0.11 * b < 0.5;

@@ -5,7 +5,7 @@ import { reconnected } from '../api/connection.js';
 import { h } from '../lib/dom.js';
 import { colour } from '../lib/theme.js';
 import { figure, loaded } from '../lib/units.js';
-import { isUnloaded } from '../result/answers.js';
+import { isUnloaded } from '../result/loads.js';
 import { Panel } from '../result/panel.js';
 import { ColourRange } from './colours.js';
 import { CutTool } from './cut-tool.js';
@@ -37,7 +37,7 @@ export class FieldPanel {
   settled = Promise.resolve();
   /** Whether something is on its way. */
   busy = false;
-  /** What is shown unless one chooses: the stress that is left when the load is gone. @type {Quantity} */
+  /** What is shown unless one chooses: the stress that is left when the load is gone, plastic strain where a body yields. @type {Quantity} */
   #preset = 'von_mises';
   /** Analysis whose names the quantities have. */
   #named = '';
@@ -50,8 +50,13 @@ export class FieldPanel {
   /** Whose steps have all been looked at. @type {FieldSource | undefined} */
   #surveyed;
 
-  /** @param {() => void} wanted called to solve again with fields @param {Node[]} controls beside the title */
-  constructor(wanted, controls) {
+  /** Another field on the same scale. @type {FieldPanel | undefined} */
+  peer;
+  /** Quantity of the peer, which this one follows. @type {Quantity | undefined} */
+  #led;
+
+  /** @param {() => void} wanted called to solve again with fields @param {Node[]} controls beside the title @param {string} [id] */
+  constructor(wanted, controls, id = 'field') {
     this.bar = h('ol', { class: 'colours', 'aria-hidden': 'true' });
     this.readout = h('p', { class: 'readout', role: 'status' });
     this.empty = h(
@@ -84,7 +89,7 @@ export class FieldPanel {
     this.controls = element;
     this.quantities = quantities;
     this.panel = new Panel(
-      'field',
+      id,
       'Field',
       [
         this.controls,
@@ -128,6 +133,7 @@ export class FieldPanel {
         choose: () => {
           this.#touched = true;
           this.#update();
+          this.peer?.follow(this.#chosen);
         },
         exaggerate: later((times) => {
           this.scene.exaggerate(times);
@@ -165,9 +171,36 @@ export class FieldPanel {
     if (this.#source !== source) this.#forget();
     this.#source = source;
     this.#wanted = asked;
-    const left = isUnloaded(asked.report.steps[asked.at]);
-    if (!this.#touched) this.#preset = left ? 'sigma_x' : 'von_mises';
+    if (this.#led) this.#preset = this.#led;
+    else if (!this.#touched)
+      this.#preset = isUnloaded(asked.report.steps[asked.at])
+        ? 'sigma_x'
+        : asked.yields
+          ? 'equivalent_plastic_strain'
+          : 'von_mises';
     this.#update();
+  }
+
+  /** Shows the quantity that its peer shows. @param {Quantity} quantity */
+  follow(quantity) {
+    this.#led = this.#preset = quantity;
+    this.#touched = false;
+    this.#update();
+  }
+
+  /** Quantity that is to be drawn. */
+  get quantity() {
+    return this.#chosen;
+  }
+
+  /** Limits of what is drawn, in the units shown. @param {Quantity} quantity @returns {[number, number] | undefined} nothing where it is another quantity */
+  limitsOf(quantity) {
+    const { shown, bodies } = this.scene;
+    if (!shown || this.panel.element.hidden || this.scene.quantity !== quantity) return undefined;
+    if (bodies.length === 0 || this.busy) return undefined;
+    const { low, high } = extremes(bodies, quantity, shown.report);
+    const { factor: times } = this.scene.scale();
+    return [low * times, high * times];
   }
 
   /** Before there is anything. */
@@ -255,6 +288,13 @@ export class FieldPanel {
       this.#load();
     }
     this.scene.fit();
+    // A body may have yielded elsewhere than in this section.
+    const alone = report.steps.length === 1 && !this.#touched && !this.#led;
+    const strain = this.#chosen === 'equivalent_plastic_strain';
+    if (alone && strain && this.scene.ends.every(({ value }) => value === 0)) {
+      this.#preset = 'von_mises';
+      return this.#update();
+    }
     if (this.#homeless) this.scene.home();
     this.#homeless = false;
     this.#survey(report);
@@ -317,19 +357,27 @@ export class FieldPanel {
     this.#colour();
   }
 
-  /** Gives the values their colours. */
-  #colour() {
+  /** Gives the values their colours. @param {boolean} [told] whether the peer has its colours anew */
+  #colour(told = false) {
     if (!this.scene.shown) return;
     const { report } = this.scene.shown;
     const { factor: times, unit: name } = this.scene.scale();
     const own = extremes(this.scene.bodies, this.scene.quantity, report);
     this.scene.ends = own.ends;
+    const beside = this.peer?.limitsOf(this.scene.quantity);
+    const limits = /** @type {[number, number]} */ (
+      beside
+        ? [Math.min(own.low, beside[0] / times), Math.max(own.high, beside[1] / times)]
+        : [own.low, own.high]
+    );
     this.scene.bands = this.range.bands({
       quantity: this.scene.quantity,
       steps: report.steps.length,
       limits: (step) => this.#limitsOf(step),
-      own: [own.low, own.high],
+      own: limits,
+      beside: beside !== undefined,
       signed: QUANTITIES[this.scene.quantity].signed ?? false,
+      residual: isUnloaded(report.steps[this.scene.shown.at]),
       factor: times,
       unit: name,
       kind: QUANTITIES[this.scene.quantity].kind,
@@ -342,6 +390,12 @@ export class FieldPanel {
       `Field of ${nameOf(this.scene.quantity, report.analysis)}, from ${figure(own.low * times, 4)} to ${figure(own.high * times, 4)} ${name}.`,
     );
     this.scene.later();
+    if (beside && !told) this.peer?.recolour();
+  }
+
+  /** Takes the colours of both. */
+  recolour() {
+    this.#colour(true);
   }
 
   /** Of a step whose field is here. @param {number} at @returns {[number, number] | undefined} */

@@ -47,13 +47,12 @@ export const nameOf = (quantity, analysis) => {
   return analysis === 'axisymmetric' ? (round ?? name) : name;
 };
 
-/** What the axes of a section of half-spaces are in three dimensions. @param {string} analysis @returns {Record<string, string> | undefined} nothing of other analyses */
-export const sectionOf = (analysis) =>
-  analysis === 'section_x'
-    ? { x: 'x', y: 'z', z: 'y' }
-    : analysis === 'section_y'
-      ? { x: 'y', y: 'z', z: 'x' }
-      : undefined;
+/** What the axes of a section of half-spaces are in three dimensions; with a prime where they are not the job's. @param {string} analysis @returns {Record<string, string> | undefined} nothing of other analyses */
+export function sectionOf(analysis) {
+  const [, axis, prime] = /^section_([xy])(′?)$/.exec(analysis) ?? [];
+  if (!axis) return undefined;
+  return { x: axis + prime, y: 'z', z: (axis === 'x' ? 'y' : 'x') + prime };
+}
 
 /** What can be shown of an analysis: of half-spaces no displacements are known. @param {string} analysis */
 export const quantitiesOf = (analysis) =>

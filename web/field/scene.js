@@ -26,7 +26,7 @@ import { scaleOf } from './read.js';
 /** @typedef {import('./frame.js').Frame} Frame */
 /** @typedef {import('./source.js').Fields} Fields */
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {{job: Job, report: Report, at: number, units: import('../lib/units.js').UnitSet}} Asked a step, in the units of its job, and the units that are shown */
+/** @typedef {{job: Job, report: Report, at: number, yields: boolean, units: import('../lib/units.js').UnitSet}} Asked a step, in the units of its job, whether a body yields in it, and the units that are shown */
 
 /**
  * Plastic strain below this part of the scale has no colour: nodes beside the zone take a little

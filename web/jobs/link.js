@@ -30,8 +30,15 @@ export function read() {
 export const jobFragment = (id, compared = []) =>
   `#job=${id}${compared.length ? `&with=${compared.join(',')}` : ''}`;
 
-/** @returns {string} the link to what is shown: job and those compared with it */
-export const jobLink = () => location.href;
+/**
+ * The link to what is shown: job and those compared with it. A title says to people what it is.
+ * @param {string} title
+ */
+export function jobLink(title) {
+  const words = title.trim().replace(/\s+/g, '-');
+  const address = location.href.replace(/&title=[^&]*/, '');
+  return words ? `${address}&title=${encodeURIComponent(words)}` : address;
+}
 
 /** @param {unknown} job @returns {Promise<string>} */
 export async function draftLink(job) {

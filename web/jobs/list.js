@@ -9,9 +9,9 @@ import { byId, debounce, h, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import { duration, figure, unit, unitsOf } from '../lib/units.js';
 import { asked } from '../result/loads.js';
-import { NAMES, finished } from '../result/watch.js';
+import { NAMES, finished, keptWords } from '../result/watch.js';
 import { loadWords } from './load.js';
-import { materialNames, pairOf } from './names.js';
+import { materialNames, pairOf, titleOf } from './names.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 
@@ -44,7 +44,7 @@ export class JobList {
     this.on = on;
     this.search = h('input', {
       type: 'search',
-      placeholder: 'Search tags, ids; name:value',
+      placeholder: 'Search titles, tags, ids; name:value',
       'aria-label': 'Search jobs',
     });
     this.status = h(
@@ -129,12 +129,18 @@ export class JobList {
     return isTag(text) ? '' : text.replace(/:$/, '').toLowerCase();
   }
 
+  /** What the row of a job says of its set-up. @param {string} id */
+  #said(id) {
+    const request = this.#requests.get(id);
+    return request ? [request.title ?? '', pairOf(request), materialNames(request)] : [];
+  }
+
   #matching() {
     const word = this.#word;
     return this.#jobs.filter(
       ({ id, tags }) =>
         !word ||
-        JSON.stringify([id, tags ?? {}])
+        JSON.stringify([id, tags ?? {}, this.#said(id)])
           .toLowerCase()
           .includes(word),
     );
@@ -196,8 +202,9 @@ export class JobList {
 
   /** @param {JobDocument} job */
   #row(job) {
-    const label = labelOf(job);
     const request = this.#requests.get(job.id);
+    const title = titleOf({ tags: job.tags, ...request });
+    const label = title || job.id.slice(-8);
     const current = this.on.current() === job.id;
     const colour = this.on.colourOf(job.id);
     const box = h('input', {
@@ -221,9 +228,14 @@ export class JobList {
         onclick: () => this.on.open(job.id),
       },
       h('span', { class: `dot ${job.status}` }),
+      request?.title ? h('b', { class: 'title' }, title) : null,
       h('span', {}, NAMES[job.status]),
       h('span', { class: 'load' }, this.#words(job)),
-      h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
+      h(
+        'time',
+        { datetime: job.created_at, class: 'quiet', title: keptWords(job) },
+        age(job.created_at),
+      ),
       h('code', { class: 'quiet' }, job.id.slice(-8)),
       request &&
         h('span', { class: 'quiet bodies' }, `${pairOf(request)}, ${materialNames(request)}`),
@@ -288,10 +300,6 @@ export class JobList {
 
 /** A tag with its value. @param {string} text */
 const isTag = (text) => /^[^:]+:./.test(text);
-
-/** @param {{id: string, tags?: Record<string, string>}} job */
-export const labelOf = ({ id, tags }) =>
-  Object.values(tags ?? {})[0]?.slice(0, 24) ?? id.slice(-8);
 
 /** @param {string} time */
 function age(time) {

@@ -2,8 +2,6 @@
 
 import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, LAWS, allFields, lawOf, shapeLabel } from '../setup/fields.js';
-import { allMaterials } from '../setup/library.js';
-import { presetsOf } from '../setup/materials.js';
 import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
 import { historyFigures } from '../setup/history.js';
 import { sweepWords } from '../setup/list.js';
@@ -24,7 +22,7 @@ const BODIES = /** @type {Record<string, string>} */ ({ upper: 'upper', lower: '
 /** Defaults of members that a job leaves out. */
 const USUAL = /** @type {Record<string, unknown>} */ (DEFAULTS);
 /** Members that change no answer. */
-const LEFT = new Set(['tags', 'output', 'units']);
+const LEFT = new Set(['tags', 'title', 'output', 'units']);
 
 /**
  * Lists every figure and word of a job.
@@ -32,7 +30,7 @@ const LEFT = new Set(['tags', 'output', 'units']);
  * @param {string} pointer
  * @returns {Generator<[string, unknown]>}
  */
-function* leaves(part, pointer = '') {
+export function* leaves(part, pointer = '') {
   if (part === null || typeof part !== 'object' || Array.isArray(part)) yield [pointer, part];
   else
     for (const [key, one] of Object.entries(part))
@@ -78,17 +76,34 @@ export function pairOf({ analysis, upper, lower }) {
 }
 
 /**
- * What the body is made of: the name of its material, or its hardening.
+ * What the body is made of: the name that the job gives its material, or its hardening.
  * @param {Job} job
  * @param {'upper' | 'lower'} body
+ * @returns {string}
  */
 export function materialName(job, body) {
   const material = job[body]?.material;
-  return (
-    presetsOf(allMaterials(), material, unitsOf(job))[0]?.name ??
-    `${LAWS[lawOf(material)]?.label.toLowerCase()}, own figures`
-  );
+  return material?.name
+    ? String(material.name)
+    : String(LAWS[lawOf(material)]?.label.toLowerCase());
 }
+
+/** What a job is called: its title, or else the first of its tags. @param {Job} job @returns {string} */
+export const titleOf = ({ title, tags }) =>
+  String(title || Object.values(tags ?? {})[0] || '').slice(0, 80);
+
+/** The same as a part of the names of files. @param {Job} job @param {string} id @returns {string} */
+export const stemOf = (job, id) =>
+  [
+    titleOf(job)
+      .normalize('NFC')
+      .replace(/[^\p{L}\p{N}.-]+/gu, '-')
+      .replace(/^-+|-+$/g, '')
+      .slice(0, 60),
+    id.slice(-8) || 'live',
+  ]
+    .filter(Boolean)
+    .join('-');
 
 /** Both materials, or the one of both bodies. @param {Job} job */
 export function materialNames(job) {
@@ -117,7 +132,7 @@ const rank = (pointer) =>
 const sentence = (text) => text[0].toUpperCase() + text.slice(1);
 
 /** @param {string} pointer @param {Job} job of whose units it is */
-function nameOf(pointer, job) {
+export function nameOf(pointer, job) {
   if (pointer === '/load') return { label: 'Load', symbol: '', unit: '' };
   const parts = pointer.split('/').slice(1);
   const key = parts[parts.length - 1];
@@ -125,6 +140,7 @@ function nameOf(pointer, job) {
   const body = BODIES[parts[0]];
   // What a shape is called needs no word before it.
   if (body && key === 'type') return { label: `${sentence(body)} shape`, symbol: '', unit: '' };
+  if (body && key === 'name') return { label: `${sentence(body)} material`, symbol: '', unit: '' };
   const label = field?.label ?? sentence(key.replaceAll('_', ' '));
   const quantity = field?.quantity === 'load' ? forceOf(job) : field?.quantity;
   return {
@@ -189,16 +205,16 @@ const isTerms = ([first]) => first?.modulus !== undefined;
 const isHistory = ([first]) => first?.force !== undefined || first?.approach !== undefined;
 
 /**
- * A short name for each of the jobs: by its tag if tags tell them apart, else by what they differ
+ * A short name for each of the jobs: its title if titles tell them apart, else by what they differ
  * in.
  * @param {{id: string, job: Job}[]} jobs
  * @returns {string[]}
  */
 export function names(jobs) {
   const last = (/** @type {string} */ id) => id.slice(-8) || 'live';
-  const tags = jobs.map(({ job }) => String(Object.values(job.tags ?? {})[0] ?? '').slice(0, 28));
-  if (jobs.length === 1) return [tags[0] || last(jobs[0].id)];
-  if (tags.every(Boolean) && new Set(tags).size === tags.length) return tags;
+  const titles = jobs.map(({ job }) => titleOf(job));
+  if (jobs.length === 1) return [titles[0] || last(jobs[0].id)];
+  if (titles.every(Boolean) && new Set(titles).size === titles.length) return titles;
   const found = differences(jobs.map(({ job }) => job));
   for (let count = 1; count <= Math.min(3, found.length); count++) {
     const made = jobs.map((_, k) =>

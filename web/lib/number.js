@@ -14,6 +14,21 @@ const COMMA = /^[+-]?\d*,\d+(e[+-]?\d+)?$/i;
 /** One comma and three digits behind it: a decimal comma or a thousand. */
 const AMBIGUOUS = /^[+-]?[1-9]\d{0,2},\d{3}$/;
 
+/** The same with a point: none that this page writes ends in 0. */
+const EITHER = /^[+-]?[1-9]\d{0,2}\.\d{2}0$/;
+
+/**
+ * What is to be asked of a number that one types: a point may group thousands.
+ * @param {string} text
+ * @returns {string} nothing where it is clear
+ */
+export function doubtOf(text) {
+  const plain = tidy(parted(text).digits);
+  return EITHER.test(plain)
+    ? `${quoted(text)} can be read as ${Number(plain)} or as ${plain.replace('.', '')}: write one of these`
+    : '';
+}
+
 /** Whether a text is a number with a comma that cannot group thousands. @param {string} text */
 export function hasDecimalComma(text) {
   const plain = tidy(text);

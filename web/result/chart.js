@@ -161,7 +161,7 @@ export class Chart {
     root.append(
       svg('g', { class: 'cursor' }),
       svg('rect', {
-        class: 'over',
+        class: 'reach',
         x,
         y,
         width: Math.max(0, box.right - x),

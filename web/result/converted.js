@@ -3,7 +3,7 @@
  * shown.
  */
 
-import { energyOf, factor, forceOf, setOf, stiffnessOf } from '../lib/units.js';
+import { energyOf, factor, forceOf, setOf, stiffnessOf, unit } from '../lib/units.js';
 import { FIGURES } from '../setup/tables.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
@@ -25,7 +25,14 @@ export const QUANTITIES = Object.fromEntries(
  * Parts without units: relative errors, times, meshes whose figures are converted where they are
  * read.
  */
-export const LEFT = new Set(['estimated_error', 'timings_ms', 'fields', 'tags', 'validity']);
+export const LEFT = new Set([
+  'estimated_error',
+  'timings_ms',
+  'fields',
+  'tags',
+  'validity',
+  'verdict',
+]);
 
 /**
  * A result in other units.
@@ -51,6 +58,25 @@ export function inUnits(value, of, set) {
     if (typeof part === 'number') return part * times(key);
     if (Array.isArray(part)) return part.map((one) => walk(one, key));
     if (part === null || typeof part !== 'object') return part;
+    // An answer says what it is.
+    if (key === 'answers') {
+      const { quantity, value, elastic, place } = part;
+      // What has no unit that is chosen stays as it is.
+      const times =
+        quantity === 'ratio' || quantity === 'angle' ? 1 : factor(quantity, of.units, set);
+      const [shown, beside] = [value, elastic].map((one) => (one === null ? null : one * times));
+      const length = factor('length', of.units, set);
+      const moved =
+        place &&
+        Object.fromEntries(
+          Object.entries(place).map(([name, at]) => [
+            name,
+            typeof at === 'number' ? at * length : at,
+          ]),
+        );
+      const name = unit(quantity, set) || part.unit;
+      return { ...part, value: shown, elastic: beside, place: moved, unit: name };
+    }
     // The figure that a force was looked for: its name says what it is.
     if (key === 'target') {
       const [wanted, reached] = [part.wanted, part.reached].map(

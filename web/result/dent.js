@@ -1,10 +1,9 @@
 /** The chart of both surfaces: a dent where the force is zero. */
 
 import { h } from '../lib/dom.js';
-import { figure, percent, unit } from '../lib/units.js';
+import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
 import { abscissaOf } from './extent.js';
-import { workPutIn } from './loads.js';
 import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -29,7 +28,6 @@ export class DentPanel {
     this.panel.show(Boolean(flow));
     if (!flow) return;
     const length = unit('length', report.units);
-    const put = workPutIn(report, at);
     const round = report.analysis === 'axisymmetric';
     const bodies = /** @type {const} */ (['lower', 'upper']).flatMap((name) => {
       const surface = flow.surfaces[name];
@@ -51,18 +49,13 @@ export class DentPanel {
         .map(({ name, surface }) => `${name} body ${figure(surface.depth, 4)} ${length} deep`)
         .join(', ')}.`,
     });
-    this.words.textContent = [
-      ...bodies.map(
+    this.words.textContent = bodies
+      .map(
         ({ name, surface }) =>
           `${name} body: ${figure(surface.depth, 4)} ${length} below the undeformed surface, pile-up ${figure(surface.pile_up, 3)} ${length}${
             surface.yielded_in_reverse ? ', yielded in reverse' : ''
           }`,
-      ),
-      put > 0
-        ? `${percent(flow.energy.dissipated / put, 3)} of the work that the loads put in is dissipated`
-        : '',
-    ]
-      .filter(Boolean)
+      )
       .join('\n');
   }
 }

@@ -8,10 +8,10 @@ import { nameOf as nameOfQuantity } from '../field/quantities.js';
 import { factor, figure, percent, unit, unitsOf } from '../lib/units.js';
 import { hasInitialStress, overDepthOf, yieldName, yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
-import { belowWords, caseDepth, isUnloaded } from './answers.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
-import { beside, isDented } from './loads.js';
+import { abscissaOf } from './extent.js';
+import { beside, isDented, isUnloaded } from './loads.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -48,6 +48,33 @@ const USUAL = {
 
 /** Lines of components, where colours and dashes tell jobs apart. */
 const WIDTHS = [1.75, 0.9, 2.75, 0.5, 3.5, 1.3];
+
+/**
+ * Depth of the hardened case of a body.
+ * @param {import('../types.js').Job} job
+ * @param {'upper' | 'lower'} body
+ * @param {import('../types.js').Report['units']} units shown
+ * @returns {number | undefined}
+ */
+function caseDepth(job, body, units) {
+  const depth = job[body]?.material?.plasticity?.over_depth?.hardness?.case_depth;
+  return typeof depth === 'number' ? depth * factor('length', unitsOf(job), units) : undefined;
+}
+
+/**
+ * Where a profile over depth lies.
+ * @param {import('../types.js').Step} step
+ * @param {import('../types.js').Report} report
+ * @param {import('../types.js').Profile | null | undefined} profile
+ */
+function belowWords(step, report, profile) {
+  const at = profile?.position ?? step.contact.peak_position;
+  const name = abscissaOf(step, report.analysis === 'axisymmetric');
+  const where = figure(at, 3);
+  return name === 'along the arc'
+    ? `at ${where} ${unit('length', report.units)} along the arc`
+    : `at ${name} = ${where}${at === 0 ? '' : ` ${unit('length', report.units)}`}`;
+}
 
 /** Largest half-width of all steps. @param {Shown} shown */
 const widest = ({ report }) => Math.max(...report.steps.map(({ contact }) => contact.half_width));

@@ -3,6 +3,7 @@
 import { h } from '../lib/dom.js';
 import { browser, kept } from '../lib/kept.js';
 import { setOf } from '../lib/units.js';
+import { hasCommas, setCommas } from './figures.js';
 
 const KEPT = 'display-units';
 /** @type {Record<'length' | 'stress' | 'force', string[]>} */
@@ -50,6 +51,12 @@ export class DisplayUnits {
       );
       return h('li', {}, h('label', {}, label, select));
     };
+    const csv = h(
+      'select',
+      { 'aria-label': 'CSV files', onchange: () => setCommas(csv.value === 'comma') },
+      h('option', { value: 'point' }, 'comma, 1.5'),
+      h('option', { value: 'comma', selected: hasCommas() }, 'semicolon, 1,5'),
+    );
     this.element = h(
       'details',
       { class: 'menu' },
@@ -60,6 +67,7 @@ export class DisplayUnits {
         choice('length', 'Lengths '),
         choice('stress', 'Stresses '),
         choice('force', 'Forces '),
+        h('li', {}, h('label', {}, 'CSV files ', csv)),
       ),
     );
   }

@@ -2,6 +2,7 @@
 
 import { Problem, request } from '../api/client.js';
 import { h, toast } from '../lib/dom.js';
+import { stemOf } from '../jobs/names.js';
 
 /** Time [ms] in which a download must start: the service writes a large file first. */
 const LIMIT = 120_000;
@@ -37,11 +38,12 @@ const OF_STEP = /^(?!load_approach).*\.(svg|vt[ru])$/;
 
 /**
  * @param {string} id
+ * @param {import('../types.js').Job} job
  * @param {import('../types.js').Report} report
- * @param {boolean} fields whether the job asked for them
  * @param {() => number} shown step, counted from 0
  */
-export function downloads(id, report, fields, shown) {
+export function downloads(id, job, report, shown) {
+  const fields = Boolean(job.output?.fields);
   const step = report.steps[0];
   const items = FILES.map(([name, path, file, needs]) => {
     const there = {
@@ -72,7 +74,13 @@ export function downloads(id, report, fields, shown) {
           disabled: !there,
           title,
           onclick: () =>
-            take(id, path, file, report.steps.length > 1 && OF_STEP.test(path) ? shown() + 1 : 0),
+            take(
+              id,
+              path,
+              file,
+              report.steps.length > 1 && OF_STEP.test(path) ? shown() + 1 : 0,
+              stemOf(job, id),
+            ),
         },
         name,
       ),
@@ -91,15 +99,16 @@ export function downloads(id, report, fields, shown) {
  * @param {string} path
  * @param {string} file
  * @param {number} step counted from 1; 0 for all
+ * @param {string} stem with which its name begins
  */
-async function take(id, path, file, step) {
+async function take(id, path, file, step, stem) {
   try {
     const response = await request(
       `v1/jobs/${id}/${path}${step ? `?step=${step}` : ''}`,
       { limit: LIMIT },
       (one) => one,
     );
-    save(await response.blob(), `${id.slice(-8)}-${step ? `step-${step}-` : ''}${file}`);
+    save(await response.blob(), `${stem}-${step ? `step-${step}-` : ''}${file}`);
   } catch (error) {
     toast(`${file}: ${error instanceof Problem ? error.message : error}`);
   }

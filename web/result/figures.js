@@ -1,6 +1,7 @@
 /** Every step, and every job compared, in figures: to be read, and to be taken into a report. */
 
 import { copy, h } from '../lib/dom.js';
+import { browser } from '../lib/kept.js';
 import { toCsv, toLatex, toMarkdown, toTsv } from '../lib/tabular.js';
 import { figure } from '../lib/units.js';
 import { save } from './downloads.js';
@@ -64,6 +65,29 @@ export function figuresTable(shown) {
   return { columns, rows, write };
 }
 
+const KEPT = 'csv';
+
+/** Whether files have semicolons and decimal commas, as spreadsheets of many countries read them. */
+export const hasCommas = () => browser.get(KEPT) === 'comma';
+
+/** @param {boolean} commas */
+export const setCommas = (commas) => browser.set(KEPT, commas ? 'comma' : 'point');
+
+/** @param {import('../lib/tabular.js').Table} table @returns {string} */
+export function csvOf(table) {
+  if (!hasCommas()) return toCsv(table);
+  const cell = (/** @type {string} */ text) =>
+    /^-?\d+(\.\d+)?(e[+-]?\d+)?$/.test(text)
+      ? text.replace('.', ',')
+      : text.includes(';') && !text.startsWith('"')
+        ? `"${text}"`
+        : text;
+  return toTsv(table)
+    .split('\n')
+    .map((line) => line.split('\t').map(cell).join(';'))
+    .join('\n');
+}
+
 /** Byte-order mark, by which spreadsheets read a file as UTF-8. */
 const MARK = '\ufeff';
 
@@ -90,7 +114,7 @@ export function takeAlong(table, of, name, whole = table) {
     button('Markdown', 'Copy as a Markdown table', () => copy(toMarkdown(table()), 'Markdown')),
     button('LaTeX', 'Copy as a LaTeX table (booktabs)', () => copy(toLatex(table()), 'LaTeX')),
     button('CSV', 'Save as a file', () =>
-      save(new Blob([MARK, toCsv(whole())], { type: 'text/csv' }), name()),
+      save(new Blob([MARK, csvOf(whole())], { type: 'text/csv' }), name()),
     ),
   ];
 }

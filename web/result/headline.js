@@ -1,68 +1,129 @@
 /**
- * The answer in a few figures, each with its error bar and Hertz's beside it, and what to keep in
- * mind about it.
+ * What the engineer may do, in one sentence of the service; below it the answers on cards, each
+ * with how well it is known; folded away, what is to be kept in mind and how it was made.
  */
 
-import { byId, h } from '../lib/dom.js';
+import { byId, h, svg } from '../lib/dom.js';
+import { fold } from '../lib/fold.js';
 import { symbol } from '../setup/entry.js';
 import { help } from '../setup/help.js';
-import { remarkOf } from './remarks.js';
-import { barOf } from './step-figures.js';
-import { figure, grouped, duration, percent } from '../lib/units.js';
-import { answersOf } from './answers.js';
-import { endedEarly } from './loads.js';
+import { inWords } from '../setup/words.js';
+import { duration, grouped } from '../lib/units.js';
+import {
+  alike,
+  answersOf,
+  differenceWords,
+  elasticWords,
+  errorWords,
+  markOf,
+  placeWords,
+  unitOf,
+  valueOf,
+  verdictOf,
+} from './answers.js';
+import { beside, endedEarly } from './loads.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
-/** @typedef {import('../types.js').Step} Step */
+/** @typedef {import('./answers.js').Answer} Answer */
+/** @typedef {import('./loads.js').Beside} Beside */
 
-/** @param {Shown} shown @param {number} at */
-export function showHeadline({ job, report }, at) {
-  const step = report.steps[at];
-  const cards = h('dl', { class: 'figures' }, answersOf(job, report, step).map(card));
-  byId('headline').replaceChildren(cards, remarks(job, report, step));
+/** @param {Shown[]} shown @param {number} at step of the first */
+export function showHeadline(shown, at) {
+  const sides = beside(shown, at);
+  const [{ report }] = shown;
+  const all = answersOf(report.steps[at], report);
+  const cards = all.map((answer, k) => card(answer, all, k, sides));
+  const first = h('dl', { class: 'figures' }, cards.slice(0, CARDS));
+  const rest = h('dl', { class: 'figures' }, cards.slice(CARDS));
+  byId('headline').replaceChildren(
+    h(
+      'div',
+      { class: 'verdicts' },
+      sides.map((side) => verdict(side, sides.length > 1)),
+    ),
+    ...(all.length ? [first] : [h('p', { class: 'quiet older' }, 'This step is not an answer.')]),
+    ...(cards.length > CARDS
+      ? [
+          h(
+            'div',
+            { class: 'rest' },
+            fold('answers', false, [`${cards.length - CARDS} more figures`], rest),
+          ),
+        ]
+      : []),
+    remarks(shown[0], at),
+  );
   rows.disconnect();
-  rows.observe(cards);
+  for (const one of [first, rest]) rows.observe(one);
 }
+
+/** Cards that are seen; the others are folded. */
+const CARDS = 8;
 
 /** Letters of a figure for which a card has room. */
 const SHORT = 9;
+/** Letters of a note that a card shows whole. */
+const NOTE = 90;
 
 /** Least width of a card: lines below its figure have room for five words. */
 const CARD = 190;
 
 /** Cards in rows of about the same length, so that none stands alone. */
-const rows = new ResizeObserver(([{ target, contentRect }]) => {
-  const many = target.children.length;
-  const fit = Math.max(2, Math.floor(contentRect.width / CARD));
-  const columns = Math.ceil(many / Math.ceil(many / fit));
-  /** @type {HTMLElement} */ (target).style.setProperty('--columns', String(columns));
+const rows = new ResizeObserver((entries) => {
+  for (const { target, contentRect } of entries) {
+    const many = target.children.length;
+    const fit = Math.max(2, Math.floor(contentRect.width / CARD));
+    const columns = Math.ceil(many / Math.ceil(many / fit));
+    /** @type {HTMLElement} */ (target).style.setProperty('--columns', String(columns));
+  }
 });
 
-/** @param {import('./answers.js').Answer} answer */
-function card({ name, value, unit, error, elastic, undented, note, long = '' }) {
-  const text = figure(value);
-  const key = name.toLowerCase().replaceAll(' ', '-');
-  const bar =
-    error === undefined
-      ? null
-      : h(
-          'span',
-          { class: 'bar-of-error', id: `bar-of-${key}` },
-          `± ${percent(error)}`,
-          help('error_bar', 'Error bar', `bar-of-${key}`),
-        );
-  const words = [
-    elastic
-      ? `Hertz${undented ? ', undented' : ''} ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}`
-      : '',
-    note,
-  ]
-    .filter(Boolean)
-    .join('; ');
+/** @param {Beside} side @param {boolean} named whether jobs are compared */
+function verdict({ one, at, label }, named) {
+  const found = verdictOf(one.report.steps[at]);
+  if (!found) return null;
+  const { kind, mark } = markOf(found);
+  return h(
+    'p',
+    { class: `verdict-text ${kind}`, 'data-level': found.level },
+    h('span', { class: 'mark', 'aria-hidden': 'true' }, mark),
+    h('span', {}, named ? [swatch(one), h('b', {}, `${label}: `)] : null, symbol(found.text)),
+  );
+}
+
+/** @param {Shown} one */
+function swatch({ colour, dash }) {
+  const line = svg('path', {
+    d: 'M0 4h24',
+    'stroke-width': 3,
+    'stroke-dasharray': dash?.join(' '),
+  });
+  line.style.stroke = `var(${colour})`;
+  return svg('svg', { class: 'swatch', viewBox: '0 0 24 8', 'aria-hidden': 'true' }, line);
+}
+
+/** @param {Answer} answer @param {Answer[]} all @param {number} k @param {Beside[]} sides */
+function card(answer, all, k, sides) {
+  const key = `${answer.name}-${answer.body ?? ''}-${k}`;
+  const text = valueOf(answer);
+  const known = errorWords(answer);
+  const bar = known
+    ? h(
+        'span',
+        { class: 'bar-of-error', id: `bar-of-${key}` },
+        known,
+        known.includes('±') ? help('error_bar', 'Error bar', `bar-of-${key}`) : null,
+      )
+    : null;
+  const note = inWords(answer.text);
+  const short = [
+    elasticWords(answer),
+    placeWords(answer, sides[0].one.report, sides[0].one.report.steps[sides[0].at]),
+  ].filter(Boolean);
   return h(
     'div',
-    {},
-    h('dt', {}, name),
+    { 'data-answer': answer.name },
+    h('dt', {}, answer.label),
     h(
       'dd',
       {},
@@ -70,47 +131,55 @@ function card({ name, value, unit, error, elastic, undented, note, long = '' }) 
         'span',
         { class: `figure${text.length > SHORT ? ' long' : ''}` },
         text,
-        h('span', { class: 'unit' }, unit),
+        h('span', { class: 'unit' }, unitOf(answer)),
       ),
       bar,
-      long ? h('details', {}, h('summary', {}, long), note) : h('small', {}, words),
+      short.length ? h('small', {}, short.join('; ')) : null,
+      note && note.length <= NOTE ? h('small', {}, symbol(note)) : null,
+      note.length > NOTE
+        ? fold(`note-${answer.name}`, false, ['how it is counted'], h('small', {}, symbol(note)))
+        : null,
+      ...(sides.length > 1 ? [compared(answer, all, k, sides)] : []),
     ),
   );
 }
 
-/** How well the figures are known. @param {Step} step */
-function known(step) {
-  const names = /** @type {const} */ (['peak_pressure', 'half_width', 'approach', 'force']);
-  const bars = names.flatMap((name) => {
-    const bar = barOf(step, name);
-    return bar
-      ? [
-          `${percent(bar)} for the ${name === 'half_width' ? 'half-width' : name.replace('_', ' ')}`,
-        ]
-      : [];
-  });
-  return bars.join(', ');
-}
+/** One line for each of the other jobs. @param {Answer} answer @param {Answer[]} all @param {number} k @param {Beside[]} sides */
+const compared = (answer, all, k, sides) =>
+  h(
+    'ul',
+    { class: 'others' },
+    sides.slice(1).map(({ one, at, label }) => {
+      const other = alike(one.report, at, all, k);
+      return h(
+        'li',
+        { title: label },
+        swatch(one),
+        h('span', {}, other ? `${valueOf(other)} ${unitOf(other)}` : '—'),
+        other ? h('b', {}, differenceWords(answer, other)) : null,
+      );
+    }),
+  );
 
-/**
- * @param {import('../types.js').Job} job
- * @param {import('../types.js').Report} report
- * @param {Step} step
- */
-function remarks(job, report, step) {
+/** The first sentence of a remark, then the others. @param {string} message */
+export const sentencesOf = (message) => inWords(message).split(/(?<=[a-z)%]\.)\s+(?=\p{Lu})/u);
+
+/** What to keep in mind, and how it was made. @param {Shown} shown @param {number} at */
+function remarks({ job, report }, at) {
+  const step = report.steps[at];
   const ended = endedEarly(job, report);
   const early = ended
     ? h('li', { 'data-code': 'ended_early' }, h('b', {}, 'Ended early'), ` ${ended}`)
     : null;
-  const notes = step.validity.map((note) => {
-    const [short, ...rest] = remarkOf(job, report, step, note);
+  const notes = step.validity.map(({ code, message }) => {
+    const [short, ...rest] = sentencesOf(message);
     return h(
       'li',
-      { 'data-code': note.code },
-      h('b', {}, title(note.code)),
+      { 'data-code': code },
+      h('b', {}, title(code)),
       ' ',
       symbol(short),
-      rest.length ? h('details', {}, h('summary', {}, 'more'), symbol(rest.join(' '))) : null,
+      rest.length ? fold(`remark-${code}`, false, ['more'], symbol(rest.join(' '))) : null,
     );
   });
   const bars =
@@ -118,34 +187,35 @@ function remarks(job, report, step) {
       ? h(
           'li',
           {},
-          h('b', {}, 'Mesh error'),
-          ` By a second mesh of half the density, within ± ${known(step)}. The bars held in at least 95 of 100 tested cases.`,
+          h('b', {}, 'Error bars'),
+          ' Bounds of the error of the mesh, by a second mesh of half the density; they held in at least 95 of 100 tested cases and say nothing of the figures put in.',
         )
       : null;
   const { mesh, timings_ms: timings } = report;
+  const many = report.steps.length > 1;
   const made = h(
     'li',
     {},
     h('b', {}, 'Made with'),
     ` ${grouped(mesh.elements)} elements${mesh.symmetric ? ' on one half' : ''}, ${grouped(mesh.equations)} equations, ${
       step.history.length
-    } iteration${step.history.length === 1 ? '' : 's'}${report.steps.length > 1 ? ' in this step' : ''}; ${duration(timings.total)}${report.steps.length > 1 ? ' for all steps' : ''}.`,
+    } iteration${step.history.length === 1 ? '' : 's'}${many ? ' in this step' : ''}; ${duration(timings.total)}${many ? ' for all steps' : ''}.`,
   );
-  const many = step.validity.length + (early ? 1 : 0);
-  return h(
-    'details',
-    {
-      class: 'remarks',
-      open: Boolean(early) || step.validity.some(({ code }) => code !== 'deformation_theory'),
-    },
-    h(
-      'summary',
-      {},
-      many ? `${many} ${many === 1 ? 'remark' : 'remarks'} on validity` : 'No remarks on validity',
+  const count = step.validity.length + (early ? 1 : 0);
+  const open = Boolean(early) || step.validity.some(({ code }) => code !== 'deformation_theory');
+  const element = fold(
+    'remarks',
+    open,
+    [
+      count
+        ? `${count} ${count === 1 ? 'remark' : 'remarks'} on validity`
+        : 'No remarks on validity',
       ', error bars, mesh',
-    ),
+    ],
     h('ul', {}, early, notes, bars, made),
   );
+  element.classList.add('remarks');
+  return element;
 }
 
 /** @param {string} code */

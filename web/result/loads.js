@@ -51,6 +51,9 @@ export const endedEarly = (job, report) =>
     ? `The job ended before its last load: ${solvedWords(job, report)}.`
     : '';
 
+/** Whether the load is taken away. @param {import('../types.js').Step} step */
+export const isUnloaded = ({ contact, flow }) => contact.force === 0 && flow !== undefined;
+
 /** Load of a step with its unit. @param {Report} report @param {number} at */
 export const loadWords = (report, at) =>
   `${figure(report.steps[at].contact.force, 4)} ${unit(forceOf(report), report.units)}`;
@@ -68,16 +71,6 @@ export const isDented = ({ steps }, at) =>
         contact.force >= steps[at].contact.force &&
         (plasticity.upper?.yielded || plasticity.lower?.yielded),
     );
-
-/**
- * The work that the loads up to a step have put in, without what came back as they fell:
- * `energy.work` is the difference of both.
- * @param {Report} report @param {number} at
- */
-export function workPutIn({ steps }, at) {
-  const works = [0, ...steps.slice(0, at + 1).flatMap(({ flow }) => flow?.energy.work ?? [])];
-  return works.reduce((sum, work, k) => sum + Math.max(0, work - (works[k - 1] ?? 0)), 0);
-}
 
 /** What figures by Hertz's theory are of. @param {Report} report @param {number} at */
 export const hertzName = (report, at) =>

@@ -4,11 +4,12 @@
  */
 
 import { ask } from '../api/client.js';
-import { bands, limitOf, roundStep } from '../field/palette.js';
+import { bands, isDark, limitOf, roundStep } from '../field/palette.js';
 import { colourBar } from '../field/read.js';
 import { h } from '../lib/dom.js';
 import { colour, onTheme, paper } from '../lib/theme.js';
 import { figure, plain, setOf, unit } from '../lib/units.js';
+import { axesOf, mapInJob } from './axes.js';
 import { Chart } from './chart.js';
 import { inUnits } from './converted.js';
 import { beside } from './loads.js';
@@ -21,7 +22,9 @@ import { Panel, segments } from './panel.js';
 /**
  * @typedef {object} Picture
  * @property {Ellipse} ellipse
- * @property {Maps} maps with a `dent` where a load has left one
+ * @property {Maps} maps over x and y of the job, with a `dent` where a load has left one
+ * @property {{x: string, y: string, words: string}} axes names of both, and how they lie
+ * @property {{x: number, y: number} | undefined} hertz semi-axes along both
  * @property {string} label
  * @property {string} colour of its curves
  * @property {number[]} [dash]
@@ -31,9 +34,10 @@ import { Panel, segments } from './panel.js';
 /** Room of the axes [px]. */
 const LEFT = 52;
 const BOTTOM = 38;
-/** Room of the colours [px]. */
-const RIGHT = 72;
+const RIGHT = 14;
 const TOP = 10;
+/** Least and largest height of the axes' box on the page [px]. */
+const [LOW, HIGH] = [44, 340];
 /** What is shown, over what touches. */
 const SHOWN = 1.35;
 /** Distance of two ticks at least [px]. */
@@ -56,6 +60,8 @@ export class MapPanel {
   /** @type {Quantity} */
   #quantity = 'pressure';
   #isolines = false;
+  /** Whether the map fills its place, whatever its proportions are. */
+  #stretch = false;
   /** Where the cuts meet: x and y, or the place of the largest pressure. @type {[number, number] | undefined} */
   #pinned;
   /** An answer to what is not the last question is not shown. */
@@ -70,8 +76,8 @@ export class MapPanel {
       'aria-description':
         'Arrows move the place of the cuts; Home puts it back to the largest value.',
     });
-    this.bar = h('ol', { class: 'colours', 'aria-hidden': 'true' });
-    this.stage = h('div', { class: 'stage' }, this.canvas, this.bar);
+    this.bar = h('ol', { class: 'colours level', 'aria-hidden': 'true' });
+    this.stage = h('div', { class: 'stage flat' }, this.canvas);
     this.readout = h('p', { class: 'readout', role: 'status' });
     this.chart = new Chart(170);
     this.empty = h(
@@ -94,6 +100,21 @@ export class MapPanel {
         this.#draw();
       },
     });
+    this.stretch = h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain',
+        'aria-pressed': 'false',
+        title: 'Give both axes scales of their own',
+        onclick: () => {
+          this.#stretch = !this.#stretch;
+          this.stretch.setAttribute('aria-pressed', String(this.#stretch));
+          this.#again();
+        },
+      },
+      'Stretch',
+    );
     this.jobs = h('select', {
       'aria-label': 'Job of the map',
       onchange: () => {
@@ -106,8 +127,16 @@ export class MapPanel {
       { class: 'bar tools' },
       this.jobs,
       h('label', {}, lines, ' Lines between colours'),
+      this.stretch,
     );
-    const content = [this.tools, this.stage, this.readout, this.chart.element, this.empty];
+    const content = [
+      this.tools,
+      this.stage,
+      this.bar,
+      this.readout,
+      this.chart.element,
+      this.empty,
+    ];
     this.panel = new Panel('map', 'Map of the contact', content, {
       controls: [this.choice],
       picture: async (title) => {
@@ -125,14 +154,12 @@ export class MapPanel {
     });
     this.canvas.addEventListener('keydown', (event) => {
       const picture = this.#picture;
-      const step = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1] }[
+      const step = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowRight: [1, 0], ArrowLeft: [-1, 0] }[
         event.key
       ];
       if (!picture || !(step || event.key === 'Home')) return;
       event.preventDefault();
-      const { x, y } = picture.maps;
-      const [px, py] = this.#place(picture);
-      this.#pin(step && [px + step[0] * (x[1] - x[0]), py + step[1] * (y[1] - y[0])]);
+      this.#pin(step && this.#frame.beside(this.#place(picture), step[0], step[1]));
     });
     new ResizeObserver(() => this.#draw()).observe(this.stage);
     onTheme(() => this.#draw());
@@ -151,6 +178,7 @@ export class MapPanel {
     const asked = Boolean(ellipse?.maps ?? job.output?.fields);
     this.tools.hidden =
       this.stage.hidden =
+      this.bar.hidden =
       this.readout.hidden =
       this.chart.element.hidden =
         !asked;
@@ -225,6 +253,7 @@ export class MapPanel {
     const [px, py] = this.#place(picture);
     const { letter, kind, name } = QUANTITIES[this.#quantity];
     const several = this.#pictures.length > 1;
+    const { axes } = picture;
     const length = unit('length', picture.units);
     const along = (/** @type {Picture} */ { maps, label, colour: own, dash }) => {
       const there = (/** @type {number} */ x, /** @type {number} */ y) => {
@@ -235,30 +264,50 @@ export class MapPanel {
       const y = { x: maps.y, y: maps.y.map((y) => there(px, y)) };
       return several
         ? [
-            { ...y, label: `${label}, along y`, colour: own, dash },
-            { ...x, label: `${label}, along x`, colour: own, dash: [2, 2] },
+            { ...y, label: `${label}, along ${axes.y}`, colour: own, dash },
+            { ...x, label: `${label}, along ${axes.x}`, colour: own, dash: [2, 2] },
           ]
         : [
-            { ...y, label: `along y, at x ${figure(px, 3)}`, colour: '--curve-2', dash: [7, 3] },
-            { ...x, label: `along x, at y ${figure(py, 3)}`, colour: '--curve-1' },
+            {
+              ...y,
+              label: `along ${axes.y}, at ${axes.x} ${figure(px, 3)}`,
+              colour: '--curve-2',
+              dash: [7, 3],
+            },
+            { ...x, label: `along ${axes.x}, at ${axes.y} ${figure(py, 3)}`, colour: '--curve-1' },
           ];
     };
     const { x, y } = this.#frame.shown;
     this.chart.show({
-      x: `x, y  [${length}]`,
+      x: `${axes.x}, ${axes.y}  [${length}]`,
       y: `${letter}  [${unit(kind, picture.units)}]`,
       curves: this.#pictures.flatMap(along),
       range: [Math.min(x[0], y[0]), Math.max(x[1], y[1])],
-      words: `${name} along the cuts through x ${figure(px, 3)}, y ${figure(py, 3)} ${length}.`,
+      words: `${name} along the cuts through ${axes.x} ${figure(px, 3)}, ${axes.y} ${figure(py, 3)} ${length}.`,
     });
   }
 
   get #frame() {
-    return new Frame(this.stage.clientWidth, this.stage.clientHeight, this.#picture);
+    const { clientWidth: width, clientHeight: height } = this.stage;
+    return new Frame(width, height, this.#picture, this.#stretch);
+  }
+
+  /** Gives the stage the height that the map needs. */
+  #fit() {
+    const picture = this.#picture;
+    if (!picture) return;
+    const { width, height } = new Frame(
+      this.stage.clientWidth,
+      HIGH + TOP + BOTTOM,
+      picture,
+      this.#stretch,
+    );
+    if (width > 0) this.stage.style.height = `${Math.max(LOW, height) + TOP + BOTTOM}px`;
   }
 
   #draw() {
     const picture = this.#picture;
+    this.#fit();
     const { clientWidth: width, clientHeight: height } = this.stage;
     if (!picture || width === 0) return;
     const scale = devicePixelRatio;
@@ -268,7 +317,10 @@ export class MapPanel {
     context.scale(scale, scale);
     const name = unit(QUANTITIES[this.#quantity].kind, picture.units);
     this.bar.replaceChildren(...colourBar(this.#bands(), name));
-    this.#paint(context, this.#frame, picture, colour);
+    thin(this.bar);
+    const frame = this.#frame;
+    this.canvas.dataset.box = [frame.x0, frame.y0, frame.width, frame.height].join(' ');
+    this.#paint(context, frame, picture, colour);
     performance.mark('field-drawn');
     const { ellipse, units } = picture;
     const length = unit('length', units);
@@ -288,19 +340,16 @@ export class MapPanel {
   #read(left, top) {
     const picture = this.#picture;
     if (!picture) return;
-    const { ellipse, maps, units } = picture;
+    const { ellipse, maps, units, axes } = picture;
     const [length, stress] = [unit('length', units), unit('stress', units)];
     const [x, y] =
       left === undefined || top === undefined ? [NaN, NaN] : this.#frame.place(left, top);
     const at = (/** @type {Quantity} */ quantity) => valueAt(maps, quantity, x, y);
     const dent = maps.dent ? ` · dent ${figure(at('dent'), 3)} ${length}` : '';
-    const scales = ellipse.surface ? '' : ' The axes have scales of their own.';
-    const axes = ellipse.orientation
-      ? `x lies along the shorter semi-axis, ${figure(ellipse.orientation, 3)}° from that of the job. `
-      : '';
+    const scales = this.#stretch ? ' The axes have scales of their own.' : '';
     this.readout.textContent = Number.isFinite(at('pressure'))
-      ? `x ${figure(x, 3)}, y ${figure(y, 3)} ${length}:  p ${figure(at('pressure'), 4)} ${stress} · gap ${figure(at('gap'), 3)} ${length}${dent}`
-      : `${axes}${ellipse.hertz ? 'Dashed: Hertz, elastic. ' : ''}Click to cut there.${scales}`;
+      ? `${axes.x} ${figure(x, 3)}, ${axes.y} ${figure(y, 3)} ${length}:  p ${figure(at('pressure'), 4)} ${stress} · gap ${figure(at('gap'), 3)} ${length}${dent}`
+      : `${axes.words && `${axes.words} `}${ellipse.hertz ? 'Dashed: Hertz, elastic. ' : ''}Click to cut there.${scales}`;
   }
 
   /** Maps of all jobs, for the report. @returns {HTMLCanvasElement[]} */
@@ -313,10 +362,16 @@ export class MapPanel {
 
   /** The map with the limits of its colours. @returns {HTMLCanvasElement | null} nothing where there is no map */
   onPaper(title = this.panel.caption, picture = this.#picture) {
-    const [width, height, right] = [520, 350, 462];
+    if (!picture) return null;
+    const [width, right] = [520, 462];
+    const room = right - 10;
+    const wanted = new Frame(room, 324, picture, this.#stretch).height + TOP + BOTTOM;
+    const { colours, ...limits } = this.#bands();
+    const band = Math.min(17, 272 / colours.length);
+    const height = 26 + Math.max(LOW + TOP + BOTTOM, wanted, 20 + band * colours.length);
     const canvas = h('canvas', { width: 3 * width, height: 3 * height });
     const context = canvas.getContext('2d');
-    if (!picture || !context) return null;
+    if (!context) return null;
     const ink = paper('--ink');
     context.scale(3, 3);
     context.fillStyle = paper('--panel');
@@ -325,15 +380,14 @@ export class MapPanel {
     context.fillStyle = ink;
     context.fillText(title, 8, 18, 440);
     context.translate(0, 26);
-    this.#paint(context, new Frame(width - 10, height - 26, picture), picture, paper);
-    const { colours, ...limits } = this.#bands();
+    this.#paint(context, new Frame(room, wanted, picture, this.#stretch), picture, paper);
     const { kind, letter } = QUANTITIES[this.#quantity];
     context.fillStyle = ink;
     context.fillText(`${letter}  [${unit(kind, picture.units)}]`, right, -8);
     colours.forEach((rgb, k) => {
-      const top = 8 + 17 * (colours.length - 1 - k);
+      const top = 8 + band * (colours.length - 1 - k);
       context.fillStyle = css(rgb);
-      context.fillRect(right, top, 13, 17);
+      context.fillRect(right, top, 13, band);
       context.fillStyle = ink;
       context.fillText(limitOf({ colours, ...limits }, k + 1), right + 18, top + 4);
     });
@@ -342,33 +396,45 @@ export class MapPanel {
 
   /** @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Picture} picture @param {Colours} colours */
   #paint(context, frame, picture, colours) {
-    const { ellipse, maps, units } = picture;
-    const quantity = this.#quantity;
+    const { maps } = picture;
     const { low, step, colours: shades } = this.#bands();
     const ink = colours('--ink');
-    /** Bands of the row above. @type {number[]} */
-    let above = [];
-    for (let top = 0; top < frame.height; top++) {
-      /** @type {number[]} */
-      const row = [];
-      for (let left = 0; left < frame.width; left++) {
-        const place = frame.place(frame.x0 + left + 0.5, frame.y0 + top + 0.5);
-        const value = valueAt(maps, quantity, ...place);
-        const seen = quantity === 'dent' ? Number.isFinite(value) : value > 0;
-        const band = Math.min(shades.length - 1, Math.max(0, Math.floor((value - low) / step)));
-        row[left] = seen && (quantity !== 'pressure' || touches(maps, ...place)) ? band : -1;
-        const [beside, over] = [row[left - 1] ?? row[left], above[left] ?? row[left]];
-        const line = this.#isolines && (beside !== row[left] || over !== row[left]);
-        if (row[left] < 0 && !line) continue;
-        context.fillStyle = line ? ink : css(shades[row[left]]);
-        context.fillRect(frame.x0 + left, frame.y0 + top, 1, 1);
+    const shown = bandsOf(frame, maps, this.#quantity, low, step, shades.length);
+    const { width, height } = frame;
+    const image = new ImageData(width, height);
+    const rgba = shades.map((rgb) => rgb.map((part) => Math.round(255 * part)));
+    for (let top = 0, k = 0; top < height; top++)
+      for (let left = 0; left < width; left++, k++) {
+        const [band, before, above] = [
+          shown[k],
+          left ? shown[k - 1] : shown[k],
+          top ? shown[k - width] : shown[k],
+        ];
+        const line = this.#isolines && (before !== band || above !== band);
+        if (band < 0 && !line) continue;
+        const white = band >= 0 && isDark(shades[band]);
+        const [r, g, b] = !line ? rgba[band] : white ? [255, 255, 255] : inkOf(ink);
+        image.data.set([r, g, b, 255], 4 * k);
       }
-      above = row;
-    }
-    frame.axes(context, unit('length', units), ink);
-    if (ellipse.hertz) frame.ellipse(context, ellipse.hertz);
+    const sheet = new OffscreenCanvas(width, height);
+    sheet.getContext('2d')?.putImageData(image, 0, 0);
+    context.imageSmoothingEnabled = false;
+    context.drawImage(sheet, frame.x0, frame.y0);
+    frame.axes(context, ink);
+    if (picture.hertz) frame.ellipse(context, picture.hertz);
     frame.cross(context, this.#place(picture));
   }
+}
+
+/** Leaves out limits of colours that have no room. @param {HTMLElement} bar */
+function thin(bar) {
+  const swatches = /** @type {HTMLElement[]} */ ([...bar.children].slice(0, -2).reverse());
+  const longest = Math.max(...swatches.map(({ textContent }) => textContent?.length ?? 0));
+  const room = (bar.clientWidth - 130) / swatches.length;
+  const every = Math.max(1, Math.ceil((6.5 * longest + 8) / Math.min(56, room)));
+  swatches.forEach((swatch, k) => {
+    if ((swatches.length - 1 - k) % every) swatch.replaceChildren();
+  });
 }
 
 /** @param {Shown} one @param {number} at @param {string} label @returns {Promise<Picture>} */
@@ -385,7 +451,19 @@ async function pictureOf({ id, report, raw = report, colour, dash }, at, label) 
     setOf(report.units),
   );
   const ellipse = /** @type {Ellipse} */ (report.steps[at].three_dimensional);
-  return { ellipse, maps: converted, units: report.units, label, colour, dash };
+  const { x, y, words } = axesOf(ellipse);
+  const turned = x.name === 'y';
+  const { a = 0, b = 0 } = ellipse.hertz ?? {};
+  return {
+    ellipse,
+    maps: mapInJob(converted, { x, y, words }),
+    axes: turned ? { x: 'x', y: 'y', words } : { x: x.name, y: y.name, words },
+    hertz: ellipse.hertz && (turned ? { x: b, y: a } : { x: a, y: b }),
+    units: report.units,
+    label,
+    colour,
+    dash,
+  };
 }
 
 /** @param {number[]} values */
@@ -395,10 +473,13 @@ const least = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);
 /** @param {Picture['maps']} maps @param {Quantity} quantity */
 const valuesOf = (maps, quantity) => maps[quantity] ?? maps.gap;
 
-/** The part of the surface that is drawn, and where: y to the right, x up. */
+/**
+ * The part of the surface that is drawn, and where: the longer axis to the right, seen from above,
+ * so that x is up where y is to the right, and y is down where x is.
+ */
 class Frame {
-  /** @param {number} width @param {number} height @param {Picture} picture */
-  constructor(width, height, { ellipse, maps }) {
+  /** @param {number} width @param {number} height @param {Picture} picture @param {boolean} stretch whether it fills its place */
+  constructor(width, height, { ellipse, maps, hertz, axes, units }, stretch) {
     const rows = maps.x.map((_, i) =>
       maps.pressure.slice(i * maps.y.length, (i + 1) * maps.y.length).some((p) => p > 0),
     );
@@ -414,91 +495,109 @@ class Frame {
       // Of heights, and without a contact, all cells are shown.
       if (ellipse.surface || !touching.includes(true)) return [first, last];
       const [from, to] = [cells[touching.indexOf(true)], cells[touching.lastIndexOf(true)]];
-      const [low, high] = [Math.min(from, -axis), Math.max(to, axis)];
+      const [low, high] = axis > 0 ? [Math.min(from, -axis), Math.max(to, axis)] : [from, to];
       const [middle, half] = [(low + high) / 2, Math.max((high - low) / 2, cells[1] - cells[0])];
       return [Math.max(first, middle - SHOWN * half), Math.min(last, middle + SHOWN * half)];
     };
-    this.shown = {
-      x: room(maps.x, rows, ellipse.hertz?.a),
-      y: room(maps.y, columns, ellipse.hertz?.b),
-    };
-    this.width = width - LEFT - RIGHT;
-    this.height = height - TOP - BOTTOM;
-    // Heights are seen as they are, others as wide as there is room.
-    const [up, across] = [this.shown.x, this.shown.y].map(([low, high]) => high - low);
-    const even = Math.min(this.width / across, this.height / up);
-    if (ellipse.surface) {
-      this.width = Math.floor(even * across);
-      this.height = Math.floor(even * up);
+    this.shown = { x: room(maps.x, rows, hertz?.x), y: room(maps.y, columns, hertz?.y) };
+    this.step = { x: maps.x[1] - maps.x[0], y: maps.y[1] - maps.y[0] };
+    const long = (/** @type {'x' | 'y'} */ axis) => this.shown[axis][1] - this.shown[axis][0];
+    /** Axes to the right, and up or down. @type {'x' | 'y'} */
+    this.across = long('x') > 1.001 * long('y') ? 'x' : 'y';
+    /** @type {'x' | 'y'} */
+    this.along = this.across === 'x' ? 'y' : 'x';
+    const label = (/** @type {'x' | 'y'} */ axis) => `${axes[axis]}  [${unit('length', units)}]`;
+    this.labels = [label(this.across), label(this.along)];
+    this.width = Math.max(1, Math.floor(width - LEFT - RIGHT));
+    this.height = Math.max(1, Math.floor(height - TOP - BOTTOM));
+    if (!stretch) {
+      const even = Math.min(this.width / long(this.across), this.height / long(this.along));
+      this.width = Math.max(1, Math.floor(even * long(this.across)));
+      this.height = Math.max(1, Math.floor(even * long(this.along)));
     }
     this.x0 = LEFT + Math.floor((width - LEFT - RIGHT - this.width) / 2);
     this.y0 = TOP;
   }
 
+  /** Ends of the box from left to right, and from top to bottom. */
+  get #ends() {
+    const [low, high] = this.shown[this.along];
+    return [this.shown[this.across], this.along === 'x' ? [high, low] : [low, high]];
+  }
+
   /** @param {number} left @param {number} top @returns {[number, number]} x and y */
   place(left, top) {
-    const { x, y } = this.shown;
-    const [across, down] = [(left - this.x0) / this.width, (top - this.y0) / this.height];
-    return across < 0 || across > 1 || down < 0 || down > 1
-      ? [NaN, NaN]
-      : [x[1] + down * (x[0] - x[1]), y[0] + across * (y[1] - y[0])];
+    const [[from, to], [first, last]] = this.#ends;
+    const [s, t] = [(left - this.x0) / this.width, (top - this.y0) / this.height];
+    if (s < 0 || s > 1 || t < 0 || t > 1) return [NaN, NaN];
+    const [across, along] = [from + s * (to - from), first + t * (last - first)];
+    return this.across === 'x' ? [across, along] : [along, across];
   }
 
-  /** @param {number} y @returns {number} */
-  left(y) {
-    const [from, to] = this.shown.y;
-    return this.x0 + (this.width * (y - from)) / (to - from);
+  /** One cell to the right and down from a place. @param {[number, number]} place @param {number} right @param {number} down @returns {[number, number]} */
+  beside([x, y], right, down) {
+    const { x: dx, y: dy } = this.step;
+    return this.across === 'x' ? [x + right * dx, y + down * dy] : [x - down * dx, y + right * dy];
   }
 
-  /** @param {number} x @returns {number} */
-  top(x) {
-    const [from, to] = this.shown.x;
-    return this.y0 + (this.height * (to - x)) / (to - from);
+  /** @param {number} value of the axis to the right */
+  left(value) {
+    const [[from, to]] = this.#ends;
+    return this.x0 + (this.width * (value - from)) / (to - from);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {string} length its unit @param {string} ink */
-  axes(context, length, ink) {
+  /** @param {number} value of the other axis */
+  top(value) {
+    const [, [first, last]] = this.#ends;
+    return this.y0 + (this.height * (value - first)) / (last - first);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {string} ink */
+  axes(context, ink) {
     const bottom = this.y0 + this.height;
     context.font = FONT;
     context.strokeStyle = context.fillStyle = ink;
     context.strokeRect(this.x0, this.y0, this.width, this.height);
     context.textAlign = 'center';
-    for (const y of ticks(this.shown.y, this.width)) {
-      context.fillRect(this.left(y), bottom, 1, 4);
-      context.fillText(plain(y), this.left(y), bottom + 15);
+    for (const value of ticks(this.shown[this.across], this.width)) {
+      context.fillRect(this.left(value), bottom, 1, 4);
+      context.fillText(plain(value), this.left(value), bottom + 15);
     }
-    context.fillText(`y  [${length}]`, this.x0 + 0.5 * this.width, bottom + 31);
+    context.fillText(this.labels[0], this.x0 + 0.5 * this.width, bottom + 31);
     context.textAlign = 'right';
-    for (const x of ticks(this.shown.x, this.height)) {
-      context.fillRect(this.x0 - 4, this.top(x), 4, 1);
-      context.fillText(plain(x), this.x0 - 7, this.top(x) + 4);
+    for (const value of ticks(this.shown[this.along], this.height)) {
+      context.fillRect(this.x0 - 4, this.top(value), 4, 1);
+      context.fillText(plain(value), this.x0 - 7, this.top(value) + 4);
     }
     context.textAlign = 'left';
-    context.fillText(`x  [${length}]`, this.x0 - LEFT + 2, this.y0 + 9);
+    context.fillText(this.labels[1], Math.max(2, this.x0 - LEFT + 2), bottom + 31);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {{a: number, b: number}} semi-axes */
-  ellipse(context, { a, b }) {
-    const [across, up] = [this.left(b) - this.left(0), this.top(0) - this.top(a)];
+  /** @param {CanvasRenderingContext2D} context @param {{x: number, y: number}} semi axes */
+  ellipse(context, semi) {
+    const across = this.left(semi[this.across]) - this.left(0);
+    const along = Math.abs(this.top(semi[this.along]) - this.top(0));
     context.save();
+    context.beginPath();
     context.rect(this.x0, this.y0, this.width, this.height);
     context.clip();
     context.setLineDash([5, 4]);
     context.beginPath();
-    context.ellipse(this.left(0), this.top(0), across, up, 0, 0, 2 * Math.PI);
+    context.ellipse(this.left(0), this.top(0), across, along, 0, 0, 2 * Math.PI);
     context.stroke();
     context.restore();
   }
 
   /** @param {CanvasRenderingContext2D} context @param {[number, number]} place of the cuts */
   cross(context, [x, y]) {
+    const [across, along] = this.across === 'x' ? [x, y] : [y, x];
     context.save();
     context.globalAlpha = 0.45;
     context.beginPath();
     context.rect(this.x0, this.y0, this.width, this.height);
     context.clip();
-    context.fillRect(this.x0, this.top(x), this.width, 1);
-    context.fillRect(this.left(y), this.y0, 1, this.height);
+    context.fillRect(this.x0, this.top(along), this.width, 1);
+    context.fillRect(this.left(across), this.y0, 1, this.height);
     context.restore();
   }
 }
@@ -519,10 +618,44 @@ function valueAt(maps, quantity, x, y) {
   );
 }
 
-/** Whether the cell here carries pressure. @param {Maps} maps @param {number} x @param {number} y */
-function touches(maps, x, y) {
-  const [[i, s], [j, t]] = [cellOf(maps.x, x), cellOf(maps.y, y)];
-  return maps.pressure[(i + Math.round(s)) * maps.y.length + j + Math.round(t)] > 0;
+/** A colour of the page, which is written as #rrggbb. @param {string} colour */
+const inkOf = (colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+
+/**
+ * The band of every pixel of a frame, row by row; −1 where nothing is to be seen.
+ * @param {Frame} frame @param {Picture['maps']} maps @param {Quantity} quantity @param {number} low @param {number} step @param {number} many
+ */
+function bandsOf(frame, maps, quantity, low, step, many) {
+  const { width, height, x0, y0 } = frame;
+  const [values, columns] = [valuesOf(maps, quantity), maps.y.length];
+  const [first, last] = [frame.place(x0, y0), frame.place(x0 + width, y0 + height)];
+  const along = (/** @type {'x' | 'y'} */ axis) => {
+    const k = axis === 'x' ? 0 : 1;
+    const pixels = frame.across === axis ? width : height;
+    return Array.from({ length: pixels }, (_, n) =>
+      cellOf(maps[axis], first[k] + ((n + 0.5) / pixels) * (last[k] - first[k])),
+    );
+  };
+  const [xs, ys] = [along('x'), along('y')];
+  const bands = new Int8Array(width * height).fill(-1);
+  const flipped = frame.across === 'x';
+  for (let top = 0, k = 0; top < height; top++)
+    for (let left = 0; left < width; left++, k++) {
+      const [i, s] = flipped ? xs[left] : xs[top];
+      const [j, t] = flipped ? ys[top] : ys[left];
+      if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) continue;
+      const at = i * columns + j;
+      const value =
+        (1 - s) * ((1 - t) * values[at] + t * values[at + 1]) +
+        s * ((1 - t) * values[at + columns] + t * values[at + columns + 1]);
+      if (quantity === 'pressure') {
+        const nearest = (i + Math.round(s)) * columns + j + Math.round(t);
+        if (!(value > 0 && maps.pressure[nearest] > 0)) continue;
+      } else if (quantity === 'gap' && !(value > 0)) continue;
+      if (Number.isFinite(value))
+        bands[k] = Math.min(many - 1, Math.max(0, Math.floor((value - low) / step)));
+    }
+  return bands;
 }
 
 /** @param {number[]} cells at equal distances @param {number} place @returns {[cell: number, part: number]} */
@@ -534,7 +667,7 @@ function cellOf(cells, place) {
 
 /** Round figures from one end to the other. @param {number[]} ends @param {number} room [px] */
 function ticks([low, high], room) {
-  const step = roundStep(((high - low) * TICKS) / room);
+  const step = roundStep(((high - low) * Math.min(TICKS, Math.max(20, room / 2.2))) / room);
   const first = Math.ceil(low / step);
   return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, k) => (first + k) * step);
 }

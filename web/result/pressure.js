@@ -1,6 +1,7 @@
 /** Contact pressure over x, Hertz's beside it, half-widths marked. */
 
 import { figure, unit } from '../lib/units.js';
+import { alongJob, axesOf } from './axes.js';
 import { Chart } from './chart.js';
 import { abscissaOf, extentOf, rangeAround } from './extent.js';
 import { beside, hertzName } from './loads.js';
@@ -59,11 +60,18 @@ export class PressurePanel {
         filled: shown.length === 1,
       };
     });
+    const spread = sides.slice(1);
+    if (spread.length === 2 && spread.every(({ one }) => one.job.tags?.varied))
+      curves.unshift(band(curves[1], curves[2]));
     const ellipse = step.three_dimensional;
-    if (ellipse && shown.length === 1) {
-      curves[0].label = 'along x';
+    const axes = ellipse && axesOf(ellipse);
+    if (axes && shown.length === 1) {
+      const { nodes } = step.contact;
       const { y, pressure } = ellipse.section;
-      curves.push({ label: 'along y', colour: '--curve-2', dash: [7, 3], x: y, y: pressure });
+      const name = (/** @type {'x' | 'y'} */ axis) => `along ${axes[axis].name}`;
+      Object.assign(curves[0], { label: name('x') }, alongJob(nodes.x, nodes.pressure, axes.x));
+      const across = alongJob(y, pressure, axes.y);
+      curves.push({ label: name('y'), colour: '--curve-2', dash: [7, 3], ...across });
     }
     const { contact } = step;
     const hertz = step.hertz && step.hertz.half_width > 0 ? step.hertz : null;
@@ -78,9 +86,9 @@ export class PressurePanel {
       .filter(({ at }) => at !== 0 || !round);
     const extents = sides.flatMap(({ one, at }) => extentOf(one.report.steps[at], round) ?? []);
     if (hertz) extents.push(hertzExtent(hertz));
-    if (ellipse && shown.length === 1) extents.push({ left: -ellipse.b, right: ellipse.b });
+    if (ellipse && shown.length === 1) extents.push(...curves.slice(0, 2).flatMap(touchedBy));
     this.chart.show({
-      x: `${ellipse ? 'x, y' : abscissaOf(step, round)}  [${unit('length', units)}]`,
+      x: `${axes ? (shown.length > 1 ? axes.x.name : `${axes.x.name}, ${axes.y.name}`) : abscissaOf(step, round)}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
       curves,
       marks,
@@ -90,6 +98,33 @@ export class PressurePanel {
       }.`,
     });
   }
+}
+
+/**
+ * What lies between two curves, each taken as 0 beyond its ends.
+ * @param {import('./chart.js').Curve} one
+ * @param {import('./chart.js').Curve} other
+ * @returns {import('./chart.js').Curve}
+ */
+function band(one, other) {
+  const x = [...new Set([...one.x, ...other.x])].sort((a, b) => a - b);
+  const along = (/** @type {import('./chart.js').Curve} */ curve) => {
+    let k = 0;
+    return x.map((at) => {
+      while (k + 1 < curve.x.length && curve.x[k + 1] < at) k += 1;
+      const [x0, x1] = [curve.x[k], curve.x[k + 1] ?? curve.x[k]];
+      if (at < x0 || at > x1) return at === x0 ? (curve.y[k] ?? 0) : 0;
+      const [y0, y1] = [curve.y[k] ?? 0, curve.y[k + 1] ?? curve.y[k] ?? 0];
+      return x1 > x0 ? y0 + ((y1 - y0) * (at - x0)) / (x1 - x0) : y0;
+    });
+  };
+  return { label: 'between both', colour: '--curve-1', x, y: along(one), to: along(other) };
+}
+
+/** Where a curve is above 0. @param {import('./chart.js').Curve} curve @returns {import('./extent.js').Extent[]} */
+function touchedBy({ x, y }) {
+  const pressed = x.filter((_, k) => (y[k] ?? 0) > 0);
+  return pressed.length ? [{ left: pressed[0], right: pressed[pressed.length - 1] }] : [];
 }
 
 /**

@@ -5,7 +5,7 @@
 
 import { byId, h } from '../lib/dom.js';
 import * as pointer from '../lib/pointer.js';
-import { figure, forceOf, percent, unit, unitsOf } from '../lib/units.js';
+import { forceOf, unit, unitsOf } from '../lib/units.js';
 import {
   ANALYSES,
   BACKSTRESS,
@@ -31,13 +31,26 @@ import {
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
-import { materialName, pairOf, writeValue, writeWhole } from '../jobs/names.js';
+import { inWords } from '../setup/words.js';
+import { materialName, pairOf, stemOf, titleOf, writeValue, writeWhole } from '../jobs/names.js';
 import { browser, isObject, kept } from '../lib/kept.js';
-import { answersOf, isUnloaded, leftBehind, targetWords } from './answers.js';
+import {
+  alike,
+  answersOf,
+  differenceWords,
+  elasticWords,
+  errorWords,
+  markOf,
+  placeWords,
+  unitOf,
+  valueOf,
+  verdictOf,
+} from './answers.js';
 import { differencesTable } from './differences.js';
+import { save } from './downloads.js';
 import { figuresTable, tableElements } from './figures.js';
-import { asked, beside, endedEarly, hertzName } from './loads.js';
-import { remarkOf } from './remarks.js';
+import { sentencesOf } from './headline.js';
+import { asked, beside, endedEarly } from './loads.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
@@ -52,6 +65,9 @@ import { remarkOf } from './remarks.js';
  */
 export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
   const [{ id, job, report, label, removed }] = shown;
+  // By which browsers name a file that is printed.
+  titled ||= document.title;
+  document.title = stemOf(job, id);
   const step = report.steps[at];
   const bodies = pairOf(job);
   const many = report.steps.length;
@@ -88,14 +104,15 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       ended && h('li', {}, h('b', {}, ended)),
       others.length > 0 && h('li', {}, `Beside each other in the charts: ${others.join('; ')}.`),
       h('li', {}, `Approach: from ${step.approach_datum}.`),
-      report.target &&
-        h(
-          'li',
-          {},
-          `Force found: ${figure(report.target.force)} ${unit(forceOf(report), report.units)} ${targetWords(report)}.`,
+      sides.flatMap(({ one, at, label: name }) =>
+        one.report.steps[at].validity.map(({ message }) =>
+          h(
+            'li',
+            {},
+            sides.length > 1 ? h('b', {}, `${name}: `) : null,
+            symbol(sentencesOf(message).join(' ')),
+          ),
         ),
-      step.validity.map((note) =>
-        h('li', {}, symbol(remarkOf(job, report, step, note).join(' '))),
       ),
       h(
         'li',
@@ -113,16 +130,25 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
         { type: 'button', class: 'primary', onclick: () => print() },
         'Print or save as PDF',
       ),
+      h(
+        'button',
+        {
+          type: 'button',
+          title: 'One file that opens without the service',
+          onclick: () => saveSheet(shown[0]),
+        },
+        'Save as one HTML file',
+      ),
       h('button', { type: 'button', onclick: close }, 'Back'),
     ),
     h(
       'div',
       { class: 'sheet-head' },
-      h('h1', {}, bodies),
+      h('h1', {}, job.title ? String(job.title) : bodies),
       h(
         'p',
         {},
-        `${ANALYSES[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${Object.entries(
+        `${job.title ? `${bodies}, ` : ''}${ANALYSES[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${Object.entries(
           job.tags ?? {},
         )
           .filter(([name]) => !HEADINGS.some((one) => one === name))
@@ -131,6 +157,11 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       ),
     ),
     headings(shown[0]),
+    h(
+      'div',
+      { class: 'sheet-verdicts' },
+      sides.map((side) => verdict(side, sides.length > 1)),
+    ),
     h(
       'div',
       { class: 'sheet-columns' },
@@ -145,7 +176,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
     h(
       'div',
       { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures' },
-      answers(shown[0], at),
+      answers(sides),
     ),
     h(
       'div',
@@ -226,7 +257,7 @@ function headings({ id, job }) {
       const input = h('input', {
         type: 'text',
         placeholder: ' ',
-        value: job.tags?.[name] ?? own[name] ?? '',
+        value: (name === 'title' ? job.title : undefined) ?? job.tags?.[name] ?? own[name] ?? '',
         maxlength: 120,
         oninput: () => keep(name, input.value),
       });
@@ -235,9 +266,47 @@ function headings({ id, job }) {
   );
 }
 
+/** The sheet as a file by itself, with the job and the answer. @param {Shown} shown */
+function saveSheet({ id, job, report, raw = report }) {
+  // A document that is not seen loads no pictures, which this page may not.
+  const unseen = document.implementation.createHTMLDocument();
+  const sheet = unseen.importNode(byId('sheet'), true);
+  sheet.querySelector('.sheet-tools')?.remove();
+  const canvases = byId('sheet').querySelectorAll('canvas');
+  sheet.querySelectorAll('canvas').forEach((canvas, k) => {
+    const image = unseen.createElement('img');
+    image.src = canvases[k].toDataURL();
+    image.alt = canvases[k].getAttribute('aria-label') ?? '';
+    canvas.replaceWith(image);
+  });
+  const fields = byId('sheet').querySelectorAll('input');
+  sheet.querySelectorAll('input').forEach((input, k) => {
+    if (fields[k].value) input.replaceWith(h('b', {}, fields[k].value));
+    else input.closest('label')?.remove();
+  });
+  const rules = [...document.styleSheets].flatMap(({ cssRules }) => [...cssRules]);
+  const data = JSON.stringify({ job, result: { ...raw, steps: raw.steps.map(plainStep) } });
+  const page = [
+    '<!doctype html><html lang="en" data-colours="light" data-view="sheet"><meta charset="utf-8">',
+    h('title', {}, titleOf(job) || pairOf(job)).outerHTML,
+    `<style>${rules.map(({ cssText }) => cssText).join('\n')}</style>`,
+    sheet.outerHTML,
+    `<script type="application/json" id="data">${data.replaceAll('<', '\\u003c')}</script></html>`,
+  ].join('\n');
+  save(new Blob([page], { type: 'text/html' }), `${stemOf(job, id)}.html`);
+}
+
+/** Without what has been fetched of the field. @param {import('../types.js').Step} step */
+const plainStep = ({ fields: _, layers: __, ...step }) => step;
+
+/** What the tab was called before the sheet was seen. */
+let titled = '';
+
 /** Back to the page. */
 export function close() {
   delete document.documentElement.dataset.view;
+  document.title = titled || document.title;
+  titled = '';
   byId('report').focus();
 }
 
@@ -423,40 +492,69 @@ function tableOf(shown) {
     : { columns, rows, write };
 }
 
+/** @param {import('./loads.js').Beside} side @param {boolean} named whether jobs are compared */
+function verdict({ one, at, label }, named) {
+  const found = verdictOf(one.report.steps[at]);
+  return (
+    found &&
+    h(
+      'p',
+      { class: `verdict-text ${markOf(found).kind}` },
+      h('span', { class: 'mark', 'aria-hidden': 'true' }, markOf(found).mark),
+      h('span', {}, named ? h('b', {}, `${label}: `) : null, symbol(found.text)),
+    )
+  );
+}
+
 /**
- * The figures of one step, error bar and elastic theory beside them; without load, what is left
- * behind comes first.
- * @param {Shown} shown
- * @param {number} at
+ * The answers of one step: how well each is known, what elastic theory says, and those of the other
+ * jobs with their difference.
+ * @param {import('./loads.js').Beside[]} sides
  */
-function answers({ job, report }, at) {
-  const step = report.steps[at];
-  const all = answersOf(job, report, step);
-  const list = isUnloaded(step) ? all : [...all, ...leftBehind(job, report, step)];
-  const hasBars = list.some(({ error }) => error);
-  const hasElastic = list.some(({ elastic }) => elastic);
-  const rows = list.map(({ name, value, unit: of, error, elastic, note, long }) =>
+function answers(sides) {
+  const [{ one, at }, ...others] = sides;
+  const all = answersOf(one.report.steps[at], one.report);
+  if (all.length === 0)
+    return h('p', { class: 'quiet' }, 'The figures of this step are in the table of all steps.');
+  const notes = others.length === 0;
+  const hasElastic = all.some((answer) => elasticWords(answer));
+  const rows = all.map((answer, k) =>
     h(
       'tr',
       {},
-      h('th', { scope: 'row' }, name),
-      h('td', {}, figure(value)),
-      h('td', { class: 'unit' }, of),
-      hasBars && h('td', {}, error ? `± ${percent(error)}` : ''),
-      hasElastic && [
-        h('td', {}, elastic ? figure(elastic) : ''),
-        h('td', {}, elastic && value ? figure(value / elastic, 3) : ''),
-      ],
-      h('td', { class: 'text' }, long || note),
+      h('th', { scope: 'row' }, answer.label),
+      h('td', {}, valueOf(answer)),
+      h('td', { class: 'unit' }, unitOf(answer)),
+      h('td', {}, errorWords(answer).replace('error not known', 'not known')),
+      notes
+        ? [
+            hasElastic && h('td', {}, elasticWords(answer)),
+            h(
+              'td',
+              { class: 'text' },
+              [placeWords(answer, one.report, one.report.steps[at]), inWords(answer.text)]
+                .filter(Boolean)
+                .join('; '),
+            ),
+          ]
+        : others.flatMap(({ one, at }) => {
+            const other = alike(one.report, at, all, k);
+            return other
+              ? [h('td', {}, valueOf(other)), h('td', {}, differenceWords(answer, other))]
+              : [h('td', {}, '—'), h('td')];
+          }),
     ),
   );
-  const head = [
-    '',
-    '',
-    '',
-    ...(hasBars ? ['error of mesh'] : []),
-    ...(hasElastic ? [hertzName(report, at), 'ratio'] : []),
-    '',
-  ].map((text) => (text ? h('th', { scope: 'col' }, text) : h('td')));
-  return h('table', { class: 'answers' }, h('thead', {}, h('tr', {}, head)), h('tbody', {}, rows));
+  const head = notes
+    ? ['', '', '', 'error', ...(hasElastic ? ['beside elastic theory'] : []), '']
+    : ['', sides[0].label, '', 'error', ...others.flatMap(({ label }) => [label, '±'])];
+  const cells = head.map((text) =>
+    text ? h('th', { scope: 'col' }, text === '±' ? 'difference' : text) : h('td'),
+  );
+  return h(
+    'table',
+    { class: 'answers' },
+    h('thead', {}, h('tr', {}, cells)),
+    h('tbody', {}, rows),
+  );
 }

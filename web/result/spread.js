@@ -5,6 +5,7 @@
 
 import { figure, stiffnessOf, unit } from '../lib/units.js';
 import { h } from '../lib/dom.js';
+import { alongJob, axesOf } from './axes.js';
 import { Chart } from './chart.js';
 import { beside } from './loads.js';
 import { Panel } from './panel.js';
@@ -42,6 +43,7 @@ export class SpreadPanel {
     const { report } = shown[0];
     const [length, stress] = [unit('length', report.units), unit('stress', report.units)];
     const slope = unit(stiffnessOf(report), report.units);
+    const along = axesOf(report.steps[at].three_dimensional ?? { orientation: 0 }).y;
     const sides = beside(shown, at).flatMap(({ one, at, label }) => {
       const roller = one.report.steps[at].three_dimensional?.roller;
       return roller ? [{ one, roller, label }] : [];
@@ -50,20 +52,18 @@ export class SpreadPanel {
       label: sides.length > 1 ? label : 'line load',
       colour: one.colour,
       dash: one.dash,
-      x: roller.y,
-      y: roller.line_load,
+      ...alongJob(roller.y, roller.line_load, along),
     }));
     const alone = sides.length === 1 && {
       label: 'largest pressure',
       colour: '--curve-2',
       dash: [7, 3],
-      x: sides[0].roller.y,
-      y: sides[0].roller.pressure,
+      ...alongJob(sides[0].roller.y, sides[0].roller.pressure, along),
       right: true,
     };
     const words = `Edge pressure ${ends.map((one) => figure(one, 4)).join(' and ')} ${stress} at the ends, ${figure(middle, 4)} ${stress} in the middle; moment ${figure(moment, 3)} ${unit('energy', report.units)}, tilt ${figure(tilt, 3)} mrad.`;
     this.chart.show({
-      x: `y  [${length}]`,
+      x: `${along.name}  [${length}]`,
       y: `line load  [${slope}]`,
       right: alone ? `p  [${stress}]` : undefined,
       curves: alone ? [...curves, alone] : curves,

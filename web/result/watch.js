@@ -9,6 +9,7 @@ import { duration, loaded } from '../lib/units.js';
 import { sentence } from '../setup/send.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
+import { titleOf } from '../jobs/names.js';
 import { downloads } from './downloads.js';
 import { solvedWords } from './loads.js';
 import { progressWords } from './progress.js';
@@ -254,7 +255,7 @@ export class Watch {
     const bar = `${id} ${status} ${document.cancel_requested} ${Boolean(report)} ${loading}`;
     // Buttons stay where they are while figures change: a click takes longer than an iteration.
     if (this.#bar !== bar) this.#put(bar, this.#build(document, report, loading));
-    this.on.titled(NAMES[status]);
+    this.on.titled([titleOf(this.on.job()), NAMES[status]].filter(Boolean).join(', '));
     this.#say(loading ? 'loading the result' : words(document, report, this.on.job()));
   }
 
@@ -267,6 +268,7 @@ export class Watch {
   /** @param {JobDocument} document @param {Report | undefined} report @param {boolean} loading */
   #build(document, report, loading) {
     const { id, status, tags = {} } = document;
+    const title = String(this.on.job().title ?? '');
     const cancel = h(
       'button',
       { type: 'button', onclick: () => this.#cancel(id) },
@@ -274,7 +276,7 @@ export class Watch {
     );
     cancel.disabled = document.cancel_requested;
     const take = () => {
-      copy(jobLink(), 'Link');
+      copy(jobLink(String(this.on.job().title ?? '')), 'Link');
       this.look();
     };
     const link = h('button', { type: 'button', class: 'plain', onclick: take }, 'Copy link');
@@ -285,8 +287,10 @@ export class Watch {
         role: finished(document) ? 'status' : null,
         'data-status': loading ? 'loading' : status,
       },
-      h('b', {}, NAMES[status]),
+      title ? h('b', { class: 'title' }, title) : null,
+      h(title ? 'span' : 'b', {}, NAMES[status]),
       h('span', { class: 'words' }),
+      finished(document) ? h('span', { class: 'quiet' }, keptWords(document)) : null,
       Object.entries(tags).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`)),
       h(
         'span',
@@ -294,7 +298,7 @@ export class Watch {
         h('code', { class: 'quiet', title: id }, id.slice(-8)),
         finished(document) ? null : cancel,
         link,
-        report ? downloads(id, report, Boolean(this.on.job().output?.fields), this.on.step) : null,
+        report ? downloads(id, this.on.job(), report, this.on.step) : null,
       ),
     );
   }
@@ -303,6 +307,14 @@ export class Watch {
   async #cancel(id) {
     await post(`v1/jobs/${id}/cancel`, '').catch((error) => toast(error.message));
   }
+}
+
+/** Until when the service keeps a job. @param {JobDocument} document @returns {string} */
+export function keptWords({ expires_at: until }) {
+  if (!until) return '';
+  const date = new Date(until);
+  const year = date.getFullYear() === new Date().getFullYear() ? undefined : 'numeric';
+  return `kept until ${date.toLocaleDateString('en-GB', { day: 'numeric', month: 'long', year })}`;
 }
 
 /** @param {unknown} error */
@@ -353,7 +365,7 @@ function words(
         .map((text) => inWords(String(text)))
         .join('; ');
     case 'succeeded':
-      return `${iterations}${report && report.steps.length > 1 ? ` in ${report.steps.length} steps` : ''}, solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
+      return `${report && report.steps.length > 1 ? `${report.steps.length} steps ` : ''}solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
     default:
       return report ? shownOf(report, job) : `after ${iterations}, no result`;
   }

@@ -45,9 +45,17 @@ export class Draft extends EventTarget {
   set(place, value, source) {
     if (pointer.same(pointer.get(this.job, place), value)) return;
     this.#keep(place + source);
+    const [, material] = /^(\/(?:upper|lower)\/material)(?!\/name$)/.exec(place) ?? [];
+    const name = material && pointer.get(this.job, `${material}/name`);
     pointer.set(this.job, place, value);
+    // A figure that is changed makes another material of one that is known by its name.
+    if (material && this.known(name) && pointer.get(this.job, `${material}/name`) === name)
+      pointer.set(this.job, `${material}/name`, undefined);
     this.#changed(source);
   }
+
+  /** Whether a material of this name has figures of its own. @type {(name: unknown) => boolean} */
+  known = () => false;
 
   /** @param {Job} job @param {string} source */
   replace(job, source) {

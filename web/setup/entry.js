@@ -4,7 +4,7 @@
  */
 
 import { h } from '../lib/dom.js';
-import { readQuantity } from '../lib/number.js';
+import { doubtOf, readQuantity } from '../lib/number.js';
 import { isObject } from '../lib/kept.js';
 import { same } from '../lib/pointer.js';
 import { heightsControl } from './heights.js';
@@ -184,6 +184,15 @@ function control(field, id, change, surroundings) {
         typeof value === 'string' ? faultOfTags(value) : '';
       return { input, ...text(input, readTags, writeTags), problem };
     }
+    case 'text': {
+      const input = h('input', {
+        id,
+        type: 'text',
+        maxlength: field.longest,
+        autocomplete: 'off',
+      });
+      return { input, ...text(input, (typed) => typed.trim() || undefined, written) };
+    }
     case 'history':
       return historyControl(field, id, change, surroundings);
     case 'list':
@@ -237,7 +246,10 @@ function flagControl(id) {
 function numberControl(field, id, { units, quantity }) {
   const typing = { inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false' };
   const input = h('input', { id, type: 'text', maxlength: LONGEST, ...typing });
-  const reading = (/** @type {string} */ typed) => readQuantity(typed, quantity(field), units());
+  const reading = (/** @type {string} */ typed) => {
+    const problem = doubtOf(typed);
+    return problem ? { problem } : readQuantity(typed, quantity(field), units());
+  };
   // What is no number stays in the draft as it is typed, and is refused there.
   const read = (/** @type {string} */ typed) => {
     if (typed.trim() === '') return undefined;

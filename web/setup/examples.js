@@ -23,9 +23,12 @@ const TITLES = /** @type {Record<string, string>} */ ({
   tilted_roller: 'Tilted roller with a logarithmic profile, in three dimensions',
 });
 
-const HARD = { young_modulus: 207000, poisson_ratio: 0.3 };
+const HARD = { name: 'Bearing steel, elastic', young_modulus: 207000, poisson_ratio: 0.3 };
+/** Steels of the library by their yield stress. @type {Record<number, string>} */
+const NAMED = { 355: 'Steel S355', 430: 'Steel C45E +QT', 750: 'Steel 42CrMo4 +QT' };
 /** @param {number} strength */
 const steel = (strength) => ({
+  name: NAMED[strength],
   young_modulus: 210000,
   poisson_ratio: 0.3,
   plasticity: { law: 'bilinear', yield_stress: strength, tangent_modulus: 2100 },

@@ -16,7 +16,7 @@ import * as tables from './tables.js';
  * @property {string} label
  * @property {string} [symbol]
  * @property {Quantity | 'load'} [quantity] `load`: a force, in the unit of the analysis
- * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags' | 'heights'} [kind] `number` unless said otherwise
+ * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags' | 'heights' | 'text'} [kind] `number` unless said otherwise
  * @property {Record<string, string>} [choices] value: label
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
@@ -26,6 +26,7 @@ import * as tables from './tables.js';
  * @property {string} [description]
  * @property {number | [number, number][]} [example] typical, in mm, N, MPa
  * @property {string} [unit] of figures that have the same in every system
+ * @property {number} [longest] letters that a text may have
  * @property {string} [none] what a choice that is not made is called
  * @property {boolean} [optional] a choice that is not made is the service's, where {@link DEFAULTS} does not say which
  */
@@ -33,6 +34,9 @@ import * as tables from './tables.js';
 
 /** @type {Record<string, Kind>} */
 export const SHAPES = mapValues(tables.SHAPES, withHints);
+for (const field of SHAPES.curved.fields)
+  if (field.key.startsWith('radius'))
+    field.hint = 'Concave: a negative radius. Straight: left empty.';
 // What is said of the width of a block is not so of a plate that is held all round.
 for (const field of SHAPES.hole.fields) if (field.key === 'width') field.help = 'plate_width';
 
@@ -215,6 +219,15 @@ function named(record) {
   return Object.assign(Object.create(null), record);
 }
 
+/** Letters of a name. */
+const LONGEST = 80;
+
+/** What the job is called, in lists, links, reports and files. @type {Field} */
+export const TITLE = { key: 'title', label: 'Title', kind: 'text', longest: LONGEST };
+
+/** What a material is called. @type {Field} */
+export const NAME = { key: 'name', label: 'Material’s name', kind: 'text', longest: LONGEST };
+
 /** @type {Field[]} */
 export const ELASTIC = [
   { key: 'young_modulus', label: 'Young’s modulus', symbol: 'E', quantity: 'stress' },
@@ -309,6 +322,25 @@ export const TARGETS = {
   permanent_approach: target('permanent_approach', 'Permanent approach', 'α_p', 'length', 0.002),
   dent_depth: target('dent_depth', 'Depth of the dent', 'δ', 'length', 0.001),
 };
+
+/** Both dents together over the diameter of the rolling body, by ISO 76. */
+const RATING = 1e-4;
+
+/** What ISO 76 has beside the other figures. */
+export const ISO_76 = { key: 'iso_76', label: 'Static rating: 1e-4 of the diameter (ISO 76)' };
+
+/**
+ * The permanent approach of ISO 76: ball and raceway together.
+ * @param {import('../types.js').Job} job
+ * @returns {number | undefined} where a body is round
+ */
+export function ratedApproach(job) {
+  const radii = [job.upper, job.lower].flatMap((body) => {
+    const { radius, radius_x: across } = body?.shape ?? {};
+    return [numberOf(radius ?? across)].filter((one) => one > 0);
+  });
+  return radii.length ? Number((2 * RATING * Math.min(...radii)).toPrecision(12)) : undefined;
+}
 
 /** What is left behind, of which flow theory alone knows. */
 export const PERMANENT = new Set(['permanent_approach', 'dent_depth']);

@@ -14,14 +14,17 @@ import {
   DEFAULTS,
   ELASTIC,
   INITIAL_STRESS,
+  ISO_76,
   LAWS,
   OVER_DEPTH,
   LOADS,
+  NAME,
   SETTINGS,
   SUPPORTS,
   SURFACE,
   TARGETS,
   THEORIES,
+  TITLE,
   UNIT_SYSTEMS,
   ANALYSES,
   hasInitialStress,
@@ -30,6 +33,7 @@ import {
   lawOf,
   loadOf,
   overDepthOf,
+  ratedApproach,
   shapeFields,
   shapesFor,
   targetOf,
@@ -176,6 +180,7 @@ export class Form {
       tiltOf(job.lower?.shape),
       hasSurface(job.upper),
       hasSurface(job.lower),
+      ratedApproach(job) !== undefined,
       job.analysis === 'axisymmetric',
       job.analysis === 'three_dimensional',
     ]);
@@ -224,6 +229,7 @@ export class Form {
 
   #build() {
     [this.#before, this.#fields] = [this.#fields, new Map()];
+    arrange(this.parts.title, [this.#field('', TITLE)]);
     arrange(this.parts.general, [
       this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) =>
         this.#useAnalysis(String(analysis)),
@@ -274,6 +280,7 @@ export class Form {
       return { fields, rare, copy, more: h('details', {}, h('summary'), rare) };
     };
     const parts = {
+      title: grid(),
       general: h('div', { class: 'pair' }),
       upper: body('upper', 'lower'),
       lower: body('lower', 'upper'),
@@ -285,6 +292,7 @@ export class Form {
       /** @type {string} */ title,
     ) => h('fieldset', {}, h('legend', {}, title, copy), fields, more);
     this.root.replaceChildren(
+      parts.title,
       parts.general,
       fieldset(parts.upper, 'Upper body'),
       fieldset(parts.lower, 'Lower body'),
@@ -318,11 +326,14 @@ export class Form {
       ...this.#surface(body),
       ofShape,
       ...this.materials[body].elements,
+      this.#field(`${at}/material`, NAME),
       ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
       this.#choice(`${at}/material/law`, 'Hardening', laws, (law) =>
         this.kinds.useLaw(body, String(law)),
       ),
-      ...(LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? []),
+      ...(LAWS[law]?.fields ?? [])
+        .filter((field) => !isOverruled(material, field))
+        .map((field) => this.#field(`${at}/material/plasticity`, field)),
       ...(hasBackstress(job, body) ? [this.#field(`${at}/material/plasticity`, BACKSTRESS)] : []),
       curve,
     ];
@@ -389,6 +400,14 @@ export class Form {
         (kind) => this.kinds.useOverDepth(body, String(kind)),
       ),
       ...fields.map((field) => this.#field(plasticity, field)),
+      ...(LAWS[lawOf(this.draft.job[body]?.material)]?.fields ?? [])
+        .filter((field) => isOverruled(this.draft.job[body]?.material, field))
+        .map((field) =>
+          this.#field(plasticity, {
+            ...field,
+            hint: 'Strength comes from the hardness; this law gives the shape of its curve.',
+          }),
+        ),
     ];
   }
 
@@ -418,9 +437,10 @@ export class Form {
     const kinds = Object.fromEntries(
       Object.entries(LOADS).map(([key, { label }]) => [key, label]),
     );
-    const figures = Object.fromEntries(
-      Object.entries(TARGETS).map(([key, { label }]) => [key, label]),
-    );
+    const figures = {
+      ...Object.fromEntries(Object.entries(TARGETS).map(([key, { label }]) => [key, label])),
+      ...(ratedApproach(this.draft.job) && { [ISO_76.key]: ISO_76.label }),
+    };
     const target = () => [
       this.#choice('/load/target_kind', 'Figure', figures, (figure) =>
         this.kinds.useTarget(String(figure)),
@@ -518,6 +538,11 @@ function previews(body) {
   return { shape: place('shape'), curve: place('curve'), stress: place('stress') };
 }
 
+/** Whether hardness over depth stands in place of a figure of the law. @param {any} material @param {Field} field */
+const isOverruled = (material, { key }) =>
+  ['hardness', 'case'].includes(overDepthOf(material)) &&
+  (key === 'yield_stress' || key === 'reference_stress');
+
 /** Whether a body has something in the fields that few need. @param {Record<string, any> | undefined} body */
 const isUnusual = (body) =>
   (body?.support ?? 'clamped') !== 'clamped' ||
@@ -536,7 +561,12 @@ function valueIn(job, place) {
   if (place.endsWith('/tilt_kind')) return tiltOf(within('/tilt_kind'));
   if (place.endsWith('/law')) return lawOf(within('/law'));
   if (place === '/load/kind') return loadOf(job.load);
-  if (place === '/load/target_kind') return targetOf(job.load);
+  if (place === '/load/target_kind') {
+    const rated = ratedApproach(job);
+    return rated && job.load?.target?.permanent_approach === rated
+      ? ISO_76.key
+      : targetOf(job.load);
+  }
   return pointer.get(job, place);
 }
 

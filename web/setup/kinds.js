@@ -10,6 +10,7 @@ import * as pointer from '../lib/pointer.js';
 import { convert, forceOf, unitsOf } from '../lib/units.js';
 import { jobIn } from './draft.js';
 import {
+  ISO_76,
   LAWS,
   PERMANENT,
   TARGETS,
@@ -18,6 +19,7 @@ import {
   overDepthOf,
   plasticityLike,
   profileLike,
+  ratedApproach,
   shapeLike,
   targetOf,
   tiltOf,
@@ -216,6 +218,9 @@ export class Kinds {
   /** @param {string} figure */
   useTarget(figure) {
     this.#keepLoad();
+    const rated = ratedApproach(this.draft.job);
+    if (figure === ISO_76.key && rated)
+      return this.#setLoad({ target: { permanent_approach: rated } }, true);
     const { example, quantity } = TARGETS[figure];
     const units = unitsOf(this.draft.job);
     const value =

@@ -62,9 +62,9 @@ export function vickersOf(value, scale) {
   return v0 + ((v1 - v0) * (value - c0)) / (c1 - c0);
 }
 
-/** @param {Record<string, any>} material in mm, N, MPa @param {(name: string) => void} done */
-export function askToKeep(material, done) {
-  const name = h('input', { type: 'text', maxlength: 60 });
+/** @param {Record<string, any>} material in mm, N, MPa @param {unknown} given name that it has @param {(name: string) => void} done */
+export function askToKeep(material, given, done) {
+  const name = h('input', { type: 'text', maxlength: 80, value: String(given ?? '') });
   const source = h('input', { type: 'text', maxlength: 200 });
   /** The name under which one may be replaced. */
   let replaced = '';

@@ -8,15 +8,12 @@ import { toolbar } from '../lib/toolbar.js';
 import { unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
 import { allMaterials, askHardness, askToForget, askToKeep, ownMaterials } from './library.js';
-import { inMegapascals, materialOf, presetsOf } from './materials.js';
+import { inMegapascals, materialOf } from './materials.js';
 import { PRESETS } from './presets.js';
 
 /** @typedef {import('./materials.js').Preset} Preset */
 
 export class MaterialChoice {
-  /** The one that was chosen by its name, of those that have the same figures. */
-  #chosen = '';
-
   /**
    * @param {'upper' | 'lower'} body
    * @param {import('./draft.js').Draft} draft
@@ -47,7 +44,7 @@ export class MaterialChoice {
         h(
           'div',
           { class: 'bar beside' },
-          button('From hardness…', () => askHardness((material) => this.#use({ material }))),
+          button('From hardness…', () => askHardness((material) => this.#use(material))),
           button('Keep as own…', () => this.#keep()),
           this.drop,
         ),
@@ -67,8 +64,8 @@ export class MaterialChoice {
   /** Shows which one the draft has. */
   show() {
     const { job } = this.draft;
-    const alike = presetsOf(allMaterials(), job[this.body]?.material, unitsOf(job));
-    const preset = alike.find(({ name }) => name === this.#chosen) ?? alike[0];
+    const name = job[this.body]?.material?.name;
+    const preset = allMaterials().find((one) => one.name === name);
     this.select.value = preset?.name ?? '';
     this.drop.hidden = !ownMaterials().some(({ name }) => name === preset?.name);
     this.origin.replaceChildren(...(preset ? symbol(preset.source) : []));
@@ -76,15 +73,16 @@ export class MaterialChoice {
 
   /** @param {string} name */
   #take(name) {
-    this.#chosen = name;
     const preset = allMaterials().find((one) => one.name === name);
-    if (preset) this.#use(preset);
+    if (preset) this.#use(preset.material, name);
+    else this.draft.set(`/${this.body}/material/name`, undefined, 'form');
     this.show();
   }
 
-  /** @param {{material: Record<string, any>}} preset */
-  #use(preset) {
-    this.use(materialOf(preset, unitsOf(this.draft.job)));
+  /** @param {Record<string, any>} material in mm, N, MPa @param {string} [name] */
+  #use(material, name) {
+    const { name: _, ...figures } = materialOf({ material }, unitsOf(this.draft.job));
+    this.use(name ? { name, ...figures } : figures);
   }
 
   #keep() {
@@ -94,8 +92,12 @@ export class MaterialChoice {
       return fault.focus();
     }
     const { job } = this.draft;
-    askToKeep(inMegapascals(job[this.body]?.material ?? {}, unitsOf(job)), (name) => {
-      this.#chosen = name;
+    const { name: called, ...material } = inMegapascals(
+      job[this.body]?.material ?? {},
+      unitsOf(job),
+    );
+    askToKeep(material, called, (name) => {
+      this.draft.set(`/${this.body}/material/name`, name, 'form');
     });
   }
 

@@ -4,7 +4,6 @@
  * start, not a substitute for a test of one's own.
  */
 
-import { same } from '../lib/pointer.js';
 import { materialIn } from './draft.js';
 
 /** @typedef {{name: string, source: string, material: Record<string, any>}} Preset in mm, N, MPa */
@@ -14,7 +13,3 @@ export const materialOf = ({ material }, units) => materialIn(material, 'mm_N_MP
 
 /** @param {Record<string, any>} material @param {import('../lib/units.js').Units} units @returns {Record<string, any>} as presets have it */
 export const inMegapascals = (material, units) => materialIn(material, units, 'mm_N_MPa');
-
-/** @param {Preset[]} all @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset[]} that it is: several may have the same figures */
-export const presetsOf = (all, material, units) =>
-  all.filter((preset) => same(materialOf(preset, units), material));

@@ -61,6 +61,44 @@ function outlineOf(shape) {
   }
 }
 
+/** How far a body is drawn, in sizes of a much smaller one on it. */
+const SEEN = 2.5;
+
+/**
+ * What is drawn of two bodies: of one that is much larger than the other, the part beside it,
+ * broken off.
+ * @param {(Outline | null)[]} bodies
+ * @returns {(Outline | null)[]}
+ */
+export function cutOut(bodies) {
+  const reach = (/** @type {Outline} */ { surface }) =>
+    Math.max(...surface.map(([x]) => Math.abs(x)));
+  const plain = bodies.flatMap((body) => (body && !body.edge ? [body] : []));
+  if (plain.length < 2) return bodies;
+  const small = Math.min(...plain.map((body) => Math.max(reach(body), 0.5 * high(body))));
+  const most = SEEN * small;
+  return bodies.map((body) => {
+    if (!body || body.edge || (reach(body) <= 1.6 * most && high(body) <= 1.6 * most)) return body;
+    const inside = body.surface.filter(([x]) => Math.abs(x) < most);
+    const end = (/** @type {number} */ x) => /** @type {Point} */ ([x, heightOn(body.surface, x)]);
+    const [left, right] = [-1, 1].map((side) => side * Math.min(reach(body), most));
+    const surface = [end(left), ...inside, end(right)];
+    const low = Math.min(...surface.map(([, h]) => h));
+    return { surface, base: Math.max(body.base, low - most), broken: true };
+  });
+}
+
+/** @param {Outline} body */
+const high = ({ surface, base }) => Math.max(...surface.map(([, h]) => h)) - base;
+
+/** @param {Point[]} surface from left to right @param {number} x */
+function heightOn(surface, x) {
+  const next = surface.findIndex(([at]) => at >= x);
+  if (next <= 0) return surface[next < 0 ? surface.length - 1 : 0][1];
+  const [[x0, h0], [x1, h1]] = [surface[next - 1], surface[next]];
+  return x1 > x0 ? h0 + ((h1 - h0) * (x - x0)) / (x1 - x0) : h1;
+}
+
 /** Part of a body around a hole that is drawn, in radii of the hole. */
 const AROUND = 2;
 

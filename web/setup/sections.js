@@ -4,13 +4,14 @@ import { svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
 import { exact, unit, unitsOf } from '../lib/units.js';
 import { hasSurface, shapeLabel } from './fields.js';
-import { loadLine } from './sketch.js';
+import { roundStep } from '../field/palette.js';
+import { WIDTH, loadLine } from './load-line.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {'upper' | 'lower'} Body */
 /** @typedef {{height: (s: number) => number, reach: number, ends?: boolean}} Section height along the outward normal, how far it says something, and whether the body ends there */
 
-const [WIDTH, HEIGHT, STEPS] = [380, 216, 60];
+const [HEIGHT, STEPS] = [216, 60];
 /** Heights that are drawn of a body without a curvature, in parts of the width. */
 const DEEP = 0.45;
 
@@ -93,7 +94,7 @@ function sectionOf(job, body, axis) {
       const round = of(curvature(shape.radius), 0);
       // Turned, its axis lies in the other section; askew, neither section shows its end.
       if (!fall || !round || along[axis] > 1e-6) return round;
-      const tilt = numberOf(shape.tilt ?? 0) / 1000 || 0;
+      const tilt = (timesOf(shape) * numberOf(shape.tilt ?? 0)) / 1000 || 0;
       return { height: (y) => tilt * y - fall(y), reach: numberOf(shape.length) / 2, ends: true };
     }
     case 'flat':
@@ -101,6 +102,15 @@ function sectionOf(job, body, axis) {
     default:
       return null;
   }
+}
+
+/** Slope at which a tilt is seen. */
+const STEEP = 0.08;
+
+/** How many times as large as it is a tilt is drawn. @param {Record<string, any> | undefined} shape */
+function timesOf(shape) {
+  const tilt = Math.abs(numberOf(shape?.tilt ?? 0)) / 1000;
+  return tilt > 0 && tilt < STEEP ? roundStep(STEEP / tilt / 2) : 1;
 }
 
 /** @param {number} curvature @returns {Section | null} */
@@ -167,7 +177,7 @@ export function sections(job) {
       svg(
         'text',
         { x: middle - room, y: HEIGHT - 8 },
-        `along ${axis ? 'y' : 'x'}${half === wide ? '' : ', enlarged'}`,
+        `along ${axis ? 'y' : 'x'}${half === wide ? '' : ', enlarged'}${tiltWords(job, axis)}`,
       ),
     );
   });
@@ -179,6 +189,14 @@ export function sections(job) {
     svg('text', { x: WIDTH - 6, y: HEIGHT - 22, class: 'note' }, name(job, 'lower')),
   );
   return root;
+}
+
+/** What is said of a tilt beside the section that shows it. @param {Job} job @param {number} axis */
+function tiltWords(job, axis) {
+  const shape = [job.upper, job.lower].map((body) => body?.shape).find((one) => one?.tilt);
+  if (!shape || !axis) return '';
+  const times = timesOf(shape);
+  return `, tilt ${exact(numberOf(shape.tilt))} mrad${times > 1 ? ` ×${exact(times)}` : ''}`;
 }
 
 /** What a body is, with its size. @param {Job} job @param {Body} body */

@@ -4,11 +4,9 @@
 
 import { byId, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
-import { exact, figure, forceOf, unit, unitsOf } from '../lib/units.js';
-import { TARGETS, loadOf, targetOf } from './fields.js';
-import { historyWords } from './history.js';
-import { sweepWords } from './list.js';
-import { outline, pin } from './outline.js';
+import { exact, figure, unit, unitsOf } from '../lib/units.js';
+import { cutOut, outline, pin } from './outline.js';
+import { BOLD, LETTER, WIDTH, loadLine } from './load-line.js';
 import { sections } from './sections.js';
 import { counted, touching } from './touching.js';
 
@@ -16,11 +14,7 @@ import { counted, touching } from './touching.js';
 /** @typedef {import('./check.js').Hertz} Hertz */
 /** @typedef {(x: number, y: number) => [number, number]} Scale from the section to the picture */
 
-const [WIDTH, HEIGHT, MARGIN] = [380, 216, 22];
-/** Width of a letter, on average. */
-const LETTER = 6.4;
-/** The same of a bold one. */
-const BOLD = 7.2;
+const [HEIGHT, MARGIN] = [216, 22];
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {
@@ -41,7 +35,7 @@ export function picture(job, hertz) {
   if (job.analysis === 'three_dimensional') return sections(job);
   const shapes = [job.upper?.shape, job.lower?.shape];
   const inHole = shapes.some((shape) => shape?.type === 'hole');
-  const bodies = shapes.map((shape) =>
+  const whole = shapes.map((shape) =>
     inHole && shape?.type === 'cylinder' && outline(shape)
       ? pin(numberOf(shape.radius))
       : outline(shape),
@@ -51,12 +45,13 @@ export function picture(job, hertz) {
     role: 'img',
     'aria-label': words(job),
   });
+  const bodies = inHole ? whole : cutOut(whole);
   const drawn = bodies.filter((body) => body !== null);
   if (drawn.length === 0) return root;
   const length = unit('length', unitsOf(job));
   const labels = [
-    sizeWords(job.upper, bodies[0], length),
-    sizeWords(job.lower, bodies[1], length),
+    sizeWords(job.upper, whole[0], length),
+    sizeWords(job.lower, whole[1], length),
     widthWords(job, hertz),
   ];
   // A pin and its hole touch at the bottom; others come together first.
@@ -93,16 +88,16 @@ function fit(upper, lower, side) {
     ...(body?.surface ?? []),
     ...(body?.edge ?? []),
   ];
-  const reach = (/** @type {Outline | null} */ body) =>
-    Math.max(0, ...points(body).map(([x]) => Math.abs(x)));
+  const xs = [...points(upper), ...points(lower)].map(([x]) => x);
+  const [left, right] = [Math.min(...xs), Math.max(...xs)];
   const top = Math.max(-(upper?.base ?? 0), ...points(lower).map(([, h]) => h));
   const bottom = Math.min(lower?.base ?? 0, ...points(upper).map(([, h]) => -h));
   const size = Math.min(
-    (WIDTH - 2 * side) / (2 * Math.max(reach(upper), reach(lower)) || 1),
+    (WIDTH - 2 * side) / (right - left || 1),
     (HEIGHT - 2 * MARGIN) / (top - bottom || 1),
   );
-  const middle = (top + bottom) / 2;
-  return (x, y) => [WIDTH / 2 + x * size, HEIGHT / 2 - (y - middle) * size];
+  const [across, middle] = [(left + right) / 2, (top + bottom) / 2];
+  return (x, y) => [WIDTH / 2 + (x - across) * size, HEIGHT / 2 - (y - middle) * size];
 }
 
 /**
@@ -140,11 +135,33 @@ function drawBody(body, up, of, scale, size) {
   const path = `M${[...points, ...corners].map((point) => point.map((c) => c.toFixed(2)).join(' ')).join('L')}Z`;
   const [[x1, y], [x0]] = corners;
   return [
-    svg('path', { class: `body${of?.material?.rigid ? ' rigid' : ''}`, d: path }),
+    svg('path', {
+      class: `body${of?.material?.rigid ? ' rigid' : ''}${body.broken ? ' around' : ''}`,
+      d: path,
+    }),
+    ...(body.broken
+      ? [
+          svg('path', {
+            class: 'rim',
+            fill: 'none',
+            d: `M${points.map((p) => p.map((c) => c.toFixed(2)).join(' ')).join('L')}`,
+          }),
+        ]
+      : []),
     // A pin in a hole is held over its whole section.
-    ...(x1 > x0 ? support(x0, x1, y, up, of?.support === 'roller') : []),
+    ...(body.broken
+      ? [svg('path', { class: 'broken', fill: 'none', d: brokenOff(corners, points) })]
+      : x1 > x0
+        ? support(x0, x1, y, up, of?.support === 'roller')
+        : []),
     svg('text', { x: 8, y: (y + scale(0, 0)[1]) / 2 + 4 }, size),
   ];
+}
+
+/** The sides where a body goes on. @param {[number, number][]} corners @param {[number, number][]} points */
+function brokenOff([right, left], points) {
+  const write = (/** @type {[number, number]} */ at) => at.map((c) => c.toFixed(2)).join(' ');
+  return `M${[points[0], left, right, points[points.length - 1]].map(write).join('L')}`;
 }
 
 /** @param {Record<string, any> | undefined} of @param {Outline | null} body @param {string} length its unit */
@@ -192,27 +209,6 @@ function load(job, upper, scale, middle) {
       text,
     ),
   ];
-}
-
-/** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
-export function loadLine(job) {
-  const kind = loadOf(job.load);
-  const value = job.load?.[kind];
-  if (kind === 'onset' || kind === 'target') {
-    const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
-    return `P = ? (${kind === 'onset' ? 'first yield' : wanted})`;
-  }
-  const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
-  if (kind === 'history') {
-    const words = [undefined, 0].map((few) =>
-      historyWords(value, { force, approach }, { is: ' = ', few }),
-    );
-    return words.find((one) => BOLD * one.length < WIDTH - 8) ?? `${value.length} loads`;
-  }
-  /** @type {number[]} */
-  const list = [value].flat().filter((one) => Number.isFinite(one));
-  const [letter, name] = kind.startsWith('approach') ? ['α', approach] : ['P', force];
-  return `${letter} = ${list.length > 1 ? sweepWords(list) : exact(list[0])} ${name}`;
 }
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz @param {Scale} scale @param {[number, number][]} places where the bodies touch */

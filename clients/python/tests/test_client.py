@@ -475,6 +475,25 @@ def test_a_closed_client_says_so(job: Any) -> None:
         client.solve(job)
 
 
+def test_a_number_is_found_for_a_figure(client: Client, job: Any) -> None:
+    both = ("/upper/shape/radius", "/lower/shape/radius")
+    found = client.find(job, both, "peak_pressure", 1100.0)
+    assert found.converged
+    assert found.value > 20
+    assert found.result.peak_pressure == found.figure == pytest.approx(1100, rel=2e-3)
+    assert (found.value, found.figure) in found.looks
+    assert 3 <= len(found.looks) <= 12
+    mean = client.find(job, "/load/force", lambda result: result.last.mean_pressure, 900.0)
+    assert mean.result.last.mean_pressure == pytest.approx(900, rel=2e-3)
+    # What no value gives is said, not made up.
+    never = client.find(job, "/load/force", "peak_pressure", 1e6, most=4)
+    assert not never.converged
+    with pytest.raises(ValueError, match="no number above 0"):
+        client.find(job, "/upper/shape/type", "peak_pressure", 1.0)
+    with pytest.raises(ValueError, match="no figure is called 'peek'"):
+        client.find(job, "/load/force", "peek", 1.0)
+
+
 def test_a_sweep_takes_quantities(client: Client, job: Any) -> None:
     forces = np.array([0.3, 0.5]) * pint.UnitRegistry()("kN/mm")
     table = client.sweep(job, {"/load/force": forces})

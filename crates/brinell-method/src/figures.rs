@@ -1,5 +1,6 @@
 //! The scalar figures of a contact. A figure is one row of the table [`figures!`] here: its
-//! identifier and its quantity. The row makes its member of [`Figures`], its name in the
+//! identifier, its quantity and its home in a result: a `member` of its own, or an `answer` alone,
+//! which needs nothing else to be shown. The row makes its member of [`Figures`], its name in the
 //! enumeration [`Figure`], and its place in every list of values, differences and error bars.
 
 /// The physical quantity of a figure.
@@ -17,10 +18,19 @@ pub enum Measure {
     Strain,
 }
 
+macro_rules! home {
+    (member) => {
+        true
+    };
+    (answer) => {
+        false
+    };
+}
+
 macro_rules! figures {
     (
-        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_measure:ident,)* }
-        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_measure:ident,)* }
+        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_measure:ident $contact_home:ident,)* }
+        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_measure:ident $body_home:ident,)* }
     ) => {
         /// A scalar figure of the contact, or of one body.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,6 +52,15 @@ macro_rules! figures {
                 match self {
                     $(Self::$Contact => stringify!($contact),)*
                     $(Self::$Body => stringify!($body),)*
+                }
+            }
+
+            /// Returns whether a result has a member of its own for the figure. Other figures are
+            /// answers only.
+            pub const fn has_member(self) -> bool {
+                match self {
+                    $(Self::$Contact => home!($contact_home),)*
+                    $(Self::$Body => home!($body_home),)*
                 }
             }
 
@@ -92,35 +111,58 @@ macro_rules! figures {
 figures! {
     contact {
         /// Largest contact pressure \[MPa\].
-        peak_pressure PeakPressure Stress,
+        peak_pressure PeakPressure Stress member,
         /// Half-width; in three dimensions the semi-axis along x \[mm\].
-        half_width HalfWidth Length,
+        half_width HalfWidth Length member,
+        /// Semi-axis along y; only in three dimensions \[mm\].
+        semi_axis_y SemiAxisY Length member,
+        /// Area of the contact; only in three dimensions \[mm²\].
+        contact_area ContactArea Area member,
         /// Approach \[mm\].
-        approach Approach Length,
+        approach Approach Length member,
         /// Contact force, of both sides of the axis \[N/mm, or N\].
-        force Force Force,
+        force Force Force member,
     }
     body {
         /// Largest equivalent plastic strain at a point \[1\].
-        max_plastic_strain MaxPlasticStrain Strain,
+        max_plastic_strain MaxPlasticStrain Strain member,
         /// Mean equivalent plastic strain over the plastic area \[1\].
-        mean_plastic_strain MeanPlasticStrain Strain,
+        mean_plastic_strain MeanPlasticStrain Strain member,
         /// Area of the section that has yielded \[mm²\].
-        plastic_area PlasticArea Area,
+        plastic_area PlasticArea Area member,
+        /// Depth down to which there is plastic strain \[mm\].
+        plastic_depth PlasticDepth Length answer,
         /// Depth of the deepest point of the surface below the undeformed one \[mm\].
-        dent Dent Length,
+        dent Dent Length member,
         /// Height of the highest point of the surface above the undeformed one \[mm\].
-        pile_up PileUp Length,
+        pile_up PileUp Length member,
         /// Least stress along the surface on the normal below the middle of the contact \[MPa\].
-        least_stress LeastStress Stress,
+        least_stress LeastStress Stress member,
         /// Largest von Mises stress over the strength there, that of the surface being 1 \[MPa\].
-        largest_von_mises LargestVonMises Stress,
+        largest_von_mises LargestVonMises Stress member,
     }
 }
 
 impl Figures {
     /// Number of values, with the figures of a body twice.
     pub const COUNT: usize = Figure::OF_CONTACT + 2 * Figure::OF_BODY;
+
+    /// Returns the semi-axes along x and y \[mm\].
+    pub const fn semi_axes(&self) -> [f64; 2] {
+        [self.half_width, self.semi_axis_y]
+    }
+
+    /// Returns a figure, of a body that of one side.
+    pub fn get(&self, figure: Figure, side: usize) -> f64 {
+        self.values()[figure.at(side)]
+    }
+
+    /// Combines the values of two sets of figures one by one.
+    #[must_use]
+    pub fn zip(&self, other: &Self, combine: impl Fn(f64, f64) -> f64) -> Self {
+        let (a, b) = (self.values(), other.values());
+        Self::of(std::array::from_fn(|k| combine(a[k], b[k])))
+    }
 }
 
 impl Figure {

@@ -1,6 +1,6 @@
 //! Announcements of changes between processes, by `LISTEN` and `NOTIFY`.
 //!
-//! Each process listens on one connection and notifies on another, after its changes are
+//! Each process listens on one connection and notifies on its others, after its changes are
 //! committed. `NOTIFY` inside the changing transaction would take a lock of the whole database
 //! until the commit is on the disk, and the commits of all processes would wait for each other. A
 //! notification may be lost with its connection or process; every process therefore also queries
@@ -9,7 +9,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use sqlx::postgres::{PgListener, PgPoolOptions};
+use sqlx::postgres::PgListener;
 use sqlx::{Executor, PgPool};
 use tokio::sync::mpsc::{Receiver, Sender, channel};
 use tokio::time::{sleep, timeout};
@@ -41,18 +41,8 @@ impl Announcer {
     /// Starts the task that notifies. The task ends when the announcer is dropped and its queue is
     /// empty.
     pub(super) fn start(pool: &PgPool, node: WorkerId) -> Self {
-        // A notification need not survive a loss of power.
-        let options = PgPoolOptions::new()
-            .max_connections(1)
-            .acquire_timeout(CONNECT_TIMEOUT)
-            .after_connect(|connection, _| {
-                Box::pin(async move {
-                    connection.execute("SET synchronous_commit = off").await.map(drop)
-                })
-            });
-        let own = options.connect_lazy_with((*pool.connect_options()).clone());
         let (sender, changes) = channel(WAITING);
-        tokio::spawn(tell(own, node, changes));
+        tokio::spawn(tell(pool.clone(), node, changes));
         Self(sender)
     }
 

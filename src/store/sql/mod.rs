@@ -91,6 +91,23 @@ fn claim_of(
     })
 }
 
+/// Leases a job and reads its text.
+async fn take(
+    line: &mut impl Statements,
+    which: Which,
+    terms: &mut Terms,
+    request: &ClaimRequest,
+    now: Option<i64>,
+) -> Result<Option<Claim>, StoreError> {
+    let Some(leased) = line.lease(which, terms, now).await? else { return Ok(None) };
+    let memory: u64 = count(leased.1)?;
+    if memory > request.memory_of_place {
+        terms.shared = terms.shared.saturating_sub(memory);
+    }
+    let text = line.begin(&leased).await?;
+    claim_of(leased, request.owner, which == Which::LastChance, text).map(Some)
+}
+
 /// A backend whose connections execute all statements.
 pub(super) trait SqlBackend: Backend<Connection: Statements> {}
 
@@ -154,7 +171,9 @@ impl<B: SqlBackend> SqlStore<B> {
     /// Announces changes that no transaction of this process has made.
     fn announce(&self, changes: &[Change]) {
         self.backend.announce(changes);
-        changes.iter().for_each(|change| change.announce(&self.notifier));
+        for change in changes {
+            change.announce(&self.notifier);
+        }
     }
 
     /// Queues the jobs again whose worker is lost, or ends them.
@@ -255,10 +274,9 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         if expired || lost {
             if request.exclusive {
                 terms.shared = request.memory;
-                if let Some(leased) = line.lease(Which::LastChance, &terms, now).await? {
-                    let text = line.begin(&leased).await?;
-                    claims.jobs.push(claim_of(leased, request.owner, true, text)?);
-                }
+                claims
+                    .jobs
+                    .extend(take(&mut *line, Which::LastChance, &mut terms, request, now).await?);
             } else {
                 claims.exclusive_pending = line.is_pending(Which::LastChance, &terms, now).await?;
             }
@@ -266,18 +284,28 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         }
         let is_alone = claims.jobs.iter().any(|claim| claim.exclusive);
         while !is_alone && claims.jobs.len() < request.places {
-            if let Some(leased) = line.lease(Which::Next, &terms, now).await? {
-                let memory: u64 = count(leased.1)?;
-                if memory > request.memory_of_place {
-                    terms.shared = terms.shared.saturating_sub(memory);
+            let taken = match take(&mut *line, Which::Next, &mut terms, request, now).await {
+                Ok(None) if !claims.large_pending => {
+                    let pending = line.is_pending(Which::Next, &terms, now).await;
+                    claims.large_pending = matches!(pending, Ok(true));
+                    if claims.large_pending {
+                        terms.largest = request.memory_of_place;
+                        continue;
+                    }
+                    pending.map(|_| None)
                 }
-                let text = line.begin(&leased).await?;
-                claims.jobs.push(claim_of(leased, request.owner, false, text)?);
-            } else if !claims.large_pending && line.is_pending(Which::Next, &terms, now).await? {
-                claims.large_pending = true;
-                terms.largest = request.memory_of_place;
-            } else {
-                break;
+                taken => taken,
+            };
+            match taken {
+                Ok(Some(claim)) => claims.jobs.push(claim),
+                Ok(None) => break,
+                Err(error) if claims.jobs.is_empty() => return Err(error),
+                // The jobs that are leased must run.
+                Err(error) => {
+                    let error = &error as &dyn std::error::Error;
+                    tracing::warn!(error, "no further job can be claimed");
+                    break;
+                }
             }
         }
         drop(line);

@@ -26,7 +26,7 @@ service.test(
     await page.locator('#headline').getByText('400.00').waitFor();
     assert.equal(await page.locator(FORCE).inputValue(), '400');
     await other.getByRole('button', { name: 'Keep as own…' }).first().click();
-    await other.getByLabel('Name').fill('Shop steel');
+    await other.getByLabel('Name', { exact: true }).fill('Shop steel');
     await other.getByRole('button', { name: 'Keep', exact: true }).click();
     await page
       .locator('[data-preset=upper] option')

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { SI, drawn, follow, shown, solved } from '../jobs.js';
+import { SI, drawn, follow, mises, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -185,7 +185,7 @@ service.test(
   'limits of the colours are taken as they are written, or refused in words',
   async (page) => {
     await shown(page, { ...FIELDS, load: { force: 612 } });
-    await drawn(page);
+    await mises(page);
     const [least, largest] = [
       page.getByLabel('Least value coloured'),
       page.getByLabel('Largest value coloured'),
@@ -230,7 +230,7 @@ service.test(
   async (page) => {
     const si = await solved(page, { ...SI, ...FIELDS, load: { force: 612e3 } });
     await shown(page, { ...FIELDS, load: { force: 612 } });
-    await drawn(page);
+    await mises(page);
     const [least, largest] = [
       page.getByLabel('Least value coloured'),
       page.getByLabel('Largest value coloured'),
@@ -276,7 +276,7 @@ service.test(
   'a cut is of the bodies, however much their displacements are exaggerated, and says when there is none',
   async (page) => {
     await shown(page, { ...FIELDS, load: { force: 612 } });
-    await drawn(page);
+    await mises(page);
     await page.getByLabel('Cut', { exact: true }).check();
     await typeCut(page, ['0', '-0.6', '0', '0.6']);
     const curves = () =>

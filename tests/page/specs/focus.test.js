@@ -73,7 +73,7 @@ service.test('at buttons that have nothing more to do', async (page) => {
   assert.equal(await at(page), 'result SECTION');
   await page.locator('[data-preset=upper]').selectOption('Steel S235');
   await page.getByRole('button', { name: 'Keep as own…' }).first().click();
-  await page.getByLabel('Name').fill('Mine');
+  await page.getByLabel('Name', { exact: true }).fill('Mine');
   await page.keyboard.press('Enter');
   await page.locator('[data-forget=upper]').focus();
   await page.keyboard.press('Enter');

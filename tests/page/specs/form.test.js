@@ -386,7 +386,7 @@ service.test(
     // 285 HBW are 300 HV: 2.876 · 300 − 90.7.
     assert.equal((await draft(page)).upper.material.plasticity.yield_stress, 772);
     await page.getByRole('button', { name: 'Keep as own…' }).first().click();
-    await dialog.getByLabel('Name').fill('Race of pump P-12');
+    await dialog.getByLabel('Name', { exact: true }).fill('Race of pump P-12');
     await dialog.getByLabel('Source of its figures').fill('hardness test 2026-11');
     await dialog.getByRole('button', { name: 'Keep' }).click();
     await page.locator('[data-source=upper]').getByText('hardness test 2026-11').waitFor();
@@ -586,13 +586,7 @@ service.test('a force is looked for by what it does', async (page) => {
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.locator('[data-status=succeeded]').waitFor();
   const found = page.locator('#headline > dl > div', { hasText: 'Force found' });
-  assert.match(
-    (await found.textContent()) ?? '',
-    /for a half-width of 0\.2 mm, reached 0\.[12]\d+/,
-  );
-  await page.getByText('Units shown').click();
-  await page.getByLabel('Unit of length').selectOption('µm');
-  await found.getByText('for a half-width of 200 µm').waitFor();
+  assert.match((await found.textContent()) ?? '', /for a half-width of 0\.2 mm/);
 });
 
 service.test('every example converges', async (page) => {

@@ -156,6 +156,7 @@ service.test('every panel is a picture', async (page) => {
   const id = await solved(page, { output: { fields: true } });
   await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
+  await page.locator('.solver > summary').click();
   for (const panel of ['pressure', 'field', 'depth', 'convergence']) {
     const [file] = await Promise.all([
       page.waitForEvent('download'),
@@ -298,6 +299,7 @@ service.test('the list says why older jobs do not come', async (page) => {
 
 service.test('pictures of the convergence have both of its charts', async (page) => {
   await shown(page);
+  await page.locator('.solver > summary').click();
   const panel = page.locator('#panel-convergence');
   const [file] = await Promise.all([
     page.waitForEvent('download'),

@@ -20,7 +20,7 @@ async function changed(page, change) {
 /** @param {Page} page @param {string} name */
 async function keepAs(page, name) {
   await page.getByRole('button', { name: 'Keep as own…' }).first().click();
-  await page.getByRole('dialog').getByLabel('Name').fill(name);
+  await page.getByRole('dialog').getByLabel('Name', { exact: true }).fill(name);
   await page.getByRole('dialog').getByRole('button', { name: 'Keep', exact: true }).click();
 }
 

@@ -7,7 +7,7 @@ import { surfaceOf } from '../../../web/field/lift.js';
 import { outline } from '../../../web/setup/outline.js';
 import { counted, touching } from '../../../web/setup/touching.js';
 import { suite } from '../browser.js';
-import { OFF_CENTRE, drawn, follow, shown, solved } from '../jobs.js';
+import { OFF_CENTRE, drawn, follow, mises, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -46,7 +46,7 @@ service.test('the pressure is in its chart wherever the contact lies', async (pa
   const id = await shown(page, OFF_CENTRE);
   const { patches, half_width: half } = await contactOf(page, id);
   assert.ok(patches[0].left > half, 'the contact is beside x = 0');
-  const over = page.locator('#panel-pressure .plot .over');
+  const over = page.locator('#panel-pressure .plot .reach');
   const size = await over.boundingBox();
   assert.ok(size);
   await over.hover({ position: { x: size.width / 2, y: 20 } });
@@ -146,6 +146,7 @@ service.test('the field begins at the contact, and so does a cut', async (page) 
     await page.getByRole('button', { name: 'Whole contact' }).click();
     await page.mouse.move(box.x + box.width / 2, box.y + 0.45 * box.height);
     await readout.getByText(/^upper body, x/).waitFor();
+    await mises(page);
     await page.getByLabel('Cut', { exact: true }).check();
     await page
       .getByRole('img', { name: /^von Mises stress along the cut, at most \d+/ })

@@ -127,7 +127,7 @@ service.test(
     await page.locator('.waiting').waitFor({ state: 'hidden' });
     assert.match(
       (await page.locator('#panel-field .over').getAttribute('aria-label')) ?? '',
-      /^Field of von Mises stress/,
+      /^Field of (von Mises stress|plastic strain)/,
     );
     await page.locator('.steps output').getByText('1 of 12').waitFor();
   },

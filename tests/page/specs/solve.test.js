@@ -26,7 +26,9 @@ service.test('a form is filled, a contact solved, its pressure drawn', async (pa
     2,
     'this contact and Hertz',
   );
-  for (const panel of ['field', 'depth', 'convergence', 'iterations'])
+  for (const panel of ['field', 'depth']) await page.locator(`#panel-${panel}`).waitFor();
+  await page.locator('.solver > summary').click();
+  for (const panel of ['convergence', 'iterations'])
     await page.locator(`#panel-${panel}`).waitFor();
 });
 
@@ -87,25 +89,13 @@ service.test('a sweep has its curve, and every step can be seen', async (page) =
   );
 });
 
-/**
- * Whether the chart there has so many pixels in a colour of the page.
- * @param {{within: string, name: string, pixels: number}} wanted
- */
+/** Whether a chart has a line of this colour that is so long. @param {{within: string, name: string, pixels: number}} of */
 function inked({ within, name, pixels }) {
-  const canvas = document.querySelector(`${within} canvas`);
-  if (!(canvas instanceof HTMLCanvasElement)) return false;
   const colour = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const channels = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
-  const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
-    0,
-    0,
-    canvas.width,
-    canvas.height,
+  const lines = /** @type {NodeListOf<SVGPathElement>} */ (
+    document.querySelectorAll(`${within} .plot path[stroke="${colour}"]`)
   );
-  let count = 0;
-  for (let k = 0; k < data.length; k += 4)
-    if (data[k + 3] > 128 && channels.every((c, j) => Math.abs(data[k + j] - c) < 12)) count += 1;
-  return count > pixels;
+  return [...lines].some((line) => line.getTotalLength() > pixels);
 }
 
 service.test('figures follow a slider, and the last one wins', async (page, { note }) => {
@@ -206,7 +196,7 @@ service.test('a key of the form solves nothing behind a dialogue or a report', a
     if (request.method() === 'POST' && request.url().endsWith('/v1/jobs')) count += 1;
   });
   await page.getByRole('button', { name: 'Keep as own…' }).first().click();
-  await page.getByLabel('Name').press('Control+Enter');
+  await page.getByLabel('Name', { exact: true }).press('Control+Enter');
   await page.getByRole('dialog').getByRole('button', { name: 'Cancel' }).click();
   await page.keyboard.press('Control+Enter');
   await page.locator(SOLVED).waitFor();

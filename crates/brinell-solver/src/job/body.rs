@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{Analysis, Material, Named, Shape, Surface, Units};
+use super::{Analysis, Material, Named, Shape, Surface, Units, name};
 
 /// One body of the contact: its shape, its material and the support of its far boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +15,8 @@ pub struct Body {
     pub shape: Shape,
     /// Elastic constants and hardening curve, or rigid.
     pub material: Material,
+    /// What people call the material.
+    pub material_name: Option<String>,
     /// Support of the far boundary. A rigid body ignores it.
     pub support: Support,
     /// Heights on top of the shape of a half-space.
@@ -30,15 +32,27 @@ impl Body {
         }
     }
 
+    /// Whether the other body has the same figures; names are none.
+    pub fn is_alike(&self, other: &Self) -> bool {
+        let Self { shape, material, material_name: _, support, surface } = self;
+        let figures = (&other.shape, &other.material, &other.support, &other.surface);
+        (shape, material, support, surface) == figures
+    }
+
     pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(&["shape", "support", "material", Surface::KEY]);
         let shape = object.required("shape", |c| Shape::read(c, units, &[]));
         let support = object.or("support", Support::default(), |c| c.named());
-        let material = object.required("material", |c| Material::read(c, units));
+        let material = object.required("material", |c| {
+            let name = c.object()?.or("name", None, |c| name::read(c).map(Some));
+            Some((Material::read(c, units)?, name?))
+        });
         let surface =
             object.or(Surface::KEY, None, |c| Surface::read(c, units).map(Arc::new).map(Some));
-        Some(Self { shape: shape?, material: material?, support: support?, surface: surface? })
+        let (material, material_name) = material?;
+        let (shape, support, surface) = (shape?, support?, surface?);
+        Some(Self { shape, material, material_name, support, surface })
     }
 }
 
@@ -50,7 +64,10 @@ impl InUnits<'_, Body> {
         WireBody {
             shape: InUnits(&self.0.shape, self.1),
             support: has_support.then_some(self.0.support),
-            material: InUnits(&self.0.material, self.1),
+            material: WireMaterial {
+                name: self.0.material_name.as_deref(),
+                figures: InUnits(&self.0.material, self.1),
+            },
             surface: self.0.surface.as_deref().map(|surface| InUnits(surface, self.1)),
         }
     }
@@ -61,9 +78,17 @@ struct WireBody<'a> {
     shape: InUnits<'a, Shape>,
     #[serde(skip_serializing_if = "Option::is_none")]
     support: Option<Support>,
-    material: InUnits<'a, Material>,
+    material: WireMaterial<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     surface: Option<InUnits<'a, Surface>>,
+}
+
+#[derive(Serialize)]
+struct WireMaterial<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    #[serde(flatten)]
+    figures: InUnits<'a, Material>,
 }
 
 /// The support of a body's far boundary: the diametral plane of a cylinder, the base of a block.

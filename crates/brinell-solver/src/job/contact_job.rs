@@ -11,13 +11,15 @@ use super::reader::{self, Cursor, Faults, Node};
 use super::wire::InUnits;
 use super::{
     Body, FieldError, JobError, Load, Material, MeshSettings, Named, OutputSettings, Quantity,
-    SolverSettings, Units, tags,
+    SolverSettings, Units, name, tags,
 };
 
 /// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
 /// format and of the result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
+    /// What people call it.
+    pub title: Option<String>,
     /// Kinematics.
     pub analysis: Analysis,
     /// Units of the wire figures.
@@ -78,8 +80,9 @@ impl Analysis {
 }
 
 impl Job {
-    pub(super) const KEYS: &'static [&'static str] =
-        &["analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags"];
+    pub(super) const KEYS: &'static [&'static str] = &[
+        "title", "analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags",
+    ];
 
     /// Parses the wire format and reports every fault, not only the first.
     ///
@@ -141,6 +144,7 @@ impl Job {
     fn read_members(cursor: Cursor<'_>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(Self::KEYS);
+        let title = object.or("title", None, |c| name::read(c).map(Some));
         let analysis = object.required("analysis", |c| c.named::<Analysis>());
         let units = object.or("units", Units::default(), |c| c.named());
         let upper = object.required("upper", |c| Body::read(c, units));
@@ -153,6 +157,7 @@ impl Job {
         let output = object.or("output", OutputSettings::default(), read_settings);
         let tags = object.or("tags", BTreeMap::new(), tags::read);
         Some(Self {
+            title: title?,
             analysis: analysis?,
             units: units?,
             upper: upper?,
@@ -186,6 +191,9 @@ impl Serialize for Job {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let units = self.units;
         let mut map = serializer.serialize_map(None)?;
+        if let Some(title) = &self.title {
+            map.serialize_entry("title", title)?;
+        }
         map.serialize_entry("analysis", &self.analysis)?;
         map.serialize_entry("units", &units)?;
         map.serialize_entry("upper", &InUnits(&self.upper, units).of(self.analysis))?;

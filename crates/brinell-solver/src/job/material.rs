@@ -38,8 +38,10 @@ impl Material {
             );
             return None;
         }
-        let is_deformable = Deformable::KEYS.iter().any(|key| *key != "rigid" && object.has(key));
-        object.only(if is_deformable { &["rigid"] } else { Deformable::KEYS });
+        let of_rigid = ["name", "rigid"];
+        let is_deformable =
+            Deformable::KEYS.iter().any(|key| !of_rigid.contains(key) && object.has(key));
+        object.only(if is_deformable { &of_rigid } else { Deformable::KEYS });
         Some(Self::Rigid)
     }
 }
@@ -56,7 +58,7 @@ pub struct Deformable {
 
 impl Deformable {
     const KEYS: &[&str] =
-        &["young_modulus", "poisson_ratio", "plasticity", InitialStress::KEY, "rigid"];
+        &["name", "young_modulus", "poisson_ratio", "plasticity", InitialStress::KEY, "rigid"];
 
     /// Builds the material if the curve is valid with the constants: `E_t < E` (bilinear), an
     /// exponent in range (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).

@@ -18,6 +18,7 @@ pub mod hardening;
 pub mod initial_stress;
 pub mod load;
 mod material;
+pub mod name;
 mod no_data;
 mod npy;
 pub mod number;

@@ -12,7 +12,7 @@ use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase,
     Hardening, HardnessProfile, HardnessScale, InitialStress, Interpolation, Job, Load,
     MeshSettings, Named, OutputSettings, OverDepth, Quantity, RollerProfile, Shape,
-    SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units, tags,
+    SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units, name, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -183,6 +183,11 @@ impl Schemas<'_> {
             "Two bodies, what presses them together, and how to solve it. An unknown key is an \
              error; null is the same as leaving a member out.",
             vec![
+                Entry {
+                    key: "title",
+                    schema: name_schema("What the job is called."),
+                    required: false,
+                },
                 required("analysis", self.named("Analysis")),
                 optional("units", "Units", &units),
                 required("upper", self.named_as("ContactBody", "The body above the contact.")),
@@ -368,6 +373,11 @@ impl Schemas<'_> {
 
     fn materials(&self) -> Vec<(&'static str, Value)> {
         let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
+        let called = || Entry {
+            key: "name",
+            schema: name_schema("What the material is called; figures alone count."),
+            required: false,
+        };
         let mut elastic: Vec<_> =
             Elastic::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
         let absent = elastic
@@ -396,9 +406,10 @@ impl Schemas<'_> {
             }),
             required: false,
         });
+        elastic.push(called());
         elastic.push(never("rigid"));
         let rows = InitialStress::TABLE.fields.iter().map(|field| self.entry(field, None));
-        let mut rigid = vec![Entry { key: "rigid", schema: yes, required: true }];
+        let mut rigid = vec![Entry { key: "rigid", schema: yes, required: true }, called()];
         rigid.extend(absent.into_iter().map(never));
         vec![
             ("Material", self.one_of("What a body is made of.", &["Deformable", "Rigid"])),
@@ -684,8 +695,21 @@ fn figures_schema(quantities: &[Quantity], description: &str) -> Value {
     json!({"type": "number", "description": description, "minimum": low, "maximum": high})
 }
 
+/// Text without control characters.
+const PRINTABLE: &str = r"^[^\u0000-\u001f\u007f-\u009f]*$";
+
+fn name_schema(description: &str) -> Value {
+    json!({
+        "type": ["string", "null"],
+        "description": description,
+        "minLength": 1,
+        "maxLength": name::MAX_NAME,
+        "pattern": PRINTABLE,
+    })
+}
+
 fn tags_schema() -> Value {
-    let printable = r"^[^\u0000-\u001f\u007f-\u009f]*$";
+    let printable = PRINTABLE;
     json!({
         "type": "object",
         "description": "Labels: key to text, without control characters.",

@@ -134,12 +134,16 @@ fn deformable() -> impl Strategy<Value = Material> {
 }
 
 fn body(material: impl Strategy<Value = Material>) -> impl Strategy<Value = Body> {
-    (shape(), material, any_of(Support::ALL)).prop_map(|(shape, material, support)| Body {
-        shape,
-        material,
-        support,
-        surface: None,
+    let all = (shape(), material, named(), any_of(Support::ALL));
+    all.prop_map(|(shape, material, material_name, support)| {
+        let surface = None;
+        Body { shape, material, material_name, support, surface }
     })
+}
+
+/// A name, or none.
+fn named() -> impl Strategy<Value = Option<String>> {
+    proptest::option::of("[A-Za-zµ][ -~]{0,79}")
 }
 
 fn any_of<T: Named + std::fmt::Debug>(all: &'static [T]) -> impl Strategy<Value = T> {
@@ -204,10 +208,11 @@ pub fn job() -> impl Strategy<Value = Job> {
     let lower = prop_oneof![4 => deformable(), 1 => Just(Material::Rigid)];
     let bodies = (body(deformable()), body(lower), any::<bool>());
     let kinds = (any_of(Analysis::ALL), any_of(Units::ALL));
-    (kinds, bodies, load(), settings(), tags()).prop_map(
-        |((analysis, units), (one, other, swap), load, (mesh, solver, output), tags)| {
+    let names = (named(), tags());
+    (kinds, bodies, load(), settings(), names).prop_map(
+        |((analysis, units), (one, other, swap), load, (mesh, solver, output), (title, tags))| {
             let (upper, lower) = if swap { (other, one) } else { (one, other) };
-            Job { analysis, units, upper, lower, load, mesh, solver, output, tags }
+            Job { title, analysis, units, upper, lower, load, mesh, solver, output, tags }
         },
     )
 }

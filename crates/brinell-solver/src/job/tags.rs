@@ -33,7 +33,13 @@ pub(super) fn read(cursor: Cursor<'_>) -> Option<BTreeMap<String, String>> {
     all_good.then_some(tags)
 }
 
-fn check(cursor: Cursor<'_>, what: &str, text: &str, least: usize, most: usize) -> bool {
+pub(super) fn check(
+    cursor: Cursor<'_>,
+    what: &str,
+    text: &str,
+    least: usize,
+    most: usize,
+) -> bool {
     let length = text.chars().count();
     let fits = (least..=most).contains(&length);
     if !fits {

@@ -7,6 +7,7 @@ use super::findings::Finding;
 use super::{ErrorEstimate, FlowReport, PerBody, PlasticityReport, Side, StepReport};
 use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory};
 use crate::solver::SolveStatus;
+use crate::solver::method::figures::{Figure, Figures, Measure};
 use crate::units::{UnitConverter, about, rounded};
 
 /// One figure of a load step, made to be shown.
@@ -67,6 +68,8 @@ pub enum AnswerBody {
 pub enum AnswerQuantity {
     /// A length.
     Length,
+    /// An area.
+    Area,
     /// A stress.
     Stress,
     /// A force.
@@ -94,6 +97,7 @@ pub enum AnswerQuantity {
 impl Named for AnswerQuantity {
     const ALL: &'static [Self] = &[
         Self::Length,
+        Self::Area,
         Self::Stress,
         Self::Force,
         Self::LineForce,
@@ -110,6 +114,7 @@ impl Named for AnswerQuantity {
     fn name(self) -> &'static str {
         match self {
             Self::Length => "length",
+            Self::Area => "area",
             Self::Stress => "stress",
             Self::Force => "force",
             Self::LineForce => "line_force",
@@ -166,6 +171,8 @@ pub(super) struct Measured {
     /// Largest pressure of a cell beside the rim of heights, and its `[x, y]`, where the contact
     /// reaches the rim.
     pub inside_rim: Option<(f64, [f64; 2])>,
+    /// All figures.
+    pub figures: Figures,
     /// Over which points the fields were searched.
     pub points: &'static str,
     /// Whether an earlier load of the history, at least as large, has dented the bodies.
@@ -239,7 +246,7 @@ impl Facts<'_> {
     }
 
     pub fn is_alike(&self) -> bool {
-        self.job.upper == self.job.lower
+        self.job.upper.is_alike(&self.job.lower)
     }
 
     pub fn touches(&self) -> bool {
@@ -331,6 +338,7 @@ impl Facts<'_> {
         let (length, force) = (symbol(Quantity::Length), symbol(self.job.analysis.force()));
         match quantity {
             AnswerQuantity::Length => length.to_owned(),
+            AnswerQuantity::Area => format!("{length}²"),
             AnswerQuantity::Stress => symbol(Quantity::Stress).to_owned(),
             AnswerQuantity::Force | AnswerQuantity::LineForce => force.to_owned(),
             AnswerQuantity::Stiffness => format!("{force}/{length}"),
@@ -385,6 +393,7 @@ impl Facts<'_> {
             answers.extend(self.tension());
             answers.extend(self.core());
             answers.extend(self.strain());
+            answers.extend(self.without_member());
             answers.extend(self.work());
             return answers;
         }
@@ -398,6 +407,7 @@ impl Facts<'_> {
         if !is_graded {
             answers.extend(self.strength());
         }
+        answers.extend(self.without_member());
         answers.extend(self.of_shapes());
         answers.extend(self.stiffness());
         if self.step.flow.is_some() {
@@ -700,6 +710,46 @@ impl Facts<'_> {
             .text("over the area that has yielded; the largest has no limit on finer meshes")
         };
         Some(Answer { body: Some(body), ..answer })
+    }
+
+    /// Returns the figures that have no member of their own, where they are not 0. Their identifier
+    /// is their label.
+    fn without_member(&self) -> Vec<Answer> {
+        let mut answers = Vec::new();
+        for figure in Figure::ALL.iter().filter(|figure| !figure.has_member()) {
+            let sides: &[Side] = if figure.is_of_body() && !self.is_alike() {
+                &[Side::Upper, Side::Lower]
+            } else {
+                &[Side::Lower]
+            };
+            for side in sides {
+                let core = self.measured.figures.get(*figure, usize::from(*side == Side::Lower));
+                if core == 0.0 {
+                    continue;
+                }
+                let (quantity, value) = self.in_units(figure.measure(), core);
+                let label = figure.name().replace('_', " ");
+                let label = label[..1].to_uppercase() + &label[1..];
+                let answer = self.answer(figure.name(), &label, quantity, value);
+                answers.push(if figure.is_of_body() {
+                    answer.of(self.body(*side))
+                } else {
+                    answer
+                });
+            }
+        }
+        answers
+    }
+
+    fn in_units(&self, measure: Measure, core: f64) -> (AnswerQuantity, f64) {
+        let write = self.write;
+        match measure {
+            Measure::Length => (AnswerQuantity::Length, write.length(core)),
+            Measure::Area => (AnswerQuantity::Area, write.area(core)),
+            Measure::Stress => (AnswerQuantity::Stress, write.stress(core)),
+            Measure::Force => (self.force_quantity(), write.force(core)),
+            Measure::Strain => (AnswerQuantity::Strain, core),
+        }
     }
 
     /// Returns utilization and margin, which every loaded job has.

@@ -31,8 +31,8 @@ use crate::solver::{ElasticReference, StepSolution};
 
 /// Returns the name of a figure in `docs/validity.md` and its floors over h/a: in plane analyses,
 /// and of bodies of revolution.
-pub(super) const fn floors(figure: Figure) -> (&'static str, [f64; 2]) {
-    match figure {
+pub(super) const fn floors(figure: Figure) -> Option<(&'static str, [f64; 2])> {
+    Some(match figure {
         Figure::PeakPressure => ("peak pressure", [0.03, 0.1]),
         Figure::HalfWidth => ("half-width", [0.3, 0.3]),
         Figure::Approach => ("approach", [0.03, 0.03]),
@@ -44,7 +44,9 @@ pub(super) const fn floors(figure: Figure) -> (&'static str, [f64; 2]) {
         Figure::PileUp => ("pile-up", [0.03, 0.03]),
         Figure::LeastStress => ("residual stress", [0.25, 0.25]),
         Figure::LargestVonMises => ("utilization", [0.05, 0.05]),
-    }
+        // Figures that no meshes have been compared for, or that half-spaces alone have.
+        _ => return None,
+    })
 }
 
 /// Floors of the contact stiffness over h/a, for bodies that are elastic or unload: in plane
@@ -278,7 +280,7 @@ impl Bars {
         if found == 0.0 {
             return (coarse == 0.0).then_some(0.0);
         }
-        let floor = floors(figure).1[usize::from(self.of_revolution)];
+        let floor = floors(figure)?.1[usize::from(self.of_revolution)];
         let floor = floor * self.size * at(&self.scales);
         Some(((found - coarse).abs() + floor) / found.abs() + at(&self.increments))
     }
@@ -303,8 +305,7 @@ mod tests {
     #[test]
     fn the_document_has_the_same_floors() {
         let document = include_str!("../../../../docs/validity.md");
-        for figure in Figure::ALL {
-            let (figure, [plane, revolution]) = floors(*figure);
+        for (figure, [plane, revolution]) in Figure::ALL.iter().filter_map(|row| floors(*row)) {
             let row = format!("| {figure} | {plane} | {revolution} |");
             assert!(document.contains(&row), "{row}");
         }

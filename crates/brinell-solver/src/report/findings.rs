@@ -372,7 +372,8 @@ mod tests {
                 Voids::Figures(FigureSet::ALL) => "all figures".to_owned(),
                 Voids::Figures(set) => {
                     let figures = Figure::ALL.iter().filter(|figure| set.has(**figure, 0));
-                    let names: Vec<&str> = figures.map(|figure| floors(*figure).0).collect();
+                    let names: Vec<&str> =
+                        figures.filter_map(|figure| Some(floors(*figure)?.0)).collect();
                     names.join(", ")
                 }
             };

@@ -283,6 +283,7 @@ impl StepSolution {
             approach: self.approach,
             force: self.force(),
             bodies: self.bodies.each_ref().map(of),
+            ..Figures::default()
         }
     }
 
@@ -475,6 +476,14 @@ impl BodySolution {
             max_plastic_strain: self.max_plastic_strain(),
             mean_plastic_strain: self.mean_plastic_strain(),
             plastic_area: self.plastic_area(symmetric),
+            plastic_depth: self
+                .stress
+                .points
+                .iter()
+                .flatten()
+                .filter(|point| has_yielded(point))
+                .map(|point| self.mesh.frame.place(point.position)[1])
+                .fold(0.0, f64::max),
             dent: self.dent_depth(),
             pile_up: self.pile_up(),
             least_stress,

@@ -41,7 +41,7 @@ fn the_middle_of_a_long_ellipse_is_in_plane_strain() {
     let row = |j: usize| (0..nx).map(|i| map.pressure[i * ny + j]).sum::<f64>() * map.grid.hx();
     let line_load = 0.5 * (row((ny - 1) / 2) + row(ny / 2));
     near(step.figures.peak_pressure, plane_peak(line_load, "deformation"), 1e-2, "peak");
-    assert!(step.figures.semi_axes[1] > 20.0 * step.figures.semi_axes[0]);
+    assert!(step.figures.semi_axes()[1] > 20.0 * step.figures.semi_axes()[0]);
 }
 
 /// From rest the path of an increment is straight, as deformation theory takes it to be.
@@ -61,12 +61,12 @@ fn one_increment_from_rest_is_deformation_theory() {
     near(flow.figures.approach, whole.figures.approach, 1e-9, "approach");
     near(flow.largest_cell_pressure, whole.largest_cell_pressure, 1e-9, "peak");
     near(
-        flow.figures.max_plastic_strain[1],
-        whole.figures.max_plastic_strain[1],
+        flow.figures.bodies[1].max_plastic_strain,
+        whole.figures.bodies[1].max_plastic_strain,
         1e-9,
         "plastic strain",
     );
-    near(flow.figures.dent[1], whole.figures.dent[1], 1e-9, "dent");
+    near(flow.figures.bodies[1].dent, whole.figures.bodies[1].dent, 1e-9, "dent");
 }
 
 /// `∫P dα` of the increments, by powers of the approach between them.

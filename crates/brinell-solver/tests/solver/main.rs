@@ -7,6 +7,7 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 #![expect(clippy::float_cmp, reason = "what is set to zero is exactly zero")]
 
+mod answers;
 mod apart;
 mod approach;
 mod autofrettage;

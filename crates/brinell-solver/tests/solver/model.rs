@@ -41,6 +41,21 @@ mod accepted {
     use super::*;
 
     #[test]
+    fn names_of_job_and_materials() {
+        let mut job = example();
+        job["title"] = json!("Rolling mill, stand 4");
+        job["upper"]["material"]["name"] = json!("100Cr6, 60 HRC");
+        job["lower"]["material"] = json!({"name": "diamond", "rigid": true});
+        let read = Job::from_value(&job).unwrap();
+        assert_eq!(read.title.as_deref(), Some("Rolling mill, stand 4"));
+        assert_eq!(read.upper.material_name.as_deref(), Some("100Cr6, 60 HRC"));
+        let written = serde_json::to_value(&read).unwrap();
+        assert_eq!(written["title"], job["title"]);
+        assert_eq!(written["upper"]["material"]["name"], job["upper"]["material"]["name"]);
+        assert_eq!(written["lower"]["material"], job["lower"]["material"]);
+    }
+
+    #[test]
     fn the_papers_problem() {
         let job = Job::from_json(TWO_CYLINDERS.as_bytes()).unwrap();
         assert_eq!(job.units, Units::MmNMpa);
@@ -341,6 +356,19 @@ mod refused {
         ");
         job["tags"] = (0..33).map(|index| (format!("key{index}"), json!("value"))).collect();
         assert_snapshot!(faults_of(&job), @"/tags: must have at most 32 tags, got 33");
+    }
+
+    #[test]
+    fn names_that_are_none() {
+        let mut job = example();
+        job["title"] = json!("x".repeat(81));
+        job["upper"]["material"]["name"] = json!("");
+        job["lower"]["material"] = json!({"name": "a\u{7}b", "rigid": true});
+        assert_snapshot!(faults_of(&job), @r"
+        /title: the name must have between 1 and 80 characters, got 81
+        /upper/material/name: the name must have between 1 and 80 characters, got 0
+        /lower/material/name: the name must not contain control characters
+        ");
     }
 
     #[test]

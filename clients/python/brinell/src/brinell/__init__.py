@@ -54,6 +54,7 @@ from ._errors import (
     Unavailable,
 )
 from ._fields import BodyFields, Fields
+from ._find import Found
 from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
@@ -78,6 +79,7 @@ __all__ = [
     "Event",
     "Fault",
     "Fields",
+    "Found",
     "Identification",
     "InvalidJob",
     "Job",

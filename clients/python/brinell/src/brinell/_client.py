@@ -39,6 +39,7 @@ from ._core import (
 )
 from ._errors import InvalidJob
 from ._fields import Fields
+from ._find import Figure, Found, figure_of, found_of, number_at, search, with_value
 from ._local import LocalServer
 from ._plain import JobLike, Quantity, document_of, need, plain, tokens_of, with_values
 from ._result import NO_FIGURES, Result
@@ -312,6 +313,42 @@ class Client(_Connection):
             self._run(flow, collect)
         return table_of(points, rows)
 
+    def find(
+        self,
+        job: JobLike,
+        pointer: Pointers,
+        figure: Figure,
+        value: float,
+        *,
+        tolerance: float = 2e-3,
+        most: int = 30,
+    ) -> Found[Result]:
+        """Looks for the value of a number with which a figure of the answer is as wanted.
+
+        Each look is a job; the search begins at the number that the job has, goes to both sides
+        until the figure passes the wanted value, and closes in on it.
+
+        Args:
+            job: the job to begin with.
+            pointer: the number, as in `/upper/shape/radius`; several get the same value.
+            figure: a name among the answers, as `utilization` or `peak_pressure`, or a function
+                of the result.
+            value: the wanted figure: in the units of the job; a share as a number.
+            tolerance: how far the figure may be off, relative to the wanted one.
+            most: most jobs.
+        """
+        pointers = (pointer,) if isinstance(pointer, str) else pointer
+        document, begin = number_at(job, pointers[0])
+        steps = search(begin, value, tolerance, most)
+        results: dict[float, Result] = {}
+        at = next(steps)
+        try:
+            while True:
+                results[at] = self.solve(with_value(document, pointers, at))
+                at = steps.send(figure_of(results[at], figure))
+        except StopIteration as end:
+            return found_of(end.value, results, value, tolerance)
+
     def _result(self, report: dict[str, Any], id: str) -> Result:
         return Result(report, id, lambda id, step: self._run(self._core.fields(id, step)))
 
@@ -525,6 +562,29 @@ class AsyncClient(_Connection):
         with _Bar(progress, documents) as count:
             await self._run(flow, collect)
         return table_of(points, rows)
+
+    async def find(
+        self,
+        job: JobLike,
+        pointer: Pointers,
+        figure: Figure,
+        value: float,
+        *,
+        tolerance: float = 2e-3,
+        most: int = 30,
+    ) -> Found[AsyncResult]:
+        """As `Client.find`."""
+        pointers = (pointer,) if isinstance(pointer, str) else pointer
+        document, begin = number_at(job, pointers[0])
+        steps = search(begin, value, tolerance, most)
+        results: dict[float, AsyncResult] = {}
+        at = next(steps)
+        try:
+            while True:
+                results[at] = await self.solve(with_value(document, pointers, at))
+                at = steps.send(figure_of(results[at], figure))
+        except StopIteration as end:
+            return found_of(end.value, results, value, tolerance)
 
     async def _fetch(self, id: str, step: int) -> bytes:
         return await self._run(self._core.fields(id, step))

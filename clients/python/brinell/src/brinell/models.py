@@ -2180,6 +2180,15 @@ class Rigid(BaseModel):
     initial_stress: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    name: Annotated[
+        str | None,
+        Field(
+            description='What the material is called; figures alone count.',
+            max_length=80,
+            min_length=1,
+            pattern='^[^\\u0000-\\u001f\\u007f-\\u009f]*$',
+        ),
+    ] = None
     plasticity: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -3223,7 +3232,7 @@ class ClosedForm(BaseModel):
     effective_radius: Annotated[
         float,
         Field(
-            description='Effective radius of the two surfaces, in three dimensions that of their mean curvature. Unit: mm (SI: m).',
+            description='Effective radius of the two surfaces, along the shorter side of their contact. Unit: mm (SI: m).',
             examples=[10.0],
             gt=0.0,
         ),
@@ -4128,6 +4137,15 @@ class Deformable(BaseModel):
             min_length=1,
         ),
     ] = None
+    name: Annotated[
+        str | None,
+        Field(
+            description='What the material is called; figures alone count.',
+            max_length=80,
+            min_length=1,
+            pattern='^[^\\u0000-\\u001f\\u007f-\\u009f]*$',
+        ),
+    ] = None
     plasticity: Annotated[
         Bilinear | RambergOsgood | Table | Swift | Ludwik | Voce | None,
         Field(description='The hardening curve; a body without one stays elastic.'),
@@ -4229,6 +4247,15 @@ class ContactJob(BaseModel):
         Tags | None,
         Field(
             description='Free labels, echoed in the result; jobs can be listed by them.'
+        ),
+    ] = None
+    title: Annotated[
+        str | None,
+        Field(
+            description='What the job is called.',
+            max_length=80,
+            min_length=1,
+            pattern='^[^\\u0000-\\u001f\\u007f-\\u009f]*$',
         ),
     ] = None
     units: Annotated[

@@ -227,7 +227,7 @@ impl EllipticReference {
         let has_outline =
             self.problem.heights.is_none() && self.problem.rollers.iter().all(RollerGap::is_plain);
         if has_outline {
-            self.of_outline(step.figures.semi_axes)
+            self.of_outline(step.figures.semi_axes())
         } else {
             self.of_cells(&step.surface)
         }

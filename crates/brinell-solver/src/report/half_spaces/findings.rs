@@ -33,13 +33,15 @@ pub(super) fn findings(
 ) -> Vec<Finding> {
     let mut findings: Vec<Finding> = Vec::new();
     findings.extend(status(job, step));
-    findings.extend(widest(job, problem.orientation(), step.figures.semi_axes).map(Finding::Wide));
+    findings
+        .extend(widest(job, problem.orientation(), step.figures.semi_axes()).map(Finding::Wide));
     findings.extend(problem.half_length().and_then(|_| wide_tilt(step)).map(Finding::Wide));
     if step.reaches_edge {
         findings.push(Finding::AtEdge { in_hole: false });
     }
     findings.extend(coarse_grid(problem, step));
-    let strain = step.figures.max_plastic_strain.into_iter().fold(0.0, f64::max);
+    let strain =
+        step.figures.bodies.iter().map(|body| body.max_plastic_strain).fold(0.0, f64::max);
     let is_history = job.solver.theory == Theory::Flow;
     let last = is_history.then_some(step.last_increment);
     findings.extend(large_strain(strain, step.has_collapsed, last));
@@ -88,7 +90,7 @@ fn deformation(job: &Job, problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> D
 
 /// Returns the finding on a contact of few cells.
 fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
-    let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes);
+    let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes());
     let number = (a / grid.hx()).min(b / grid.hy());
     if step.is_preliminary || number <= 0.0 || number >= COARSE_GRID {
         return None;
@@ -106,7 +108,7 @@ fn of_shapes(problem: &HalfSpaceProblem, step: &HalfSpaceStep, findings: &mut Ve
     if has_kinks(problem) {
         findings.push(Finding::Kinks);
     }
-    let [a, b] = step.figures.semi_axes;
+    let [a, b] = step.figures.semi_axes();
     if a > 0.0 {
         let across_roller = !problem.rollers.is_empty();
         findings.push(Finding::HalfSpaces { reach: REACH * b, across_roller });

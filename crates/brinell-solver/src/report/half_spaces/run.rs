@@ -16,7 +16,8 @@ use crate::report::load_approach::CurvePoint;
 use crate::report::run::RunError;
 use crate::report::target::TargetSeen;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
-use crate::solver::half_spaces::{self, HalfSpaceFigures, HalfSpaceStep};
+use crate::solver::half_spaces::{self, HalfSpaceStep};
+use crate::solver::method::figures::{Figure, Figures};
 use crate::solver::{Observer, Options, SolveStatus, StepReceiver};
 use crate::units::UnitConverter;
 
@@ -141,8 +142,8 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
             seen.target.take(step.figures.force, reached, target_error(&step, target.figure));
         }
         if step.status == SolveStatus::Converged {
-            let HalfSpaceFigures { approach, force, semi_axes, .. } = step.figures;
-            let end = [approach, force, semi_axes[0]];
+            let Figures { approach, force, half_width, .. } = step.figures;
+            let end = [approach, force, half_width];
             let spacing = step.surface.grid.hx();
             seen.curve.extend(load_approach::points(&step.increments, end, spacing, stiffness));
         }
@@ -161,17 +162,17 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
 /// Returns the estimated relative error of the target figure.
 fn target_error(step: &HalfSpaceStep, figure: TargetFigure) -> Option<f64> {
     let errors = step.errors.as_ref()?;
-    let (figures, most) = (&step.figures, |pair: [f64; 2]| pair[0].max(pair[1]));
+    let figures = &step.figures;
+    let of_body =
+        |figure: Figure| [errors, figures].map(|set| set.get(figure, 0).max(set.get(figure, 1)));
     let [error, value] = match figure {
         TargetFigure::PermanentApproach => [errors.approach, figures.approach],
-        TargetFigure::DentDepth => [most(errors.dent), most(figures.dent)],
+        TargetFigure::DentDepth => of_body(Figure::Dent),
         TargetFigure::PeakPressure => [errors.peak_pressure, figures.peak_pressure],
         // The error of a mean pressure is the error of its area.
-        TargetFigure::MeanPressure => [errors.area, figures.area],
-        TargetFigure::HalfWidth => [errors.semi_axes[0], figures.semi_axes[0]],
-        TargetFigure::MaxPlasticStrain => {
-            [most(errors.max_plastic_strain), most(figures.max_plastic_strain)]
-        }
+        TargetFigure::MeanPressure => [errors.contact_area, figures.contact_area],
+        TargetFigure::HalfWidth => [errors.half_width, figures.half_width],
+        TargetFigure::MaxPlasticStrain => of_body(Figure::MaxPlasticStrain),
     };
     Some((error / value.abs().max(f64::MIN_POSITIVE)).abs())
 }

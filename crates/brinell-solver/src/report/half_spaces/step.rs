@@ -17,7 +17,7 @@ use crate::report::{
 };
 use crate::report::{contact_stiffness, validity};
 use crate::solver::half_spaces::{
-    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
+    ColumnPoint, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
 };
 use crate::solver::method::figures::Figure;
 use crate::units::UnitConverter;
@@ -93,7 +93,7 @@ impl StepWriter<'_> {
 
     fn contact(&self, step: &HalfSpaceStep) -> ContactReport {
         let (write, figures, map) = (self.write, &step.figures, &step.surface);
-        let [a, _] = ordered(figures.semi_axes);
+        let [a, _] = ordered(figures.semi_axes());
         let touches = figures.force > 0.0;
         let pressure = section_along_x(map, &map.pressure);
         let cell = map.grid.cell_area();
@@ -104,7 +104,11 @@ impl StepWriter<'_> {
             half_angle: None,
             peak_pressure: write.stress(figures.peak_pressure),
             peak_position: write.length(step.peak_position[0]),
-            mean_pressure: if touches { write.stress(figures.force / figures.area) } else { 0.0 },
+            mean_pressure: if touches {
+                write.stress(figures.force / figures.contact_area)
+            } else {
+                0.0
+            },
             patches: touches
                 .then(|| Patch { left: write.length(-a), right: write.length(a) })
                 .into_iter()
@@ -152,9 +156,9 @@ impl StepWriter<'_> {
         let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
         ThreeDimensionalReport {
             orientation: self.orientation.to_degrees(),
-            a: write.length(ordered(figures.semi_axes)[0]),
-            b: write.length(ordered(figures.semi_axes)[1]),
-            area: write.area(figures.area),
+            a: write.length(ordered(figures.semi_axes())[0]),
+            b: write.length(ordered(figures.semi_axes())[1]),
+            area: write.area(figures.contact_area),
             largest_cell_pressure: write.stress(step.largest_cell_pressure),
             peak_position_y: write.length(step.peak_position[1]),
             hertz: step.hertz.map(|hertz| EllipticHertzReport {
@@ -195,7 +199,7 @@ impl StepWriter<'_> {
         let at = |part: f64| pressures.get((part * pressures.len() as f64) as usize).copied();
         let quantiles = QUANTILES.iter().filter_map(|part| at(*part));
         Some(RoughContactReport {
-            contact_ratio: figures.area / all,
+            contact_ratio: figures.contact_area / all,
             nominal_pressure: write.stress(figures.force / all),
             parts: QUANTILES.to_vec(),
             pressure_quantiles: quantiles.map(|pressure| write.stress(pressure)).collect(),
@@ -350,7 +354,7 @@ impl StepWriter<'_> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies is proportional to the contact size.
-            (Some(_), _) => Some(0.5 * relative(errors.area, figures.area)),
+            (Some(_), _) => Some(0.5 * relative(errors.contact_area, figures.contact_area)),
             (None, Some(_)) => Some(contact_stiffness::ERROR),
             (None, None) => None,
         };
@@ -374,34 +378,31 @@ impl StepWriter<'_> {
     /// Returns the relative error of a semi-axis, or `None` for heights: single asperities bound
     /// their contact.
     fn semi_axis_error(&self, step: &HalfSpaceStep, axis: usize) -> Option<f64> {
-        let error = step.errors.as_ref()?.semi_axes[axis];
+        let error = step.errors.as_ref()?.semi_axes()[axis];
         let has_heights = self.problem.heights.is_some();
-        (!has_heights).then(|| relative(error, step.figures.semi_axes[axis]))
+        (!has_heights).then(|| relative(error, step.figures.semi_axes()[axis]))
     }
 
     fn ellipse_errors(&self, step: &HalfSpaceStep, known: Known) -> Option<EllipseErrors> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
         let of = |side: usize| {
-            let part = |figure: Figure, of: fn(&HalfSpaceFigures) -> [f64; 2]| {
-                known.bar(figure, side, Some(relative(of(errors)[side], of(figures)[side])))
+            let part = |figure: Figure| {
+                let bar = relative(errors.get(figure, side), figures.get(figure, side));
+                known.bar(figure, side, Some(bar))
             };
             step.bodies[side].as_ref().map(|_| BodyErrors {
-                max_equivalent_plastic_strain: part(Figure::MaxPlasticStrain, |figures| {
-                    figures.max_plastic_strain
-                }),
+                max_equivalent_plastic_strain: part(Figure::MaxPlasticStrain),
                 mean_equivalent_plastic_strain: None,
                 area: None,
-                depth: part(Figure::Dent, |figures| figures.dent),
-                pile_up: part(Figure::PileUp, |figures| figures.pile_up),
-                least_stress: (figures.force <= 0.0)
-                    .then(|| part(Figure::LeastStress, |figures| figures.least_stress))
-                    .flatten(),
+                depth: part(Figure::Dent),
+                pile_up: part(Figure::PileUp),
+                least_stress: part(Figure::LeastStress).filter(|_| figures.force <= 0.0),
                 utilization: None,
             })
         };
         Some(EllipseErrors {
             b: self.semi_axis_error(step, 1),
-            area: relative(errors.area, figures.area),
+            area: relative(errors.contact_area, figures.contact_area),
             bodies: PerBody { upper: of(0), lower: of(1) },
         })
     }

@@ -11,7 +11,6 @@ use super::estimate::bytes;
 use super::law::law_of_cells;
 use super::measure::{place, reach, semi_axes};
 use super::problem::{Expected, HalfSpaceProblem};
-use super::step::HalfSpaceFigures;
 use super::system::{ElasticBody, HalfSpaces, Yielding, watched};
 use crate::contact::{ConjugateGradientSolver, ContactLoad};
 use crate::job::{self, Deformable, InitialStressProfile, Theory};
@@ -230,7 +229,7 @@ pub(super) struct HalfSpaceEngine<'a> {
     pub tolerance: f64,
     contact: ConjugateGradientSolver,
     /// Figures of a grid of half the cells at the end of each load of a history.
-    pub coarse: Vec<HalfSpaceFigures>,
+    pub coarse: Vec<Figures>,
 }
 
 /// Largest violation of a contact condition that the contact solver leaves: half of what the check

@@ -10,10 +10,10 @@
 //! to 10 cells over a semi-axis. The peak pressure of a tilted roller can lie up to half a cell
 //! from the middle of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
 
-use super::step::{HalfSpaceFigures, HalfSpaceStep};
+use super::step::HalfSpaceStep;
 use crate::contact::ContactLoad;
 use crate::solver::SolveStatus;
-use crate::solver::method::figures::Figures;
+use crate::solver::method::figures::{BodyFigures, Figures};
 
 const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
@@ -33,41 +33,34 @@ const FORCE_OVER_APPROACH: f64 = 1.5;
 impl HalfSpaceStep {
     /// Returns the errors by comparison with the figures on half the cells; `None` if the step has
     /// no answer.
-    pub(super) fn errors_beside(&self, coarse: &HalfSpaceFigures) -> Option<HalfSpaceFigures> {
+    pub(super) fn errors_beside(&self, coarse: &Figures) -> Option<Figures> {
         if self.status != SolveStatus::Converged {
             return None;
         }
-        let figures = self.figures.values();
-        let of_grid = difference(&self.figures, coarse).values();
-        let floors = floors(self).values();
-        let mut errors: [f64; 14] =
-            std::array::from_fn(|k| OF_GRID * of_grid[k] + floors[k] * figures[k].abs());
+        let of_grid = self.figures.zip(coarse, |fine, coarse| OF_GRID * (fine - coarse).abs());
+        let of_floors = floors(self).zip(&self.figures, |floor, figure| floor * figure.abs());
+        let mut errors = of_grid.zip(&of_floors, |grid, floor| grid + floor);
         // A prescribed quantity has no error.
         match self.load {
-            ContactLoad::Force(_) => errors[0] = 0.0,
-            ContactLoad::Approach(_) => errors[1] = 0.0,
+            ContactLoad::Force(_) => errors.force = 0.0,
+            ContactLoad::Approach(_) => errors.approach = 0.0,
         }
-        Some(HalfSpaceFigures::of(errors))
+        Some(errors)
     }
 
     fn yields(&self) -> bool {
-        self.figures.max_plastic_strain.iter().any(|strain| *strain > 0.0)
+        self.figures.bodies.iter().any(|body| body.max_plastic_strain > 0.0)
     }
 }
 
-fn difference(a: &HalfSpaceFigures, b: &HalfSpaceFigures) -> HalfSpaceFigures {
-    let (a, b) = (a.values(), b.values());
-    HalfSpaceFigures::of(std::array::from_fn(|k| (a[k] - b[k]).abs()))
-}
-
 /// Returns the floors relative to the figures.
-fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
+fn floors(step: &HalfSpaceStep) -> Figures {
     let scatter = if step.yields() { 1.0 } else { 0.0 };
     let (force, approach) = match step.load {
         ContactLoad::Force(_) => (0.0, SCATTER_OF_APPROACH),
         ContactLoad::Approach(_) => (FORCE_OVER_APPROACH * SCATTER_OF_APPROACH, 0.0),
     };
-    let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes);
+    let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes());
     let sizes = [(grid.hx(), a), (grid.hy(), b)].map(|(cell, axis)| cell / axis.max(cell));
     let semi_axes = sizes.map(|size| SCATTER_OF_AXES * size);
     let strain = scatter * SCATTER_OF_STRAIN * sizes[0].max(sizes[1]);
@@ -75,62 +68,37 @@ fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
     let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
     let is_between = step.tilt.abs() > 0.0;
     let between = if is_between { 0.5 * (0.5 * sizes[1]).powi(2) } else { 0.0 };
-    HalfSpaceFigures {
+    let of_body = BodyFigures {
+        max_plastic_strain: strain,
+        dent: scatter * SCATTER,
+        pile_up: scatter * SCATTER,
+        least_stress: scatter * SCATTER,
+        ..BodyFigures::default()
+    };
+    Figures {
         force,
         approach,
         peak_pressure: scatter * (SCATTER + SCATTER_OF_RING * from_middle) + between,
-        semi_axes,
-        area: semi_axes.iter().sum(),
-        max_plastic_strain: [strain; 2],
-        dent: [scatter * SCATTER; 2],
-        pile_up: [scatter * SCATTER; 2],
-        least_stress: [scatter * SCATTER; 2],
+        half_width: semi_axes[0],
+        semi_axis_y: semi_axes[1],
+        contact_area: semi_axes.iter().sum(),
+        bodies: [of_body; 2],
     }
 }
 
-impl HalfSpaceFigures {
-    /// Adds the relative changes of the figures under half as many increments. Approach, force and
-    /// widths have changes of their own; all other figures take the change of the pressure, which
-    /// is the largest.
-    pub(super) fn add_increments(&mut self, figures: &Self, changes: Figures) {
-        let Figures { peak_pressure, half_width, approach, force, .. } = changes;
-        let relative = Self {
-            force,
-            approach,
-            peak_pressure,
-            semi_axes: [half_width; 2],
-            area: 2.0 * half_width,
-            max_plastic_strain: [peak_pressure; 2],
-            dent: [peak_pressure; 2],
-            pile_up: [peak_pressure; 2],
-            least_stress: [peak_pressure; 2],
-        };
-        let (errors, figures, relative) = (self.values(), figures.values(), relative.values());
-        *self = Self::of(std::array::from_fn(|k| {
-            errors[k] + OF_INCREMENTS * relative[k] * figures[k].abs()
-        }));
-    }
-
-    fn values(&self) -> [f64; 14] {
-        let Self { force, approach, peak_pressure, semi_axes: [a, b], area, .. } = *self;
-        let [[e0, e1], [d0, d1], [p0, p1], [s0, s1]] =
-            [self.max_plastic_strain, self.dent, self.pile_up, self.least_stress];
-        [force, approach, peak_pressure, a, b, area, e0, e1, d0, d1, p0, p1, s0, s1]
-    }
-
-    fn of(
-        [force, approach, peak_pressure, a, b, area, e0, e1, d0, d1, p0, p1, s0, s1]: [f64; 14],
-    ) -> Self {
-        Self {
-            force,
-            approach,
-            peak_pressure,
-            semi_axes: [a, b],
-            area,
-            max_plastic_strain: [e0, e1],
-            dent: [d0, d1],
-            pile_up: [p0, p1],
-            least_stress: [s0, s1],
-        }
-    }
+/// Adds the relative changes of figures under half as many increments to their errors. Approach,
+/// force and widths have changes of their own; all other figures take the change of the pressure,
+/// which is the largest.
+pub(super) fn add_increments(errors: &mut Figures, figures: &Figures, changes: &Figures) {
+    let Figures { peak_pressure, half_width, approach, force, .. } = *changes;
+    let relative = Figures {
+        force,
+        approach,
+        half_width,
+        semi_axis_y: half_width,
+        contact_area: 2.0 * half_width,
+        ..Figures::of([peak_pressure; Figures::COUNT])
+    };
+    let added = relative.zip(figures, |relative, figure| OF_INCREMENTS * relative * figure.abs());
+    *errors = errors.zip(&added, |error, added| error + added);
 }

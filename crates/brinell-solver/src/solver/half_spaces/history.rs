@@ -5,7 +5,7 @@ use super::engine::{Answer, GridDesign, HalfSpaceEngine};
 use super::measure::{measure, place, stresses};
 use super::problem::HalfSpaceProblem;
 use super::run::size;
-use super::step::{HalfSpaceFigures, HalfSpaceStep};
+use super::step::HalfSpaceStep;
 use super::system::{HalfSpaces, never};
 use crate::contact::ContactLoad;
 use crate::job::Theory;
@@ -14,6 +14,7 @@ use crate::solver::loads::largest_loads;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::Controls;
+use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::history::{
     EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities,
@@ -38,7 +39,7 @@ pub(super) struct Memory {
     /// Position of the largest pressure under the last load above zero.
     peak: [f64; 2],
     /// Figures at the end of each load.
-    pub figures: Vec<HalfSpaceFigures>,
+    pub figures: Vec<Figures>,
 }
 
 impl HistoryEngine for HalfSpaceEngine<'_> {
@@ -58,7 +59,7 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     }
 
     fn bytes(memory: &Memory) -> usize {
-        memory.figures.capacity() * size_of::<HalfSpaceFigures>()
+        memory.figures.capacity() * size_of::<Figures>()
     }
 
     fn design_after(&self, memory: &Memory) -> GridDesign {

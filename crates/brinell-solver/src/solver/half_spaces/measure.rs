@@ -6,14 +6,15 @@ use std::sync::Arc;
 use brinell_contact::Flexibility as _;
 use brinell_halfspace::{Stop, Stopped, SurfaceGrid, TensorField, YieldingBody};
 
-use super::step::{HalfSpaceBody, HalfSpaceFigures, LargestStrain, SurfaceMap};
+use super::step::{HalfSpaceBody, LargestStrain, SurfaceMap};
 use super::system::{ElasticBody, HalfSpaces};
 use crate::solver::Energy;
 use crate::solver::method::couplings::iteration::Outcome;
+use crate::solver::method::figures::{BodyFigures, Figures};
 
 /// The figures and fields of an answer that follow from its state.
 pub(super) struct Measured {
-    pub figures: HalfSpaceFigures,
+    pub figures: Figures,
     pub peak_position: [f64; 2],
     pub largest_cell_pressure: f64,
     pub surface: SurfaceMap,
@@ -65,29 +66,17 @@ pub(super) fn measure(
     let bodies = fields(system, stresses.unwrap_or_default());
     let gap = contact.gap.iter().zip(&pressure);
     let gap = gap.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap }).collect();
-    let figures = HalfSpaceFigures {
+    let of_body = |body: &Option<Arc<HalfSpaceBody>>| {
+        body.as_deref().map_or_else(BodyFigures::default, |body| of_body(body, peak_position))
+    };
+    let figures = Figures {
         force: contact.total_force,
         approach: system.approach(contact),
         peak_pressure,
-        semi_axes: axes,
-        area: area(system, &pressure, axes),
-        max_plastic_strain: of_bodies(&bodies, |body| {
-            body.largest_strain.map_or(0.0, |most| most.value)
-        }),
-        dent: of_bodies(&bodies, |body| {
-            body.plastic_displacement.iter().copied().fold(0.0, f64::max)
-        }),
-        pile_up: of_bodies(&bodies, |body| {
-            -body.plastic_displacement.iter().copied().fold(0.0, f64::min)
-        }),
-        least_stress: of_bodies(&bodies, |body| {
-            let column = body.column(peak_position);
-            column
-                .iter()
-                .skip(1)
-                .map(|point| point.stress[0].min(point.stress[1]))
-                .fold(0.0, f64::min)
-        }),
+        half_width: axes[0],
+        semi_axis_y: axes[1],
+        contact_area: area(system, &pressure, axes),
+        bodies: [of_body(&bodies[0]), of_body(&bodies[1])],
     };
     Measured {
         figures,
@@ -125,11 +114,23 @@ fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
     energy
 }
 
-fn of_bodies(
-    bodies: &[Option<Arc<HalfSpaceBody>>; 2],
-    figure: impl Fn(&HalfSpaceBody) -> f64,
-) -> [f64; 2] {
-    bodies.each_ref().map(|body| body.as_deref().map_or(0.0, &figure))
+/// Measures the figures of a body. The least stress is that below the largest pressure.
+fn of_body(body: &HalfSpaceBody, peak_position: [f64; 2]) -> BodyFigures {
+    let displacement = || body.plastic_displacement.iter().copied();
+    let column = body.column(peak_position);
+    let n_cells = body.grid.n_cells();
+    let strains = body.equivalent_plastic_strain.chunks(n_cells.max(1)).enumerate();
+    let yielded =
+        strains.filter(|(_, strains)| strains.iter().any(|e| *e > 0.0)).map(|(layer, _)| layer);
+    let below = column.iter().skip(1).map(|point| point.stress[0].min(point.stress[1]));
+    BodyFigures {
+        max_plastic_strain: body.largest_strain.map_or(0.0, |most| most.value),
+        dent: displacement().fold(0.0, f64::max),
+        pile_up: -displacement().fold(0.0, f64::min),
+        least_stress: below.fold(0.0, f64::min),
+        plastic_depth: yielded.map(|layer| body.layers.middle(layer)).fold(0.0, f64::max),
+        ..BodyFigures::default()
+    }
 }
 
 /// Returns the middle of a cell.

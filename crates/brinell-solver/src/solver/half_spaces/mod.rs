@@ -28,6 +28,4 @@ pub use measure::Row;
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};
 pub use search::HighestUtilization;
-pub use step::{
-    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceStep, LargestStrain, SurfaceMap,
-};
+pub use step::{ColumnPoint, HalfSpaceBody, HalfSpaceStep, LargestStrain, SurfaceMap};

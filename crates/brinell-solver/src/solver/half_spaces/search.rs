@@ -206,12 +206,14 @@ impl HalfSpaceStep {
         let figures = &self.figures;
         match figure {
             TargetFigure::PermanentApproach => figures.approach,
-            TargetFigure::DentDepth => figures.dent[0].max(figures.dent[1]),
+            TargetFigure::DentDepth => figures.bodies[0].dent.max(figures.bodies[1].dent),
             TargetFigure::PeakPressure => figures.peak_pressure,
-            TargetFigure::MeanPressure => figures.force / figures.area.max(f64::MIN_POSITIVE),
-            TargetFigure::HalfWidth => figures.semi_axes[0].min(figures.semi_axes[1]),
+            TargetFigure::MeanPressure => {
+                figures.force / figures.contact_area.max(f64::MIN_POSITIVE)
+            }
+            TargetFigure::HalfWidth => figures.semi_axes()[0].min(figures.semi_axes()[1]),
             TargetFigure::MaxPlasticStrain => {
-                figures.max_plastic_strain[0].max(figures.max_plastic_strain[1])
+                figures.bodies[0].max_plastic_strain.max(figures.bodies[1].max_plastic_strain)
             }
         }
     }

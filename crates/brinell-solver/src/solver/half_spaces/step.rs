@@ -5,6 +5,7 @@ use std::sync::Arc;
 use brinell_contact::KktReport;
 use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 
+use super::errors::add_increments;
 use crate::contact::ContactLoad;
 use crate::solver::method::figures::Figures;
 use crate::solver::method::increments::LastIncrement;
@@ -20,11 +21,15 @@ pub struct HalfSpaceStep {
     pub status: SolveStatus,
     /// The prescribed force or approach.
     pub load: ContactLoad,
-    /// Scalar figures.
-    pub figures: HalfSpaceFigures,
+    /// Scalar figures. The semi-axes are extrapolated from the squared pressure of the outermost
+    /// cells on the axes, the contact area is that of their ellipse, the peak pressure is that
+    /// after a 3 × 3 binomial mean: unsmoothed, the pressure is jagged near the edge of a contact
+    /// that yields. Dent and pile-up are those by plastic strain alone. The least stress is that
+    /// of σxx and σyy in the column below the peak pressure, without the surface layer.
+    pub figures: Figures,
     /// Estimated absolute errors of these figures; `None` where the solve on the coarse grid has
     /// no answer.
-    pub errors: Option<HalfSpaceFigures>,
+    pub errors: Option<Figures>,
     /// `[x, y]` of the largest smoothed pressure. Without contact, the position under the last
     /// load with contact.
     pub peak_position: [f64; 2],
@@ -69,33 +74,6 @@ pub struct HalfSpaceStep {
     /// Ratio of the sought figure to its target, if the search has found no force that gives the
     /// target.
     pub missed: Option<f64>,
-}
-
-/// Scalar figures of a step, or their errors.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct HalfSpaceFigures {
-    /// Contact force \[N\].
-    pub force: f64,
-    /// Approach α of distant points of the two bodies \[mm\].
-    pub approach: f64,
-    /// Largest pressure after a 3 × 3 binomial mean \[MPa\]. Unsmoothed, the pressure is jagged
-    /// near the edge of a contact that yields.
-    pub peak_pressure: f64,
-    /// Semi-axes along x and y \[mm\], extrapolated from the squared pressure of the outermost
-    /// cells on the axes.
-    pub semi_axes: [f64; 2],
-    /// Area of the ellipse with these semi-axes \[mm²\].
-    pub area: f64,
-    /// Largest equivalent plastic strain in the upper and lower body.
-    pub max_plastic_strain: [f64; 2],
-    /// Largest depression of the surface by plastic strain \[mm\]; without load, the depth of the
-    /// dent.
-    pub dent: [f64; 2],
-    /// Largest rise of the surface by plastic strain \[mm\].
-    pub pile_up: [f64; 2],
-    /// Least of the stresses σxx and σyy in the column below the peak pressure, without the
-    /// surface layer \[MPa\]; without load, the residual stress.
-    pub least_stress: [f64; 2],
 }
 
 /// Pressure and gap in the cells of the surface: `[i ny + j]` for the cell `(i, j)` at
@@ -227,7 +205,7 @@ impl Step for HalfSpaceStep {
     /// [`errors`](Self::errors) already contain the change from the coarse history's figures.
     fn estimate(&mut self, _: Option<Figures>, increments: Option<Figures>) {
         if let (Some(errors), Some(changes)) = (&mut self.errors, increments) {
-            errors.add_increments(&self.figures, changes);
+            add_increments(errors, &self.figures, &changes);
         }
     }
 

@@ -1,0 +1,192 @@
+//! Answers and verdicts: their order, their figures beside closed forms, and where they are not
+//! known.
+
+use std::f64::consts::PI;
+
+use brinell_solver::job::Job;
+use brinell_solver::report::{self, Answer, Report, StepReport, VerdictLevel};
+use brinell_solver::solver::Unobserved;
+use serde_json::{Value, json};
+
+fn steel(yield_stress: f64) -> Value {
+    json!({"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
+        {"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 10_500}})
+}
+
+fn cylinder(material: &Value) -> Value {
+    json!({"shape": {"type": "cylinder", "radius": 20}, "material": material})
+}
+
+fn solve(job: &Value) -> Report {
+    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?} of {job}"));
+    report::run(&job, &mut Unobserved).unwrap()
+}
+
+/// Two cylinders of 20 mm radius that yield at 218.99 N/mm.
+fn cylinders(material: &Value, load: &Value, theory: &str) -> Value {
+    json!({"analysis": "plane_strain", "upper": cylinder(material), "lower": cylinder(material),
+        "load": load, "mesh": {"elements_per_half_width": 5}, "solver": {"theory": theory}})
+}
+
+fn answer<'a>(step: &'a StepReport, name: &str) -> &'a Answer {
+    let found = step.answers.iter().find(|answer| answer.name == name);
+    found.unwrap_or_else(|| panic!("no {name} in {:?}", step.answers))
+}
+
+fn value(step: &StepReport, name: &str) -> f64 {
+    answer(step, name).value.unwrap()
+}
+
+fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!((found / expected - 1.0).abs() < tolerance, "{what} {found} {expected}");
+}
+
+#[test]
+fn a_contact_beyond_yield_tells_its_state_and_its_margin() {
+    let report = solve(&cylinders(&steel(500.0), &json!({"force": 612.6106}), "deformation"));
+    let step = &report.steps[0];
+    let verdict = step.verdict.as_ref().unwrap();
+    assert_eq!(verdict.level, VerdictLevel::AboveShakedownLimit);
+    assert!(
+        verdict.text.starts_with("Yields: 2.8 times first yield at 218.99 N/mm; largest plastic")
+            && verdict.text.ends_with("(Hertz's peak 1500 > 1154.7 MPa)."),
+        "{verdict:?}"
+    );
+    assert_eq!(step.answers[0].name, "peak_pressure");
+    near(step.answers[0].elastic.unwrap(), 1500.0, 1e-6, "Hertz");
+    near(value(step, "margin"), 218.99 / 612.6106, 1e-4, "margin");
+    // Stress in a line contact goes with the root of the force.
+    near(value(step, "utilization"), (612.6106_f64 / 218.99).sqrt(), 1e-4, "utilization");
+    near(value(step, "effective_radius"), 10.0, 1e-12, "effective radius");
+    let zone = step.plasticity.lower.as_ref().unwrap();
+    assert_eq!(answer(step, "max_plastic_strain").value, zone.max_equivalent_plastic_strain);
+    let depth = value(step, "plastic_depth");
+    assert!(depth > zone.depth && depth < 3.0 * step.contact.half_width, "{depth}");
+}
+
+/// Half of the force of first yield; the same in layers, at the force that closed forms give.
+#[test]
+fn elastic_bodies_tell_how_far_they_are_from_yield() {
+    let step =
+        &solve(&cylinders(&steel(500.0), &json!({"force": 109.495}), "deformation")).steps[0];
+    assert_eq!(step.verdict.as_ref().unwrap().level, VerdictLevel::Elastic);
+    near(value(step, "margin"), 2.0, 1e-4, "margin");
+    near(value(step, "utilization"), 0.5_f64.sqrt(), 1e-4, "utilization");
+    let mut layered = steel(500.0);
+    layered["plasticity"]["over_depth"] = json!([[0, 2.0], [0.1, 2.0], [0.3, 1.0]]);
+    let step = &solve(&cylinders(&layered, &json!({"force": 100}), "deformation")).steps[0];
+    let onset = step.hertz.as_ref().unwrap().yield_onset_force.unwrap();
+    let step = &solve(&cylinders(&layered, &json!({"force": onset}), "deformation")).steps[0];
+    near(value(step, "utilization"), 1.0, 1e-6, "utilization at first yield");
+    near(value(step, "margin"), 1.0, 1e-9, "margin at first yield");
+    // Before the contact, the answers that ask for strength.
+    assert_eq!(step.answers[0].name, "utilization");
+}
+
+#[test]
+fn without_a_yield_stress_nothing_is_known_of_yield() {
+    let elastic = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+    let step = &solve(&cylinders(&elastic, &json!({"force": 100}), "deformation")).steps[0];
+    assert_eq!(step.verdict.as_ref().unwrap().level, VerdictLevel::NotKnown);
+    for name in ["utilization", "margin"] {
+        let answer = answer(step, name);
+        assert!(answer.value.is_none() && answer.text.contains("no yield stress"), "{answer:?}");
+    }
+}
+
+/// Hertz's onset does not hold for a punch; its corner has no elastic limit at all.
+#[test]
+fn a_sharp_corner_has_no_margin() {
+    let job = json!({"analysis": "plane_strain",
+        "upper": {"shape": {"type": "punch", "width": 4, "depth": 10}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 60}, "material": steel(1e5)},
+        "load": {"force": 100}, "mesh": {"elements_per_half_width": 5}});
+    let step = &solve(&job).steps[0];
+    assert_eq!(step.verdict.as_ref().unwrap().level, VerdictLevel::NotKnown);
+    assert!(answer(step, "utilization").value.is_none());
+    assert!(answer(step, "margin").value.is_none());
+}
+
+#[test]
+fn an_unloaded_contact_tells_the_dent_and_the_tension_of_the_field() {
+    let load = json!({"history": [{"force": 612.6106}, {"force": 0}]});
+    let report = solve(&cylinders(&steel(500.0), &load, "flow"));
+    let step = &report.steps[1];
+    let verdict = step.verdict.as_ref().unwrap();
+    assert_eq!(verdict.level, VerdictLevel::Dented);
+    assert!(verdict.text.contains("dent of") && verdict.text.contains("tension"), "{verdict:?}");
+    let names: Vec<&str> = step.answers.iter().map(|answer| answer.name.as_str()).collect();
+    let expected = ["dent_depth", "pile_up", "permanent_approach", "residual_tension"];
+    assert_eq!(names[..4], expected);
+    let surfaces = &step.flow.as_ref().unwrap().surfaces;
+    assert_eq!(value(step, "dent_depth"), surfaces.lower.as_ref().unwrap().depth);
+    let profile = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
+    let on_axis = profile.sigma_x.iter().chain(&profile.sigma_z).copied().fold(0.0, f64::max);
+    assert!(value(step, "residual_tension") >= 0.98 * on_axis, "{on_axis}");
+    // Under the load that dented the bodies, Hertz's theory is that of bodies without a dent.
+    let load = json!({"history": [{"force": 612.6106}, {"force": 0}, {"force": 300}]});
+    let report = solve(&cylinders(&steel(500.0), &load, "flow"));
+    assert!(answer(&report.steps[2], "peak_pressure").text.contains("without a dent"));
+    assert_eq!(answer(&report.steps[0], "peak_pressure").text, "");
+}
+
+/// A roller in three dimensions and the same cylinder in the plane; a ball and Hertz's mean
+/// pressure of a circle.
+#[test]
+fn figures_of_three_dimensions_are_those_of_the_plane() {
+    let roller = json!({"analysis": "three_dimensional",
+        "upper": {"shape": {"type": "roller", "radius": 20, "length": 10, "profile": "iso_16281"},
+            "material": steel(500.0)},
+        "lower": {"shape": {"type": "flat"}, "material": steel(500.0)},
+        "load": {"force": 1000}, "mesh": {"elements_per_half_width": 4}});
+    let step = &solve(&roller).steps[0];
+    near(value(step, "effective_radius"), 20.0, 1e-12, "effective radius");
+    assert!(answer(step, "mean_pressure").elastic.is_none());
+    let ball = json!({"analysis": "three_dimensional",
+        "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "flat"}, "material": steel(5000.0)},
+        "load": {"force": 70}, "mesh": {"elements_per_half_width": 4}});
+    let step = &solve(&ball).steps[0];
+    near(value(step, "effective_radius"), 10.0, 1e-12, "effective radius");
+    let hertz = answer(step, "mean_pressure").elastic.unwrap();
+    let [a, b] = ["semi_axis_a", "semi_axis_b"].map(|name| answer(step, name).elastic.unwrap());
+    near(hertz * PI * a * b, 70.0, 1e-6, "Hertz's mean pressure");
+    // Stress under a ball goes with the third root of the force.
+    near(value(step, "utilization").powi(-3), value(step, "margin"), 1e-4, "margin");
+}
+
+/// The contact ratio leads, and the peak is that within the rim.
+#[test]
+fn rough_surfaces_lead_with_their_contact() {
+    let heights: Vec<Vec<f64>> = (0..12)
+        .map(|i| (0..12).map(|j| if (i + j) % 3 == 0 { 1e-5 } else { 0.0 }).collect())
+        .collect();
+    let job = json!({"analysis": "three_dimensional",
+        "upper": {"shape": {"type": "flat"}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "flat"},
+            "surface": {"spacing_x": 0.01, "spacing_y": 0.01, "heights": heights},
+            "material": {"young_modulus": 210_000, "poisson_ratio": 0.3}},
+        "load": {"force": 0.5}});
+    let step = &solve(&job).steps[0];
+    assert_eq!(step.answers[0].name, "contact_ratio");
+    assert_eq!(step.answers[1].name, "nominal_pressure");
+    near(value(step, "nominal_pressure"), 0.5 / 0.0144, 1e-9, "nominal pressure");
+    assert!(step.validity.iter().any(|note| note.code == "surface_end"));
+    let peak = answer(step, "peak_pressure");
+    assert!(peak.text.contains("without the cells of the rim"), "{peak:?}");
+    assert!(peak.value.unwrap() < step.contact.peak_pressure);
+    let place = peak.place.unwrap();
+    assert!(place.x.abs() < 0.05 && place.y.unwrap().abs() < 0.05, "{place:?}");
+}
+
+#[test]
+fn results_without_answers_are_read() {
+    let report = solve(&cylinders(&steel(500.0), &json!({"force": 100}), "deformation"));
+    let mut old = serde_json::to_value(&report).unwrap();
+    for name in ["answers", "verdict"] {
+        old["steps"][0].as_object_mut().unwrap().remove(name);
+    }
+    let read: Report = serde_json::from_value(old).unwrap();
+    assert!(read.steps[0].answers.is_empty() && read.steps[0].verdict.is_none());
+    assert_eq!(read.steps[0].contact, report.steps[0].contact);
+}

@@ -1,0 +1,135 @@
+/** Every figure that is shown comes from the service: cards, sentence and table of twelve examples. */
+
+import assert from 'node:assert/strict';
+import { suite } from '../browser.js';
+
+const service = suite();
+
+/** Of the twelve, those whose usual mesh takes a debug build long are made coarser. */
+const MANY = 12;
+
+/** Signs that a figure is written with, and what it stands for. @param {string} text @returns {{value: number, last: number}[]} `last`: half of its last place */
+function figuresIn(text) {
+  const found = text
+    .replaceAll('\u202f', '')
+    .matchAll(/([−-]?)(\d+(?:\.(\d+))?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?/g);
+  return [...found].map(([, sign, digits, places = '', power = '']) => {
+    const exponent = Number(
+      [...power].map((one) => (one === '⁻' ? '-' : '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(one))).join('') || 0,
+    );
+    const scale = 10 ** exponent;
+    return {
+      value: (sign ? -1 : 1) * Number(digits) * scale,
+      last: 0.5000001 * 10 ** -places.length * scale,
+    };
+  });
+}
+
+/** Whether one of the numbers is what stands there. @param {{value: number, last: number}} figure @param {number[]} numbers */
+const among = ({ value, last }, numbers) =>
+  numbers.some((one) => Math.abs(Math.abs(one) - Math.abs(value)) <= last);
+
+for (let example = 0; example < MANY; example += 1)
+  service.test(
+    `every figure of example ${example + 1} is in the answer of the service`,
+    async (page, { note }) => {
+      const options = page.locator('#example option');
+      assert.ok((await options.count()) > MANY);
+      const label = (await options.nth(example + 1).textContent()) ?? '';
+      await page.locator('#example').selectOption({ label });
+      await page.locator('#cost').getByText('equations').waitFor();
+      await page
+        .locator('#form details')
+        .last()
+        .evaluate((one) => one.setAttribute('open', ''));
+      const elements = page.getByLabel('Elements per half-width');
+      const three = (await page.getByLabel('Analysis').inputValue()) === 'three_dimensional';
+      await elements.fill(three ? '6' : '10');
+      await page.getByLabel('Stress field on the mesh').uncheck();
+      await page.getByRole('button', { name: 'Solve', exact: true }).click();
+      await page.locator('[data-status=succeeded]').waitFor();
+      await page.locator('#headline .figures').first().waitFor();
+      const id = /job=([\w-]+)/.exec(page.url())?.[1];
+      const report = await page.evaluate(
+        async (id) => (await fetch(`v1/jobs/${id}/result?fields=summary`)).json(),
+        id,
+      );
+      const step = report.steps.at(-1);
+      assert.equal(
+        await page.locator('#headline .verdict-text span:last-child').textContent(),
+        step.verdict.text,
+      );
+      const cards = await page.locator('#headline [data-answer]').evaluateAll((all) =>
+        all.map((one) => ({
+          name: /** @type {HTMLElement} */ (one).dataset.answer,
+          figure: one.querySelector('.figure')?.textContent ?? '',
+          words: [...one.querySelectorAll('.bar-of-error, small')]
+            .map((part) =>
+              [...part.childNodes]
+                .map((node) =>
+                  node.nodeType === 3 || node.nodeName !== 'SPAN' ? node.textContent : '',
+                )
+                .join(''),
+            )
+            .join(' ; '),
+        })),
+      );
+      assert.deepEqual(
+        cards.map(({ name }) => name),
+        step.answers.map((/** @type {any} */ { name }) => name),
+      );
+      let count = 0;
+      cards.forEach(({ figure, words }, k) => {
+        const { value, error, bias, elastic, place, text, quantity } = step.answers[k];
+        const share = ['strain', 'ratio'].includes(quantity) ? 100 : 1;
+        const shown = figuresIn(figure.replace(/(mm|N|MPa|%|mrad).*$/, ''));
+        if (value === null) assert.ok(figure.startsWith('—'), figure);
+        else
+          assert.ok(
+            shown.length === 1 && among(shown[0], [value * share]),
+            `${figure} is not ${value}`,
+          );
+        const numbers = [
+          100 * error,
+          100 * bias,
+          elastic * share,
+          value / elastic,
+          place?.x,
+          place?.y,
+          place?.depth,
+          ...figuresIn(text).map(({ value }) => value),
+        ].filter(Number.isFinite);
+        for (const one of figuresIn(words)) {
+          assert.ok(
+            among(one, numbers),
+            `${one.value} of “${words}” is not in ${JSON.stringify(step.answers[k])}`,
+          );
+          count += 1;
+        }
+        count += 1;
+      });
+      const rows = await page
+        .locator('#panel-figures tbody tr')
+        .evaluateAll((all) =>
+          all.map((row) => [...row.children].map((cell) => cell.textContent ?? '')),
+        );
+      assert.equal(rows.length, report.steps.length);
+      rows.forEach((cells, k) => {
+        const of = report.steps[k];
+        const numbers = [k + 1];
+        const walk = (/** @type {any} */ part) => {
+          if (typeof part === 'number') numbers.push(part, 100 * part);
+          else if (part && typeof part === 'object' && !(Array.isArray(part) && part.length > 8))
+            Object.values(part).forEach(walk);
+        };
+        walk(of);
+        for (const cell of cells)
+          for (const one of figuresIn(cell)) {
+            assert.ok(among(one, numbers), `${cell} of step ${k + 1}`);
+            count += 1;
+          }
+      });
+      note(`${label}: ${count} figures`);
+      assert.ok(count > 15);
+    },
+  );

@@ -1,0 +1,438 @@
+/**
+ * Other values of a number of the shown job: a sweep over it, what ± 10 % of it do, and the value
+ * for which an answer is as wanted. Every value is a job of its own.
+ */
+
+import { Problem } from '../api/client.js';
+import { solveAll, solveOne } from '../jobs/batch.js';
+import { numbersOf, withValue } from '../jobs/numbers.js';
+import { byId, h, toast } from '../lib/dom.js';
+import { readNumber } from '../lib/number.js';
+import { exact, plain } from '../lib/units.js';
+import { answersOf, shareOf, unitOf, valueOf } from './answers.js';
+import { Chart } from './chart.js';
+import { scrolled, tableElements, takeAlong } from './figures.js';
+import { Panel } from './panel.js';
+import { search } from './search.js';
+
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {import('../jobs/batch.js').Trial} Trial */
+/** @typedef {import('../jobs/numbers.js').Numeric} Numeric */
+/** @typedef {{at: number, id: string, answers: import('./answers.js').Answer[]}} Point */
+
+/** Values of a sweep, as far as it goes to both sides. */
+const [MANY, WIDE] = [9, 2];
+/** What “± 10 %” stands for. */
+const SPREAD = 0.1;
+/** Answers beyond which a body is not safe: the share of its strength, and the factor on its load. */
+const LIMITS = /** @type {Record<string, number>} */ ({
+  utilization: 1,
+  core_utilization: 1,
+  margin: 1,
+});
+
+export class VaryPanel {
+  /** @type {Job} */
+  #job = {};
+  /** @type {Numeric[]} */
+  #numbers = [];
+  /** Of the last sweep or search. @type {Point[]} */
+  #points = [];
+  /** @type {Numeric | undefined} */
+  #varied;
+  /** @type {AbortController | undefined} */
+  #running;
+  /** @type {import('./answers.js').Answer[]} */
+  #answers = [];
+
+  /** @param {{spread: (ids: string[]) => void, open: (id: string) => void, use: (job: Job) => void, listed: () => void}} on `spread`: lays jobs over the shown one; `use`: puts a job into the form */
+  constructor(on) {
+    this.on = on;
+    this.number = h('select', {
+      'aria-label': 'Number that is varied',
+      onchange: () => this.#offer(),
+    });
+    this.from = box('From');
+    this.to = box('To');
+    this.many = box('How many');
+    this.many.value = String(MANY);
+    this.figure = h('select', { 'aria-label': 'Answer', onchange: () => this.#draw() });
+    this.wanted = box('Wanted value');
+    this.unit = h('span', { class: 'unit' });
+    this.words = h('p', { class: 'readout', role: 'status' });
+    this.chart = new Chart(240);
+    this.table = h('table');
+    this.whole = scrolled(this.table, 'values');
+    this.stop = h(
+      'button',
+      { type: 'button', hidden: true, onclick: () => this.#running?.abort() },
+      'Stop',
+    );
+    const button = (
+      /** @type {string} */ text,
+      /** @type {string} */ title,
+      /** @type {() => Promise<void>} */ work,
+    ) => h('button', { type: 'button', title, onclick: () => this.#run(work) }, text);
+    const tools = h(
+      'div',
+      { class: 'bar tools vary' },
+      h('label', {}, 'Number ', this.number),
+      button('± 10 %', 'Solve with 10 % less and 10 % more, and lay both over this job', () =>
+        this.#spread(),
+      ),
+      h('span', { class: 'group' }, this.from, ' – ', this.to, ' in ', this.many),
+      button('Sweep', 'Solve over these values', () => this.#sweep()),
+      this.stop,
+    );
+    const find = h(
+      'div',
+      { class: 'bar tools vary' },
+      h('label', {}, 'Answer ', this.figure),
+      h('span', { class: 'group' }, this.wanted, this.unit),
+      button(
+        'Find the number',
+        'Look for the value of the number with which the answer is this',
+        () => this.#find(),
+      ),
+    );
+    /** @type {Panel} */
+    this.panel = new Panel(
+      'vary',
+      'What if',
+      [tools, find, this.words, this.chart.element, this.whole],
+      {
+        controls: takeAlong(
+          () => this.#tableOf(),
+          'values',
+          () => this.panel.fileName('csv'),
+        ),
+        picture: (title) => this.chart.picture(title),
+        drawing: (title) => this.chart.drawing(title),
+      },
+    );
+    this.#clear();
+  }
+
+  /** Whether there is a curve to be seen. */
+  get hasCurve() {
+    return this.#points.length > 1;
+  }
+
+  /** @param {import('../types.js').Shown[]} shown @param {number} at step of the first */
+  show(shown, at) {
+    const [{ job, report, id }] = shown;
+    this.panel.show(id !== '');
+    // What a slider shows is no job that others are beside.
+    if (id === '') return;
+    const other = JSON.stringify(job) !== JSON.stringify(this.#job);
+    this.#answers = answersOf(report.steps[at], report);
+    if (!other) return;
+    this.#running?.abort();
+    this.#job = job;
+    this.#numbers = numbersOf(job);
+    const before = this.number.value;
+    this.number.replaceChildren(
+      ...this.#numbers.map(({ key, label }) => h('option', { value: key }, label)),
+    );
+    if (this.#numbers.some(({ key }) => key === before)) this.number.value = before;
+    this.#clear();
+    this.#offer();
+  }
+
+  #clear() {
+    this.#points = [];
+    this.#varied = undefined;
+    this.words.textContent = '';
+    this.chart.element.hidden = this.whole.hidden = true;
+  }
+
+  get #number() {
+    return this.#numbers.find(({ key }) => key === this.number.value) ?? this.#numbers[0];
+  }
+
+  /** Proposes values of the number, and answers to choose from. */
+  #offer() {
+    const number = this.#number;
+    if (!number) return;
+    const [low, high] = number.value === 0 ? [-1, 1] : [number.value / WIDE, number.value * WIDE];
+    [this.from.value, this.to.value] = [low, high].map((one) => typed(one));
+    const before = this.figure.value;
+    this.figure.replaceChildren(
+      ...this.#answers
+        .filter(({ value }) => value !== null)
+        .map(({ name, body, label }) => h('option', { value: keyOf({ name, body }) }, label)),
+    );
+    if ([...this.figure.options].some(({ value }) => value === before)) this.figure.value = before;
+    this.#draw();
+  }
+
+  /** @param {() => Promise<void>} work */
+  async #run(work) {
+    this.#running?.abort();
+    this.#running = new AbortController();
+    const { signal } = this.#running;
+    this.stop.hidden = false;
+    try {
+      await work();
+    } catch (error) {
+      if (!(error instanceof Problem) && !signal.aborted) throw error;
+      if (!signal.aborted) this.words.textContent = /** @type {Error} */ (error).message;
+    } finally {
+      if (!signal.aborted || this.#running?.signal === signal) this.stop.hidden = true;
+      this.on.listed();
+    }
+  }
+
+  /** A job of a value, named by it. @param {Numeric} number @param {number} value @returns {Job} */
+  #jobOf(number, value) {
+    const { output, ...job } = withValue(this.#job, number, value);
+    const words = `${number.label} ${exact(value)} ${number.unit}`.trim();
+    return {
+      ...job,
+      ...(output && { output: { ...output, fields: false } }),
+      tags: { ...job.tags, varied: words.slice(0, 256) },
+    };
+  }
+
+  async #spread() {
+    const { signal } = /** @type {AbortController} */ (this.#running);
+    const number = this.#number;
+    this.words.textContent = 'Solving with 10 % less and 10 % more…';
+    const jobs = [1 - SPREAD, 1 + SPREAD].map((part) =>
+      this.#jobOf(number, Number((part * number.value).toPrecision(12))),
+    );
+    const trials = await solveAll(jobs, signal, () => {});
+    const failed = trials.find(({ problem }) => problem);
+    this.words.textContent = failed
+      ? `With another ${number.label.toLowerCase()}: ${failed.problem}.`
+      : `${number.label} ± 10 %: each card has both answers, the charts both curves.`;
+    const solved = trials.filter(({ report }) => report).map(({ id }) => id);
+    if (solved.length === 0 || signal.aborted) return;
+    this.on.spread(solved);
+    byId('headline').scrollIntoView({ block: 'center' });
+  }
+
+  async #sweep() {
+    const { signal } = /** @type {AbortController} */ (this.#running);
+    const [from, to, many] = [this.from, this.to, this.many].map(({ value }) => readNumber(value));
+    const wrong = [from, to, many].find((one) => 'problem' in one);
+    if (wrong && 'problem' in wrong) return void toast(wrong.problem);
+    const [low, high, count] = /** @type {{value: number}[]} */ ([from, to, many]).map(
+      ({ value }) => value,
+    );
+    if (!(count >= 2 && count <= 100 && Number.isInteger(count)))
+      return void toast('A sweep has 2 to 100 values.');
+    // In equal ratios where both ends have a sign.
+    const ratio = low > 0 && high > 0;
+    const values = Array.from({ length: count }, (_, k) => {
+      const t = k / (count - 1);
+      return Number((ratio ? low * (high / low) ** t : low + t * (high - low)).toPrecision(4));
+    });
+    const number = this.#number;
+    this.#clear();
+    this.#varied = number;
+    await solveAll(
+      values.map((value) => this.#jobOf(number, value)),
+      signal,
+      (trials) => {
+        this.#take(number, trials, values);
+        const done = trials.filter((one) => one.done).length;
+        const refused = trials.filter(({ problem }) => problem);
+        this.words.textContent = [
+          done < count ? `${done} of ${count} are solved.` : '',
+          refused.length ? `${refused.length} have no answer: ${refused[0].problem}.` : '',
+        ]
+          .filter(Boolean)
+          .join(' ');
+      },
+    );
+    this.#say();
+  }
+
+  /** @param {Numeric} number @param {Trial[]} trials @param {number[]} values */
+  #take(number, trials, values) {
+    this.#varied = number;
+    this.#points = trials.flatMap(({ id, report }, k) => pointOf(values[k], id, report));
+    this.#draw();
+  }
+
+  async #find() {
+    const { signal } = /** @type {AbortController} */ (this.#running);
+    const number = this.#number;
+    const key = this.figure.value;
+    const reading = readNumber(this.wanted.value);
+    if ('problem' in reading) return void toast(reading.problem);
+    const asked = this.#answers.find((one) => keyOf(one) === key);
+    if (!asked || !(number.value > 0))
+      return void toast('Choose a number that is above 0, and an answer.');
+    const wanted = reading.value / shareOf(asked);
+    this.#clear();
+    this.#varied = number;
+    const points = /** @type {Point[]} */ ([]);
+    const look = async (/** @type {number} */ at) => {
+      const { id, report } = await solveOne(this.#jobOf(number, at), signal);
+      const [point] = pointOf(at, id, report);
+      if (point) points.push(point);
+      this.#points = [...points].sort((a, b) => a.at - b.at);
+      this.words.textContent = `${points.length} values looked at, the last is ${exact(at)} ${number.unit}.`;
+      this.#draw();
+      return point?.answers.find((one) => keyOf(one) === key)?.value ?? NaN;
+    };
+    const { best, found } = await search(look, number.value, wanted, () => signal.aborted);
+    const point = points.find(({ at }) => at === best.at);
+    const answer = point?.answers.find((one) => keyOf(one) === key);
+    if (!answer || !point) {
+      this.words.textContent = 'No value of this number has an answer.';
+      return;
+    }
+    this.words.replaceChildren(
+      found
+        ? `${number.label} ${exact(best.at)} ${number.unit}: ${answer.label.toLowerCase()} ${valueOf(answer)} ${unitOf(answer)}. `
+        : `${answer.label} is nowhere as wanted; nearest is ${valueOf(answer)} ${unitOf(answer)}, with ${number.label.toLowerCase()} ${exact(best.at)} ${number.unit}. `,
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'plain',
+          onclick: () => this.on.use(withValue(this.#job, number, best.at)),
+        },
+        'Put it into the form',
+      ),
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => this.on.open(point.id) },
+        'Show this job',
+      ),
+    );
+  }
+
+  /** Names the value at which the answer is least or largest, where that is between the ends. */
+  #say() {
+    const best = this.#optimum();
+    if (!best || this.words.textContent) return;
+    const { point, answer, end } = best;
+    const number = this.#varied;
+    this.words.replaceChildren(
+      `${answer.label} is ${end} at ${number?.label.toLowerCase()} ${exact(point.at)} ${number?.unit}: ${valueOf(answer)} ${unitOf(answer)}. `,
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => this.on.open(point.id) },
+        'Show this job',
+      ),
+    );
+  }
+
+  /** @returns {{point: Point, answer: import('./answers.js').Answer, end: 'least' | 'largest'} | undefined} */
+  #optimum() {
+    const key = this.figure.value;
+    const all = this.#points.flatMap((point) => {
+      const answer = point.answers.find((one) => keyOf(one) === key);
+      return answer && answer.value !== null ? [{ point, answer, value: answer.value }] : [];
+    });
+    const inner = (/** @type {typeof all[0]} */ one) =>
+      one !== all[0] && one !== all[all.length - 1];
+    const least = all.reduce((a, b) => (b.value < a.value ? b : a), all[0]);
+    const most = all.reduce((a, b) => (b.value > a.value ? b : a), all[0]);
+    if (all.length > 2 && inner(least)) return { ...least, end: 'least' };
+    return all.length > 2 && inner(most) ? { ...most, end: 'largest' } : undefined;
+  }
+
+  #draw() {
+    const key = this.figure.value;
+    const asked = this.#answers.find((one) => keyOf(one) === key);
+    this.unit.textContent = asked ? unitOf(asked) : '';
+    const number = this.#varied;
+    const curve = this.#points.flatMap(({ at, answers }) => {
+      const answer = answers.find((one) => keyOf(one) === key);
+      return answer && answer.value !== null
+        ? [{ x: at, y: answer.value * shareOf(answer), answer }]
+        : [];
+    });
+    this.chart.element.hidden = this.whole.hidden = curve.length < 2;
+    if (!number || curve.length < 2) return;
+    const [{ answer }] = curve;
+    const limit = LIMITS[answer.name];
+    const best = this.#optimum();
+    this.chart.show({
+      x: `${number.label.toLowerCase()}  [${number.unit || '1'}]`,
+      y: `${answer.label.toLowerCase()}  [${unitOf(answer) || '1'}]`,
+      curves: [
+        {
+          label: answer.label.toLowerCase(),
+          colour: '--curve-1',
+          points: true,
+          x: curve.map(({ x }) => x),
+          y: curve.map(({ y }) => y),
+        },
+      ],
+      marks: [
+        { across: 'x', at: number.value, text: 'shown' },
+        ...(best
+          ? [
+              {
+                across: /** @type {const} */ ('x'),
+                at: best.point.at,
+                text: best.end,
+                colour: '--good',
+              },
+            ]
+          : []),
+        ...(limit === undefined
+          ? []
+          : [
+              {
+                across: /** @type {const} */ ('y'),
+                at: limit * shareOf(answer),
+                text: 'limit',
+                colour: '--yield',
+              },
+            ]),
+      ],
+      words: `${answer.label} over ${number.label.toLowerCase()}, ${curve.length} values.`,
+    });
+    this.table.replaceChildren(
+      ...tableElements(this.#tableOf(), (row) => ({
+        class: 'choice',
+        onclick: () => this.on.open(this.#points[row].id),
+      })),
+    );
+  }
+
+  /** @returns {import('../lib/tabular.js').Table} */
+  #tableOf() {
+    const [first] = this.#points;
+    const all = first?.answers ?? [];
+    return {
+      columns: [
+        { title: this.#varied?.label.toLowerCase() ?? '', unit: this.#varied?.unit },
+        ...all.map((answer) => ({ title: answer.label.toLowerCase(), unit: unitOf(answer) })),
+      ],
+      rows: this.#points.map(({ at, answers }) => [
+        at,
+        ...all.map((one) => {
+          const answer = answers.find((other) => keyOf(other) === keyOf(one));
+          return answer && answer.value !== null ? answer.value * shareOf(answer) : null;
+        }),
+      ]),
+      write: (cell) => (typeof cell === 'number' ? plain(cell, 5) : (cell ?? '')),
+    };
+  }
+}
+
+/** @param {{name: string, body: string | null}} answer */
+const keyOf = ({ name, body }) => `${name} ${body ?? ''}`;
+
+/** @param {number} at @param {string} id @param {import('../types.js').Report} [report] @returns {Point[]} of its last step, where that is an answer */
+function pointOf(at, id, report) {
+  const step = report?.steps.at(-1);
+  return report && step?.status === 'converged'
+    ? [{ at, id, answers: answersOf(step, report) }]
+    : [];
+}
+
+/** @param {number} value as it is typed */
+const typed = (value) => String(Number(value.toPrecision(6)));
+
+/** @param {string} label */
+const box = (label) =>
+  h('input', { type: 'text', inputmode: 'decimal', size: 7, 'aria-label': label });

@@ -1,0 +1,34 @@
+/** The load as one line of a sketch. */
+
+import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
+import { TARGETS, loadOf, targetOf } from './fields.js';
+import { historyWords } from './history.js';
+import { sweepWords } from './list.js';
+
+/** Width of a sketch. */
+export const WIDTH = 380;
+/** Width of a letter, on average. */
+export const LETTER = 6.4;
+/** The same of a bold one. */
+export const BOLD = 7.2;
+
+/** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
+export function loadLine(job) {
+  const kind = loadOf(job.load);
+  const value = job.load?.[kind];
+  if (kind === 'onset' || kind === 'target') {
+    const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
+    return `P = ? (${kind === 'onset' ? 'first yield' : wanted})`;
+  }
+  const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
+  if (kind === 'history') {
+    const words = [undefined, 0].map((few) =>
+      historyWords(value, { force, approach }, { is: ' = ', few }),
+    );
+    return words.find((one) => BOLD * one.length < WIDTH - 8) ?? `${value.length} loads`;
+  }
+  /** @type {number[]} */
+  const list = [value].flat().filter((one) => Number.isFinite(one));
+  const [letter, name] = kind.startsWith('approach') ? ['α', approach] : ['P', force];
+  return `${letter} = ${list.length > 1 ? sweepWords(list) : exact(list[0])} ${name}`;
+}
