@@ -86,6 +86,19 @@ export function readTable(text, quantities, units, symbols) {
       return inJobUnits(value, own || named[axis], quantities[axis], units) ?? value;
     });
   });
+  for (const [axis, own] of beside.entries()) {
+    const isOwn = (/** @type {string} */ one) => inJobUnits(1, one, quantities[axis], units) === 1;
+    if (named[axis] || [...own].every(isOwn)) continue;
+    const isBare = (/** @type {Row} */ { cells }) => {
+      const cell = cells[order[axis]] ?? '';
+      return !unitBeside(cell, quantities[axis]) && !/^[-+]?0*[.,]?0*$/.test(cell);
+    };
+    const bare = body.find(isBare);
+    if (bare)
+      problems.push(
+        `line ${bare.number}: ${quoted(bare.cells[order[axis]] ?? '')} has no unit, and others of its column are in ${[...own].join(', ')}`,
+      );
+  }
   const [fault, ...more] = problems;
   if (fault)
     return {

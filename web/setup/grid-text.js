@@ -76,6 +76,8 @@ const HOLE =
   /^(-?nan(\(.*\))?|n\/?a|null|none|bad|void|masked|\*+|-{1,3}|\?+|no ?data|#n\/?[av]|#wert!|#value!|[-+]?1[.,]#(qnan|snan|ind|inf).*|[-+]?inf(inity)?)$/i;
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
 const COMMA = /^[-+]?\d*,\d+(e[-+]?\d+)?$/i;
+/** What stands behind a decimal comma, and no figure begins with. */
+const DIGITS = /^([-+]?0\d+|-0)$/;
 /** A decimal comma or a thousand. */
 const AMBIGUOUS = /^[-+]?[1-9]\d{0,2},\d{3}$/;
 const SIGN = /^\s*(#|%|\/\/|!|\*|;)+\s*/;
@@ -125,7 +127,12 @@ export function readGridText(text, skip = []) {
   const first = lines[0].line.trim();
   if (first === 'DSAA') return surfer(lines.slice(1));
   if (/^(ncols|nrows)\s+\d/i.test(first)) return esri(lines);
-  return plainGrid(lines);
+  const blank = new Set(
+    text
+      .split(/\r\n?|\n/)
+      .flatMap((line, k) => (line.trim() || skip.includes(k + 1) ? [] : [k + 1])),
+  );
+  return plainGrid(lines, blank);
 }
 
 /** Whether a line begins with a sign, and not with a word for a hole such as `#N/A`. @param {string} line */
@@ -251,13 +258,19 @@ function esri(lines) {
 
 /** @typedef {{number: number, line: string, cells: string[]}} Row */
 
-/** @param {Line[]} lines @returns {Grid} */
-function plainGrid(lines) {
+/** @param {Line[]} lines @param {Set<number>} blank numbers of lines @returns {Grid} */
+function plainGrid(lines, blank) {
   const separator = separatorOf(lines);
   const rows = lines.map((one) => ({ ...one, cells: cellsOf(one.line, separator) }));
   const isBody = rows.map(({ line, cells }) => !isComment(line) && isData(cells));
   const start = isBody.indexOf(true);
-  if (start < 0) throw new NotUnderstood('there are no figures in it');
+  if (start < 0) {
+    const { number, cells } = rows[Math.floor(rows.length / 2)];
+    const wrong = cells.find((cell) => !isFigure(cell) && /\d/.test(cell));
+    throw new NotUnderstood(
+      wrong ? `line ${number}: ${quoted(wrong)} is not a number` : 'there are no figures in it',
+    );
+  }
   const head = rows.slice(0, start);
   let body = /** @type {Row[]} */ ([]);
   rows.slice(start).forEach((row, k) => {
@@ -277,8 +290,26 @@ function plainGrid(lines) {
   });
   if (body.every(({ cells }) => cells.at(-1) === ''))
     body = body.map((row) => ({ ...row, cells: row.cells.slice(0, -1) }));
+  if (separator === ',')
+    for (const { number, cells } of body) {
+      const wrong = cells.find((cell) => DIGITS.test(cell));
+      if (wrong)
+        throw new NotUnderstood(
+          `line ${number}: ${quoted(wrong)} between commas: commas between figures, or decimal commas?`,
+        );
+    }
   const values = readFigures(body);
   const columns = values[0].length;
+  const gaps = body.slice(1).map(({ number }, k) => {
+    for (let one = body[k].number + 1; one < number; one++) if (blank.has(one)) return one;
+    return 0;
+  });
+  const gap = gaps.find(Boolean);
+  if (columns > 3 && gap && gaps.includes(0))
+    throw new NotUnderstood(
+      `line ${gap} is blank, with figures above and below: another map?`,
+      gap,
+    );
   const uneven = values.findIndex((row) => row.length !== columns);
   if (uneven > 0)
     throw new NotUnderstood(
@@ -301,11 +332,24 @@ function plainGrid(lines) {
 
 /** @param {Line[]} lines @returns {string} */
 function separatorOf(lines) {
-  const figures = lines.map(({ line }) => line).filter((line) => /^\s*[-+.,\d]/.test(line));
+  const figures = lines.map(({ line }) => line).filter((line) => /^\s*"?[-+.,\d]/.test(line));
   for (const one of ['\t', ';']) if (figures.some((line) => line.includes(one))) return one;
   if (figures.some((line) => /\d[.,]?\s+[-+]?[.,]?\d/.test(line)))
     return figures.some((line) => /\d,\s+[-+]?[.,]?\d/.test(line)) ? ', ' : ' ';
   return figures.some((line) => line.includes(',')) ? ',' : ' ';
+}
+
+/** Cells between separators, those in quotation marks as they are. @param {string} line @param {string} separator */
+function splitAt(line, separator) {
+  if (!line.includes('"')) return line.split(separator);
+  const parts = line.split('"');
+  const cells = [''];
+  parts.forEach((part, k) => {
+    const [first, ...rest] = k % 2 ? [part] : part.split(separator);
+    cells[cells.length - 1] += first;
+    cells.push(...rest);
+  });
+  return cells;
 }
 
 /** @param {string} line @param {string} separator */
@@ -319,7 +363,7 @@ function cellsOf(line, separator) {
           .split(/,\s+|\s+/)
       : separator === ' '
         ? wordsOf(bare.replace(/no data/gi, 'nodata'))
-        : bare.replace(/[ \r\n]+$/, '').split(separator);
+        : splitAt(bare.replace(/[ \r\n]+$/, ''), separator);
   return cells.map((cell) => cell.trim().replace(/^"|"$/g, '').trim());
 }
 
@@ -393,6 +437,10 @@ class Header {
   take({ number, line, cells }, isList) {
     const bare = withoutSign(line).trim().replace(/^"|"$/g, '').trim();
     if (!/[\p{L}\d]/u.test(bare) || (isList && this.#takesColumns(cells))) return;
+    if (!isList && cells.length > 3 && this.#takesColumns(cells.slice(0, 3)))
+      throw new NotUnderstood(
+        `line ${number}: ${quoted(bare)} names columns x, y, z and others: leave these three`,
+      );
     const full = cells.filter(Boolean);
     let [key, value] =
       line.includes(',') && full.length === 2 && !/[:=]/.test(bare) ? full : keyAndValue(bare);
@@ -482,11 +530,20 @@ class Header {
       throw new NotUnderstood(
         'the first line and the first column count: take them out of the file',
       );
+    const [first, second] = [0, 1].map((k) => rows.map((row) => row[k]));
+    if (!axes && counts(first) && !counts(second))
+      throw new NotUnderstood('the first column counts the lines: take it out of the file');
+    for (const [what, one, next] of /** @type {[string, number[], number[]][]} */ ([
+      ['line', rows[0], rows[1]],
+      ['column', first, second],
+    ]))
+      if (!axes && one.length > 5 && stepOf(one) !== undefined && stepOf(next) === undefined)
+        throw new NotUnderstood(
+          `the first ${what} rises or falls by equal steps, and the next does not: if it has places, take it out of the file and give the distance`,
+        );
     const { up, across } = this.units;
     const says = Object.keys(this.lengths).length + Object.keys(this.counts).length > 0;
     if (!axes && !says && !this.isGwyddion) {
-      if (counts(rows.map((row) => row[0])) && !counts(rows.map((row) => row[1])))
-        throw new NotUnderstood('the first column counts the lines: take it out of the file');
       notes.push('lines along y, one for each x');
       return { heights: rows, across, up, notes };
     }
@@ -508,7 +565,20 @@ class Header {
           `the head says ${this.counts[name]} ${words}, and there are ${count}`,
         );
     notes.push('lines along x, the first at the largest y');
+    const { width, length } = this.lengths;
+    const isCount = (/** @type {{value: number, unit: string} | undefined} */ side, /** @type {number} */ count) => side?.value === count && !side.unit; // prettier-ignore
+    if (isCount(width, nx) && isCount(length, ny) && !across) {
+      delete this.lengths.width;
+      delete this.lengths.length;
+      notes.push('width and height of the head are numbers of points');
+    }
     const said = this.#spacing(nx, ny);
+    const isOther =
+      said && spacing?.some((one, k) => Math.abs(one - said.spacing[k]) > 1e-3 * one);
+    if (isOther)
+      throw new NotUnderstood(
+        `the head makes distances of ${said.spacing.join(' and ')}, the first line and the first column of ${spacing?.join(' and ')}`,
+      );
     return {
       heights: turned([...lines].reverse()),
       spacing: said?.spacing ?? spacing,
@@ -526,6 +596,10 @@ class Header {
       ['length', 'dy', ny],
     ])) {
       const { [step]: own, [side]: whole } = this.lengths;
+      if (own && whole && !agree(own, whole, count))
+        throw new NotUnderstood(
+          `the head says ${count} steps of ${own.value} ${own.unit} and a side of ${whole.value} ${whole.unit}`,
+        );
       if (own) found.push(own);
       else if (whole) found.push({ value: whole.value / count, unit: whole.unit });
     }
@@ -553,6 +627,14 @@ class Header {
       table.map((row) => row[1]),
       'y',
     );
+    for (const [name, { count }] of /** @type {['nx' | 'ny', {count: number}][]} */ ([
+      ['nx', x],
+      ['ny', y],
+    ]))
+      if ((this.counts[name] ?? count) !== count)
+        throw new NotUnderstood(
+          `the head says ${this.counts[name]} places along ${name[1]}, and there are ${count}`,
+        );
     if (x.count * y.count > 4 * table.length)
       throw new NotUnderstood(
         `${grouped(table.length)} points stand on no grid: they would be ${x.count} × ${y.count}; put them on one first`,
@@ -577,6 +659,17 @@ class Header {
       ],
     };
   }
+}
+
+/**
+ * Whether so many steps, or one fewer, make a side; also where a unit is left open.
+ * @param {{value: number, unit: string}} step @param {{value: number, unit: string}} side @param {number} count
+ */
+function agree(step, side, count) {
+  if (!step.unit !== !side.unit) return true;
+  const ratio = step.unit ? (lengthInMm(side.unit) ?? NaN) / (lengthInMm(step.unit) ?? NaN) : 1;
+  const steps = (side.value * ratio) / step.value;
+  return steps >= 0.999 * (count - 1) && steps <= 1.001 * count;
 }
 
 /** Whether values are 0, 1, 2 or 1, 2, 3 and so on. @param {number[]} values */

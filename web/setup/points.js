@@ -10,7 +10,7 @@ import { textOf } from '../lib/text-file.js';
 import { inJobUnits, plain, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { fromTest } from './hardening.js';
-import { CUT_OFFS, levelled, longWaves, thinnedTrace } from './trace.js';
+import { CUT_OFFS, levelled, longWaves, noData, thinnedTrace } from './trace.js';
 import { written } from './written.js';
 
 /** Most letters of a table at fault that are shown to be put right. */
@@ -60,7 +60,8 @@ export function pointsControl(field, id, change, { units, parent }) {
     const result = table(text);
     if ('points' in result && result.points.length) {
       const { points, notes } = inOrder(result.points);
-      const read = [`${points.length} points read`, ...result.notes, ...notes];
+      const strange = isTrace ? noData(points) : [];
+      const read = [`${points.length} points read`, ...result.notes, ...notes, ...strange];
       if (points.length <= MOST) put(points, read);
       else if (points.some(([x], k) => k > 0 && !(x > points[k - 1][0])))
         note.textContent = `Not taken: ${points.length} lines of figures: at most ${MOST} are taken of what is no trace, whose x rises`;

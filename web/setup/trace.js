@@ -4,6 +4,11 @@ import { figure, grouped, percent } from '../lib/units.js';
 
 /** @typedef {[x: number, height: number][]} Trace x rising */
 
+/** Figures that programs put where nothing was measured, in the unit of their file. */
+const KNOWN = [-9999, 9999, -99999, 99999, -32768, 32767, 65535, -1e30, 1e30];
+/** How many times as far as all others reach a height is away that is none. */
+const FAR = 1e4;
+
 /** sqrt(ln 2 / π): the Gaussian of ISO 16610-21 lets half of a wave of the cut-off pass. */
 const ALPHA = Math.sqrt(Math.LN2 / Math.PI);
 /** Steps of a filtered trace that lie within its cut-off. */
@@ -116,4 +121,29 @@ export function thinnedTrace(trace, most) {
     points,
     note: `${grouped(trace.length)} points thinned to ${grouped(points.length)}; ${percent(lost)} of the slope is lost`,
   };
+}
+
+/**
+ * What is to be said of heights that stand apart from all others and look like no data.
+ * @param {number[][]} trace in mm or m, of a file in these or in smaller units
+ * @returns {string[]}
+ */
+export function noData(trace) {
+  const heights = trace.map(([, height]) => height);
+  const order = Float64Array.from(heights).sort();
+  const ends = order.length > 2 ? [order[0], order[order.length - 1]] : [];
+  return ends.flatMap((end) => {
+    const rest = order.filter((one) => one !== end);
+    if (!rest.length) return [];
+    const [low, high] = [rest[0], rest[rest.length - 1]];
+    const [gap, reach] = [end < low ? low - end : end - high, high - low];
+    const isKnown = [1, 1e3, 1e6, 1e9].some((unit) =>
+      KNOWN.includes(Number((end * unit).toPrecision(12))),
+    );
+    if (!((isKnown && gap > reach / 2) || (reach > 0 && gap > FAR * reach))) return [];
+    const count = heights.length - rest.length;
+    return [
+      `${grouped(count)} of ${grouped(heights.length)} heights ${count === 1 ? 'is' : 'are'} ${figure(end, 4)}, the first at point ${heights.indexOf(end) + 1}, and the others reach over ${figure(reach, 3)}: no data? Leave ${count === 1 ? 'its line' : 'their lines'} out`,
+    ];
+  });
 }

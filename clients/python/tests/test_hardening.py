@@ -93,3 +93,9 @@ def test_rockwell_is_taken_by_the_service(client: Client) -> None:
     assert peaks[0] == pytest.approx(peaks[1], rel=1e-12)
     drawn = hardening.case(58.8, 38.8, 0.8, scale="HRC")
     assert client.validate(job(drawn))["equations"] > 0
+
+
+def test_a_modulus_that_is_no_number_is_named() -> None:
+    for name in ("young_modulus", "offset"):
+        with pytest.raises(brinell.InvalidJob, match=f"#/{name}: nan is no finite number"):
+            brinell.hardening.from_tensile([0, 1], [0, 1], **{name: float("nan")})

@@ -410,3 +410,162 @@ def test_the_line_of_the_documents_saves_a_masked_array(
     exec(line, {"numpy": np, "heights": heights})
     read = brinell.surface("heights.npy", spacing=1, unit="µm")
     assert read.missing == np.count_nonzero(heights.mask)
+
+
+def test_masks_in_lists_are_holes() -> None:
+    heights = bumps()
+    mask = np.zeros(heights.shape, dtype=bool)
+    mask[2, 3] = True
+    rows = [np.ma.array(row, mask=hidden) for row, hidden in zip(heights, mask, strict=True)]
+    tables = [pd.Series(row).mask(hidden) for row, hidden in zip(heights, mask, strict=True)]
+    for source in (rows, tables):
+        assert np.argwhere(np.isnan(brinell.surface(source, spacing=1).heights)).tolist() == [
+            [2, 3]
+        ]
+    columns = [np.arange(24.0), np.ma.array(heights[:, 0], mask=mask[:, 3])]
+    with pytest.raises(
+        brinell.InvalidJob, match="1 of 24 heights are missing, the first at point 3"
+    ):
+        brinell.trace(columns)
+
+
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        (bumps() + 0j, "not complex128"),
+        (bumps() > 0, "not bool"),
+        (np.zeros((9, 9), dtype="M8[s]"), "not datetime64"),
+        (np.zeros((9, 9), dtype=[("x", "f8"), ("z", "f8")]), "give one of its fields"),
+        ([["1,5"] * 9] * 9, "heights/0/0: “1,5” is no number"),
+        ([[1.0, 2.0, 3.0]] * 8 + [[1.0, 2.0]], "lines of different lengths"),
+    ],
+)
+def test_what_is_no_figure_is_refused(source: Any, words: str) -> None:
+    with pytest.raises(brinell.InvalidJob) as caught:
+        brinell.surface(source, spacing=1)
+    assert words in str(caught.value)
+
+
+def test_labels_of_a_table_are_places() -> None:
+    heights = bumps()
+    x, y = 0.5 * np.arange(24), 0.25 * np.arange(16)
+    table = pd.DataFrame(heights, index=x, columns=y)
+    for one in (table, table.iloc[::-1], table.iloc[:, ::-1], table.rename(columns=str)):
+        made = brinell.surface(one, unit="µm")
+        assert made.heights == pytest.approx(1e-3 * heights)
+        assert made.spacing == pytest.approx((5e-4, 2.5e-4))
+    part = pd.DataFrame(heights).iloc[4:20, 2:]
+    assert brinell.surface(part, spacing=1).heights == pytest.approx(heights[4:20, 2:])
+    for one, words in (
+        (table, "the index of the table has steps of 0.5"),
+        (pd.DataFrame(heights).iloc[np.argsort(heights[:, 0])], "do not rise by equal steps"),
+    ):
+        with pytest.raises(brinell.InvalidJob, match=words):
+            brinell.surface(one, spacing=1)
+    points = [[heights[i, j], x[i], y[j]] for i in range(24) for j in range(16)]
+    made = brinell.surface(pd.DataFrame(points, columns=["z", "x", "y"]))
+    assert made.heights == pytest.approx(heights)
+
+
+def test_units_that_contradict_an_array_of_xarray_are_refused() -> None:
+    def array(across: str = "µm", along: str = "µm", **attributes: str) -> Any:
+        return xarray.DataArray(
+            bumps(),
+            dims=("x", "y"),
+            coords={
+                "x": ("x", 0.5 * np.arange(24), {"units": across}),
+                "y": ("y", 0.5 * np.arange(16), {"units": along}),
+            },
+            attrs={"units": "nm", **attributes},
+        )
+
+    for source, given, words in (
+        (array(), {"height_unit": "µm"}, "the array says 'nm'"),
+        (array(), {"unit": "mm"}, "the array says 'µm'"),
+        (array("µm", "mm"), {"unit": "mm"}, "in µm and in mm"),
+        (array(positive="down"), {}, "count downward"),
+    ):
+        with pytest.raises(brinell.InvalidJob, match=words):
+            brinell.surface(source, **given)
+
+
+def waves() -> tuple[Any, Any]:
+    """Places [mm] and heights [µm] of a trace."""
+    x = 0.005 * np.arange(200)
+    return x, np.sin(5 * x) + 0.2 * np.cos(71 * x)
+
+
+@pytest.mark.parametrize(
+    ("head", "given", "words"),
+    [
+        (["x [mm]\tz [µm]"], {}, None),
+        (["X-Einheit [mm]", "Z-Einheit [µm]"], {}, None),
+        (["x unit = mm", "z unit = µm"], {}, None),
+        (["x\tz", "mm\tµm"], {}, None),
+        (["Profile in direction of rolling", "# x(mm) z(um)"], {}, None),
+        (["X (mm)\tZ"], {"height_unit": "µm"}, None),
+        (["X (mm)\tZ"], {}, "no unit of heights"),
+        (["X\tZ [µm]"], {}, "no unit of x"),
+        (["x [in]\tz [µin]"], {}, "line 1: “x "),
+        (["x [mm]\tz [V]"], {}, "line 1: “x "),
+        (["Filter [mm] off", "x [mm]\tz [µm]"], {}, "line 1: “Filter"),
+        (["Alle Längen in µm"], {}, "line 1: “Alle"),
+        (["x [mm]\tz [µm]", "x unit: m"], {}, "line 2 says “m”"),
+        (["x [mm]\tz [µm]"], {"unit": "µm"}, "the file says 'mm'"),
+        (["x [mm]\tz [µm]"], {"height_unit": "nm"}, "the file says 'µm'"),
+    ],
+)
+def test_heads_of_traces(
+    tmp_path: Path, head: list[str], given: dict[str, Any], words: str | None
+) -> None:
+    x, z = waves()
+    path = tmp_path / "trace.txt"
+    lines = [f"{a:.6f}\t{b:.6f}" for a, b in zip(x, z, strict=True)]
+    path.write_text("\n".join([*head, *lines]), "utf-8")
+    if words is None:
+        whole = brinell.trace(np.column_stack([x, 1e-3 * z]))
+        assert brinell.trace(path, **given).points == pytest.approx(whole.points, abs=1e-8)
+        return
+    with pytest.raises(brinell.InvalidJob) as caught:
+        brinell.trace(path, **given)
+    assert words in str(caught.value)
+
+
+def test_columns_of_traces_are_not_swapped_in_silence(tmp_path: Path) -> None:
+    x, z = waves()
+    whole = brinell.trace(np.column_stack([x, z])).points
+    for source in (
+        pd.DataFrame({"z": z, "x": x}),
+        pd.Series(z, index=x),
+    ):
+        assert brinell.trace(source).points == pytest.approx(whole)
+    path = tmp_path / "trace.txt"
+    lines = [f"{b:.6f}\t{a:.6f}" for a, b in zip(x, z, strict=True)]
+    path.write_text("\n".join(["z [mm]\tx [mm]", *lines]), "utf-8")
+    assert brinell.trace(path).points == pytest.approx(whole, abs=1e-5)
+    for source, given, words in (
+        (np.column_stack([z, x]), {}, "swapped"),
+        (np.column_stack([x, z]), {"spacing": 1}, "the first column is x"),
+        (pd.Series(z, index=x), {"spacing": 1}, "the index of the table has places"),
+        (z, {"spacing": -1}, "positive"),
+    ):
+        with pytest.raises(brinell.InvalidJob, match=words):
+            brinell.trace(source, **given)
+
+
+@pytest.mark.parametrize("figure", [-9999.0, 1e38, -32768.0, np.inf])
+def test_figures_of_traces_that_stand_for_no_data_are_refused(figure: float) -> None:
+    x, z = waves()
+    z[50] = figure
+    with pytest.raises(brinell.InvalidJob, match=r"#/trace/50: 1 of 200 .* at point 51"):
+        brinell.trace(np.column_stack([x, z]))
+    made = brinell.trace(np.column_stack([x, z]), no_data=[figure], fill="linear")
+    assert made.heights.min() > -2.5
+
+
+def test_a_gap_in_a_trace_is_named() -> None:
+    x, z = waves()
+    x[100:] += 1
+    assert "nothing is measured over 1.005 mm behind point 100" in repr(
+        brinell.trace(np.column_stack([x, z]))
+    )

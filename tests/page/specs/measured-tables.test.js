@@ -55,6 +55,13 @@ const TAKEN = [
     /column 1 converted from µm/,
   ],
   [
+    'units beside each number but zero',
+    'hardness',
+    '0;730\n100 µm;720 HV\n0.5 mm;640\n',
+    [[0, 730], [0.1, 720], [0.5, 640]], // prettier-ignore
+    /column 1 converted from µm/,
+  ],
+  [
     'units beside each number, spaces between columns',
     'hardness',
     '0.1 mm 720 HV\n0.5 mm 640 HV',
@@ -137,6 +144,7 @@ const REFUSED = [
   ['rates', 'strength', '*PLASTIC, RATE=10\n350,0', /“RATE” is not known here/],
   ['another card', 'strength', '*ELASTIC\n210000, 0.3', /^line 1: “\*ELASTIC” is no card/],
   ['a card in another field', 'hardness', '*PLASTIC\n350,0', /is a hardening curve/],
+  ['a unit beside one number alone', 'hardness', '100 µm;720\n200;690\n300;600', /^line 2: “200” has no unit, and others of its column are in µm/],
   ['a unit that is none', 'hardness', '0.1 N;720\n0.5 N;640', /^line 1: “0.1 N” is not a number/],
 ]; // prettier-ignore
 

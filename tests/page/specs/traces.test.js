@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { levelled, longWaves, thinnedTrace } from '../../../web/setup/trace.js';
+import { levelled, longWaves, noData, thinnedTrace } from '../../../web/setup/trace.js';
 
 /** @param {(x: number) => number} height @returns {[number, number][]} 5 mm by 0.5 µm */
 const trace = (height) => Array.from({ length: 10_001 }, (_, k) => [k * 5e-4, height(k * 5e-4)]);
@@ -39,4 +39,15 @@ test('a level trace has no slope, and a thin one says what it lost', () => {
   const thin = thinnedTrace(trace(wave(0.004)), 1000);
   assert.equal(thin.points.length, 911);
   assert.match(thin.note, /10\u202f001 points thinned to 911; \d+ % of the slope is lost/);
+});
+
+test('heights of a trace that stand for no data are named with their place', () => {
+  const plain = trace(wave(0.8));
+  assert.deepEqual(noData(plain), []);
+  assert.deepEqual(noData(plain.map(([x, z], k) => [x, k === 50 ? -0.004 : z])), []);
+  for (const figure of [-9.999, -9999, -32.768, 1e35, 9.999e-3]) {
+    const [said, ...more] = noData(plain.map(([x, z], k) => [x, k === 50 ? figure : z]));
+    assert.match(said, /^1 of 10\u202f001 heights is .*, the first at point 51, .*no data\?/);
+    assert.equal(more.length, 0);
+  }
 });

@@ -109,7 +109,8 @@ pub enum TestFault {
     NoLengthLeft(usize),
     /// The largest stress and its strain have opposite signs.
     OppositeSigns(usize),
-    /// A stress far above that of both neighbours: a figure that stands for no data.
+    /// A stress far above that of both neighbours, or next to nothing between them: a figure that
+    /// stands for no data.
     Stray(usize),
     /// Strain or stress are zero throughout, or nothing rises.
     NoRise,
@@ -123,6 +124,8 @@ pub enum TestFault {
         /// Decimal logarithm of the modulus over the slope, rounded.
         power: i32,
     },
+    /// First slope \[MPa\] that no machine and no specimen of this Young's modulus has, or no solid.
+    Slope(f64),
     /// The record ends before yield.
     NoYield {
         /// First slope \[MPa\].
@@ -145,6 +148,15 @@ const FALL: f64 = 0.01;
 /// Stress over that of its neighbours beyond which it is none: the largest stress of a test has
 /// others near it.
 const STRAY: f64 = 5.0;
+
+/// Stress over that of both neighbours below which a recorder has dropped out, where the strain
+/// goes on.
+const DROPOUT: f64 = 0.02;
+/// First slopes over Young's modulus: the give of a machine takes away most of it, and nothing
+/// adds half of it.
+const SLOPES: [f64; 2] = [0.02, 1.5];
+/// Slope \[MPa\] that no solid has; diamond has 1.2e6.
+const STIFFEST: f64 = 1.5e6;
 
 /// A point of a record in all of its measures.
 #[derive(Debug, Clone, Copy)]
@@ -257,6 +269,14 @@ fn oriented(record: &[[f64; 2]], measure: Measure) -> Result<(Vec<Sample>, bool)
     if record.len() > 3 && stress.abs() > STRAY * beside.fold(0.0, f64::max) {
         return Err(TestFault::Stray(k));
     }
+    let drops = |w: &[[f64; 2]]| {
+        let least = w[0][1].abs().min(w[2][1].abs());
+        let goes_on = w[1][0].abs() > w[0][0].abs() && w[2][0].abs() > w[1][0].abs();
+        goes_on && least > 0.1 * stress.abs() && w[1][1].abs() < DROPOUT * least
+    };
+    if let Some(k) = record.windows(3).position(drops) {
+        return Err(TestFault::Stray(k + 1));
+    }
     let sign = stress.signum();
     let sample = |(k, &[e, s]): (usize, &[f64; 2])| match measure {
         Measure::Engineering if e <= -1.0 => Err(TestFault::NoLengthLeft(k)),
@@ -329,8 +349,21 @@ fn necking(samples: &[Sample]) -> Option<usize> {
 fn first_line(samples: &[Sample], young_modulus: Option<f64>) -> Result<Line, TestFault> {
     let points: Vec<[f64; 2]> = samples.iter().map(|s| [s.strain, s.stress]).collect();
     let found = line::of_rise(&points);
-    let Some(modulus) = young_modulus else { return found.ok_or(TestFault::NoStraightPart) };
-    let Some(found) = found else { return Ok(line::of_modulus(&points, modulus)) };
+    let Some(modulus) = young_modulus else {
+        let found = found.ok_or(TestFault::NoStraightPart)?;
+        return if found.slope > STIFFEST {
+            Err(TestFault::Slope(found.slope))
+        } else {
+            Ok(found)
+        };
+    };
+    let is_possible = |slope: f64| (SLOPES[0]..=SLOPES[1]).contains(&(slope / modulus));
+    let Some(found) = found else {
+        return match foot(&points) {
+            Some(slope) if !is_possible(slope) => Err(TestFault::Slope(slope)),
+            _ => Ok(line::of_modulus(&points, modulus)),
+        };
+    };
     let power = (modulus / found.slope).log10().round();
     let off = modulus / found.slope / 10f64.powf(power);
     // Records have their strain in per cent, parts per thousand or per million, or their stress
@@ -343,7 +376,20 @@ fn first_line(samples: &[Sample], young_modulus: Option<f64>) -> Result<Line, Te
     if found.points == 2 && !(NEAR.recip()..NEAR).contains(&(found.slope / modulus)) {
         return Ok(line::of_modulus(&points, modulus));
     }
+    if !is_possible(found.slope) {
+        return Err(TestFault::Slope(found.slope));
+    }
     Ok(found)
+}
+
+/// Returns the slope from the first point to a tenth of the largest stress, where a record that
+/// begins without stress has several points on the way.
+fn foot(points: &[[f64; 2]]) -> Option<f64> {
+    let most = points.iter().map(|point| point[1]).fold(0.0, f64::max);
+    let [strain, stress] = *points.first()?;
+    let at = points.iter().position(|point| point[1] >= 0.1 * most)?;
+    (at >= 4 && stress <= 0.02 * most && points[at][0] > strain)
+        .then(|| (points[at][1] - stress) / (points[at][0] - strain))
 }
 
 #[cfg(test)]

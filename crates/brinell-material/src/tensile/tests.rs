@@ -309,6 +309,12 @@ fn what_is_no_test_is_refused() {
     let mut spiked = plain.clone();
     spiked[60][1] = 99_999.0;
     assert_eq!(fault(&spiked), TestFault::Stray(60));
+    let mut dropped = plain.clone();
+    dropped[60][1] = 0.0;
+    assert_eq!(fault(&dropped), TestFault::Stray(60));
+    for factor in [3.0, 1.0 / 70.0] {
+        assert!(matches!(fault(&scaled(1.0, factor)), TestFault::Slope(_)), "{factor}");
+    }
     assert_eq!(fault(&plain[..2]), TestFault::TooFewPoints);
     assert_eq!(fault(&[[0.0, 0.0], [f64::NAN, 1.0], [1.0, 1.0]]), TestFault::NotFinite(1));
     assert_eq!(fault(&[[0.0; 2]; 9]), TestFault::NoRise);

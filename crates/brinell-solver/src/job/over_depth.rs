@@ -114,7 +114,7 @@ impl HardnessScale {
         (!(low..=high).contains(&hardness)).then(|| FieldError {
             pointer: pointer.to_owned(),
             code: FaultCode::OutOfRange,
-            detail: format!("must be between {low} and {high} {}, got {hardness}", self.name()),
+            detail: format!("must be between {low} and {high} {}", self.name()),
         })
     }
 }

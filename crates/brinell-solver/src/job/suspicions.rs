@@ -345,7 +345,8 @@ fn in_percent(points: &TablePoints) -> Option<Finding> {
     let curve = PolyLine { points: points.to_vec() };
     let (given, meant) = (curve.stress(0.01), curve.stress(1.0));
     // Where it makes no difference nothing is to be said.
-    let matters = meant > 1.02 * given;
+    let end = if largest > 5.0 { curve.stress(largest) } else { meant };
+    let matters = end > 1.02 * given;
     ((is_coarse || is_long) && matters).then_some(Finding::StrainInPercent {
         largest,
         given,

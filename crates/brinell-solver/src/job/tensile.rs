@@ -99,6 +99,12 @@ words! {
 const OFFSET: f64 = 1e-4;
 /// Difference of slope and modulus that is worth a sentence of its own.
 const NEAR: f64 = 0.1;
+/// First stress over the largest above which a record without first strain has plastic strain.
+const PLASTIC: f64 = 0.3;
+/// Megapascals of a kilopound per square inch.
+const KSI: f64 = 6.895;
+/// Slopes \[MPa\] of metals in GPa, and largest yield strain of these: soft solids have more.
+const IN_GPA: ([f64; 2], f64) = ([40.0, 1000.0], 5e-3);
 /// Largest strain of a test: no metal stretches to six times its length.
 const LONGEST: f64 = 5.0;
 
@@ -202,6 +208,16 @@ impl TensileTest {
         }
         let curve = hardening_curve(&record, settings)
             .map_err(|fault| words.fault(fault, settings.young_modulus))?;
+        let most = record.iter().fold(0.0, |most: f64, point| most.max(point[1].abs()));
+        let [strain, stress] = record[0];
+        if curve.line.straight.is_none() && strain.abs() < 1e-6 && stress.abs() > PLASTIC * most {
+            let detail = format!(
+                "has {} without strain: is the strain plastic? Then the points are those of a \
+                 `table` as they are, with true stress",
+                words.stress(stress.abs())
+            );
+            return Err(FieldError::new("/points/0", detail));
+        }
         Ok(words.answer(curve, settings))
     }
 }
@@ -250,7 +266,7 @@ impl Words {
             ),
             TestFault::Stray(k) => out_of_range(
                 format!("/points/{k}/1"),
-                "is far above the stress before and after it: it stands for no data".to_owned(),
+                "is far from the stress before and after it: it stands for no data".to_owned(),
             ),
             TestFault::NoRise => points("must rise: strain and stress of a test grow".to_owned()),
             TestFault::NoStraightPart => points(
@@ -271,6 +287,19 @@ impl Words {
                     _ => "strain or stress are in another unit",
                 }
             )),
+            TestFault::Slope(slope) => points(match young_modulus {
+                Some(modulus) => format!(
+                    "rises with {}, {} times Young's modulus, {}: is it force over a way, is strain \
+                     or stress in another unit, or is the test one of another material?",
+                    self.stress(slope),
+                    figure(slope / modulus),
+                    self.stress(modulus),
+                ),
+                None => format!(
+                    "rises with {}, which no solid does: strain or stress are in another unit",
+                    self.stress(slope)
+                ),
+            }),
             TestFault::NoYield { slope, largest } => points(format!(
                 "ends before yield: it rises with {} up to {}; points go from the first to the last",
                 self.stress(slope),
@@ -313,11 +342,18 @@ impl Words {
                  the first slope."
             ),
             (Some(modulus), Some(_)) if (line.slope / modulus - 1.0).abs() > NEAR => format!(
-                "The test rises with {slope}; E is {}, {} times that. Plastic strain is what the \
-                 slope of the test leaves: the give of a machine that stays the same does no \
-                 harm.",
+                "The test rises with {slope}; E is {}, {} times that. {}",
                 self.stress(modulus),
                 figure(modulus / line.slope),
+                if line.slope > modulus {
+                    "No give of a machine makes a test steeper: are strain and stress those of \
+                     this material?"
+                } else if (modulus / line.slope / KSI - 1.0).abs() < 0.03 {
+                    "That is the factor of ksi: is the stress in ksi?"
+                } else {
+                    "Plastic strain is what the slope of the test leaves: the give of a machine \
+                     that stays the same does no harm."
+                },
             ),
             (Some(modulus), Some(_)) => {
                 format!("The test rises with {slope}; E is {}.", self.stress(modulus))
@@ -328,6 +364,13 @@ impl Words {
             remarks.push(
                 "That is a hundredth of the modulus of metals: is the strain in per cent?"
                     .to_owned(),
+            );
+        }
+        let is_in_gpa = (IN_GPA.0[0]..IN_GPA.0[1]).contains(&line.slope)
+            && curve.yield_stress < IN_GPA.1 * line.slope;
+        if settings.young_modulus.is_none() && is_in_gpa {
+            remarks.push(
+                "That is a thousandth of the modulus of metals: is the stress in GPa?".to_owned(),
             );
         }
         if line.straight.is_some() && line.points < 5 {

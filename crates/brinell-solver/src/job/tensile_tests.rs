@@ -76,3 +76,35 @@ fn every_field_at_fault_is_named() {
     let faults = solve(&json!({"points": [[0, 0], [10, 400], [20, 500]]})).unwrap_err();
     assert!(faults[0].contains("/points/1/0") && faults[0].contains("per cent"), "{faults:?}");
 }
+
+#[test]
+fn a_record_that_is_none_is_refused_or_asked_about() {
+    let scaled = |strain: f64, stress: f64| -> Vec<[f64; 2]> {
+        record().iter().map(|[e, s]| [strain * e, stress * s]).collect()
+    };
+    // Force in kN over the way in mm of a specimen of 50 mm and 78.5 mm².
+    let refused = [
+        (json!({"points": scaled(50.0, 0.0785), "young_modulus": 206_000}), "force over a way"),
+        (json!({"points": scaled(1.0, 78.5), "young_modulus": 206_000}), "force over a way"),
+        (json!({"points": scaled(0.01, 1.0)}), "no solid"),
+        (
+            json!({"points": [[0, 350], [0.002, 400], [0.01, 440], [0.03, 500], [0.1, 560]],
+                   "young_modulus": 206_000}),
+            "is the strain plastic",
+        ),
+    ];
+    for (test, words) in refused {
+        let faults = solve(&test).unwrap_err();
+        assert!(faults[0].contains(words), "{faults:?}");
+    }
+    let asked = [
+        (json!({"points": scaled(1.0, 1.0 / 6.895), "young_modulus": 206_000}), "in ksi?"),
+        (json!({"points": scaled(1.0, 1e-3)}), "in GPa?"),
+        (json!({"points": scaled(1.0, 1.3), "young_modulus": 206_000}), "makes a test steeper"),
+        (json!({"points": scaled(4.0, 1.0), "young_modulus": 206_000}), "does no harm"),
+    ];
+    for (test, words) in asked {
+        let remarks = solve(&test).unwrap().remarks.join(" ");
+        assert!(remarks.contains(words), "{remarks}");
+    }
+}

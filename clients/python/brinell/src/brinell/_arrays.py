@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ._errors import Fault, InvalidJob
+
 Floats = npt.NDArray[np.float64]
 
 # Scalars of pandas that stand for a missing value.
@@ -43,4 +45,43 @@ def grid_of(value: Any) -> Floats:
         names = [str(one).lower() for one in dims]
         if names in (["y", "x"], ["lat", "lon"], ["row", "column"]):
             value = value.T
-    return np.asarray(without_mask(value), dtype=float)
+    return floats_of(value, "#/surface/heights")
+
+
+def floats_of(value: Any, pointer: str) -> Floats:
+    """Figures as an array, NaN where one is masked or missing, in lists of arrays too.
+
+    Raises `InvalidJob` for what is no figure: text, complex numbers, dates, structures.
+    """
+    try:
+        array = np.asarray(_without_masks(value))
+    except ValueError:
+        fault = Fault(pointer, "wrong_type", "has lines of different lengths")
+        raise InvalidJob([fault], "figures are wanted") from None
+    if array.dtype.kind in "cbMmV":
+        words = f"figures are wanted, not {array.dtype}"
+        words += ": give one of its fields" if array.dtype.names else ""
+        raise InvalidJob([Fault(pointer, "wrong_type", words)], "figures are wanted")
+    try:
+        return array.astype(float)
+    except (TypeError, ValueError):
+        pass
+    for place in np.ndindex(array.shape):
+        try:
+            np.asarray(array[place]).astype(float)
+        except (TypeError, ValueError):
+            at = "/".join([pointer, *map(str, place)])
+            fault = Fault(at, "wrong_type", f"“{array[place]}” is no number")
+            raise InvalidJob([fault], "figures are wanted") from None
+    raise InvalidJob(
+        [Fault(pointer, "wrong_type", "is no array of figures")], "figures are wanted"
+    )
+
+
+def _without_masks(value: Any) -> Any:
+    """The same as `without_mask`, for what stands in lists too."""
+    if isinstance(value, (float, int, str)):
+        return value
+    if isinstance(value, (list, tuple)):
+        return [_without_masks(one) for one in value]
+    return without_mask(value)

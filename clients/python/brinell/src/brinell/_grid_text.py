@@ -5,13 +5,15 @@ Every line above the figures is understood or refused, so that no unit or size i
 
 from __future__ import annotations
 
+import csv
 import re
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
 from ._arrays import Floats
-from ._lengths import is_length
+from ._lengths import is_length, length_in_mm
 from ._plain import grouped
 
 # Figures that Surfer and others put where nothing was measured: all from here on.
@@ -45,6 +47,8 @@ HOLE = re.compile(
 )
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
 COMMA = re.compile(r"[-+]?\d*,\d+(e[-+]?\d+)?", re.IGNORECASE)
+# What stands behind a decimal comma, and no figure begins with.
+DIGITS = re.compile(r"[-+]?0\d+|-0")
 # A decimal comma or a thousand.
 AMBIGUOUS = re.compile(r"[-+]?[1-9]\d{0,2},\d{3}")
 SIGN = re.compile(r"\s*(#|%|//|!|\*|;)+\s*")
@@ -145,7 +149,8 @@ def read_grid(text: str, skip: tuple[int, ...] = ()) -> Grid:
         return _surfer(filled[1:])
     if re.match(r"(ncols|nrows)\s+\d", first, re.IGNORECASE):
         return _esri(filled)
-    return _plain_grid(filled)
+    blank = {k for k, line in enumerate(lines, 1) if not line.strip() and k not in skip}
+    return _plain_grid(filled, blank)
 
 
 def _is_comment(line: str) -> bool:
@@ -248,12 +253,16 @@ def _esri(lines: list[tuple[int, str]]) -> Grid:
     return Grid(rows[::-1].T.copy(), _positive(spacing), notes=notes)
 
 
-def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
+def _plain_grid(lines: list[tuple[int, str]], blank: set[int]) -> Grid:
     separator = _separator(lines)
     cells = [(number, line, _cells(line, separator)) for number, line in lines]
     is_body = [not _is_comment(line) and _is_data(row) for _, line, row in cells]
     if True not in is_body:
-        raise NotUnderstood("no figures in it")
+        number, _, row = cells[len(cells) // 2]
+        wrong = next((one for one in row if not _is_figure(one) and re.search(r"\d", one)), None)
+        if wrong is None:
+            raise NotUnderstood("no figures in it")
+        raise NotUnderstood(f"line {number}: {_quoted(wrong)} is not a number")
     start = is_body.index(True)
     head = [(n, line, row) for n, line, row in cells[:start]]
     body: list[tuple[int, list[str]]] = []
@@ -272,9 +281,24 @@ def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
     # A separator at the end of every line.
     if all(row[-1] == "" for _, row in body):
         body = [(number, row[:-1]) for number, row in body]
+    if separator == ",":
+        for number, row in body:
+            wrong = next((one for one in row if DIGITS.fullmatch(one)), None)
+            if wrong is not None:
+                raise NotUnderstood(
+                    f"line {number}: {_quoted(wrong)} between commas: commas between figures, or "
+                    "decimal commas?"
+                )
     values = _figures(body)
     said = _Header()
     columns = len(values[0])
+    between = [[k for k in range(a + 1, b) if k in blank] for (a, _), (b, _) in pairwise(body)]
+    if columns > 3 and any(between) and not all(between):
+        number = next(one[0] for one in between if one)
+        raise NotUnderstood(
+            f"line {number} is blank, with figures above and below: another map? skip=[{number}] "
+            "leaves the line out"
+        )
     for number, line, row in head:
         said.take(number, line, row, columns == 3)
     uneven = next((k for k, row in enumerate(values) if len(row) != columns), None)
@@ -296,7 +320,7 @@ def _plain_grid(lines: list[tuple[int, str]]) -> Grid:
 
 
 def _separator(lines: list[tuple[int, str]]) -> str:
-    figures = [line for _, line in lines if re.match(r"\s*[-+.,\d]", line)]
+    figures = [line for _, line in lines if re.match(r'\s*"?[-+.,\d]', line)]
     for one in ("\t", ";"):
         if any(one in line for line in figures):
             return one
@@ -311,6 +335,8 @@ def _cells(line: str, separator: str) -> list[str]:
         row = re.split(r",\s+|\s+", bare.strip().rstrip(","))
     elif separator == " ":
         row = re.sub(r"(?i)no data", "nodata", bare).split()
+    elif '"' in bare:
+        row = next(csv.reader([bare.rstrip(" \r\n")], delimiter=separator))
     else:
         row = bare.rstrip(" \r\n").split(separator)
     return [cell.strip().strip('"').strip() for cell in row]
@@ -372,6 +398,11 @@ class _Header:
             return
         if is_list and self._takes_columns(row):
             return
+        if not is_list and len(row) > 3 and self._takes_columns(row[:3]):
+            raise NotUnderstood(
+                f"line {number}: {_quoted(bare)} names columns x, y, z and others: "
+                "leave these three"
+            )
         filled = [cell for cell in row if cell]
         key, value = (
             (filled[0], filled[1])
@@ -473,6 +504,18 @@ class _Header:
             raise NotUnderstood(
                 "the first line and the first column count: take them out of the file"
             )
+        if axes is None:
+            if _counts(rows[:, 0]) and not _counts(rows[:, 1]):
+                raise NotUnderstood("the first column counts the lines: take it out of the file")
+            for what, one, other in (
+                ("line", rows[0], rows[1]),
+                ("column", rows[:, 0], rows[:, 1]),
+            ):
+                if len(one) > 5 and _step(one) is not None and _step(other) is None:
+                    raise NotUnderstood(
+                        f"the first {what} rises or falls by equal steps, and the next does not: "
+                        "if it has places, take it out of the file and give the distance"
+                    )
         notes = list(self.notes)
         along_x = self.is_gwyddion or bool(self.lengths) or bool(self.counts) or axes is not None
         spacing: tuple[float, float] | None = None
@@ -483,8 +526,6 @@ class _Header:
                 rows = rows[::-1]
             notes.append("the first line and the first column are x and y")
         if not along_x:
-            if _counts(rows[:, 0]) and not _counts(rows[:, 1]):
-                raise NotUnderstood("the first column counts the lines: take it out of the file")
             notes.append("lines along y, one for each x")
             return Grid(
                 rows.copy(), None, self.units.get("across", ""), self.units.get("up", ""), notes
@@ -497,7 +538,16 @@ class _Header:
                     f"{'columns' if name == 'nx' else 'lines'}, and there are {count}"
                 )
         notes.append("lines along x, the first at the largest y")
+        sides = [self.lengths.get(one) for one in ("width", "length")]
+        if sides == [(nx, ""), (ny, "")] and not self.units.get("across"):
+            del self.lengths["width"], self.lengths["length"]
+            notes.append("width and height of the head are numbers of points")
         given, across = self._spacing(nx, ny)
+        if given and spacing and not np.allclose(given, spacing, rtol=1e-3):
+            raise NotUnderstood(
+                f"the head makes distances of {given[0]:g} and {given[1]:g}, the first line and "
+                f"the first column of {spacing[0]:g} and {spacing[1]:g}"
+            )
         return Grid(rows[::-1].T.copy(), given or spacing, across, self.units.get("up", ""), notes)
 
     def _spacing(self, nx: int, ny: int) -> tuple[tuple[float, float] | None, str]:
@@ -506,6 +556,11 @@ class _Header:
         for side, of_one, count in (("width", "dx", nx), ("length", "dy", ny)):
             if of_one in self.lengths:
                 found.append(self.lengths[of_one])
+                if side in self.lengths and not _agree(found[-1], self.lengths[side], count):
+                    (step, a), (whole, b) = found[-1], self.lengths[side]
+                    raise NotUnderstood(
+                        f"the head says {count} steps of {step:g} {a} and a side of {whole:g} {b}"
+                    )
             elif side in self.lengths:
                 value, unit = self.lengths[side]
                 found.append((value / count, unit))
@@ -530,6 +585,12 @@ class _Header:
             k = int(np.argmin(np.isfinite(x) & np.isfinite(y)))
             raise NotUnderstood(f"point {k + 1} of the list has no place")
         (i, dx, nx), (j, dy, ny) = _places(x, "x"), _places(y, "y")
+        for name, count in (("nx", nx), ("ny", ny)):
+            if self.counts.get(name, count) != count:
+                raise NotUnderstood(
+                    f"the head says {self.counts[name]} places along {name[1]}, and there are "
+                    f"{count}"
+                )
         at = i * ny + j
         if len(np.unique(at)) < len(at):
             raise NotUnderstood("two points of the list stand at one place")
@@ -562,16 +623,28 @@ def _counts(values: Floats) -> bool:
     return bool(values[0] in (0, 1) and (values == values[0] + np.arange(len(values))).all())
 
 
+def _agree(step: tuple[float, str], side: tuple[float, str], count: int) -> bool:
+    """Whether so many steps, or one fewer, make a side; also where a unit is left open."""
+    (one, a), (whole, b) = step, side
+    if a and b:
+        one, whole = one * length_in_mm(a), whole * length_in_mm(b)
+    elif a or b:
+        return True
+    return 0.999 * (count - 1) * one <= whole <= 1.001 * count * one
+
+
+def _step(of: Floats) -> float | None:
+    """The step of values that rise or fall evenly."""
+    steps = np.diff(of)
+    even = len(of) > 2 and np.isfinite(of).all() and steps[0] != 0
+    return float(steps.mean()) if even and np.ptp(steps) < 1e-3 * abs(steps.mean()) else None
+
+
 def _axes_of(rows: Floats) -> tuple[float, float] | None:
     """Steps of x and y where the first line and the first column are positions."""
 
-    def step(of: Floats) -> float | None:
-        steps = np.diff(of)
-        even = len(of) > 2 and np.isfinite(of).all() and steps[0] != 0
-        return float(steps.mean()) if even and np.ptp(steps) < 1e-3 * abs(steps.mean()) else None
-
-    x, y = step(rows[0, 1:]), step(rows[1:, 0])
-    inner = step(rows[1, 1:])
+    x, y = _step(rows[0, 1:]), _step(rows[1:, 0])
+    inner = _step(rows[1, 1:])
     return (x, y) if x is not None and y is not None and x > 0 and inner is None else None
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ._arrays import Floats, without_mask
+from ._arrays import Floats, floats_of
 from ._client import Client
 from ._errors import BrinellError, Fault, InvalidJob
 from ._plain import JobLike, document_of, need, tokens_of, with_values
@@ -281,7 +281,7 @@ def _fault(where: str, detail: str) -> InvalidJob:
 
 def _points(curve: Any) -> tuple[Floats, Floats]:
     """Approach and force of a curve, as means of neighbours where it is long."""
-    table = np.asarray(without_mask(curve), dtype=float)
+    table = floats_of(curve, "#/curve")
     if table.ndim == 2 and table.shape[0] == 2 and table.shape[1] > 2:
         table = table.T
     if table.ndim != 2 or table.shape[1] != 2:

@@ -279,6 +279,8 @@ def _read(
         return _of_xarray(source, spacing, unit, height_unit)
     if isinstance(source, Quantity):
         return _Raw(source.to("mm").magnitude, spacing, unit or "mm", "mm", [])
+    if hasattr(source, "index") and hasattr(source, "columns"):
+        return _of_table(source, spacing, unit, height_unit)
     return _Raw(source, spacing, unit or "mm", height_unit or unit or "mm", [])
 
 
@@ -384,7 +386,11 @@ def _text_of(data: bytes) -> str | None:
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return data.decode("utf-16", errors="replace")
     if b"\0" in data:
-        return None
+        first, second = data[:2000:2], data[1:2000:2]
+        order = "utf-16-le" if not any(second) else "utf-16-be" if not any(first) else None
+        if order is None:
+            return None
+        data = data.decode(order, errors="replace").encode()
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -410,6 +416,8 @@ def _of_instrument(
             data = need("xarray", "surfaces").open_dataset(path)
             return _read(data, spacing, unit, height_unit, channel, ())
         raise _refuse("not_understood", f"no format known here reads {path.name}") from None
+    if reader.format() in ("asc", "matrix", "xyz"):
+        raise _refuse("not_understood", f"{path.name} has signs in it that are no text")
     channels = [one for one in reader.channels if one.is_height_channel and one.dim == 2]
     if not channels:
         said = ", ".join(f"{one.name} ({one.data_unit})" for one in reader.channels)
@@ -463,6 +471,44 @@ def _of_topography(topography: Any, spacing: Pair | None, unit: str | None) -> _
     )
 
 
+def _of_table(table: Any, spacing: Pair | None, unit: str | None, height_unit: str | None) -> _Raw:
+    """A table of pandas: labels of lines and columns that are figures are places x and y."""
+    notes: list[str] = []
+    up = height_unit or unit or "mm"
+    names = [str(one).strip().lower() for one in table.columns]
+    if sorted(names) == ["x", "y", "z"]:
+        ordered = table.iloc[:, [names.index(one) for one in "xyz"]]
+        return _Raw(ordered, spacing, unit or "mm", up, notes)
+    steps: list[float | None] = [None, None]
+    for axis, (what, labels) in enumerate((("index", table.index), ("columns", table.columns))):
+        try:
+            place = np.asarray(labels, dtype=float)
+        except (TypeError, ValueError):
+            continue
+        found = np.diff(place)
+        if not len(found) or (found == 1).all():
+            continue
+        if np.ptp(found) > 1e-3 * abs(found.mean()) or found[0] == 0:
+            raise _refuse(
+                "invalid", f"the labels of the {what} of the table do not rise by equal steps"
+            )
+        if found[0] < 0:
+            table = table.iloc[::-1] if axis == 0 else table.iloc[:, ::-1]
+            notes.append(f"the labels of the {what} fall: turned round")
+        steps[axis] = None if (found == -1).all() else abs(float(found.mean()))
+    given = _pair(spacing, "spacing") if spacing is not None else None
+    for k, (what, step) in enumerate(zip(("index", "columns"), steps, strict=True)):
+        if step is None or given is None:
+            continue
+        if isinstance(spacing, Quantity) or abs(given[k] - step) > 1e-3 * step:
+            raise _refuse(
+                "inconsistent",
+                f"spacing is given, and the {what} of the table has steps of {step:g}",
+            )
+    own = (steps[0], steps[1]) if None not in steps else None
+    return _Raw(table, own if own is not None else spacing, unit or "mm", up, notes)
+
+
 def _of_xarray(
     array: Any, spacing: Pair | None, unit: str | None, height_unit: str | None
 ) -> _Raw:
@@ -496,14 +542,16 @@ def _of_xarray(
     own = steps if len(steps) == 2 else None
     if own and spacing is not None:
         raise _refuse("inconsistent", "spacing is given, and the coordinates say it")
-    across = units[0] if own and units[0] == units[1] else None
-    return _Raw(
-        array.values,
-        own or spacing,
-        across or unit,
-        array.attrs.get("units") or height_unit or unit,
-        notes,
-    )
+    across = next((one for one in units if one), None) if own else None
+    if across and any(one and one != across for one in units):
+        raise _refuse("inconsistent", f"the coordinates are in {' and in '.join(units)}")
+    up = array.attrs.get("units")
+    if str(array.attrs.get("positive", "up")).lower() == "down":
+        raise _refuse("inconsistent", "its heights count downward (positive = down): give -array")
+    for name, said, given in (("unit", across, unit), ("height_unit", up, height_unit)):
+        if said and given and length_in_mm(said) != length_in_mm(given):
+            raise _refuse("inconsistent", f"{name}={given!r}, and the array says {said!r}")
+    return _Raw(array.values, own or spacing, across or unit, up or height_unit or unit, notes)
 
 
 def _without_no_data(
@@ -515,7 +563,9 @@ def _without_no_data(
     """
     if no_data is None:
         return heights, []
-    told = [no_data] if isinstance(no_data, (int, float)) else list(no_data)
+    is_one = isinstance(no_data, str) or not isinstance(no_data, Iterable)
+    several: list[Any] = [no_data] if is_one else [*no_data]  # type: ignore[misc]
+    told = [float(one) for one in several]
     notes = []
     holes = np.zeros(heights.shape, dtype=bool)
     for figure in told:
@@ -523,6 +573,8 @@ def _without_no_data(
     if holes.any():
         notes.append(f"{grouped(int(holes.sum()))} heights of {_listed(told)} are holes")
         heights = np.where(holes, np.nan, heights)
+    elif told and not np.isnan(told).any():
+        notes.append(f"no height is {_listed(told)}")
     suspects = _no_heights(heights, unit)
     if suspects:
         raise InvalidJob(

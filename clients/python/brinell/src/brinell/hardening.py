@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import models
-from ._arrays import without_mask
+from ._arrays import floats_of
 from ._build import Number, checked
 from ._errors import Fault, InvalidJob
 
@@ -69,7 +69,7 @@ def from_tensile(
     Raises:
         InvalidJob: missing figures, and records that give no curve; every fault is named.
     """
-    columns = [np.asarray(without_mask(one), dtype=float).ravel() for one in (strain, stress)]
+    columns = [floats_of(one, "#/points").ravel() for one in (strain, stress)]
     if len(columns[0]) != len(columns[1]):
         counts = f"{len(columns[0])} strains and {len(columns[1])} stresses"
         raise InvalidJob([Fault("#/points", "inconsistent", f"there are {counts}")])
@@ -82,6 +82,9 @@ def from_tensile(
         ]
         detail = f"{len(missing)} of {points.size} figures are missing: leave out their points"
         raise InvalidJob(faults, detail)
+    for name, figure in (("young_modulus", young_modulus), ("offset", offset)):
+        if figure is not None and not math.isfinite(figure):
+            raise InvalidJob([Fault(f"#/{name}", "wrong_type", f"{figure} is no finite number")])
     test: dict[str, Any] = {
         "points": points.tolist(),
         "strain_unit": strain_unit,
@@ -106,7 +109,7 @@ def profile(depth: Any, hardness: Any, *, scale: Literal["HV", "HRC"] = "HV") ->
 
     HRC becomes HV by ISO 18265, table A.1, in the service.
     """
-    columns = [np.asarray(without_mask(one), dtype=float).ravel() for one in (depth, hardness)]
+    columns = [floats_of(one, "#/profile").ravel() for one in (depth, hardness)]
     if len(columns[0]) != len(columns[1]):
         counts = f"{len(columns[0])} depths and {len(columns[1])} hardnesses"
         raise InvalidJob([Fault("#/profile", "inconsistent", f"there are {counts}")])
