@@ -263,7 +263,7 @@ mod refused {
         ");
         assert_snapshot!(faults_of(&with("/upper/material", json!({"rigid": false}))), @"/upper/material/rigid: must be true, or left out for a body that deforms");
         let both = json!({"rigid": true, "young_modulus": 1});
-        assert_snapshot!(faults_of(&with("/upper/material", both)), @r#"/upper/material/young_modulus: unknown key "young_modulus"; expected one of: rigid"#);
+        assert_snapshot!(faults_of(&with("/upper/material", both)), @r#"/upper/material/young_modulus: unknown key "young_modulus"; expected one of: name, rigid"#);
     }
 
     #[test]
@@ -365,9 +365,9 @@ mod refused {
         job["upper"]["material"]["name"] = json!("");
         job["lower"]["material"] = json!({"name": "a\u{7}b", "rigid": true});
         assert_snapshot!(faults_of(&job), @r"
+        /lower/material/name: the name must not contain control characters
         /title: the name must have between 1 and 80 characters, got 81
         /upper/material/name: the name must have between 1 and 80 characters, got 0
-        /lower/material/name: the name must not contain control characters
         ");
     }
 
