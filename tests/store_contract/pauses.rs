@@ -79,7 +79,7 @@ async fn insist<T, F: Future<Output = Result<T, StoreError>>>(
             Ok(Ok(answer)) => return answer,
             Ok(Err(StoreError::Unavailable(_))) if begin.elapsed() < BOUND => {}
             Ok(Err(error)) => panic!("{what}: {error}"),
-            Err(_) => panic!("{what} is held up for {BOUND:?}"),
+            Err(late) => panic!("{what} is held up for {BOUND:?}: {late}"),
         }
     }
 }
