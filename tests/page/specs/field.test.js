@@ -437,7 +437,7 @@ service.test(
   'limits of the colours that are held stay the same stresses in other units, the least one first',
   async (page) => {
     await shown(page, { load: { force: 612.6106 }, output: { fields: true } });
-    await drawn(page);
+    await mises(page);
     const [least, largest] = [
       page.getByLabel('Least value coloured'),
       page.getByLabel('Largest value coloured'),
