@@ -339,7 +339,7 @@ export class FieldPanel {
   cutDrawing() {
     const { on, chart } = this.cutter;
     return on && !this.stage.hidden && !chart.element.hidden
-      ? chart.drawing('Along the cut in the field', 520, 240)
+      ? chart.drawing('Along the cut in the field', 380, 135)
       : null;
   }
 

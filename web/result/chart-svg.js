@@ -87,8 +87,8 @@ export function laidOut(plot, title, width, height, colours) {
     viewBox: `0 0 ${width} ${head + height}`,
     width,
     height: head + height,
-    role: 'img',
-    'aria-label': plot.words,
+    // On the page its frame is the picture, and has the name.
+    ...(title ? { role: 'img', 'aria-label': plot.words } : {}),
     'font-family': 'system-ui, sans-serif',
     'font-size': 11,
   });

@@ -73,8 +73,20 @@ const rows = new ResizeObserver((entries) => {
   for (const { target, contentRect } of entries) {
     const many = target.children.length;
     const fit = Math.max(2, Math.floor(contentRect.width / CARD));
-    const columns = Math.ceil(many / Math.ceil(many / fit));
+    const lines = Math.ceil(many / fit);
+    const [long, short, longer] = [
+      Math.ceil(many / lines),
+      Math.floor(many / lines),
+      many % lines,
+    ];
+    // Where the last row would lack two, the rows behind the first ones have one card less each.
+    const shared = long * lines - many > 1;
+    const columns = shared ? long * short : long;
     /** @type {HTMLElement} */ (target).style.setProperty('--columns', String(columns));
+    [...target.children].forEach((one, k) => {
+      const span = shared ? columns / (k < longer * long ? long : short) : 1;
+      /** @type {HTMLElement} */ (one).style.gridColumn = `span ${span}`;
+    });
   }
 });
 

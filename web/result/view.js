@@ -277,7 +277,7 @@ export class View {
       at: this.#at,
       drawings: [this.pressure, this.spread, this.dent, this.depth, this.sweep].flatMap(
         ({ panel, chart }) =>
-          panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
+          panel.element.hidden ? [] : (chart.drawing(panel.caption, 380, 135) ?? []),
       ),
       fields: [...this.#maps(), this.other.canvas(undefined, paper)].filter((one) => one !== null),
       cutDrawing: this.field.cutDrawing(),

@@ -89,6 +89,7 @@ service.test('colours, probe and keys of the field', async (page) => {
     (await over.getAttribute('aria-label')) ?? '',
     /^Field of von Mises stress, from [\d.]+ to 5\d\d\.\d MPa\.$/,
   );
+  await over.scrollIntoViewIfNeeded();
   const box = await over.boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
@@ -264,6 +265,7 @@ service.test(
   async (page) => {
     const id = await reference(page, PIN);
     const over = page.locator('#panel-field .stage .over');
+    await over.scrollIntoViewIfNeeded();
     const box = await over.boundingBox();
     assert.ok(box);
     for (const times of ['0', '1', '2', '10']) {
@@ -356,6 +358,7 @@ service.test('a cut anywhere has its curve', async (page) => {
       document.querySelector('.cut .plot')?.getAttribute('aria-label') ?? '',
     ),
   );
+  await page.locator('#panel-field .stage .over').scrollIntoViewIfNeeded();
   const box = await page.locator('#panel-field .stage .over').boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + 50, box.y + 40);
@@ -434,7 +437,7 @@ service.test(
   'limits of the colours that are held stay the same stresses in other units, the least one first',
   async (page) => {
     await shown(page, { load: { force: 612.6106 }, output: { fields: true } });
-    await drawn(page);
+    await mises(page);
     const [least, largest] = [
       page.getByLabel('Least value coloured'),
       page.getByLabel('Largest value coloured'),

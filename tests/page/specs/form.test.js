@@ -483,7 +483,7 @@ service.test(
     );
     await place.locator('textarea').fill('0 -200\n0,1 -100 -100');
     await place.locator('.error').getByText('line 1 has 2 columns, not three').waitFor();
-    await place.locator('textarea').fill('0 -200 -150\n0,1 -100 -100\n0,1 0 0');
+    await place.locator('textarea').fill('0 -200 -150\n0,1 -100 -100\n0,1 -150 -120');
     await place
       .locator('.error')
       .getByText('line 3: must be greater than the depth before')

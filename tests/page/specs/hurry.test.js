@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { drawn, follow, shown, solved } from '../jobs.js';
+import { drawn, follow, mises, shown, solved } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -130,7 +130,7 @@ service.test(
     await page.getByLabel('Force P').fill('612.6106');
     await page.getByRole('button', { name: 'Solve', exact: true }).click();
     await page.locator('#headline').getByText('612.61').waitFor();
-    await drawn(page);
+    await mises(page);
     letGo();
     await page.waitForFunction(() =>
       / to 5[0-9][0-9][.]/.test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),

@@ -144,12 +144,12 @@ service.test('from the first field to Solve there is a stop for each field', asy
     await page.keyboard.press('Tab');
     stops.push(await name(page));
   }
-  assert.equal(stops.length, 32, stops.join(' | '));
+  assert.equal(stops.length, 35, stops.join(' | '));
   assert.deepEqual(
     stops.filter((one) => /^(Explanation|Slider)$/.test(one)),
     [],
   );
-  const first = stops.findIndex((one) => one.startsWith('Analysis'));
+  const first = stops.findIndex((one) => one.startsWith('Title'));
   const fields = await page
     .locator('#form :is(input, select, textarea)')
     .evaluateAll((all) => all.filter((one) => one.checkVisibility()).length);
@@ -168,7 +168,7 @@ service.test('arrows go along a toolbar, and Tab leaves it', async (page) => {
   assert.match(await name(page), /^Material/);
   await page.keyboard.press('Tab');
   await page.keyboard.press('Tab');
-  assert.match(await name(page), /^Young/);
+  assert.match(await name(page), /^Material’s name/);
 });
 
 service.test('open points from a file', async (page) => {

@@ -123,6 +123,7 @@ service.test('the field begins at the contact, and so does a cut', async (page) 
     await drawn(page);
     const { patches } = await contactOf(page, id);
     const over = page.locator('#panel-field .stage .over');
+    await over.scrollIntoViewIfNeeded();
     const box = await over.boundingBox();
     assert.ok(box);
     const readout = page.locator('#panel-field .readout');
