@@ -232,7 +232,11 @@ pub async fn run_worker(
     let notifier = JobNotifier::new();
     let settings = config.work.worker(true);
     tracing::info!(version = env!("CARGO_PKG_VERSION"), ?config, ?settings, "starting");
-    let store = open_store(&config.storage, &notifier).await?;
+    // A worker has use for one connection for each solver, and for three beside them.
+    let useful = u32::try_from(settings.slots).unwrap_or(u32::MAX).saturating_add(3);
+    let connections = config.storage.database_connections.min(useful);
+    let storage = StorageConfig { database_connections: connections, ..config.storage.clone() };
+    let store = open_store(&storage, &notifier).await?;
     let mut background = JoinSet::new();
     background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
     start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;

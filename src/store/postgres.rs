@@ -35,10 +35,8 @@ const TRANSACTION_WAIT: Duration = Duration::from_secs(5);
 /// closed: its line may be dead.
 const LINE_TIME: Duration = Duration::from_secs(10);
 
-/// Longest wait for the answer to a ping, and the rest after which a connection is pinged before
-/// it is used.
+/// Longest wait for the answer to the ping that a connection gets before and after each use.
 const PING_WAIT: Duration = Duration::from_secs(1);
-const REST: Duration = Duration::from_secs(1);
 
 /// Settings of every session. The server ends what a client that has vanished, or stopped, has
 /// left behind: a transaction that nothing is done in, a statement whose answer nobody takes.
@@ -89,8 +87,8 @@ fn pool(connections: u32, wait: Duration, more: &'static str) -> PgPoolOptions {
             connection.execute(more).await.map(drop)
         })
     });
-    let options = options.before_acquire(|connection, of| {
-        Box::pin(async move { Ok(of.idle_for < REST || answers(connection).await.is_ok()) })
+    let options = options.before_acquire(|connection, _| {
+        Box::pin(async move { Ok(answers(connection).await.is_ok()) })
     });
     options.after_release(|connection, _| {
         Box::pin(async move { answers(connection).await.map(|()| true) })
