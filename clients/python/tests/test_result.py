@@ -92,7 +92,8 @@ def test_what_is_in_words_has_error_bars_and_remarks_on_top(client: Client, job:
     bad = client.solve({**brinell._plain.document_of(job), "solver": {"max_iterations": 1}})
     assert bad.status == "not_converged"
     assert bad.remarks[0].code == "not_converged"
-    assert bad._repr_html_().startswith("<div><ul><li><code>not_converged</code>")
+    first = "<div><p>No answer: this load has not converged.</p><ul><li><code>not_converged</code>"
+    assert bad._repr_html_().startswith(first)
     stopped = Result(None, error=brinell.InvalidJob([], "no <good>"))
     assert "no &lt;good&gt;" in stopped._repr_html_()
     assert "invalid" in repr(stopped)

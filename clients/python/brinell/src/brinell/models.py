@@ -3136,7 +3136,7 @@ class Answer(BaseModel):
         str,
         Field(
             description='Its physical quantity. A `strain` and a `ratio` are shown in per cent.',
-            examples=['length', 'stress', 'force', 'line_force', 'stiffness', 'line_stiffness', 'energy', 'line_energy', 'strain', 'ratio', 'number', 'angle'],
+            examples=['length', 'area', 'stress', 'force', 'line_force', 'stiffness', 'line_stiffness', 'energy', 'line_energy', 'strain', 'ratio', 'number', 'angle'],
         ),
     ]
     text: Annotated[
