@@ -41,7 +41,8 @@ fn increments_count_in_the_estimate() {
         let mut job = ball();
         job["lower"]["material"]["plasticity"] =
             json!({"law": "bilinear", "yield_stress": 1000, "tangent_modulus": 2000});
-        let load = |number: usize| json!({"force": if number % 2 == 0 { 100 } else { 50 }});
+        let load =
+            |number: usize| json!({"force": if number.is_multiple_of(2) { 100 } else { 50 }});
         job["load"] = json!({"history": (0..loads).map(load).collect::<Vec<_>>()});
         job["solver"] = json!({"theory": "flow", "increments": increments});
         server.target.post("/v1/validate", job.to_string())
