@@ -67,7 +67,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
   const [{ id, job, report, label, removed }] = shown;
   // By which browsers name a file that is printed.
   titled ||= document.title;
-  document.title = stemOf(job, id);
+  document.title = fileName = stemOf(job, id);
   const step = report.steps[at];
   const bodies = pairOf(job);
   const many = report.steps.length;
@@ -302,10 +302,14 @@ const plainStep = ({ fields: _, layers: __, ...step }) => step;
 /** What the tab was called before the sheet was seen. */
 let titled = '';
 
+/** What the tab is called while the sheet is seen. */
+let fileName = '';
+
 /** Back to the page. */
 export function close() {
   delete document.documentElement.dataset.view;
-  document.title = titled || document.title;
+  // A job that was removed meanwhile has named the tab anew.
+  if (document.title === fileName) document.title = titled;
   titled = '';
   byId('report').focus();
 }

@@ -1,4 +1,4 @@
-//! The scalar figures of a contact. A figure is one row of the table [`figures!`] here: its
+//! The scalar figures of a contact. A figure is one row of the table `figures!` here: its
 //! identifier, its quantity and its home in a result: a `member` of its own, or an `answer` alone,
 //! which needs nothing else to be shown. The row makes its member of [`Figures`], its name in the
 //! enumeration [`Figure`], and its place in every list of values, differences and error bars.

@@ -227,7 +227,7 @@ service.test('bodies that stay elastic have no loop of force over approach', asy
     load: { history: [{ force: 600 }, { force: 0 }] },
     solver: { theory: 'flow' },
   });
-  await sweep.locator('svg').waitFor();
+  await sweep.locator('.plot svg').waitFor();
 });
 
 service.test(

@@ -36,7 +36,7 @@ pub struct AtDepth {
     pub layer: usize,
 }
 
-/// Plastic strain of a pass, or of a pair of passes: what a [verdict](super::verdict) judges.
+/// Plastic strain of a pass, or of a pair of passes: what a verdict judges.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PassStrain {
     /// Largest accumulated plastic strain over the section.

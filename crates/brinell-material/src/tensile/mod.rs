@@ -4,7 +4,7 @@
 //! ε_0 and the first slope S are those of the longest straight part of the rise ([`line`]). What
 //! is left is plastic strain, whether S is exactly Young's modulus or not: an extensometer is a
 //! few per cent off, the way of a crosshead by a factor. Noise is fitted by a curve that never
-//! falls ([`fit`]).
+//! falls (`fit`).
 //!
 //! Engineering figures e, s become true ones by `ε = ln(1 + e)`, `σ = s (1 + e)`, which holds as
 //! long as the specimen stretches evenly. Points beyond its necking, where s falls for good, are
