@@ -66,7 +66,7 @@ import { asked, beside, endedEarly } from './loads.js';
 export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
   const [{ id, job, report, label, removed }] = shown;
   // By which browsers name a file that is printed.
-  titled ||= document.title;
+  if (document.title !== fileName) titled = document.title;
   document.title = fileName = stemOf(job, id);
   const step = report.steps[at];
   const bodies = pairOf(job);
