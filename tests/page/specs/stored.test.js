@@ -25,7 +25,7 @@ service.test(
     await page.locator('#headline [data-answer=approach]').waitFor();
     assert.equal(await page.locator('#headline .verdict-text').count(), 0);
     const table = page.locator('#panel-figures');
-    await table.getByText('0.0027456').waitFor();
+    await table.getByText('0.0054723').waitFor();
     await page.getByLabel('Step', { exact: true }).fill('0');
     await table.getByText('1370.8').waitFor();
     await page.waitForFunction(() =>
