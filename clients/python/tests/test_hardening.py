@@ -49,7 +49,7 @@ def test_per_cent_is_said_or_refused(client: Client) -> None:
 def test_holes_are_named() -> None:
     strain, stress = record()
     masked = np.ma.masked_array(stress, mask=np.arange(len(stress)) == 7)
-    missing = pd.Series(strain)
+    missing = pd.Series(np.array(strain))
     missing[3] = None
     for columns, pointer in [
         ((strain, masked), "#/points/7/1"),

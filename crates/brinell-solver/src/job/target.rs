@@ -55,7 +55,7 @@ impl TargetFigure {
             Self::PeakPressure => "peak pressure",
             Self::MeanPressure => "mean pressure",
             Self::HalfWidth => "half-width",
-            Self::MaxPlasticStrain => "equivalent plastic strain",
+            Self::MaxPlasticStrain => "largest plastic strain",
         }
     }
 

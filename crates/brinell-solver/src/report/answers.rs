@@ -227,6 +227,14 @@ impl Answer {
         Self { place, ..self }
     }
 
+    fn named(self, name: &str, label: &str) -> Self {
+        Self { name: name.to_owned(), ..self.labelled(label) }
+    }
+
+    fn labelled(self, label: &str) -> Self {
+        Self { label: label.to_owned(), ..self }
+    }
+
     fn of(self, body: AnswerBody) -> Self {
         let label = match body {
             AnswerBody::Upper => format!("{}, upper body", self.label),
@@ -238,6 +246,19 @@ impl Answer {
 
     fn text(self, text: impl Into<String>) -> Self {
         Self { text: text.into(), ..self }
+    }
+}
+
+/// Returns the name of a figure for a person: its identifier where nothing else is usual.
+pub(super) fn label(figure: Figure) -> String {
+    match figure {
+        Figure::HalfWidth => "Half-width".to_owned(),
+        Figure::MaxPlasticStrain => "Largest plastic strain".to_owned(),
+        Figure::PileUp => "Pile-up".to_owned(),
+        other => {
+            let words = other.name().replace('_', " ");
+            words[..1].to_uppercase() + &words[1..]
+        }
     }
 }
 
@@ -339,6 +360,18 @@ impl Facts<'_> {
         }
     }
 
+    /// Returns the answer of a figure, whose name, label and quantity are those of its row.
+    fn figure(&self, figure: Figure, value: impl Into<Option<f64>>) -> Answer {
+        let quantity = match figure.measure() {
+            Measure::Length => AnswerQuantity::Length,
+            Measure::Area => AnswerQuantity::Area,
+            Measure::Stress => AnswerQuantity::Stress,
+            Measure::Force => self.force_quantity(),
+            Measure::Strain => AnswerQuantity::Strain,
+        };
+        self.answer(figure.name(), &label(figure), quantity, value)
+    }
+
     pub fn force_quantity(&self) -> AnswerQuantity {
         if self.is_whole() { AnswerQuantity::Force } else { AnswerQuantity::LineForce }
     }
@@ -398,8 +431,8 @@ impl Facts<'_> {
         let mut answers = self.asked();
         let is_graded = self.step.profiles().any(|(_, profile)| profile.yield_stress.is_some());
         if self.is_unloaded() {
-            answers.extend(self.surfaces("dent_depth", "Dent"));
-            answers.push(self.approach("permanent_approach", "Permanent approach"));
+            answers.extend(self.surfaces("dent_depth", &label(Figure::Dent)));
+            answers.push(self.approach().named("permanent_approach", "Permanent approach"));
             answers.extend(self.tension());
             answers.extend(self.core());
             answers.extend(self.strain());
@@ -477,7 +510,8 @@ impl Facts<'_> {
             let bar = self.body_bar(*side, |errors| errors.depth).filter(|_| has_bar);
             let reversed = if surface.yielded_in_reverse { "; yielded in reverse" } else { "" };
             answers.push(
-                self.answer(name, label, AnswerQuantity::Length, surface.depth)
+                self.figure(Figure::Dent, surface.depth)
+                    .named(name, label)
                     .of(self.body(*side))
                     .error(bar)
                     .text(format!("deepest point below the undeformed surface{reversed}")),
@@ -486,31 +520,24 @@ impl Facts<'_> {
         for (side, surface) in &both {
             let bar = self.body_bar(*side, |errors| errors.pile_up).filter(|_| has_bar);
             let body = self.body(*side);
-            answers.push(
-                self.answer("pile_up", "Pile-up", AnswerQuantity::Length, surface.pile_up)
-                    .of(body)
-                    .error(bar)
-                    .text(if surface.pile_up > 0.0 {
-                        format!(
-                            "highest point above the undeformed surface, {} from the middle",
-                            self.with_unit(
-                                about,
-                                AnswerQuantity::Length,
-                                surface.pile_up_position
-                            )
-                        )
-                    } else {
-                        String::new()
-                    }),
-            );
+            answers.push(self.figure(Figure::PileUp, surface.pile_up).of(body).error(bar).text(
+                if surface.pile_up > 0.0 {
+                    format!(
+                        "highest point above the undeformed surface, {} from the middle",
+                        self.with_unit(about, AnswerQuantity::Length, surface.pile_up_position)
+                    )
+                } else {
+                    String::new()
+                },
+            ));
         }
         answers
     }
 
-    fn approach(&self, name: &str, label: &str) -> Answer {
+    fn approach(&self) -> Answer {
         let step = self.step;
         let hertz = step.three_dimensional.as_ref().and_then(|whole| whole.hertz);
-        self.answer(name, label, AnswerQuantity::Length, step.approach)
+        self.figure(Figure::Approach, step.approach)
             .error(self.bars().and_then(|bars| bars.approach))
             .elastic(hertz.filter(|_| self.touches()).map(|hertz| hertz.approach))
             .text(format!("between {}", step.approach_datum.replacen(" towards ", " and ", 1)))
@@ -578,10 +605,12 @@ impl Facts<'_> {
         };
         let [low, high] = roller.end_pressure;
         let edge = low.max(high);
-        let text = if edge > 0.0 {
+        let text = if edge <= 0.0 {
+            "the contact ends before the roller".to_owned()
+        } else if roller.middle_pressure > 0.0 {
             format!("{} times the pressure in the middle", about(edge / roller.middle_pressure))
         } else {
-            "the contact ends before the roller".to_owned()
+            "the middle of the roller does not touch".to_owned()
         };
         let mut answers = vec![
             self.answer("edge_pressure", "Edge pressure", AnswerQuantity::Stress, edge).text(text),
@@ -609,9 +638,7 @@ impl Facts<'_> {
             Some(AnswerPlace { body: AnswerBody::Both, x, y, depth: 0.0 })
         };
         let mut answers = Vec::new();
-        let peak = |value: f64| {
-            self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, value)
-        };
+        let peak = |value: f64| self.figure(Figure::PeakPressure, value);
         answers.push(match self.measured.inside_rim {
             Some((pressure, [x, y])) => peak(self.write.stress(pressure))
                 .place(of_surface(self.write.length(x), Some(self.write.length(y))))
@@ -622,40 +649,33 @@ impl Facts<'_> {
                 .place(of_surface(contact.peak_position, whole.map(|whole| whole.peak_position_y)))
                 .text(beside),
         });
-        let half_width = |name: &str, label: &str| {
-            self.answer(name, label, AnswerQuantity::Length, contact.half_width)
-                .error(bars.and_then(|bars| bars.half_width))
-                .elastic(hertz.map(|hertz| hertz.half_width))
-                .text(beside)
-        };
+        let half_width = self
+            .figure(Figure::HalfWidth, contact.half_width)
+            .error(bars.and_then(|bars| bars.half_width))
+            .elastic(hertz.map(|hertz| hertz.half_width))
+            .text(beside);
         match whole {
             Some(_) if self.is_rough() => {}
             Some(whole) => {
-                answers.push(half_width("semi_axis_a", "Shorter semi-axis"));
+                answers.push(half_width.named("semi_axis_a", "Shorter semi-axis"));
                 answers.push(
-                    self.answer(
-                        "semi_axis_b",
-                        "Longer semi-axis",
-                        AnswerQuantity::Length,
-                        whole.b,
-                    )
-                    .error(whole.estimated_error.as_ref().and_then(|errors| errors.b))
-                    .elastic(whole.hertz.filter(|_| self.touches()).map(|hertz| hertz.b))
-                    .text(beside),
+                    self.figure(Figure::SemiAxisY, whole.b)
+                        .named("semi_axis_b", "Longer semi-axis")
+                        .error(whole.estimated_error.as_ref().and_then(|errors| errors.b))
+                        .elastic(whole.hertz.filter(|_| self.touches()).map(|hertz| hertz.b))
+                        .text(beside),
                 );
             }
             None if self.job.analysis == Analysis::Axisymmetric => {
-                answers.push(half_width("half_width", "Contact radius"));
+                answers.push(half_width.labelled("Contact radius"));
             }
-            None => answers.push(half_width("half_width", "Half-width").text(
-                contact.half_angle.map_or_else(
-                    || beside.to_owned(),
-                    |angle| format!("along the arc, {}° to each side", about(angle)),
-                ),
-            )),
+            None => answers.push(half_width.text(contact.half_angle.map_or_else(
+                || beside.to_owned(),
+                |angle| format!("along the arc, {}° to each side", about(angle)),
+            ))),
         }
-        answers.push(self.approach("approach", "Approach"));
-        let force = self.answer("force", "Force", self.force_quantity(), contact.force);
+        answers.push(self.approach());
+        let force = self.figure(Figure::Force, contact.force);
         answers.push(force.error(bars.and_then(|bars| bars.force)));
         // A roller that touches from end to end has Hertz's line contact.
         let is_roller = whole.is_some_and(|whole| whole.roller.is_some());
@@ -699,31 +719,20 @@ impl Facts<'_> {
         let answer = if is_limited {
             let place =
                 AnswerPlace { body, x: zone.position, y: zone.position_y, depth: zone.depth };
-            self.answer(
-                "max_plastic_strain",
-                "Largest plastic strain",
-                AnswerQuantity::Strain,
-                zone.max_equivalent_plastic_strain,
-            )
-            .error(self.body_bar(side, |errors| errors.max_equivalent_plastic_strain))
-            .elastic(Some(0.0).filter(|_| self.touches()))
-            .place(Some(place))
-            .text(format!("of all {}", self.measured.points))
+            self.figure(Figure::MaxPlasticStrain, zone.max_equivalent_plastic_strain)
+                .error(self.body_bar(side, |errors| errors.max_equivalent_plastic_strain))
+                .elastic(Some(0.0).filter(|_| self.touches()))
+                .place(Some(place))
+                .text(format!("of all {}", self.measured.points))
         } else {
-            self.answer(
-                "mean_plastic_strain",
-                "Mean plastic strain",
-                AnswerQuantity::Strain,
-                zone.mean_equivalent_plastic_strain,
-            )
-            .error(self.body_bar(side, |errors| errors.mean_equivalent_plastic_strain))
-            .text("over the area that has yielded; the largest has no limit on finer meshes")
+            self.figure(Figure::MeanPlasticStrain, zone.mean_equivalent_plastic_strain)
+                .error(self.body_bar(side, |errors| errors.mean_equivalent_plastic_strain))
+                .text("over the area that has yielded; the largest has no limit on finer meshes")
         };
         Some(Answer { body: Some(body), ..answer })
     }
 
-    /// Returns the figures that have no member of their own, where they are not 0. Their identifier
-    /// is their label.
+    /// Returns the figures that have no member of their own, where they are not 0.
     fn without_member(&self) -> Vec<Answer> {
         let mut answers = Vec::new();
         for figure in Figure::ALL.iter().filter(|figure| !figure.has_member()) {
@@ -737,10 +746,7 @@ impl Facts<'_> {
                 if core == 0.0 {
                     continue;
                 }
-                let (quantity, value) = self.in_units(figure.measure(), core);
-                let label = figure.name().replace('_', " ");
-                let label = label[..1].to_uppercase() + &label[1..];
-                let answer = self.answer(figure.name(), &label, quantity, value);
+                let answer = self.figure(*figure, self.in_units(figure.measure(), core));
                 answers.push(if figure.is_of_body() {
                     answer.of(self.body(*side))
                 } else {
@@ -751,14 +757,14 @@ impl Facts<'_> {
         answers
     }
 
-    fn in_units(&self, measure: Measure, core: f64) -> (AnswerQuantity, f64) {
+    fn in_units(&self, measure: Measure, core: f64) -> f64 {
         let write = self.write;
         match measure {
-            Measure::Length => (AnswerQuantity::Length, write.length(core)),
-            Measure::Area => (AnswerQuantity::Area, write.area(core)),
-            Measure::Stress => (AnswerQuantity::Stress, write.stress(core)),
-            Measure::Force => (self.force_quantity(), write.force(core)),
-            Measure::Strain => (AnswerQuantity::Strain, core),
+            Measure::Length => write.length(core),
+            Measure::Area => write.area(core),
+            Measure::Stress => write.stress(core),
+            Measure::Force => write.force(core),
+            Measure::Strain => core,
         }
     }
 

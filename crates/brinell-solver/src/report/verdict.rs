@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::answers::{AnswerBody, AnswerQuantity, Facts};
 use super::findings::Finding;
-use crate::job::Named;
+use crate::job::{Load, Named};
 use crate::solver::SolveStatus;
 use crate::units::{about, rounded};
 
@@ -101,6 +101,10 @@ impl Facts<'_> {
 
     fn elastic(&self) -> String {
         if let Some(first) = self.first_yield() {
+            if self.job.load == Load::Onset {
+                let force = self.with_unit(rounded, self.force_quantity(), first);
+                return format!("First yield: a body begins to yield under this force, {force}.");
+            }
             return format!(
                 "Elastic: this force is {} % of that of first yield, {}.",
                 about(100.0 * self.step.contact.force / first),

@@ -190,3 +190,29 @@ fn results_without_answers_are_read() {
     assert!(read.steps[0].answers.is_empty() && read.steps[0].verdict.is_none());
     assert_eq!(read.steps[0].contact, report.steps[0].contact);
 }
+
+#[test]
+fn the_onset_is_said_as_the_force_that_was_found() {
+    let step = &solve(&cylinders(&steel(500.0), &json!({"onset": true}), "deformation")).steps[0];
+    let verdict = step.verdict.as_ref().unwrap();
+    assert_eq!(verdict.level, VerdictLevel::Elastic);
+    let beginning = "First yield: a body begins to yield under this force, ";
+    assert!(verdict.text.starts_with(beginning), "{verdict:?}");
+}
+
+/// A roller that is hollow in the middle bears on both ends.
+#[test]
+fn an_edge_pressure_is_no_multiple_of_nothing() {
+    let step = &solve(&json!({
+        "analysis": "three_dimensional",
+        "upper": {"shape": {"type": "roller", "radius": 5, "length": 10, "profile": "points",
+            "points": [[-5, 0], [0, -0.05], [5, 0]]}, "material": steel(1800.0)},
+        "lower": {"shape": {"type": "flat"}, "material": steel(1800.0)},
+        "load": {"force": 100},
+        "mesh": {"elements_per_half_width": 4},
+    }))
+    .steps[0];
+    let edge = answer(step, "edge_pressure");
+    assert_eq!(edge.text, "the middle of the roller does not touch");
+    assert!(edge.value > Some(0.0));
+}

@@ -300,6 +300,9 @@ fn a_history_is_written_as_tables_and_figures() {
     let surfaces = &report.steps[1].flow.as_ref().unwrap().surfaces;
     assert_eq!(cell("lower_dent"), surfaces.lower.as_ref().unwrap().depth.to_string());
     assert_eq!((cell("unloading_stiffness"), cell("increments")), ("0", "1"));
+    let depth = report.steps[1].answers.iter().find(|answer| answer.name == "plastic_depth");
+    let depth = depth.unwrap().value.unwrap().to_string();
+    assert_eq!([cell("upper_plastic_depth"), cell("lower_plastic_depth")], [&depth; 2]);
     let surfaces = written(Export::SurfaceCsv);
     let dent = report.steps[1].flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap();
     let last =

@@ -4,7 +4,10 @@ use std::fmt::Write as _;
 
 use super::{Export, ExportError};
 use crate::job::{Analysis, Job, Named, Quantity, Units};
-use crate::report::{FlowReport, Report, StepReport, SubsurfaceReport, ThreeDimensionalReport};
+use crate::report::{
+    AnswerBody, FlowReport, Report, StepReport, SubsurfaceReport, ThreeDimensionalReport,
+};
+use crate::solver::method::figures::{Figure, Measure};
 
 /// A table of all load steps, written one by one.
 #[derive(Debug, Clone, Copy)]
@@ -111,12 +114,29 @@ impl Table {
                     "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],\
                      mean_pressure [{stress}],half_width [{length}],contact_stiffness \
                      [{force}/{length}],\
-                     max_equivalent_plastic_strain{}{}\n",
+                     max_equivalent_plastic_strain{}{}{}\n",
                     if self.has_flow { flow.as_str() } else { "" },
                     if self.is_three_dimensional() { ellipse.as_str() } else { "" },
+                    self.answers_alone(),
                 )
             }
         }
+    }
+
+    /// Returns the columns of the figures that are answers and have no member.
+    fn answers_alone(&self) -> String {
+        let column = |(body, figure): (&str, Figure)| {
+            let length = Quantity::Length.symbol(self.units);
+            let unit = match figure.measure() {
+                Measure::Length => format!(" [{length}]"),
+                Measure::Area => format!(" [{length}2]"),
+                Measure::Stress => format!(" [{}]", Quantity::Stress.symbol(self.units)),
+                Measure::Force => format!(" [{}]", self.force.symbol(self.units)),
+                Measure::Strain => String::new(),
+            };
+            format!(",{body}{}{unit}", figure.name())
+        };
+        answers_alone().map(|(body, figure, _)| column((body, figure))).collect()
     }
 
     /// Returns the rows of a load step, counted from 1.
@@ -160,6 +180,12 @@ impl Table {
             let volume: f64 = zones.into_iter().flatten().filter_map(|zone| zone.volume).sum();
             let _ = write!(text, ",{},{},{},{volume}", whole.b, whole.area, whole.orientation);
         }
+        for (_, figure, sides) in answers_alone() {
+            let mut found = step.answers.iter().filter(|answer| answer.name == figure.name());
+            let value =
+                found.find(|answer| sides.contains(&answer.body)).and_then(|found| found.value);
+            let _ = write!(text, ",{}", value.map_or_else(String::new, |value| value.to_string()));
+        }
         text.push('\n');
     }
 
@@ -175,6 +201,22 @@ impl Table {
             );
         }
     }
+}
+
+/// Returns the figures that are answers and have no member: the beginning of their column, and
+/// whose answer it may be.
+fn answers_alone() -> impl Iterator<Item = (&'static str, Figure, [Option<AnswerBody>; 2])> {
+    let both = Some(AnswerBody::Both);
+    let alone = Figure::ALL.iter().filter(|figure| !figure.has_member());
+    alone.flat_map(move |figure| {
+        let of_bodies = [
+            ("upper_", *figure, [Some(AnswerBody::Upper), both]),
+            ("lower_", *figure, [Some(AnswerBody::Lower), both]),
+        ];
+        let of_contact = [("", *figure, [None; 2])];
+        let columns: &[_] = if figure.is_of_body() { &of_bodies } else { &of_contact };
+        columns.to_vec()
+    })
 }
 
 /// Returns the table of a report.
