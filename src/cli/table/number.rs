@@ -7,11 +7,11 @@ pub(in crate::cli) fn significant(value: f64, digits: i32) -> String {
         return "0".to_owned();
     }
     let magnitude = value.abs().log10().floor();
-    if !(-5.0..8.0).contains(&magnitude) {
+    if !(-4.0..8.0).contains(&magnitude) {
         let decimals = usize::try_from(digits - 1).unwrap_or(0);
         return format!("{value:.decimals$e}");
     }
-    #[expect(clippy::cast_possible_truncation, reason = "between -5 and 8")]
+    #[expect(clippy::cast_possible_truncation, reason = "between -4 and 8")]
     let decimals = usize::try_from(digits - 1 - magnitude as i32).unwrap_or(0);
     format!("{value:.decimals$}")
 }
@@ -48,6 +48,7 @@ mod tests {
         assert_eq!(significant(0.017_919_3, 5), "0.017919");
         assert_eq!(significant(-612.6106, 7), "-612.6106");
         assert_eq!(significant(1.182_567e9, 5), "1.1826e9");
+        assert_eq!(significant(1.0179e-5, 5), "1.0179e-5");
         assert_eq!(significant(1.2e-7, 3), "1.20e-7");
         assert_eq!(short(210_000.0), "210000");
         assert_eq!(short(0.3), "0.3");
