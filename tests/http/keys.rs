@@ -244,7 +244,7 @@ fn a_head_of_any_size_is_not_read() {
     server.target.assert_alive();
 }
 
-/// Each of them has turns of its own, and none of them waits on threads of others.
+/// While one key waits, each other one has two turns at most.
 #[test]
 #[ignore = "full"]
 fn forty_keys_that_check_without_end_hold_up_nobody() {
@@ -273,23 +273,21 @@ fn forty_keys_that_check_without_end_hold_up_nobody() {
     let greedy: Vec<_> =
         (0..40).map(|number| guarded.key(&["create", &format!("greedy {number}")])).collect();
     let modest = guarded.key(&["create", "modest"]);
-    let began = Instant::now();
-    let mut waits = thread::scope(|scope| {
+    let turns = thread::scope(|scope| {
         for token in greedy {
             scope.spawn(|| check(token));
         }
         let ask = |_| {
-            let begin = Instant::now();
+            let before = checked.load(Ordering::Relaxed);
             assert_eq!(guarded.post(&modest, "/v1/validate").status, 200);
-            begin.elapsed()
+            checked.load(Ordering::Relaxed) - before
         };
-        let waits: Vec<_> = (0..21).map(ask).collect();
+        let turns: Vec<_> = (0..21).map(ask).collect();
         over.store(true, Ordering::Relaxed);
-        waits
+        turns
     });
-    waits.sort_unstable();
-    let wait_of_greedy = 40 * began.elapsed() / checked.into_inner();
-    assert!(4 * waits[10] < 3 * wait_of_greedy, "{waits:?} beside {wait_of_greedy:?}");
+    let most = turns.iter().copied().max();
+    assert!(most <= Some(2 * 40), "checks of others while one waits: {turns:?}");
 }
 
 /// Each holds a piece of a result until its client reads that.

@@ -189,6 +189,19 @@ fn searches_without_an_end_are_refused_before_they_begin() {
     );
 }
 
+/// A blunt wedge meets a narrower groove at its own ends.
+#[test]
+fn surfaces_that_meet_at_their_ends_are_refused_for_their_ends() {
+    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
+    let job = json!({"analysis": "plane_strain", "load": {"force": 100.0},
+        "upper": {"shape": {"type": "groove", "radius": 36.0, "width": 14.0, "depth": 56.0},
+                  "material": steel},
+        "lower": {"shape": {"type": "wedge", "angle": 0.16, "width": 8.7, "depth": 42.0},
+                  "material": steel}});
+    let faults = report::preflight(&parse(&job)).unwrap_err();
+    assert!(faults.iter().all(|fault| fault.detail.contains("first touch at x = 4.35 mm")));
+}
+
 /// What a search costs is estimated by the force from which it begins.
 #[test]
 fn searches_cost_what_was_estimated() {

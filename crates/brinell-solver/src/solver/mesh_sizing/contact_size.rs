@@ -100,7 +100,7 @@ impl ContactSizeEstimate {
         let limit = MAX_HALF_WIDTH * available;
         let is_apart = symmetric && touch > 0.0;
         let farthest = if is_apart { limit.min(touch) } else { limit };
-        if limit <= 0.0 || problem.opening(touch, farthest) <= 0.0 {
+        if limit > 0.0 && problem.opening(touch, farthest) <= 0.0 {
             return Err(SolveError::Conforming { limit: farthest });
         }
         let room = problem.room();
