@@ -55,6 +55,7 @@ pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
 pub use no_data::NoData;
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
+pub(crate) use over_depth::YIELD_OVER_HARDNESS;
 pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, HardnessScale, OverDepth};
 pub use quantity::Quantity;
 pub use reader::Named;

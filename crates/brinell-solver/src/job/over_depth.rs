@@ -148,6 +148,8 @@ impl Named for CaseCurve {
 /// E. J. Pavlina, C. J. Van Tyne, *Correlation of yield strength and tensile strength with
 /// hardness for steels*, J. Mater. Eng. Perform. 17 (2008) 888–893.
 pub const YIELD_OF_HARDNESS: &str = "σ_y = 2.876 HV − 90.7 MPa (Pavlina and Van Tyne 2008)";
+/// Slope and offset of [`YIELD_OF_HARDNESS`] \[MPa\].
+pub(crate) const YIELD_OVER_HARDNESS: [f64; 2] = [2.876, 90.7];
 
 /// Valid range of the hardness \[HV\].
 const VICKERS: (f64, f64) = (50.0, 2000.0);
@@ -385,7 +387,8 @@ fn inverse_of_lang(value: f64) -> f64 {
 
 /// Returns the yield stress by [`YIELD_OF_HARDNESS`] \[MPa\].
 fn yield_of_hardness(hardness: f64) -> f64 {
-    2.876 * hardness - 90.7
+    let [slope, offset] = YIELD_OVER_HARDNESS;
+    slope * hardness - offset
 }
 
 /// Returns the complementary error function for `x >= 0`, to 1.5e-7.

@@ -290,7 +290,35 @@ impl Facts<'_> {
     }
 
     pub fn has_yielded(&self) -> bool {
+        self.strained_zones().next().is_some()
+    }
+
+    /// Returns whether a body has reached its yield stress, or its reference stress.
+    pub fn yields_by_limit(&self) -> bool {
         self.zones().any(|(_, zone)| zone.yielded)
+    }
+
+    /// Returns whether a body has a law without a yield point.
+    pub fn flows_from_the_first(&self) -> bool {
+        [Side::Upper, Side::Lower].into_iter().any(|side| self.yield_point(side) == Some(0.0))
+    }
+
+    /// Returns the stress from which a body has plastic strain, 0 without a yield point.
+    fn yield_point(&self, side: Side) -> Option<f64> {
+        let body = if side == Side::Upper { &self.job.upper } else { &self.job.lower };
+        match &body.material {
+            Material::Deformable(material) => Some(material.hardening_law()?.yield_stress()),
+            Material::Rigid => None,
+        }
+    }
+
+    /// Returns the zones that have yielded; under a law without a yield point those with plastic
+    /// strain.
+    fn strained_zones(&self) -> impl Iterator<Item = (Side, &PlasticityReport)> {
+        self.zones().filter(|(side, zone)| {
+            let strain = zone.max_equivalent_plastic_strain;
+            zone.yielded || strain > Some(0.0) && self.yield_point(*side) == Some(0.0)
+        })
     }
 
     /// Returns whether a body can yield.
@@ -314,8 +342,8 @@ impl Facts<'_> {
         let strain = |zone: &PlasticityReport| {
             zone.max_equivalent_plastic_strain.unwrap_or(zone.mean_equivalent_plastic_strain)
         };
-        let yielded = self.zones().filter(|(_, zone)| zone.yielded);
-        let (side, zone) = yielded.max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
+        let (side, zone) =
+            self.strained_zones().max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
         Some((self.body(side), zone))
     }
 
@@ -640,6 +668,11 @@ impl Facts<'_> {
         let mut answers = Vec::new();
         let peak = |value: f64| self.figure(Figure::PeakPressure, value);
         answers.push(match self.measured.inside_rim {
+            Some((pressure, _)) if pressure <= 0.0 => {
+                let peak =
+                    self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, None);
+                peak.text("not known: only cells of the rim touch")
+            }
             Some((pressure, [x, y])) => peak(self.write.stress(pressure))
                 .place(of_surface(self.write.length(x), Some(self.write.length(y))))
                 .text("largest pressure of a cell, without the cells of the rim"),
@@ -661,7 +694,13 @@ impl Facts<'_> {
                 answers.push(
                     self.figure(Figure::SemiAxisY, whole.b)
                         .named("semi_axis_b", "Longer semi-axis")
-                        .error(whole.estimated_error.as_ref().and_then(|errors| errors.b))
+                        .error(
+                            whole
+                                .estimated_error
+                                .as_ref()
+                                .filter(|_| bars.is_some())
+                                .and_then(|errors| errors.b),
+                        )
                         .elastic(whole.hertz.filter(|_| self.touches()).map(|hertz| hertz.b))
                         .text(beside),
                 );
@@ -774,7 +813,7 @@ impl Facts<'_> {
             return Vec::new();
         }
         let none = "no yield stress is given";
-        let used = self.measured.utilization.as_ref();
+        let used = self.measured.utilization.as_ref().filter(|_| !self.flows_from_the_first());
         let place = used.map(|used| self.place_of(used));
         let utilization = self
             .answer(
@@ -786,6 +825,8 @@ impl Facts<'_> {
             .place(place)
             .text(if used.is_some() {
                 "largest von Mises stress of elastic bodies over the yield stress there"
+            } else if self.flows_from_the_first() {
+                "not known: a body has plastic strain under any stress"
             } else if self.can_yield() {
                 "not known: closed forms do not have these shapes, and the bodies yield or the \
                  mesh does not tell the onset of yield"
@@ -793,7 +834,7 @@ impl Facts<'_> {
                 none
             });
         let utilization = Answer { body: place.map(|place| place.body), ..utilization };
-        let first = self.measured.first_yield.map(|force| self.write.force(force));
+        let first = self.first_yield();
         let margin = self
             .answer(
                 "margin",
@@ -806,6 +847,10 @@ impl Facts<'_> {
                     "force of first yield, {}, over this force",
                     self.with_unit(rounded, self.force_quantity(), first)
                 ),
+                None if self.flows_from_the_first() => {
+                    "not known: a body has plastic strain under any stress".to_owned()
+                }
+                None if self.is_rough() => "not known of rough surfaces".to_owned(),
                 None if self.can_yield() => {
                     "not known: `load.onset` looks for the force of first yield".to_owned()
                 }
@@ -830,9 +875,7 @@ impl Facts<'_> {
 
     fn of_shapes(&self) -> Vec<Answer> {
         let mut answers = Vec::new();
-        if let Some(hertz) = self.step.hertz.as_ref().filter(|_| self.touches())
-            && let Some(limit) = hertz.shakedown_pressure
-        {
+        if let Some((peak, limit)) = self.shakedown() {
             answers.push(
                 self.answer(
                     "shakedown_pressure",
@@ -842,7 +885,7 @@ impl Facts<'_> {
                 )
                 .text(format!(
                     "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
-                    about(hertz.peak_pressure / limit)
+                    about(peak / limit)
                 )),
             );
         }
@@ -858,6 +901,19 @@ impl Facts<'_> {
             )
         }));
         answers
+    }
+
+    /// Returns Hertz's peak pressure and the shakedown limit, where both are those of the contact.
+    /// Beyond the end of a roller the pressure is larger: a peak below the limit tells nothing.
+    pub fn shakedown(&self) -> Option<(f64, f64)> {
+        let hertz = self.step.hertz.as_ref().filter(|_| self.touches())?;
+        let (peak, limit) = (hertz.peak_pressure, hertz.shakedown_pressure?);
+        let is_known = self.findings.iter().all(|finding| match finding {
+            Finding::NearSupport => false,
+            Finding::RollerEnd { .. } | Finding::Kinks => peak > limit,
+            _ => true,
+        });
+        (is_known && !self.flows_from_the_first()).then_some((peak, limit))
     }
 
     fn stiffness(&self) -> Vec<Answer> {

@@ -66,7 +66,7 @@ pub(super) enum Finding {
     /// The force at the onset of yield is not known. A job that seeks it has no answer.
     OnsetUnknown { cause: OnsetUnknown, is_sought: bool },
     /// The yield stress follows from the hardness.
-    YieldByHardness { rule: &'static str },
+    YieldByHardness,
     /// A body yields before it is loaded; the stress over the yield stress.
     InitialYield { ratio: f64 },
     /// The strength changes within an element or a layer.
@@ -241,7 +241,7 @@ impl Finding {
             Self::UnboundedStrain { .. } => "unbounded_strain",
             Self::BilinearCurve => "bilinear_curve",
             Self::OnsetUnknown { .. } => "onset_unknown",
-            Self::YieldByHardness { .. } => "yield_by_hardness",
+            Self::YieldByHardness => "yield_by_hardness",
             Self::InitialYield { .. } => "initial_yield",
             Self::CoarseCase { .. } => "coarse_case",
             Self::NearSupport => "near_support",

@@ -6,7 +6,7 @@ use super::findings::{
 };
 use super::run::CONFORMING_ADVICE;
 use super::suspicions;
-use crate::job::MeshSettings;
+use crate::job::{MeshSettings, YIELD_OVER_HARDNESS};
 use crate::solver::{MAX_HALF_ANGLE, SolveStatus};
 use crate::units::{UnitConverter, about, percent, rounded};
 
@@ -154,11 +154,17 @@ impl Finding {
                     .to_owned()
             }
             Self::OnsetUnknown { cause, is_sought } => onset_unknown(*cause, *is_sought, write),
-            Self::YieldByHardness { rule } => format!(
-                "The yield stress over depth follows from the hardness by {rule}, a regression \
-                 over steels of 136 to 622 HV that scatters by some {}.",
-                write.stress_about(100.0)
-            ),
+            Self::YieldByHardness => {
+                let [slope, offset] = YIELD_OVER_HARDNESS;
+                format!(
+                    "The yield stress over depth follows from the hardness by σ_y = {} HV − {} \
+                     (Pavlina and Van Tyne 2008), a regression over steels of 136 to 622 HV that \
+                     scatters by some {}.",
+                    rounded(write.stress(slope)),
+                    write.stress_text(offset),
+                    write.stress_about(100.0)
+                )
+            }
             Self::InitialYield { ratio } => format!(
                 "The initial stress, after the body has relaxed, is {ratio:.3} times the yield \
                  stress somewhere: the body yields before it is loaded, and that flow is reckoned \

@@ -86,17 +86,36 @@ impl Facts<'_> {
             return (VerdictLevel::NotKnown, text.to_owned());
         }
         let is_unknown = |finding: &Finding| {
-            matches!(finding, Finding::OnsetUnknown { .. } | Finding::ElasticCorner { .. })
+            matches!(
+                finding,
+                Finding::OnsetUnknown { .. }
+                    | Finding::ElasticCorner { .. }
+                    | Finding::RollerEnd { .. }
+                    | Finding::Kinks
+            )
         };
         if self.findings.iter().any(is_unknown) {
             let text = "Nothing yields on this mesh; whether the bodies yield is not known.";
             return (VerdictLevel::NotKnown, text.to_owned());
         }
-        (VerdictLevel::Elastic, self.elastic())
+        let is_sought = self.job.load == Load::Onset;
+        match self.first_yield().filter(|first| !is_sought && self.step.contact.force > *first) {
+            Some(first) => {
+                let first = self.with_unit(rounded, self.force_quantity(), first);
+                let text = format!(
+                    "About at first yield: nothing yields on this mesh, and closed forms give \
+                     first yield at {first}."
+                );
+                (VerdictLevel::NotKnown, text)
+            }
+            None => (VerdictLevel::Elastic, self.elastic()),
+        }
     }
 
-    fn first_yield(&self) -> Option<f64> {
-        self.measured.first_yield.map(|force| self.write.force(force))
+    /// Returns the force of first yield, which laws without a yield point have none of.
+    pub fn first_yield(&self) -> Option<f64> {
+        let force = self.measured.first_yield.filter(|_| !self.flows_from_the_first());
+        force.map(|force| self.write.force(force))
     }
 
     fn elastic(&self) -> String {
@@ -123,16 +142,16 @@ impl Facts<'_> {
     fn yields(&self) -> (VerdictLevel, String) {
         let mut parts: Vec<String> = Vec::new();
         if let Some(first) = self.first_yield().filter(|_| !self.measured.is_dented) {
+            let ratio = self.step.contact.force / first;
+            let by = if ratio < 1.0 { " of closed forms" } else { "" };
             parts.push(format!(
-                "{} times first yield at {}",
-                about(self.step.contact.force / first),
+                "{} times first yield{by} at {}",
+                about(ratio),
                 self.with_unit(rounded, self.force_quantity(), first)
             ));
         }
         parts.extend(self.strained());
-        let hertz = self.step.hertz.as_ref();
-        let limit = hertz.and_then(|hertz| Some((hertz.peak_pressure, hertz.shakedown_pressure?)));
-        let above = limit.filter(|(peak, limit)| peak > limit);
+        let above = self.shakedown().filter(|(peak, limit)| peak > limit);
         parts.extend(above.map(|(peak, limit)| {
             format!(
                 "above the shakedown limit of a perfectly plastic body (Hertz's peak {} > {})",
@@ -142,10 +161,11 @@ impl Facts<'_> {
         }));
         let level =
             if above.is_some() { VerdictLevel::AboveShakedownLimit } else { VerdictLevel::Yields };
+        let yields = if self.yields_by_limit() { "Yields" } else { "Flows, with no yield point" };
         let text = if parts.is_empty() {
-            "Yields.".into()
+            format!("{yields}.")
         } else {
-            format!("Yields: {}.", parts.join("; "))
+            format!("{yields}: {}.", parts.join("; "))
         };
         (level, text)
     }
@@ -220,6 +240,12 @@ impl Facts<'_> {
             about(100.0 * rough.contact_ratio),
             self.with_unit(about, AnswerQuantity::Stress, rough.nominal_pressure)
         );
+        if self.measured.inside_rim.is_some_and(|(pressure, _)| pressure <= 0.0) {
+            return (
+                VerdictLevel::NotKnown,
+                format!("{touches}, all of it at the rim: what yields is not known."),
+            );
+        }
         match rough.plastic_part {
             Some(part) if has_yielded => (
                 VerdictLevel::Yields,

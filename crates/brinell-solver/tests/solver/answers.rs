@@ -216,3 +216,52 @@ fn an_edge_pressure_is_no_multiple_of_nothing() {
     assert_eq!(edge.text, "the middle of the roller does not touch");
     assert!(edge.value > Some(0.0));
 }
+
+/// A straight roller bears on its ends: closed forms of the endless line are too favourable there.
+#[test]
+fn a_roller_that_touches_its_ends_has_no_margin_of_the_line() {
+    for force in [3000.0, 8000.0] {
+        let step = &solve(&json!({
+            "analysis": "three_dimensional",
+            "upper": {"shape": {"type": "roller", "radius": 10, "length": 20},
+                "material": {"young_modulus": 210_000, "poisson_ratio": 0.3}},
+            "lower": {"shape": {"type": "flat"}, "material": steel(900.0)},
+            "load": {"force": force},
+            "mesh": {"elements_per_half_width": 6},
+        }))
+        .steps[0];
+        let verdict = step.verdict.as_ref().unwrap();
+        assert_ne!(verdict.level, VerdictLevel::Elastic, "{verdict:?}");
+        assert!(!verdict.text.contains("first yield"), "{verdict:?}");
+        assert_eq!(["margin", "utilization"].map(|name| answer(step, name).value), [None; 2]);
+        assert!(!step.answers.iter().any(|answer| answer.name == "shakedown_pressure"));
+    }
+}
+
+/// Ramberg and Osgood's law has plastic strain under any stress, and another body's margin is none
+/// of the contact.
+#[test]
+fn a_law_without_a_yield_point_is_never_elastic() {
+    let mut law = steel(500.0);
+    law["plasticity"] = json!({"law": "ramberg_osgood", "reference_stress": 300, "offset": 0.43,
+        "exponent": 5});
+    let mut job = cylinders(&law, &json!({"history": [{"force": 60}, {"force": 0}]}), "flow");
+    job["lower"]["material"] = steel(1500.0);
+    let steps = solve(&job).steps;
+    let verdict = |k: usize| steps[k].verdict.as_ref().unwrap();
+    assert_eq!(verdict(0).level, VerdictLevel::Yields);
+    assert!(verdict(0).text.starts_with("Flows, with no yield point: "), "{:?}", verdict(0));
+    assert!(value(&steps[0], "max_plastic_strain") > 1e-4);
+    assert_eq!(["margin", "utilization"].map(|name| answer(&steps[0], name).value), [None; 2]);
+    assert_eq!(verdict(1).level, VerdictLevel::Dented, "{:?}", verdict(1));
+}
+
+/// Hertz's pressure is not that of a thin layer on its support.
+#[test]
+fn a_near_support_has_no_shakedown_limit() {
+    let mut job = cylinders(&steel(500.0), &json!({"force": 800}), "deformation");
+    job["lower"]["shape"] = json!({"type": "block", "width": 10, "depth": 0.5});
+    let step = &solve(&job).steps[0];
+    assert_eq!(step.verdict.as_ref().unwrap().level, VerdictLevel::Yields);
+    assert!(!step.answers.iter().any(|answer| answer.name == "shakedown_pressure"));
+}

@@ -51,8 +51,8 @@ pub(super) fn measured(
     };
     let first_yield = if is_sought { Some(force) } else { reference.onset_force() };
     Measured {
-        utilization: closed().or_else(|| of_field().filter(|_| !at_end)),
-        first_yield: first_yield.filter(|_| is_smooth),
+        utilization: closed().or_else(of_field).filter(|_| !at_end),
+        first_yield: first_yield.filter(|_| is_smooth && (is_sought || !at_end)),
         core,
         inside_rim: if is_smooth { None } else { inside_rim(&step.surface) },
         ..at_rest
