@@ -3,6 +3,7 @@
 mod bodies;
 mod history;
 mod number;
+mod passes;
 mod plot;
 
 use std::fmt::Write;
@@ -147,11 +148,14 @@ impl Page {
         if let Some(verdict) = &step.verdict {
             let text = wrapped("", &words(&verdict.text), " ");
             let text = match verdict.level {
-                VerdictLevel::NotConverged | VerdictLevel::Collapse => style.red(&text),
+                VerdictLevel::NotConverged | VerdictLevel::Collapse | VerdictLevel::Ratchets => {
+                    style.red(&text)
+                }
                 VerdictLevel::AboveShakedownLimit
+                | VerdictLevel::ClosedCycle
                 | VerdictLevel::Yields
                 | VerdictLevel::Dented => style.yellow(&text),
-                VerdictLevel::Elastic => style.green(&text),
+                VerdictLevel::Elastic | VerdictLevel::ShakesDown => style.green(&text),
                 VerdictLevel::NotKnown | VerdictLevel::NoContact => text,
             };
             self.line(&text);
@@ -164,10 +168,17 @@ impl Page {
             self.text.push_str(&picture);
         }
         self.line("");
-        self.plastic_zone("upper", step.plasticity.upper.as_ref());
-        self.plastic_zone("lower", step.plasticity.lower.as_ref());
+        if step.rolling.is_none() {
+            self.plastic_zone("upper", step.plasticity.upper.as_ref());
+            self.plastic_zone("lower", step.plasticity.lower.as_ref());
+        }
         if let Some(flow) = &step.flow {
             self.flow(flow);
+        }
+        if let Some(rolling) = &step.rolling {
+            let Names { length, stress, .. } = self.names;
+            self.text.push_str(&passes::passes(&rolling.passes, length, stress, style));
+            self.line("");
         }
         for note in &step.validity {
             if self.said.contains(&note.message) {

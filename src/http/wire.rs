@@ -160,7 +160,7 @@ fn has_curve(job: &Job) -> bool {
         values.windows(2).any(|pair| pair[0] != pair[1])
     }
     match &job.load {
-        Load::Onset => false,
+        Load::Onset | Load::Rolling(_) => false,
         _ if job.solver.theory == Theory::Flow => true,
         Load::Target(_) => false,
         Load::Forces(sweep) | Load::Approaches(sweep) => differ(sweep),

@@ -105,7 +105,12 @@ impl JobService {
         } else if form == Export::FieldVtu {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
             Form::Mesh(
-                VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?,
+                VtuFile::new(
+                    &report,
+                    [wanted, steps],
+                    shown.approach.unwrap_or_default(),
+                    fields.layout(),
+                )?,
                 fields,
             )
         } else if form == Export::FieldVtr {

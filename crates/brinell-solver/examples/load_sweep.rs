@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!(
             "{:8.0} {:10.5} {:10.1} {:10.1} {:12.5} {:>10?}",
             step.contact.force,
-            step.approach,
+            step.approach.unwrap_or_default(),
             step.contact.peak_pressure,
             hertz,
             area,

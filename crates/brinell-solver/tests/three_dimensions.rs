@@ -64,7 +64,7 @@ fn a_turned_body_has_the_same_contact_at_another_angle() {
         [straight, turned].map(|step| step.three_dimensional.as_ref().unwrap().orientation);
     assert!(angles[0].abs() < 1e-9 && (angles[1] - 30.0).abs() < 1e-9, "{angles:?}");
     assert_near(turned.contact.peak_pressure, straight.contact.peak_pressure, 1e-9);
-    assert_near(turned.approach, straight.approach, 1e-9);
+    assert_near(turned.approach.unwrap(), straight.approach.unwrap(), 1e-9);
 }
 
 #[test]
@@ -103,7 +103,8 @@ fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
         solve(&job).steps.remove(0)
     };
     let [less, here, more] = [285.0, 300.0, 315.0].map(at);
-    let slope = (more.contact.force - less.contact.force) / (more.approach - less.approach);
+    let slope = (more.contact.force - less.contact.force)
+        / (more.approach.unwrap() - less.approach.unwrap());
     assert_eq!(less.contact_stiffness, None);
     assert_near(here.contact_stiffness.unwrap(), slope, 1e-9);
     let mut job =
@@ -122,11 +123,13 @@ fn a_history_of_elastic_bodies_keeps_its_work() {
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
     let [loaded, unloaded] = [0, 1].map(|k| report.steps[k].flow.as_ref().unwrap());
-    let expected = 0.4 * 100.0 * report.steps[0].approach;
+    let expected = 0.4 * 100.0 * report.steps[0].approach.unwrap();
     assert_near(loaded.energy.work, expected, 5e-3);
     assert_near(loaded.energy.elastic, expected, 5e-3);
     assert!(unloaded.energy.work.abs() < 5e-3 * expected, "{:?}", unloaded.energy);
-    assert!(unloaded.surfaces.lower.as_ref().unwrap().depth < 1e-6 * report.steps[0].approach);
+    assert!(
+        unloaded.surfaces.lower.as_ref().unwrap().depth < 1e-6 * report.steps[0].approach.unwrap()
+    );
     assert!(report.load_approach.is_some());
 }
 
@@ -142,7 +145,7 @@ fn an_ellipsoid_leaves_a_dent() {
     let [loaded, unloaded] = [&report.steps[0], &report.steps[1]];
     let error = loaded.estimated_error.unwrap();
     assert_near(loaded.contact.peak_pressure, 1174.5, error.peak_pressure.unwrap().min(0.04));
-    assert_near(loaded.approach, 3.805e-3, error.approach.unwrap().min(0.01));
+    assert_near(loaded.approach.unwrap(), 3.805e-3, error.approach.unwrap().min(0.01));
     let whole = unloaded.three_dimensional.as_ref().unwrap();
     let errors = whole.estimated_error.as_ref().unwrap().bodies.lower.unwrap();
     let surface = unloaded.flow.as_ref().unwrap().surfaces.lower.clone().unwrap();
@@ -220,8 +223,13 @@ fn assert_sound(job: &Value, report: &Report) {
     assert!(!text.contains("NaN"), "{job}");
     for step in &report.steps {
         let whole = step.three_dimensional.as_ref().unwrap();
-        let figures =
-            [step.approach, step.contact.peak_pressure, step.contact.force, whole.a, whole.b];
+        let figures = [
+            step.approach.unwrap(),
+            step.contact.peak_pressure,
+            step.contact.force,
+            whole.a,
+            whole.b,
+        ];
         assert!(figures.iter().all(|figure| figure.is_finite()), "{job}");
         assert!(
             whole.b >= 0.9 * whole.a && whole.largest_cell_pressure >= 0.0,
@@ -266,7 +274,7 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
         ("a", whole.a, errors.half_width.unwrap()),
         ("b", whole.b, ellipse.b.unwrap()),
         ("area", whole.area, ellipse.area),
-        ("approach", step.approach, errors.approach.unwrap()),
+        ("approach", step.approach.unwrap(), errors.approach.unwrap()),
     ];
     let zone = step.plasticity.lower.as_ref().filter(|zone| zone.yielded);
     if let (Some(zone), Some(errors)) = (zone, ellipse.bodies.lower) {

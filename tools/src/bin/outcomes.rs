@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
-use brinell_solver::report;
+use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::{Interrupt, Observer, SolveStatus, run};
 use serde_json::{Value, json};
 
@@ -131,14 +131,15 @@ fn up_and_back(asked: &Value) -> String {
     let dents = back.flow.as_ref().and_then(|flow| flow.surfaces.upper.as_ref());
     let strain =
         up.plasticity.upper.as_ref().map_or(0.0, |zone| zone.mean_equivalent_plastic_strain);
+    let approach = |step: &StepReport| step.approach.unwrap_or(f64::NAN);
     let differs = |a: f64, b: f64| 100.0 * (a / b - 1.0);
     format!(
         "{increments} | {} | {} | {:+.1} % | {:+.1} % | {:.1} % | {:.2} % | {}",
         up.history.len(),
         back.history.len(),
         differs(other.contact.peak_pressure, up.contact.peak_pressure),
-        differs(other.approach, up.approach),
-        100.0 * back.approach / up.approach,
+        differs(approach(other), approach(up)),
+        100.0 * approach(back) / approach(up),
         100.0 * strain,
         if dents.is_some_and(|dent| dent.yielded_in_reverse) { "yes" } else { "no" },
     )

@@ -96,7 +96,7 @@ fn half_width(step: &StepReport) -> f64 {
 }
 
 fn approach(step: &StepReport) -> f64 {
-    step.approach
+    step.approach.unwrap_or(f64::NAN)
 }
 
 fn line_contacts(cases: &mut Vec<Case>) {

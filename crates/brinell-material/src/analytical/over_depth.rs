@@ -126,6 +126,32 @@ impl DepthLimit {
         Self::first(half_width, strength, |depth| shear.at(depth))
     }
 
+    /// [`Self::sliding`] for several frictions, from the least on.
+    pub fn over_friction(
+        half_width: f64,
+        yield_stress: impl Fn(f64) -> f64,
+    ) -> impl Iterator<Item = (f64, Self)> {
+        /// A fifth of a per mille is lost between so few depths.
+        static TABLES: LazyLock<Vec<ShearOverDepth>> =
+            LazyLock::new(|| FRICTIONS.map(|[mu, ..]| ShearOverDepth::with(mu, 300)).into());
+        FRICTIONS.iter().zip(&*TABLES).map(move |([friction, ..], shear)| {
+            let strength = |depth: f64| shear_yield_von_mises(yield_stress(depth));
+            (*friction, Self::first(half_width, strength, |depth| shear.at(depth)))
+        })
+    }
+
+    /// [`Self::over_friction`] of a yield stress that is the same everywhere, which scales.
+    pub fn uniform_over_friction(
+        half_width: f64,
+        yield_stress: f64,
+    ) -> impl Iterator<Item = (f64, Self)> {
+        let strength = shear_yield_von_mises(yield_stress);
+        FRICTIONS.iter().map(move |[friction, over_strength, depth]| {
+            let peak_pressure = over_strength * strength;
+            (*friction, Self { peak_pressure, depth: depth * half_width * peak_pressure })
+        })
+    }
+
     /// [`Self::rolling`] of a yield stress that is the same everywhere: the orthogonal shear
     /// stress is `p0/4` at the depth `a/2`.
     pub fn uniform_rolling(half_width: f64, yield_stress: f64) -> Self {
@@ -202,31 +228,48 @@ impl DepthLimit {
 /// `ln(1 + depth)`.
 struct ShearOverDepth(Vec<f64>);
 
+/// Frictions with the limit over k and its depth over the half-width, by [`DepthLimit::sliding`] of
+/// a strength that is the same everywhere.
+const FRICTIONS: [[f64; 3]; 10] = [
+    [0.0, 4.0, 0.5],
+    [0.05, 3.7718, 0.4747],
+    [0.1, 3.5642, 0.4522],
+    [0.15, 3.3750, 0.4327],
+    [0.2, 3.2024, 0.4136],
+    [0.25, 3.0444, 0.4],
+    [0.3, 2.8996, 0.384],
+    [0.35, 2.7665, 0.3708],
+    [0.4, 2.5, 0.0],
+    [0.5, 2.0, 0.0],
+];
+
 impl ShearOverDepth {
     fn new(friction: f64) -> Self {
-        Self((0..=TABLE_STEPS).map(|k| largest(depth_of(k), friction)).collect())
+        Self::with(friction, TABLE_STEPS)
+    }
+
+    fn with(friction: f64, steps: u32) -> Self {
+        let depth = |k: u32| (LOG_OF_DEEPEST * f64::from(k) / f64::from(steps)).exp_m1();
+        Self((0..=steps).map(|k| largest(depth(k), friction)).collect())
     }
 
     fn at(&self, depth: f64) -> f64 {
-        let place = depth.ln_1p() / TABLE_STEP;
+        let steps = self.0.len() - 1;
+        let place = depth.ln_1p() / LOG_OF_DEEPEST * steps as f64;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "no more than the steps of the table"
         )]
-        let before = (place as usize).min(TABLE_STEPS as usize - 1);
+        let before = (place as usize).min(steps - 1);
         let (a, b) = (self.0[before], self.0[before + 1]);
         a + (place - before as f64) * (b - a)
     }
 }
 
 const TABLE_STEPS: u32 = 2400;
-/// `ln(101)` over the steps, so that the deepest depth is the last of the table.
-const TABLE_STEP: f64 = 4.615_120_516_841_26 / TABLE_STEPS as f64;
-
-fn depth_of(k: u32) -> f64 {
-    (f64::from(k) * TABLE_STEP).exp_m1()
-}
+/// `ln(101)`, so that the deepest depth is the last of the table.
+const LOG_OF_DEEPEST: f64 = 4.615_120_516_841_26;
 
 /// The largest shear stress at a depth: a scan finds the hump, golden section its top.
 fn largest(depth: f64, friction: f64) -> f64 {
@@ -254,6 +297,21 @@ fn largest(depth: f64, friction: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::analytical::YieldOnset;
+
+    /// The rows of a uniform strength, and a coarser table of shear stresses.
+    #[test]
+    fn limits_over_friction_are_those_of_each_friction() {
+        let all = DepthLimit::over_friction(1e-3, |_| 500.0);
+        for ((friction, limit), (_, uniform)) in
+            all.zip(DepthLimit::uniform_over_friction(1e-3, 500.0))
+        {
+            let one = DepthLimit::sliding(friction, 1e-3, |_| 500.0);
+            for of in [limit, uniform] {
+                assert!((of.peak_pressure / one.peak_pressure - 1.0).abs() < 2e-4, "{friction}");
+                assert!((of.depth - one.depth).abs() < 5e-3, "{friction} {of:?} {one:?}");
+            }
+        }
+    }
 
     #[test]
     fn without_a_gradient_onset_is_the_closed_form() {

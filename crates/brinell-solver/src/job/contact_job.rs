@@ -123,6 +123,7 @@ impl Job {
         let faults = Faults::default();
         faults.extend(job.faults_of_revolution());
         faults.extend(job.faults_of_theory());
+        faults.extend(job.faults_of_rolling());
         faults.extend(job.faults_of_shapes());
         faults.extend(job.faults_of_three_dimensions(document));
         let refused = faults.into_sorted(document);

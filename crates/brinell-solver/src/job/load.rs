@@ -6,7 +6,9 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Target, Units};
+use super::{
+    FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Rolling, Target, Units,
+};
 
 /// The load of a job. Several values are a sweep with one load step each.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +25,8 @@ pub enum Load {
     Onset,
     /// A figure of the contact and its target value; the force is the answer: `{"target": {...}}`.
     Target(Target),
+    /// A force that rolls over a track, pass after pass: `{"rolling": {"force": 2000}}`.
+    Rolling(Rolling),
 }
 
 /// One to [`MAX_VALUES`](Self::MAX_VALUES) values of the load, in the order of their load steps.
@@ -148,7 +152,7 @@ impl Deref for History {
 impl Load {
     /// The keys of the wire format. A load has one of them.
     pub const KINDS: &'static [&'static str] =
-        &["force", "forces", "approach", "approaches", "history", "onset", "target"];
+        &["force", "forces", "approach", "approaches", "history", "onset", "target", "rolling"];
 
     /// Returns the key of this load in the wire format: singular for one value.
     pub fn kind(&self) -> &'static str {
@@ -160,6 +164,7 @@ impl Load {
             Self::History(_) => "history",
             Self::Onset => "onset",
             Self::Target(_) => "target",
+            Self::Rolling(_) => Rolling::KEY,
         }
     }
 
@@ -213,6 +218,9 @@ impl Load {
                 None
             }
             "target" => object.required("target", |c| Target::read(c, units)).map(Self::Target),
+            Rolling::KEY => {
+                object.required(Rolling::KEY, |c| Rolling::read(c, units)).map(Self::Rolling)
+            }
             _ => many("approaches", Quantity::Approach).map(Self::Approaches),
         };
         let given: Vec<_> = Self::KINDS.iter().filter(|kind| object.has(kind)).collect();
@@ -256,6 +264,7 @@ impl InUnits<'_, Load> {
             Load::History(loads) => WireValue::History(loads.iter().map(entry).collect()),
             Load::Onset => WireValue::Yes(true),
             Load::Target(target) => WireValue::Target(InUnits(target, self.1)),
+            Load::Rolling(rolling) => WireValue::Rolling(InUnits(rolling, self.1)),
         };
         WireLoad { kind: self.0.kind(), value }
     }
@@ -274,6 +283,7 @@ enum WireValue<'a> {
     History(Vec<WireHistoryLoad>),
     Yes(bool),
     Target(InUnits<'a, Target>),
+    Rolling(InUnits<'a, Rolling>),
 }
 
 #[derive(serde::Serialize)]

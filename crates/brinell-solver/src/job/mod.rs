@@ -26,6 +26,7 @@ pub mod over_depth;
 pub mod quantity;
 mod reader;
 mod revolution;
+pub mod rolling;
 #[cfg(test)]
 mod roundtrip;
 pub mod schema;
@@ -59,6 +60,7 @@ pub(crate) use over_depth::YIELD_OVER_HARDNESS;
 pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, HardnessScale, OverDepth};
 pub use quantity::Quantity;
 pub use reader::Named;
+pub use rolling::{Rolling, Until};
 pub use settings::{
     ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory,
 };

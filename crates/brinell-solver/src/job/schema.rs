@@ -11,8 +11,9 @@ use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase,
     Hardening, HardnessProfile, HardnessScale, InitialStress, Interpolation, Job, Load,
-    MeshSettings, Named, OutputSettings, OverDepth, Quantity, RollerProfile, Shape,
-    SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units, name, tags,
+    MeshSettings, Named, OutputSettings, OverDepth, PositiveF64, Quantity, RollerProfile, Rolling,
+    Shape, SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units, Until, name,
+    tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -118,15 +119,21 @@ impl Schemas<'_> {
         all.push(("Detrend", enumeration::<Detrend>("What is taken away from heights.")));
         all.push(("SurfaceHeights", self.surface()));
         all.push(("NpyHeights", npy_heights()));
-        all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
+        all.push((
+            "MeshSettings",
+            self.settings(&MeshSettings::TABLE, &MeshSettings::default(), &[]),
+        ));
         all.push((
             "SolverSettings",
-            self.settings(&SolverSettings::TABLE, &SolverSettings::default()),
+            self.settings(&SolverSettings::TABLE, &SolverSettings::default(), &[]),
         ));
         all.push((
             "OutputSettings",
-            self.settings(&OutputSettings::TABLE, &OutputSettings::default()),
+            self.settings(&OutputSettings::TABLE, &OutputSettings::default(), &[]),
         ));
+        let rolling = Rolling::new(PositiveF64::MICRO);
+        all.push(("Rolling", self.settings(&Rolling::TABLE, &rolling, &["force"])));
+        all.push(("Until", enumeration::<Until>("When the passes of a load that rolls end.")));
         all.extend(self.tensile_test());
         all
     }
@@ -306,16 +313,22 @@ impl Schemas<'_> {
         })
     }
 
-    fn settings<T: Record>(&self, table: &'static FieldTable, default: &T) -> Value {
+    fn settings<T: Record>(
+        &self,
+        table: &'static FieldTable,
+        default: &T,
+        required: &[&str],
+    ) -> Value {
         let defaults = default.values().into_iter();
         let entries = table.fields.iter().zip(defaults).map(|(field, default)| {
-            let default = default.map(|default| match default {
-                super::fields::Value::Figure(figure) => json!(figure),
-                super::fields::Value::Whole(number) => json!(number),
-                super::fields::Value::Flag(flag) => json!(flag),
-                super::fields::Value::Word(word) => json!(word),
-                super::fields::Value::Points(points) => json!(points),
-            });
+            let default =
+                default.filter(|_| !required.contains(&field.key)).map(|default| match default {
+                    super::fields::Value::Figure(figure) => json!(figure),
+                    super::fields::Value::Whole(number) => json!(number),
+                    super::fields::Value::Flag(flag) => json!(flag),
+                    super::fields::Value::Word(word) => json!(word),
+                    super::fields::Value::Points(points) => json!(points),
+                });
             self.entry(field, default.as_ref())
         });
         object(table.description, entries.collect())
@@ -554,6 +567,13 @@ impl Schemas<'_> {
                 "target",
                 "The force under which a figure of the contact has a value is the answer.",
                 example(self.named("Target"), json!({"peak_pressure": 1200.0})),
+            ),
+            (
+                "RollingLoad",
+                Rolling::KEY,
+                "A force that rolls over a track, pass after pass: what becomes of the track is \
+                 the answer.",
+                example(self.named("Rolling"), json!({"force": 2000.0, "friction": 0.2})),
             ),
         ];
         let names = loads.each_ref().map(|(name, ..)| *name);

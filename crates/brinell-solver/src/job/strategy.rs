@@ -14,8 +14,8 @@ use super::reader::{Cursor, Faults, Named, Node};
 use super::{
     Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field,
     FieldTable, Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings,
-    NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Shape, SolverSettings, Support,
-    Sweep, Target, TargetFigure, Theory, Units,
+    NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape, SolverSettings,
+    Support, Sweep, Target, TargetFigure, Theory, Units, Until,
 };
 
 /// Generates a positive number within two decades of a typical one, which is in range in both unit
@@ -170,6 +170,20 @@ fn target() -> impl Strategy<Value = Target> {
     })
 }
 
+fn rolling() -> impl Strategy<Value = Rolling> {
+    let ends = (1..=100_u32, any_of(Until::ALL), any::<bool>());
+    (near(2000.0), ends, -1.0..=1.0, 8.0..=256.0).prop_map(
+        |(force, (passes, until, alternating), friction, track)| Rolling {
+            force,
+            passes,
+            until,
+            friction,
+            alternating,
+            track,
+        },
+    )
+}
+
 fn load() -> impl Strategy<Value = Load> {
     let sweep = |typical| vec(near(typical), 1..20).prop_map(|values| Sweep::new(values).unwrap());
     prop_oneof![
@@ -177,7 +191,8 @@ fn load() -> impl Strategy<Value = Load> {
         sweep(0.02).prop_map(Load::Approaches),
         history().prop_map(Load::History),
         Just(Load::Onset),
-        target().prop_map(Load::Target)
+        target().prop_map(Load::Target),
+        rolling().prop_map(Load::Rolling)
     ]
 }
 

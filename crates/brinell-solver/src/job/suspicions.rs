@@ -222,6 +222,7 @@ impl Job {
                     HistoryLoad::Approach(way) => by_approach(f64::from(way)),
                 })
                 .collect(),
+            Load::Rolling(rolling) => vec![by_force(rolling.force.get())],
             Load::Onset | Load::Target(_) => return None,
         };
         let half_width = sizes.into_iter().fold(0.0, f64::max);

@@ -5,7 +5,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::fields::{Record, write_record};
 use super::{
     BackstressTerm, HardenedCase, HardnessProfile, InitialStress, MeshSettings, OutputSettings,
-    SolverSettings, Units,
+    Rolling, SolverSettings, Units,
 };
 
 /// A part of a job, to be written in these units.
@@ -39,5 +39,6 @@ written_as_records!(
     BackstressTerm,
     HardenedCase,
     HardnessProfile,
-    InitialStress
+    InitialStress,
+    Rolling
 );

@@ -215,7 +215,7 @@ impl StepReport {
 }
 
 impl Answer {
-    fn error(self, error: Option<f64>) -> Self {
+    pub(super) fn error(self, error: Option<f64>) -> Self {
         Self { error, ..self }
     }
 
@@ -223,7 +223,7 @@ impl Answer {
         Self { elastic, ..self }
     }
 
-    fn place(self, place: Option<AnswerPlace>) -> Self {
+    pub(super) fn place(self, place: Option<AnswerPlace>) -> Self {
         Self { place, ..self }
     }
 
@@ -235,7 +235,7 @@ impl Answer {
         Self { label: label.to_owned(), ..self }
     }
 
-    fn of(self, body: AnswerBody) -> Self {
+    pub(super) fn of(self, body: AnswerBody) -> Self {
         let label = match body {
             AnswerBody::Upper => format!("{}, upper body", self.label),
             AnswerBody::Lower => format!("{}, lower body", self.label),
@@ -244,7 +244,7 @@ impl Answer {
         Self { body: Some(body), label, ..self }
     }
 
-    fn text(self, text: impl Into<String>) -> Self {
+    pub(super) fn text(self, text: impl Into<String>) -> Self {
         Self { text: text.into(), ..self }
     }
 }
@@ -274,6 +274,11 @@ impl Facts<'_> {
 
     pub fn is_rough(&self) -> bool {
         self.step.three_dimensional.as_ref().is_some_and(|whole| whole.surface.is_some())
+    }
+
+    /// Returns whether every second pass goes back.
+    pub fn is_alternating(&self) -> bool {
+        matches!(self.job.load, Load::Rolling(rolling) if rolling.alternating)
     }
 
     pub fn is_alike(&self) -> bool {
@@ -366,7 +371,7 @@ impl Facts<'_> {
         }
     }
 
-    fn answer(
+    pub fn answer(
         &self,
         name: &str,
         label: &str,
@@ -455,6 +460,9 @@ impl Facts<'_> {
     fn answers(&self) -> Vec<Answer> {
         if self.step.status.is_stopped() {
             return Vec::new();
+        }
+        if let Some(rolling) = &self.step.rolling {
+            return self.of_track(rolling);
         }
         let mut answers = self.asked();
         let is_graded = self.step.profiles().any(|(_, profile)| profile.yield_stress.is_some());
@@ -656,7 +664,7 @@ impl Facts<'_> {
         answers
     }
 
-    fn of_contact(&self) -> Vec<Answer> {
+    pub fn of_contact(&self) -> Vec<Answer> {
         let (step, bars) = (self.step, self.bars());
         let contact = &step.contact;
         let hertz = step.hertz.as_ref().filter(|_| self.touches() && !self.is_rough());

@@ -10,9 +10,10 @@ use super::measured::measured;
 use super::target::TargetSeen;
 use super::{
     ErrorEstimate, FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport,
-    Report, StepReport, SubsurfaceReport, Timings, contact, error_bars, fields, flow,
-    load_approach, onset, plastic_strain, plastic_zone, subsurface, validity,
+    Report, ShakedownLimit, StepReport, SubsurfaceReport, Timings, contact, error_bars, fields,
+    flow, load_approach, onset, plastic_strain, plastic_zone, subsurface, validity,
 };
+use crate::analytical::DepthLimit;
 use crate::contact::ContactLoad;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::method::figures::Figure;
@@ -40,6 +41,8 @@ pub(super) struct ReportBuilder<'a> {
     target: TargetSeen,
     /// The mesh of the last load step.
     mesh: MeshReport,
+    /// Limits of shakedown over friction, which every load step repeats.
+    over_friction: Option<Vec<ShakedownLimit>>,
     /// Time spent on reports.
     time: Duration,
 }
@@ -58,6 +61,7 @@ impl<'a> ReportBuilder<'a> {
             unknown_peaks: 0,
             target: TargetSeen::default(),
             mesh: MeshReport::NONE,
+            over_friction: None,
             time: Duration::ZERO,
         }
     }
@@ -121,7 +125,12 @@ impl<'a> ReportBuilder<'a> {
         if step.energy.is_some() && step.bodies.iter().flatten().any(|body| body.has_yielded()) {
             self.dented_under = self.dented_under.max(step.force());
         }
-        let judged = Judged { reference, bars, findings: &findings };
+        let over_friction = reference.as_ref().map(|reference| {
+            let limits = || over_friction(self.job, reference, self.write);
+            &**self.over_friction.get_or_insert_with(limits)
+        });
+        let over_friction = over_friction.unwrap_or_default();
+        let judged = Judged { reference, over_friction, bars, findings: &findings };
         let report = step_report(self.job, step, judged, fields, self.write);
         let report = report.answered(self.job, &measured, &findings, self.write);
         self.time += observer.elapsed().saturating_sub(start);
@@ -212,6 +221,7 @@ impl FieldReports {
 /// The elastic reference, the error bars and the findings of a load step.
 struct Judged<'a> {
     reference: Option<ElasticReference>,
+    over_friction: &'a [ShakedownLimit],
     bars: Option<ErrorEstimate>,
     findings: &'a [Finding],
 }
@@ -219,7 +229,7 @@ struct Judged<'a> {
 fn step_report(
     job: &Job,
     step: &StepSolution,
-    Judged { reference, bars, findings }: Judged<'_>,
+    Judged { reference, over_friction, bars, findings }: Judged<'_>,
     fields: FieldReports,
     write: UnitConverter,
 ) -> StepReport {
@@ -233,7 +243,7 @@ fn step_report(
             ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),
         },
         status: step.status,
-        approach: write.length(step.approach),
+        approach: Some(write.length(step.approach)),
         approach_datum: approach_datum(job, write),
         contact: contact::report(step, write),
         contact_stiffness: step.contact_stiffness.map(|slope| write.stiffness(slope)),
@@ -241,24 +251,48 @@ fn step_report(
         subsurface,
         subsurface_below_peak,
         plasticity,
-        hertz: reference.map(|reference| HertzReport {
-            half_width: write.length(reference.half_width),
-            peak_pressure: write.stress(reference.peak_pressure),
-            yield_onset_force: reference.yield_onset_force.map(|force| write.force(force)),
-            yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
-            shakedown_pressure: reference
-                .rolling_limit
-                .map(|limit| write.stress(limit.peak_pressure)),
-            shakedown_depth: reference.rolling_limit.map(|limit| write.length(limit.depth)),
-        }),
+        hertz: reference.as_ref().map(|reference| hertz(reference, over_friction, write)),
         validity: validity::remarks(findings, write),
         yield_onset: onset::onset(job, step, findings, write),
         estimated_error: bars,
         fields,
         layers: None,
         three_dimensional: None,
+        rolling: None,
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }
+}
+
+/// Returns the elastic contact in closed form.
+pub(super) fn hertz(
+    reference: &ElasticReference,
+    over_friction: &[ShakedownLimit],
+    write: UnitConverter,
+) -> HertzReport {
+    HertzReport {
+        half_width: write.length(reference.half_width),
+        peak_pressure: write.stress(reference.peak_pressure),
+        yield_onset_force: reference.yield_onset_force.map(|force| write.force(force)),
+        yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
+        shakedown_pressure: reference.rolling_limit.map(|limit| write.stress(limit.peak_pressure)),
+        shakedown_depth: reference.rolling_limit.map(|limit| write.length(limit.depth)),
+        shakedown_over_friction: over_friction.to_vec(),
+    }
+}
+
+/// Returns the limits of shakedown over friction of a job.
+pub(super) fn over_friction(
+    job: &Job,
+    reference: &ElasticReference,
+    write: UnitConverter,
+) -> Vec<ShakedownLimit> {
+    let limits = reference.limits_over_friction(job).into_iter();
+    let limit = |(friction, limit): (f64, DepthLimit)| ShakedownLimit {
+        friction,
+        pressure: write.stress(limit.peak_pressure),
+        depth: write.length(limit.depth),
+    };
+    limits.map(limit).collect()
 }
 
 fn plasticity_report(

@@ -135,7 +135,7 @@ impl<'a> LoadDifferences<'a> {
             Ok(report) => {
                 report.status.interrupt().map_or(Ok(()), Err)?;
                 let last = report.steps.last().filter(|_| report.status == SolveStatus::Converged);
-                Ok(last.map(|step| [step.contact.force, step.approach]))
+                Ok(last.and_then(|step| Some([step.contact.force, step.approach?])))
             }
         }
     }

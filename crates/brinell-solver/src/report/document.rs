@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Answer, ContactReport, ErrorEstimate, FieldsReport, FlowReport, LayersReport, LoadApproach,
-    TargetReport, ThreeDimensionalReport, ValidityNote, Verdict, YieldOnsetReport,
+    RollingReport, ShakedownLimit, TargetReport, ThreeDimensionalReport, ValidityNote, Verdict,
+    YieldOnsetReport,
 };
 use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
@@ -61,8 +62,10 @@ pub struct StepReport {
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub answers: Vec<Answer>,
-    /// Approach α of the supports \[length\].
-    pub approach: f64,
+    /// Approach α of the supports; `null` of a line contact that rolls, which has none
+    /// \[length\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub approach: Option<f64>,
     /// Between which two boundaries α is counted.
     pub approach_datum: String,
     /// Contact pressure and its resultants.
@@ -109,6 +112,9 @@ pub struct StepReport {
     /// What only a contact in three dimensions has; absent in other analyses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub three_dimensional: Option<ThreeDimensionalReport>,
+    /// Passes of a load that rolls, and what becomes of the track; absent of all other loads.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rolling: Option<RollingReport>,
     /// Every outer iteration.
     pub history: Vec<IterationRecord>,
 }
@@ -313,6 +319,11 @@ pub struct HertzReport {
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub shakedown_depth: Option<f64>,
+    /// The same limit of a line contact in plane strain with friction, which slides over the whole
+    /// contact: of both bodies the lower, for either sense of the friction. Empty of all other
+    /// contacts, and where `shakedown_pressure` is `null`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub shakedown_over_friction: Vec<ShakedownLimit>,
 }
 
 /// The mesh that was solved on.

@@ -59,7 +59,7 @@ const WITH_FORCE: f64 = 0.5;
 /// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
 /// and say nothing about the theory: for that see `validity`, which also says why a bound is
 /// `null`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ErrorEstimate {
     /// Of the peak pressure \[1 >= 0\].

@@ -2,6 +2,7 @@
 //! Remarks, error bars, onset and target read them: [`Finding::voids`] says which figures lose
 //! their bar, [`Finding::text`] says a finding in the units of a job.
 
+use super::rolling::TrackVerdict;
 use super::surface_stress::UncertainStress;
 use crate::job::Suspicion;
 use crate::solver::SolveStatus;
@@ -81,6 +82,10 @@ pub(super) enum Finding {
     RollerEnd { pressure: f64, is_sharp: bool },
     /// The contact runs to the rim of the heights.
     SurfaceEnd,
+    /// On half the columns something else becomes of the track.
+    NearLimit { coarse: TrackVerdict },
+    /// The friction of a load that rolls slides over the whole contact.
+    FullSliding,
 }
 
 /// Why a load step has not converged.
@@ -249,6 +254,8 @@ impl Finding {
             Self::HalfSpaces { .. } => "half_spaces",
             Self::RollerEnd { .. } => "roller_end",
             Self::SurfaceEnd => "surface_end",
+            Self::NearLimit { .. } => "near_limit",
+            Self::FullSliding => "full_sliding",
         }
     }
 

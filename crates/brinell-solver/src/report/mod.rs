@@ -19,6 +19,7 @@ mod mesh_effects;
 mod onset;
 mod plastic_strain;
 mod plastic_zone;
+mod rolling;
 mod run;
 mod sentences;
 mod strength;
@@ -46,6 +47,10 @@ pub use half_spaces::{
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};
+pub use rolling::{
+    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, ResidualReport,
+    RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+};
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
 pub use target::TargetReport;
 pub use validity::{VALIDITY_CODES, ValidityNote};

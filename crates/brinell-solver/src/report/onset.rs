@@ -41,6 +41,13 @@ pub enum Side {
     Lower,
 }
 
+impl Side {
+    /// Returns the side of a body, 0 for the upper one.
+    pub(super) const fn of(body: usize) -> Self {
+        if body == 0 { Self::Upper } else { Self::Lower }
+    }
+}
+
 /// Largest relative error at which the closed form gives the onset at a rounded edge.
 const KNOWN: f64 = 0.15;
 

@@ -8,7 +8,9 @@ use thiserror::Error;
 
 use super::build::{ReportBuilder, in_units};
 use super::contact_stiffness::{of_small_mesh, small_solves};
-use super::{Report, StepReport, half_spaces, target};
+use super::{Report, StepReport, half_spaces, rolling, target};
+use brinell_halfspace::track::TrackFault;
+
 use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
@@ -67,7 +69,12 @@ impl RunError {
                 Load::Target(target) => vec![format!("/load/target/{}", target.figure.name())],
                 _ => vec!["/load/onset".to_owned()],
             },
-            SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. } => {
+            SolveError::Track(TrackFault::Traction { .. }) => {
+                vec!["/load/rolling/friction".to_owned()]
+            }
+            SolveError::NoTrack
+            | SolveError::Conforming { .. }
+            | SolveError::TouchesAtEnd { .. } => {
                 sides.map(|(side, _)| format!("/{side}/shape")).to_vec()
             }
             SolveError::AmbiguousCorner { side, .. } => {
@@ -150,6 +157,9 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     if job.analysis == Analysis::ThreeDimensional {
         return half_spaces::preflight(job);
     }
+    if let Load::Rolling(_) = job.load {
+        return rolling::preflight(job);
+    }
     match solver::estimate(job).map_err(|error| RunError::of(job, &error)) {
         Ok(estimate) => Ok(with_result(job, estimate)),
         Err(RunError::Input(errors)) => Err(errors),
@@ -190,6 +200,7 @@ pub(super) fn steps_and_solves(job: &Job) -> [u64; 2] {
         Load::History(history) => [history.iter().count() as u64; 2],
         // One load step under the force and one after its removal.
         Load::Target(target) if target.figure.is_permanent() => [2, 2 * SEARCH_SOLVES],
+        Load::Rolling(rolling) => [1, rolling.passes.into()],
         Load::Onset | Load::Target(_) => [1, SEARCH_SOLVES],
     }
 }
@@ -289,6 +300,9 @@ pub fn run_each(
     let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
     if job.analysis == Analysis::ThreeDimensional {
         return half_spaces::run_each(job, options, observer, on_step);
+    }
+    if let Load::Rolling(_) = job.load {
+        return rolling::run_each(job, observer, on_step);
     }
     let mut reports = Reports { builder: ReportBuilder::new(job, options), number: 0, on_step };
     let solution = solver::run_each(job, options, observer, &mut reports)

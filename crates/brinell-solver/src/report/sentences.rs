@@ -6,7 +6,7 @@ use super::findings::{
 };
 use super::run::CONFORMING_ADVICE;
 use super::suspicions;
-use crate::job::{MeshSettings, YIELD_OVER_HARDNESS};
+use crate::job::{MeshSettings, Named as _, YIELD_OVER_HARDNESS};
 use crate::solver::{MAX_HALF_ANGLE, SolveStatus};
 use crate::units::{UnitConverter, about, percent, rounded};
 
@@ -185,6 +185,17 @@ impl Finding {
                 small(*reach),
                 if *across_roller { "across the roller " } else { "to all sides " },
             ),
+            Self::NearLimit { coarse } => format!(
+                "On half the columns something else becomes of the track ({}): the load lies near \
+                 a limit, and the verdict may be wrong.",
+                coarse.name().replace('_', " ")
+            ),
+            Self::FullSliding => {
+                "The friction is that of full sliding, in the whole contact the pressure times \
+                 its coefficient, and both bodies pass under the load: one that slides without \
+                 turning must not yield."
+                    .to_owned()
+            }
             Self::RollerEnd { pressure, is_sharp } => format!(
                 "The contact runs to an end of the roller, with a pressure of {} in the outermost \
                  cells.{} A half-space goes on beyond the end and bears a part of the load there; \

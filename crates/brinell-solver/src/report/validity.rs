@@ -65,6 +65,8 @@ pub const VALIDITY_CODES: &[&str] = &[
     "half_spaces",
     "roller_end",
     "surface_end",
+    "near_limit",
+    "full_sliding",
 ];
 
 /// Half-width over the smallest radius above which the surfaces deviate too far from their
@@ -155,7 +157,7 @@ pub(super) fn findings(
 
 /// Returns the smallest of the effective radius and the radii of the surfaces, infinite if none
 /// has a radius \[mm\].
-fn smallest_radius(job: &Job, reference: Option<&ElasticReference>) -> f64 {
+pub(super) fn smallest_radius(job: &Job, reference: Option<&ElasticReference>) -> f64 {
     let effective = reference.map_or(f64::INFINITY, |reference| reference.effective_radius);
     let curvatures = [&job.upper, &job.lower]
         .into_iter()
@@ -372,7 +374,7 @@ fn falls(job: &Job) -> bool {
             | [HistoryLoad::Approach(a), HistoryLoad::Approach(b)] => b < a,
             _ => false,
         }),
-        Load::Onset | Load::Target(_) => false,
+        Load::Onset | Load::Target(_) | Load::Rolling(_) => false,
     }
 }
 

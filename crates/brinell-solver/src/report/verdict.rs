@@ -30,6 +30,12 @@ pub enum VerdictLevel {
     /// A body yields, and Hertz's peak pressure is above the shakedown limit of a perfectly plastic
     /// body.
     AboveShakedownLimit,
+    /// The load rolls, and every pass adds a plastic strain.
+    Ratchets,
+    /// The load rolls, and every pass flows and takes back what it has moved.
+    ClosedCycle,
+    /// The load rolls, and plastic flow dies out.
+    ShakesDown,
     /// A body yields.
     Yields,
     /// The load is taken away and has left plastic strain.
@@ -66,6 +72,9 @@ impl Facts<'_> {
                 let text = "No answer: the job was stopped before this load had converged.";
                 return (VerdictLevel::NotConverged, text.to_owned());
             }
+        }
+        if let Some(rolling) = &self.step.rolling {
+            return self.track_verdict(rolling);
         }
         let has_yielded = self.has_yielded();
         if !self.touches() {
@@ -265,6 +274,9 @@ impl Named for VerdictLevel {
         Self::NotConverged,
         Self::Collapse,
         Self::AboveShakedownLimit,
+        Self::Ratchets,
+        Self::ClosedCycle,
+        Self::ShakesDown,
         Self::Yields,
         Self::Dented,
         Self::Elastic,
@@ -277,6 +289,9 @@ impl Named for VerdictLevel {
             Self::NotConverged => "not_converged",
             Self::Collapse => "collapse",
             Self::AboveShakedownLimit => "above_shakedown_limit",
+            Self::Ratchets => "ratchets",
+            Self::ClosedCycle => "closed_cycle",
+            Self::ShakesDown => "shakes_down",
             Self::Yields => "yields",
             Self::Dented => "dented",
             Self::Elastic => "elastic",

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use brinell_halfspace::track::TrackFault;
 use brinell_halfspace::{ElasticityError, GridError};
 
 use crate::contact::ContactError;
@@ -93,6 +94,10 @@ pub enum SolveError {
         /// What a grid holds \[mm\].
         least: f64,
     },
+    /// A load rolls over surfaces that do not open as one arc.
+    NoTrack,
+    /// A track has no equilibrium.
+    Track(TrackFault),
     /// Stopped before there was anything to report.
     Interrupted(Interrupt),
 }
@@ -176,8 +181,33 @@ impl SolveError {
                 write.length_about(*whole),
                 write.length_about(*least)
             ),
+            Self::NoTrack => "a load rolls over surfaces that open as one arc from where they \
+                              touch: cylinders, blocks, grooves and parabolas, of which at least \
+                              one is round"
+                .to_owned(),
+            Self::Track(fault) => track_text(fault, write),
             Self::Interrupted(_) => "stopped before the first iteration".to_owned(),
         }
+    }
+}
+
+/// Returns why a track has no answer as a sentence in the units of a job.
+pub(crate) fn track_text(fault: &TrackFault, write: UnitConverter) -> String {
+    match *fault {
+        TrackFault::Traction { traction, strength } => format!(
+            "friction asks for a shear stress of {} at the surface, where the material bears {} \
+             at most, after all hardening: there is no equilibrium",
+            write.stress_about(traction),
+            write.stress_about(strength)
+        ),
+        TrackFault::Window { width } => format!(
+            "the contact reaches the end of the {} in which the bodies may touch",
+            write.length_about(width)
+        ),
+        TrackFault::Depth { depth } => format!(
+            "the material yields down to a depth of {}, where the layers end",
+            write.length_about(depth)
+        ),
     }
 }
 

@@ -40,6 +40,7 @@ pub(crate) fn loads(load: &Load) -> Loads {
             };
             Loads::Given(loads.iter().map(load).collect())
         }
+        Load::Rolling(rolling) => Loads::Given(vec![ContactLoad::Force(rolling.force.get())]),
         Load::Onset => Loads::Sought(Sought::Onset),
         Load::Target(target) => Loads::Sought(Sought::Target(*target)),
     }

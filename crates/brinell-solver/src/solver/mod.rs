@@ -23,9 +23,11 @@ mod outline;
 mod problem;
 pub(crate) mod recovery;
 mod reference;
+pub mod rolling;
 mod solution;
 mod strategy;
 mod surface_recovery;
+pub(crate) mod watch;
 
 pub(crate) use brinell_method as method;
 
@@ -34,6 +36,7 @@ pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use conforming::ConformingPair;
 pub(crate) use conforming::MAX_HALF_ANGLE;
 pub use error::SolveError;
+pub(crate) use error::track_text;
 pub(crate) use final_check::TIP_ELEMENTS;
 pub(crate) use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run, run_each, run_with};

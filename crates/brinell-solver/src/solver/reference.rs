@@ -64,6 +64,27 @@ impl ElasticReference {
     }
 }
 
+impl ElasticReference {
+    /// The elastic shakedown limit of a line contact for several frictions, of both bodies the
+    /// lower; empty where there is no [`Self::rolling_limit`].
+    pub fn limits_over_friction(&self, job: &Job) -> Vec<(f64, DepthLimit)> {
+        if self.rolling_limit.is_none() {
+            return Vec::new();
+        }
+        let problem = Problem::of(job);
+        let half_width = 2.0 * self.effective_radius / problem.effective_modulus();
+        let bodies = problem.bodies.iter().filter_map(|body| sliding_limits(body, half_width));
+        let lower = |(friction, one): (f64, DepthLimit), other: DepthLimit| {
+            (friction, if other.peak_pressure < one.peak_pressure { other } else { one })
+        };
+        bodies
+            .reduce(|one, two| {
+                one.into_iter().zip(two).map(|(one, (_, two))| lower(one, two)).collect()
+            })
+            .unwrap_or_default()
+    }
+}
+
 /// The largest von Mises stress of elastic bodies over the yield stress under a force, its place
 /// `[x, depth]` \[mm\] and the body, by Hertz's theory: the factor on both yield stresses that
 /// makes the force that of first yield. `None` where [`ElasticReference::of`] has no onset of
@@ -131,6 +152,19 @@ fn rolling_limit(
             DepthLimit::rolling(half_width, |depth| yield_stress * strength.factor(depth))
         }
         None => DepthLimit::uniform_rolling(half_width, yield_stress),
+    })
+}
+
+/// The pressures up to which a line contact shakes down over friction; `half_width` is that of a
+/// unit peak pressure \[mm/MPa\].
+fn sliding_limits(body: &ProblemBody, half_width: f64) -> Option<Vec<(f64, DepthLimit)>> {
+    let yield_stress = body.yield_stress()?;
+    Some(match body.material.as_ref()?.strength() {
+        Some(strength) => {
+            let at = |depth: f64| yield_stress * strength.factor(depth);
+            DepthLimit::over_friction(half_width, at).collect()
+        }
+        None => DepthLimit::uniform_over_friction(half_width, yield_stress).collect(),
     })
 }
 

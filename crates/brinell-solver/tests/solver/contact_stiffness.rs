@@ -22,7 +22,8 @@ fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
         report(&job).steps.pop().unwrap()
     };
     let (below, here, above) = (at(1.0 - by), at(1.0), at(1.0 + by));
-    let slope = (above.contact.force - below.contact.force) / (above.approach - below.approach);
+    let slope = (above.contact.force - below.contact.force)
+        / (above.approach.unwrap() - below.approach.unwrap());
     (here, slope)
 }
 
@@ -127,7 +128,8 @@ fn a_history_is_as_stiff_as_histories_that_differ_in_their_last_load() {
         report(&job).steps.pop().unwrap()
     };
     let (less, more) = (after(500.0), after(1.05 * 510.0));
-    let slope = (more.contact.force - less.contact.force) / (more.approach - less.approach);
+    let slope = (more.contact.force - less.contact.force)
+        / (more.approach.unwrap() - less.approach.unwrap());
     assert_within(steps[2].contact_stiffness.unwrap(), slope, 1e-9);
     assert_eq!(steps[1].contact_stiffness, Some(0.0));
     assert!(steps[0].contact_stiffness.unwrap() > 0.0);

@@ -323,7 +323,7 @@ fn the_force_of_a_target_has_a_bar() {
             "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}}),
         );
         let step = &report.steps[0];
-        (step.contact.force, step.approach, step.estimated_error, report.target.clone())
+        (step.contact.force, step.approach.unwrap(), step.estimated_error, report.target.clone())
     };
     let target = json!({"target": {"peak_pressure": 1300}});
     let [(force, approach, bars, target), (fine, fine_approach, ..)] =

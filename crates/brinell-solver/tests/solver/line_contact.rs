@@ -90,7 +90,7 @@ fn approach_grows_as_for_a_disc() {
     let compliance = |force: f64| {
         let step = &report(&two_cylinders("roller", Value::Null, force)).steps[0].clone();
         let a = step.hertz.as_ref().unwrap().half_width;
-        (step.approach / force, 2.0 * disc_approach(force, elastic, 20.0, a) / force)
+        (step.approach.unwrap() / force, 2.0 * disc_approach(force, elastic, 20.0, a) / force)
     };
     let (light, heavy) = (compliance(60.0), compliance(600.0));
     assert_within(light.0 - heavy.0, light.1 - heavy.1, 5e-3);

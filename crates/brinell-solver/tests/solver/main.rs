@@ -41,6 +41,7 @@ mod punch_ceiling;
 mod purity;
 mod random_jobs;
 mod results;
+mod rolling;
 #[path = "../support/rough_traces.rs"]
 mod rough_traces;
 mod shape_cases;

@@ -101,7 +101,7 @@ fn solve_and_check(text: &str) -> Option<bool> {
     if job.solver.theory == Theory::Deformation {
         let converged = report.steps.iter().filter(|step| step.status == SolveStatus::Converged);
         let mut curve: Vec<(f64, f64)> =
-            converged.map(|step| (step.contact.force, step.approach)).collect();
+            converged.map(|step| (step.contact.force, step.approach.unwrap())).collect();
         curve.sort_by(|a, b| a.0.total_cmp(&b.0));
         assert!(
             // Forces that differ by rounding alone are one.
@@ -133,7 +133,8 @@ fn check_step(step: &StepReport, job: &Job, text: &str) {
     let sum: f64 = contact.nodes.force.iter().sum();
     assert!((sum - contact.force).abs() <= 1e-9 * contact.force, "sum of forces {sum}\n{text}");
     // Nothing pulls and nothing overlaps.
-    let scale = step.approach.abs().max(contact.nodes.gap.iter().copied().fold(0.0, f64::max));
+    let scale =
+        step.approach.unwrap().abs().max(contact.nodes.gap.iter().copied().fold(0.0, f64::max));
     assert!(contact.nodes.force.iter().all(|force| *force >= 0.0), "tension\n{text}");
     assert!(contact.nodes.gap.iter().all(|gap| *gap >= -1e-6 * scale), "overlap\n{text}");
     if let Some(flow) = &step.flow {

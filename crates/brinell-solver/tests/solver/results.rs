@@ -100,7 +100,11 @@ fn fields_are_in_one_frame_for_both_bodies() {
     // The bodies approach each other by α on the axis, where they touch.
     let (_, u) = nearest(upper, [0.0, 0.0]);
     let (_, l) = nearest(lower, [0.0, 0.0]);
-    assert_within(upper.displacement[u][1] - lower.displacement[l][1], step.approach, 1e-9);
+    assert_within(
+        upper.displacement[u][1] - lower.displacement[l][1],
+        step.approach.unwrap(),
+        1e-9,
+    );
     for (a, b) in upper.tau_xy.iter().zip(&lower.tau_xy) {
         assert!((a + b).abs() <= 1e-9 * step.contact.peak_pressure);
     }

@@ -43,7 +43,7 @@ fn every_step_equals_a_job_of_its_own() {
                     alone.history.len()
                 );
                 assert_within(step.contact.peak_pressure, alone.contact.peak_pressure, tolerance);
-                assert_within(step.approach, alone.approach, tolerance);
+                assert_within(step.approach.unwrap(), alone.approach.unwrap(), tolerance);
             }
         }
     }
@@ -53,7 +53,7 @@ fn every_step_equals_a_job_of_its_own() {
 fn a_sweep_of_approaches_gives_the_forces_back() {
     for (analysis, forces, tolerance) in CASES {
         let by_force = report(&sweep(analysis, json!({"forces": forces}))).steps;
-        let approaches: Vec<f64> = by_force.iter().map(|step| step.approach).collect();
+        let approaches: Vec<f64> = by_force.iter().map(|step| step.approach.unwrap()).collect();
         let by_approach = report(&sweep(analysis, json!({"approaches": approaches}))).steps;
         for (step, force) in by_approach.iter().zip(forces) {
             assert_eq!(step.status, SolveStatus::Converged, "{analysis} {force}");

@@ -81,7 +81,7 @@ fn a_force_that_is_found_does_what_it_was_sought_for() {
                 "peak_pressure" => step.contact.peak_pressure,
                 "mean_pressure" => step.contact.mean_pressure,
                 "half_width" => step.contact.half_width,
-                "permanent_approach" => last.approach,
+                "permanent_approach" => last.approach.unwrap(),
                 "dent_depth" => dents(last.flow.as_ref().unwrap()).into_iter().fold(0.0, f64::max),
                 _ => bodies
                     .map(|b| b.as_ref().unwrap().max_equivalent_plastic_strain.unwrap())

@@ -166,7 +166,7 @@ impl Table {
             text,
             "{number},{status},{},{},{},{},{},{},{strain}",
             contact.force,
-            step.approach,
+            step.approach.map_or_else(String::new, |approach| approach.to_string()),
             contact.peak_pressure,
             contact.mean_pressure,
             contact.half_width,

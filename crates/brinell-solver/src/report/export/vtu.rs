@@ -47,7 +47,13 @@ pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
     let bytes =
         encode_fields(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
-    Ok(VtuFile::new(report, [step, report.steps.len()], shown.approach, &layout)?.whole(&bytes))
+    Ok(VtuFile::new(
+        report,
+        [step, report.steps.len()],
+        shown.approach.unwrap_or_default(),
+        &layout,
+    )?
+    .whole(&bytes))
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "for map_err")]

@@ -55,7 +55,7 @@ impl StepWriter<'_> {
                 ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),
             },
             status: step.status,
-            approach: write.length(step.figures.approach),
+            approach: Some(write.length(step.figures.approach)),
             approach_datum: HALF_SPACE_DATUM.to_owned(),
             contact: self.contact(step),
             contact_stiffness: contact_stiffness
@@ -79,6 +79,7 @@ impl StepWriter<'_> {
                     .rolling()
                     .map(|limit| write.stress(limit.peak_pressure)),
                 shakedown_depth: self.reference.rolling().map(|limit| write.length(limit.depth)),
+                shakedown_over_friction: Vec::new(),
             }),
             yield_onset: self.yield_onset(step),
             validity: validity::remarks(findings, write),
@@ -87,6 +88,7 @@ impl StepWriter<'_> {
             layers: (self.job.output.fields && !is_stopped)
                 .then(|| of_bodies(step, |body, _| layers(body, write))),
             three_dimensional: Some(self.three_dimensional(step, known)),
+            rolling: None,
             history: step.history.iter().map(|record| in_units(record, write)).collect(),
         }
     }

@@ -12,7 +12,7 @@ use brinell_halfspace::DEVIATOR_COMPONENTS;
 use super::engine::{Answer, HalfSpaceEngine, ends_reached};
 use super::measure::{Measured, measure, stresses};
 use super::step::{HalfSpaceBody, HalfSpaceStep};
-use super::system::{HalfSpaces, watched};
+use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
 use crate::contact::kkt::ContactScales;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
@@ -22,6 +22,7 @@ use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::Answer as _;
+use crate::solver::watch::watched;
 use crate::solver::{SolveStatus, method};
 
 impl Answer {

@@ -11,7 +11,7 @@ use super::estimate::bytes;
 use super::law::law_of_cells;
 use super::measure::{place, reach, semi_axes};
 use super::problem::{Expected, HalfSpaceProblem};
-use super::system::{ElasticBody, HalfSpaces, Yielding, watched};
+use super::system::{ElasticBody, HalfSpaces, Yielding};
 use crate::contact::{ConjugateGradientSolver, ContactLoad};
 use crate::job::{self, Deformable, InitialStressProfile, Theory};
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
@@ -23,6 +23,7 @@ use crate::solver::method::observer::Held;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
+use crate::solver::watch::watched;
 use crate::solver::{SolveError, strategy};
 
 /// Half a side of the grid over the semi-axis. From the prototype in Python.

@@ -6,7 +6,7 @@ use super::measure::{measure, place, stresses};
 use super::problem::HalfSpaceProblem;
 use super::run::size;
 use super::step::HalfSpaceStep;
-use super::system::{HalfSpaces, never};
+use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
 use crate::job::Theory;
 use crate::solver::SolveError;
@@ -22,6 +22,7 @@ use crate::solver::method::history::{
 use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
+use crate::solver::watch::never;
 
 /// Ratio of peak pressure to yield stress at which a ball begins to yield, for Poisson's ratio
 /// 0.3. Other contacts begin to yield later.

@@ -24,9 +24,9 @@ use crate::solver::method;
 use crate::solver::method::contact_system::{
     BlockVector, ContactFigures, ContactSystem, Response,
 };
-use crate::solver::method::observer::Interrupt;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
+use crate::solver::watch::{never, watched};
 
 /// An elastic body: its operators, its initial stress, and its index among the bodies that can
 /// yield.
@@ -333,30 +333,6 @@ fn yielded_cells(body: &YieldingBody) -> usize {
     (0..body.len() / DEVIATOR_COMPONENTS)
         .filter(|cell| body.law().has_yielded(cell / n_cells, *cell))
         .count()
-}
-
-/// Never stops a solve.
-pub(super) const fn never() -> bool {
-    false
-}
-
-/// Does work that the observer can stop, and records its time.
-///
-/// # Errors
-/// [`method::Error::Interrupted`].
-pub(super) fn watched<T>(
-    run: &mut Run<'_>,
-    phase: Phase,
-    work: impl FnOnce(&mut Stop<'_>) -> Result<T, Stopped>,
-) -> Result<T, method::Error> {
-    let mut interrupt = None;
-    let done = run.time_observed(phase, |observer| {
-        work(&mut || {
-            interrupt = observer.on_checkpoint().break_value();
-            interrupt.is_some()
-        })
-    });
-    done.map_err(|Stopped| method::Error::Interrupted(interrupt.unwrap_or(Interrupt::Cancelled)))
 }
 
 /// Returns the layer of a cell and the index of its first component in the vector of a body.

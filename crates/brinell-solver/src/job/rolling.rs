@@ -1,0 +1,121 @@
+//! A line contact that rolls or slides over its track.
+
+use super::fields::{Field, read_record, record};
+use super::reader::Cursor;
+use super::{
+    Analysis, Coupling, FaultCode, FieldError, Job, Load, Named, PositiveF64, Quantity, Theory,
+    Units,
+};
+
+record! {
+    /// A line contact that passes over its track again and again, in the direction of x.
+    #[derive(Copy)]
+    pub struct Rolling("", "Rolling") {
+        /// Force on unit thickness.
+        pub force: PositiveF64 = Field::quantity(Quantity::LineForce).label("Force", "P").example(2000.0),
+        /// Passes at most.
+        pub passes: u32 = Field::whole(1..=100).label("Passes", "N"),
+        /// When to end: at the `verdict`, as soon as three passes running agree on it, or after
+        /// all `passes`.
+        pub until: Until = Field::choice::<Until>("Until").label("Until", ""),
+        /// Traction over pressure in the whole contact, which slides. Positive where the traction
+        /// on the lower body acts along the travel of the load (a slider, a braked wheel),
+        /// negative for a driven wheel; the upper body has the opposite traction.
+        pub friction: f64 = Field::pure(-1.0..=1.0).label("Friction", "μ"),
+        /// Whether every second pass goes back. The friction keeps its sense to the travel.
+        pub alternating: bool = Field::flag().label("There and back", ""),
+        /// Length of the track over the elastic half-width, after which the material comes back.
+        /// It acts on the first pass alone.
+        pub track: f64 = Field::pure(8.0..=256.0).label("Length of the track", "Λ/a"),
+    }
+}
+
+impl Rolling {
+    /// The key of this load.
+    pub const KEY: &'static str = "rolling";
+
+    /// Free rolling under a force until a verdict counts, in at most 30 passes.
+    pub fn new(force: PositiveF64) -> Self {
+        Self {
+            force,
+            passes: 30,
+            until: Until::default(),
+            friction: 0.0,
+            alternating: false,
+            track: 32.0,
+        }
+    }
+
+    /// Reads a load whose members but the force may be missing.
+    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
+        let object = cursor.object()?;
+        let is_given = object.has("force");
+        if !is_given {
+            object.fault("force", FaultCode::Required, format_args!("is required"));
+        }
+        let default = Self::new(PositiveF64::MICRO);
+        read_record(&object, None, units, Some(default), &[]).filter(|_| is_given)
+    }
+}
+
+/// When the passes of a load that rolls end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Until {
+    /// As soon as three passes running agree on what becomes of the track.
+    #[default]
+    Verdict,
+    /// After all of them.
+    Passes,
+}
+
+impl Named for Until {
+    const ALL: &'static [Self] = &[Self::Verdict, Self::Passes];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Verdict => "verdict",
+            Self::Passes => "passes",
+        }
+    }
+}
+
+impl Job {
+    /// Returns the faults of a load that rolls where nothing rolls, or by which this program does
+    /// not roll.
+    pub(super) fn faults_of_rolling(&self) -> Vec<FieldError> {
+        let Load::Rolling(_) = self.load else { return Vec::new() };
+        let mut faults = Vec::new();
+        let mut fault = |pointer: &str, detail: &str| {
+            faults.push(FieldError {
+                pointer: pointer.to_owned(),
+                code: FaultCode::Inconsistent,
+                detail: detail.to_owned(),
+            });
+        };
+        if self.analysis != Analysis::PlaneStrain {
+            let detail = "only line contacts roll: they need the analysis \"plane_strain\"";
+            fault("/load/rolling", detail);
+        }
+        if self.solver.theory == Theory::Deformation {
+            let detail = "a load that rolls takes the stress off what it has passed, which \
+                          deformation theory does not know; it needs the theory `flow`";
+            fault("/solver/theory", detail);
+        }
+        if self.solver.increments.is_some() {
+            fault("/solver/increments", "a pass is solved as a whole and has no increments");
+        }
+        if self.solver.coupling == Coupling::SecantStiffness {
+            let detail = "a track has no stiffness that could take secant moduli; take \
+                          `accelerated`, `strong` or `weak`";
+            fault("/solver/coupling", detail);
+        }
+        if self.output.fields {
+            fault("/output/fields", "a track has no mesh whose fields could be kept");
+        }
+        if self.output.contact_stiffness {
+            let detail = "a line contact that rolls has no approach and so no contact stiffness";
+            fault("/output/contact_stiffness", detail);
+        }
+        faults
+    }
+}

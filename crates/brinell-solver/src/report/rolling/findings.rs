@@ -1,0 +1,62 @@
+//! Findings on a load that rolls.
+
+use super::document::TrackVerdict;
+use super::step::{word, worst};
+use crate::job::Job;
+use crate::report::findings::{Advice, Finding, Unconverged, Wide};
+use crate::report::strength::by_hardness;
+use crate::report::validity::{WIDE_CONTACT, large_strain, smallest_radius};
+use crate::solver::rolling::{RollingProblem, RollingSolution};
+use crate::solver::{ElasticReference, SolveStatus};
+
+/// Distance over the half-width within which the stress of the contact decays.
+const REACH: f64 = 5.0;
+
+/// Returns the findings on a load that rolls.
+pub(super) fn findings(
+    job: &Job,
+    problem: &RollingProblem,
+    solution: &RollingSolution,
+) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let last = &solution.last;
+    match solution.status {
+        SolveStatus::Converged => {}
+        SolveStatus::NotConverged if solution.fault.is_some() => {
+            findings.push(Finding::NotConverged(Unconverged::AtEdge));
+            findings.push(Finding::AtEdge { in_hole: false });
+        }
+        SolveStatus::NotConverged => {
+            let has_room = last.iterations < problem.solver.max_iterations as usize;
+            findings.push(Finding::NotConverged(Unconverged::Iteration {
+                iterations: last.iterations,
+                residual: last.residual,
+                advice: if has_room { Advice::SmallerLoad } else { Advice::MoreIterations },
+            }));
+        }
+        status => findings.push(Finding::Stopped { status, is_preliminary: false }),
+    }
+    let half_width = last.half_width();
+    let reference = ElasticReference::of(job, problem.load.force.get());
+    let ratio = half_width / smallest_radius(job, reference.as_ref());
+    if ratio > WIDE_CONTACT {
+        findings.push(Finding::Wide(Wide::OverRadius { ratio, in_groove: false }));
+    }
+    let strain = solution.passes.iter().flat_map(|pass| pass.bodies.iter().flatten());
+    let strain = strain.map(|body| body.strain.largest.value).fold(0.0, f64::max);
+    findings.extend(large_strain(strain, false, None));
+    let [fine, coarse] =
+        [&solution.verdicts, &solution.coarse_verdicts].map(|verdicts| word(worst(verdicts).1));
+    if fine != coarse && ![fine, coarse].contains(&TrackVerdict::Undecided) {
+        findings.push(Finding::NearLimit { coarse });
+    }
+    if solution.status == SolveStatus::Converged && problem.load.friction != 0.0 {
+        findings.push(Finding::FullSliding);
+    }
+    findings.extend(by_hardness(job));
+    findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
+    if half_width > 0.0 {
+        findings.push(Finding::HalfSpaces { reach: REACH * half_width, across_roller: true });
+    }
+    findings
+}

@@ -1,0 +1,13 @@
+//! Jobs whose load rolls: estimate, report, findings, answers.
+
+mod answers;
+mod document;
+mod findings;
+mod run;
+mod step;
+
+pub use document::{
+    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, ResidualReport,
+    RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+};
+pub(super) use run::{preflight, run_each};

@@ -1,0 +1,85 @@
+//! Estimated errors of the figures of a pass.
+//!
+//! ```text
+//! error = 0.7 |x(c) - x(c/2)| + |x(Λ) - x(2Λ)| + 1 % |x|      c columns over a, track of length Λ
+//! ```
+//! The second term is that of the first pass, on half the columns: a longer track changes nothing
+//! else. Contact figures have no term of the track.
+
+use super::pass::{BodyPass, Pass};
+
+const OF_COLUMNS: f64 = 0.7;
+const FLOOR: f64 = 1e-2;
+/// Floor of the half-width over the width of a column, as in three dimensions.
+const SCATTER_OF_WIDTH: f64 = 0.1;
+
+/// Estimated absolute errors, in the units of [`Pass`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassErrors {
+    /// Of the largest pressure.
+    pub peak_pressure: f64,
+    /// Of the half-width.
+    pub half_width: f64,
+    /// Of the plastic work, and of rolling force and loss: what is missing in the balance of
+    /// energy counts too.
+    pub work: f64,
+    /// Of the figures of each body.
+    pub bodies: [Option<BodyPassErrors>; 2],
+}
+
+/// Estimated absolute errors of what a pass leaves in a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyPassErrors {
+    /// Of the depth of the groove.
+    pub groove_depth: f64,
+    /// Of the forward displacement.
+    pub forward: f64,
+    /// Of the largest accumulated plastic strain of the pass.
+    pub largest_strain: f64,
+    /// Of the largest net strain of the pass.
+    pub net_strain: f64,
+    /// Of the smallest and of the largest residual stress, along the travel and across it.
+    pub residual: f64,
+}
+
+impl PassErrors {
+    /// The errors of a pass beside the same pass on half the columns, and of first passes on
+    /// tracks of one and of two lengths on half the columns.
+    pub(super) fn of(fine: &Pass, coarse: &Pass, lengths: Option<[&Pass; 2]>, h: f64) -> Self {
+        let error = |of: &dyn Fn(&Pass) -> f64| {
+            let track = lengths.map_or(0.0, |[one, two]| (of(one) - of(two)).abs());
+            OF_COLUMNS * (of(fine) - of(coarse)).abs() + track + FLOOR * of(fine).abs()
+        };
+        let of_contact = |of: &dyn Fn(&Pass) -> f64| OF_COLUMNS * (of(fine) - of(coarse)).abs();
+        let of_body = |side: usize| {
+            fine.bodies[side].as_ref()?;
+            let figure = |of: &dyn Fn(&BodyPass) -> f64| {
+                error(&|pass: &Pass| pass.bodies[side].as_ref().map_or(0.0, of))
+            };
+            let residual = residuals(fine, side).into_iter().enumerate();
+            let residual = residual.map(|(k, _)| error(&|pass: &Pass| residuals(pass, side)[k]));
+            Some(BodyPassErrors {
+                groove_depth: figure(&|body| body.outlet.groove_depth),
+                forward: figure(&|body| body.outlet.forward),
+                largest_strain: figure(&|body| body.strain.largest.value),
+                net_strain: figure(&|body| body.strain.net.value),
+                residual: residual.fold(0.0, f64::max),
+            })
+        };
+        Self {
+            peak_pressure: of_contact(&|pass| pass.peak_pressure) + FLOOR * fine.peak_pressure,
+            half_width: of_contact(&Pass::half_width) + SCATTER_OF_WIDTH * h,
+            work: error(&Pass::plastic_work) + fine.energy_gap() * fine.plastic_work(),
+            bodies: [of_body(0), of_body(1)],
+        }
+    }
+}
+
+/// Smallest and largest residual stress of a body along the travel and across it \[MPa\].
+fn residuals(pass: &Pass, side: usize) -> [f64; 4] {
+    let Some(body) = &pass.bodies[side] else { return [0.0; 4] };
+    let layers = || body.outlet.residual.iter();
+    let least = |k: usize| layers().map(|stress| stress[k]).fold(0.0, f64::min);
+    let most = |k: usize| layers().map(|stress| stress[k]).fold(0.0, f64::max);
+    [least(0), most(0), least(1), most(1)]
+}

@@ -1,0 +1,50 @@
+//! What a load that rolls will take, before it is solved.
+
+use brinell_halfspace::track::TrackGrid;
+
+use super::engine::TrackDesign;
+use super::problem::RollingProblem;
+use crate::solver::SolveError;
+
+/// Numbers that a body keeps of each cell: spectra of pressure and traction, spectra of the three
+/// components and of their sweep, increments, trials and their images.
+const NUMBERS_OF_CELL: usize = 40;
+/// Numbers of each cell that flows, in the differences of the acceleration.
+const NUMBERS_OF_FLOW: usize = 3 * 2 * 9;
+/// Part of the cells that flows.
+const FLOWING: usize = 4;
+
+/// The track of a problem, as long as contact and plastic strain stay on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TrackEstimate {
+    /// Columns of the track.
+    pub columns: usize,
+    /// Columns in which the bodies may touch.
+    pub window: usize,
+    /// Layers of each body.
+    pub layers: usize,
+    /// Largest memory \[bytes\].
+    pub bytes: u64,
+}
+
+/// Estimates the track that a problem asks for, and its memory.
+///
+/// # Errors
+/// Those of a grid, and [`SolveError::Track`] where the surfaces do not bear the friction.
+pub fn estimate(problem: &RollingProblem) -> Result<TrackEstimate, SolveError> {
+    problem.bears()?;
+    let (grid, layers) = TrackDesign::new(problem, problem.columns).grid()?;
+    Ok(TrackEstimate {
+        columns: grid.n_columns(),
+        window: grid.window().len(),
+        layers: layers.len(),
+        bytes: bytes(problem, &grid, layers.len()) as u64,
+    })
+}
+
+/// Bytes that a solve on a grid holds.
+pub(super) fn bytes(problem: &RollingProblem, grid: &TrackGrid, layers: usize) -> usize {
+    let cells = grid.n_columns() * layers * problem.yielding().count();
+    let contact = 3 * grid.window().len().pow(2);
+    size_of::<f64>() * (cells * (NUMBERS_OF_CELL + NUMBERS_OF_FLOW / FLOWING) + contact)
+}

@@ -1,0 +1,434 @@
+//! Loads that roll, as jobs: figures of `docs/theory_rolling.md`, symmetries, refusals, stops.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+use brinell_solver::job::{Job, JobError};
+use brinell_solver::report::{
+    BodyPassReport, Report, RollingReport, RunError, StepReport, TrackVerdict, VerdictLevel,
+    preflight, run,
+};
+use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
+use serde_json::{Value, json};
+
+const YOUNG: f64 = 210_000.0;
+const YIELD: f64 = 500.0;
+
+fn steel(plasticity: &Value) -> Value {
+    json!({"young_modulus": YOUNG, "poisson_ratio": 0.3, "plasticity": plasticity})
+}
+
+fn perfect() -> Value {
+    json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 0})
+}
+
+fn with_backstress() -> Value {
+    let mut law = perfect();
+    law["backstress"] = json!([{"modulus": 40_000, "rate": 200}]);
+    law
+}
+
+fn limit(friction: f64) -> f64 {
+    match (friction.abs() * 10.0).round() {
+        1.0 => 3.564,
+        2.0 => 3.202,
+        3.0 => 2.9,
+        _ => 4.0,
+    }
+}
+
+/// A rigid roller on a body of this law, whose elastic half-width is 1 mm under `factor` times the
+/// limit of perfect plasticity. Members of `rolling` are those of the load.
+fn track(law: &Value, factor: f64, rolling: &Value) -> Value {
+    let friction = rolling["friction"].as_f64().unwrap_or(0.0);
+    let peak = factor * limit(friction) * YIELD / 3f64.sqrt();
+    let radius = YOUNG / (1.0 - 0.09) / (2.0 * peak);
+    let mut load = json!({"force": 0.5 * PI * peak});
+    for (key, value) in rolling.as_object().unwrap() {
+        load[key] = value.clone();
+    }
+    json!({
+        "analysis": "plane_strain",
+        "upper": {"shape": {"type": "cylinder", "radius": radius}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 60}, "material": steel(law)},
+        "load": {"rolling": load},
+        "solver": {"theory": "flow"},
+    })
+}
+
+fn report(job: &Value) -> Report {
+    let job = Job::from_value(job).unwrap();
+    run(&job, &mut Unobserved).unwrap()
+}
+
+fn step(job: &Value) -> StepReport {
+    report(job).steps.remove(0)
+}
+
+fn rolling(step: &StepReport) -> &RollingReport {
+    step.rolling.as_ref().unwrap()
+}
+
+fn body(step: &StepReport, pass: usize) -> BodyPassReport {
+    rolling(step).passes[pass - 1].bodies.lower.unwrap()
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64, relative: f64) {
+    assert!((found / expected - 1.0).abs() < relative, "{found} for {expected}");
+}
+
+/// Rows of the prototype: 2 % of the first pass; 6, 4 and 10 % of the eighth.
+#[test]
+fn free_rolling_above_the_limit_ratchets() {
+    let step = step(&track(&perfect(), 1.05, &json!({"passes": 12, "until": "passes"})));
+    let first = body(&step, 1);
+    near(first.largest_strain, 3.6e-3, 0.02);
+    near(first.groove_depth, 8.55e-4, 0.02);
+    near(first.forward, 2.72e-3, 0.02);
+    near(first.least_sigma_x, -197.5, 0.02);
+    near(first.least_sigma_z, -256.5, 0.02);
+    assert!((0.5..0.56).contains(&first.largest_strain_depth), "{first:?}");
+    let eighth = body(&step, 8);
+    near(eighth.forward, -1.10e-4, 0.06);
+    near(eighth.largest_strain, 1.37e-3, 0.04);
+    near(eighth.net_strain, 2.6e-4, 0.1);
+    let found = rolling(&step);
+    assert_eq!(found.verdict, TrackVerdict::Ratchets);
+    near(found.rate.unwrap(), body(&step, 12).net_strain, 1e-9);
+    let verdict = step.verdict.as_ref().unwrap();
+    assert_eq!(verdict.level, VerdictLevel::Ratchets);
+    assert!(verdict.text.contains("1.05 times the limit of shakedown"), "{}", verdict.text);
+    let (first, later) = found.passes.split_first().unwrap();
+    assert!(first.energy_gap < 0.01, "{}", first.energy_gap);
+    assert!(later.iter().all(|pass| pass.energy_gap < 0.03), "{later:?}");
+    near(first.loss, first.rolling_force / step.contact.force, 1e-9);
+    let iterations: usize = found.passes.iter().map(|pass| pass.iterations).sum();
+    assert!((300..600).contains(&iterations), "{iterations}");
+}
+
+#[test]
+fn with_friction_a_track_ratchets_above_its_own_limit_alone() {
+    let above = step(&track(&perfect(), 1.05, &json!({"friction": 0.2, "passes": 10})));
+    near(body(&above, 1).largest_strain, 9.66e-4, 0.015);
+    near(body(&above, 1).forward, 1.195e-3, 0.015);
+    near(body(&above, 8).forward, 5.9e-4, 0.04);
+    near(body(&above, 8).largest_strain, 1.25e-3, 0.04);
+    assert_eq!(rolling(&above).verdict, TrackVerdict::Ratchets);
+    let limits = rolling(&above).limits;
+    near(limits.perfect.unwrap().peak_pressure, 3.202 * YIELD / 3f64.sqrt(), 1e-3);
+    near(limits.kinematic.unwrap().peak_pressure, 3.95 * YIELD / 3f64.sqrt(), 5e-3);
+    for (friction, sigma_x, sigma_z) in [(0.0, -137.5, -151.9), (0.2, -34.5, -76.0)] {
+        let below = step(&track(&perfect(), 0.97, &json!({"friction": friction})));
+        let found = rolling(&below);
+        assert_eq!((found.verdict, found.rate), (TrackVerdict::ShakesDown, Some(0.0)));
+        assert_eq!(below.verdict.as_ref().unwrap().level, VerdictLevel::ShakesDown);
+        let last = found.passes.last().unwrap();
+        near(last.bodies.lower.unwrap().least_sigma_x, sigma_x, 0.03);
+        near(last.bodies.lower.unwrap().least_sigma_z, sigma_z, 0.03);
+        near(last.peak_pressure, below.hertz.as_ref().unwrap().peak_pressure, 5e-4);
+        assert!(found.reason.is_none() && found.body == Some(brinell_solver::report::Side::Lower));
+    }
+}
+
+/// Without yield a pass leaves nothing behind, to the last digit.
+#[test]
+fn a_pass_without_yield_changes_nothing() {
+    let load = json!({"friction": 0.1, "passes": 4, "until": "passes"});
+    let step = step(&track(&perfect(), 0.5, &load));
+    let found = rolling(&step);
+    assert_eq!((found.verdict, found.passes.len()), (TrackVerdict::Elastic, 4));
+    assert_eq!(step.verdict.as_ref().unwrap().level, VerdictLevel::Elastic);
+    let first = &found.passes[0];
+    for (number, pass) in found.passes.iter().enumerate() {
+        let body = pass.bodies.lower.unwrap();
+        assert_eq!([body.groove_depth, body.forward, body.net_strain], [0.0; 3]);
+        assert!((pass.peak_pressure / first.peak_pressure - 1.0).abs() < 1e-12, "{number}");
+        assert!(pass.rolling_force.abs() < 1e-9 * step.contact.force);
+    }
+    near(first.peak_pressure, step.hertz.as_ref().unwrap().peak_pressure, 1e-3);
+}
+
+/// The other body, with the other sense of friction, and the other direction of travel.
+#[test]
+fn bodies_may_be_swapped() {
+    let load = json!({"friction": 0.2, "passes": 3, "until": "passes"});
+    let one = track(&with_backstress(), 1.2, &load);
+    let mut other = one.clone();
+    (other["upper"], other["lower"]) = (one["lower"].clone(), one["upper"].clone());
+    other["load"]["rolling"]["friction"] = json!(-0.2);
+    let (one, other) = (step(&one), step(&other));
+    for (a, b) in rolling(&one).passes.iter().zip(&rolling(&other).passes) {
+        assert_eq!(a.bodies.lower, b.bodies.upper);
+        assert_eq!((a.iterations, a.peak_pressure), (b.iterations, b.peak_pressure));
+    }
+}
+
+/// Two equal bodies that roll freely share one; with a Young's modulus that differs in the ninth
+/// digit they do not.
+#[test]
+fn equal_bodies_are_those_that_are_nearly_equal() {
+    let mut job = track(&perfect(), 1.05, &json!({"passes": 3, "until": "passes"}));
+    let radius = job["upper"]["shape"]["radius"].as_f64().unwrap();
+    job["upper"] = json!({
+        "shape": {"type": "cylinder", "radius": 2.0 * radius}, "material": steel(&perfect())});
+    // Twice the radius and half the modulus: four times the force for the same pressure.
+    let force = job["load"]["rolling"]["force"].as_f64().unwrap();
+    job["load"]["rolling"]["force"] = json!(4.0 * force);
+    let shared = step(&job);
+    job["upper"]["material"]["young_modulus"] = json!(YOUNG * (1.0 + 1e-9));
+    let apart = step(&job);
+    assert!(rolling(&shared).body.is_none() && rolling(&apart).body.is_some());
+    for (a, b) in rolling(&shared).passes.iter().zip(&rolling(&apart).passes) {
+        for (one, other) in
+            [(&a.bodies.upper, &b.bodies.upper), (&a.bodies.lower, &b.bodies.lower)]
+        {
+            let (one, other) = (one.unwrap(), other.unwrap());
+            near(one.groove_depth, other.groove_depth, 1e-3);
+            near(one.largest_strain, other.largest_strain, 1e-3);
+        }
+        near(a.plastic_work, b.plastic_work, 1e-3);
+    }
+}
+
+#[test]
+fn units_of_the_job_are_those_of_the_passes() {
+    let load = json!({"friction": 0.1, "passes": 2, "until": "passes"});
+    let mm = track(&perfect(), 1.2, &load);
+    let mut si = mm.clone();
+    si["units"] = json!("SI");
+    for (pointer, factor) in [
+        ("/upper/shape/radius", 1e-3),
+        ("/lower/shape/width", 1e-3),
+        ("/lower/shape/depth", 1e-3),
+        ("/lower/material/young_modulus", 1e6),
+        ("/lower/material/plasticity/yield_stress", 1e6),
+        ("/load/rolling/force", 1e3),
+    ] {
+        let value = si.pointer_mut(pointer).unwrap();
+        *value = json!(factor * value.as_f64().unwrap());
+    }
+    let (mm, si) = (step(&mm), step(&si));
+    for (a, b) in rolling(&mm).passes.iter().zip(&rolling(&si).passes) {
+        near(b.plastic_work, 1e3 * a.plastic_work, 1e-6);
+        near(b.peak_pressure, 1e6 * a.peak_pressure, 1e-9);
+        let (a, b) = (a.bodies.lower.unwrap(), b.bodies.lower.unwrap());
+        near(b.groove_depth, 1e-3 * a.groove_depth, 1e-6);
+        near(b.least_sigma_z, 1e6 * a.least_sigma_z, 1e-6);
+        near(b.largest_strain, a.largest_strain, 1e-6);
+    }
+}
+
+/// Passes there and back are judged by pairs: what one moves, the next takes back.
+#[test]
+fn passes_there_and_back_close_a_cycle() {
+    let load = json!({"friction": 0.2, "alternating": true, "passes": 40});
+    // 1.3 times the limit of layers of 10 columns, 3.243 k.
+    let mut job = track(&with_backstress(), 1.3 * 3.243 / 3.202, &load);
+    job["mesh"] = json!({"elements_per_half_width": 10});
+    let step = step(&job);
+    let found = rolling(&step);
+    assert_eq!(found.verdict, TrackVerdict::ClosedCycle, "{:?}", found.reason);
+    near(found.rate.unwrap(), 1.17e-2, 0.05);
+    let last = found.passes.last().unwrap().bodies.lower.unwrap();
+    assert!(last.net_strain > 3e-3, "{last:?}");
+    let text = &step.verdict.as_ref().unwrap().text;
+    assert!(text.contains("each pass there and back"), "{text}");
+}
+
+#[test]
+fn too_few_passes_are_undecided() {
+    let step = step(&track(&perfect(), 1.05, &json!({"passes": 4})));
+    let found = rolling(&step);
+    assert_eq!((found.verdict, found.rate), (TrackVerdict::Undecided, None));
+    assert!(found.reason.as_ref().unwrap().contains("within 4 passes"), "{:?}", found.reason);
+    let verdict = step.verdict.as_ref().unwrap();
+    assert_eq!(verdict.level, VerdictLevel::NotKnown);
+    let rate = step.answers.iter().find(|answer| answer.name == "rate").unwrap();
+    assert!(rate.value.is_none() && rate.text.starts_with("not known"));
+    assert_eq!(step.status, SolveStatus::Converged);
+    assert!(step.approach.is_none());
+}
+
+/// Every answer that has a bar has a figure, and no figure of a pass is missing.
+#[test]
+fn every_figure_has_a_bar() {
+    let step = step(&track(&with_backstress(), 1.2, &json!({"friction": -0.2, "passes": 12})));
+    for pass in &rolling(&step).passes {
+        let errors = pass.estimated_error.as_ref().unwrap();
+        let body = errors.bodies.lower.unwrap();
+        let all = [errors.peak_pressure, errors.half_width, errors.plastic_work];
+        let of_body = [body.groove_depth, body.forward, body.largest_strain, body.residual];
+        assert!(all.into_iter().chain(of_body).all(|error| error.is_some_and(|e| e > 0.0)));
+    }
+    for answer in &step.answers {
+        assert!(answer.value.is_some_and(f64::is_finite), "{answer:?}");
+    }
+    let names: Vec<&str> = step.answers.iter().map(|answer| answer.name.as_str()).collect();
+    assert!(names.starts_with(&["rate", "groove_depth", "forward"]), "{names:?}");
+    assert!(!names.contains(&"approach"), "{names:?}");
+}
+
+/// Bars of 10 columns hold against 40.
+#[test]
+#[ignore = "full"]
+fn bars_hold_against_four_times_the_columns() {
+    for (friction, factor) in [(0.0, 1.05), (0.1, 1.1), (0.2, 1.05), (0.0, 0.97)] {
+        let load = json!({"friction": friction, "passes": 8, "until": "passes"});
+        let mut job = track(&perfect(), factor, &load);
+        let mut of = |columns: u32| {
+            job["mesh"] = json!({"elements_per_half_width": columns});
+            step(&job)
+        };
+        let (coarse, fine) = (of(10), of(40));
+        let [mut held, mut all] = [0, 0];
+        for (a, b) in rolling(&coarse).passes.iter().zip(&rolling(&fine).passes) {
+            let errors = a.estimated_error.as_ref().unwrap();
+            let bars = errors.bodies.lower.unwrap();
+            let (x, y) = (a.bodies.lower.unwrap(), b.bodies.lower.unwrap());
+            for (bar, found, better) in [
+                (bars.groove_depth, x.groove_depth, y.groove_depth),
+                (bars.forward, x.forward, y.forward),
+                (bars.largest_strain, x.largest_strain, y.largest_strain),
+                (errors.peak_pressure, a.peak_pressure, b.peak_pressure),
+                (errors.half_width, a.half_width, b.half_width),
+                (errors.plastic_work, a.plastic_work, b.plastic_work),
+            ] {
+                all += 1;
+                held += usize::from((found - better).abs() <= bar.unwrap_or(0.0) * found.abs());
+            }
+        }
+        println!("{friction} {factor}: {held} of {all}");
+        assert!(held * 100 >= 80 * all, "{friction} {factor}: {held} of {all}");
+    }
+}
+
+#[test]
+fn what_does_not_roll_is_refused() {
+    let job = track(&perfect(), 0.9, &json!({}));
+    let cases = [
+        ("/analysis", json!("axisymmetric"), "/load/rolling", "line contacts"),
+        ("/solver/theory", json!("deformation"), "/solver/theory", "`flow`"),
+        ("/solver/increments", json!(4), "/solver/increments", "no increments"),
+        ("/solver/coupling", json!("secant_stiffness"), "/solver/coupling", "secant"),
+        ("/output", json!({"fields": true}), "/output/fields", "no mesh"),
+        ("/output", json!({"contact_stiffness": true}), "/output/contact_stiffness", "approach"),
+        ("/load/rolling/passes", json!(0), "/load/rolling/passes", "between 1 and 100"),
+        ("/load/rolling/friction", json!(2), "/load/rolling/friction", "between -1 and 1"),
+        ("/load/rolling/force", json!(null), "/load/rolling/force", "required"),
+        ("/load/rolling/until", json!("soon"), "/load/rolling/until", "verdict"),
+        ("/load/force", json!(3), "/load", "only one of"),
+    ];
+    for (pointer, value, at, words) in cases {
+        let mut job = job.clone();
+        let (parent, key) = pointer.rsplit_once('/').unwrap();
+        let parent = if parent.is_empty() { &mut job } else { job.pointer_mut(parent).unwrap() };
+        parent[key] = value;
+        match Job::from_value(&job) {
+            Err(JobError::Fields(faults)) => assert!(
+                faults.iter().any(|fault| fault.pointer == at && fault.detail.contains(words)),
+                "{pointer}: {faults:?}"
+            ),
+            other => panic!("{pointer}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn what_has_no_equilibrium_is_refused_with_both_stresses() {
+    // 0.5 p0 = 0.5 · 900 MPa, of which a perfectly plastic body bears 289 MPa.
+    let mut job = track(&perfect(), 1.0, &json!({"friction": 0.5}));
+    job["load"]["rolling"]["force"] = json!(0.5 * PI * 900.0 * 900.0 / 1155.0);
+    let parsed = Job::from_value(&job).unwrap();
+    let faults = preflight(&parsed).unwrap_err();
+    assert_eq!(faults[0].pointer, "/load/rolling/friction");
+    assert!(faults[0].detail.contains("289 MPa at most"), "{}", faults[0].detail);
+    assert!(matches!(run(&parsed, &mut Unobserved), Err(RunError::Input(_))));
+    // Hardening without bound bears any traction.
+    job["lower"]["material"]["plasticity"]["tangent_modulus"] = json!(10_000);
+    job["load"]["rolling"]["passes"] = json!(1);
+    assert!(preflight(&Job::from_value(&job).unwrap()).is_ok());
+    let flat = json!({"type": "block", "width": 60, "depth": 60});
+    job["upper"]["shape"] = flat;
+    let faults = preflight(&Job::from_value(&job).unwrap()).unwrap_err();
+    assert!(faults.iter().all(|fault| fault.detail.contains("at least one is round")));
+    assert_eq!(faults.len(), 2);
+}
+
+/// Counts the passes that it is shown and stops in one of them.
+struct Watch {
+    passes: Vec<usize>,
+    until: usize,
+}
+
+impl Observer for Watch {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        let number = record.increment.unwrap();
+        assert_eq!(number.loads, 9);
+        self.passes.push(number.load);
+        if number.load >= self.until {
+            ControlFlow::Break(Interrupt::Cancelled)
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}
+
+#[test]
+fn a_stop_keeps_the_passes_before_it() {
+    let job = track(&perfect(), 1.05, &json!({"passes": 9, "until": "passes"}));
+    let job = Job::from_value(&job).unwrap();
+    let mut watch = Watch { passes: Vec::new(), until: 4 };
+    let report = run(&job, &mut watch).unwrap();
+    let step = &report.steps[0];
+    assert_eq!((report.status, step.status), (SolveStatus::Cancelled, SolveStatus::Cancelled));
+    assert_eq!(rolling(step).passes.len(), 3);
+    assert!(rolling(step).reason.as_ref().unwrap().contains("stopped in pass 4"));
+    assert!(watch.passes.is_sorted() && watch.passes.ends_with(&[3, 4]), "{:?}", watch.passes);
+    assert!(step.answers.is_empty());
+}
+
+/// Of a pass that does not converge the passes before it are the answer, with the reason.
+#[test]
+fn a_pass_that_does_not_converge_ends_the_passes() {
+    let mut job = track(&perfect(), 1.05, &json!({"passes": 9}));
+    job["solver"]["max_iterations"] = json!(50);
+    let report = report(&job);
+    let step = &report.steps[0];
+    assert_eq!(step.status, SolveStatus::NotConverged);
+    let found = rolling(step);
+    let last = found.passes.len();
+    assert!(found.reason.as_ref().unwrap().contains(&format!("pass {}", last + 1)));
+    assert_eq!(step.verdict.as_ref().unwrap().level, VerdictLevel::NotConverged);
+    assert!(step.validity.iter().any(|note| note.code == "not_converged"));
+    assert!(step.estimated_error.is_none());
+}
+
+#[test]
+fn limits_over_friction_belong_to_every_line_contact() {
+    let mut job = track(&perfect(), 0.9, &json!({}));
+    let rolled = step(&job).hertz.unwrap();
+    job["load"] = json!({"force": 200});
+    let pressed = step(&job).hertz.unwrap();
+    assert_eq!(rolled.shakedown_over_friction, pressed.shakedown_over_friction);
+    let limits = &pressed.shakedown_over_friction;
+    assert!(limits.len() == 10 && limits.is_sorted_by(|a, b| a.friction < b.friction));
+    assert!(limits.is_sorted_by(|a, b| a.pressure > b.pressure));
+    near(limits[0].pressure, pressed.shakedown_pressure.unwrap(), 1e-9);
+    near(limits[4].pressure, 3.2024 * YIELD / 3f64.sqrt(), 1e-4);
+    job["analysis"] = json!("plane_stress");
+    assert!(step(&job).hertz.unwrap().shakedown_over_friction.is_empty());
+}
+
+#[test]
+fn the_estimate_covers_the_result() {
+    for passes in [1, 100] {
+        let mut job = track(&perfect(), 0.97, &json!({"passes": passes, "until": "passes"}));
+        job["mesh"] = json!({"elements_per_half_width": 10});
+        let parsed = Job::from_value(&job).unwrap();
+        let estimate = preflight(&parsed).unwrap();
+        let written = serde_json::to_string(&report(&job)).unwrap();
+        let bytes = estimate.result_bytes;
+        assert!(written.len() as u64 <= 2 * bytes, "{} of {bytes}", written.len());
+    }
+}
