@@ -40,6 +40,33 @@
  * @property {BodyErrors | null} lower
  * @property {BodyErrors | null} upper
  *
+ * @typedef {object} BodyPass
+ * @property {number} forward
+ * @property {number} groove_depth
+ * @property {number} largest_sigma_x
+ * @property {number} largest_sigma_z
+ * @property {number} largest_strain
+ * @property {number} largest_strain_depth
+ * @property {number} least_sigma_x
+ * @property {number} least_sigma_z
+ * @property {number} net_strain
+ * @property {number} net_strain_depth
+ *
+ * @typedef {object} BodyPassErrors
+ * @property {number | null} forward
+ * @property {number | null} groove_depth
+ * @property {number | null} largest_strain
+ * @property {number | null} net_strain
+ * @property {number | null} residual
+ *
+ * @typedef {object} BodyPassErrorsOfBodies
+ * @property {BodyPassErrors | null} lower
+ * @property {BodyPassErrors | null} upper
+ *
+ * @typedef {object} BodyPassOfBodies
+ * @property {BodyPass | null} lower
+ * @property {BodyPass | null} upper
+ *
  * @typedef {object} Callback
  * @property {number} attempts
  * @property {string} [delivered_at]
@@ -140,6 +167,7 @@
  * @property {number} half_width
  * @property {number} peak_pressure
  * @property {number | null} shakedown_depth
+ * @property {(ShakedownLimit)[]} [shakedown_over_friction]
  * @property {number | null} shakedown_pressure
  * @property {number | null} yield_onset_depth
  * @property {number | null} yield_onset_force
@@ -259,6 +287,26 @@
  * @property {number} spacing
  * @property {boolean} symmetric
  *
+ * @typedef {object} Pass
+ * @property {BodyPassOfBodies} bodies
+ * @property {number} energy_gap
+ * @property {PassErrors | null} estimated_error
+ * @property {number} half_width
+ * @property {number} iterations
+ * @property {number} loss
+ * @property {number} number
+ * @property {number} peak_pressure
+ * @property {number} plastic_work
+ * @property {number} rolling_force
+ * @property {number} stored_energy
+ * @property {number} traction_work
+ *
+ * @typedef {object} PassErrors
+ * @property {BodyPassErrorsOfBodies} bodies
+ * @property {number | null} half_width
+ * @property {number | null} peak_pressure
+ * @property {number | null} plastic_work
+ *
  * @typedef {object} Patch
  * @property {number} left
  * @property {number} right
@@ -314,6 +362,16 @@
  * @property {Units} units
  * @property {string} version
  *
+ * @typedef {object} ResidualOverDepth
+ * @property {(number)[]} depth
+ * @property {(number)[]} equivalent_plastic_strain
+ * @property {(number)[]} sigma_x
+ * @property {(number)[]} sigma_z
+ *
+ * @typedef {object} ResidualOverDepthOfBodies
+ * @property {ResidualOverDepth | null} lower
+ * @property {ResidualOverDepth | null} upper
+ *
  * @typedef {object} RollerContact
  * @property {(number)[]} end_pressure
  * @property {(number)[]} half_width
@@ -324,6 +382,18 @@
  * @property {number} tilt
  * @property {(number)[]} y
  *
+ * @typedef {object} RollingResult
+ * @property {Side | null} body
+ * @property {number} columns
+ * @property {number} layers
+ * @property {TrackLimits} limits
+ * @property {(Pass)[]} passes
+ * @property {number | null} rate
+ * @property {number | null} rate_error
+ * @property {string | null} reason
+ * @property {ResidualOverDepthOfBodies} residual
+ * @property {TrackVerdict} verdict
+ *
  * @typedef {object} RoughContact
  * @property {number} contact_ratio
  * @property {number} nominal_pressure
@@ -331,13 +401,18 @@
  * @property {number} [plastic_part]
  * @property {(number)[]} pressure_quantiles
  *
+ * @typedef {object} ShakedownLimit
+ * @property {number} depth
+ * @property {number} friction
+ * @property {number} pressure
+ *
  * @typedef {'upper' | 'lower'} Side
  *
  * @typedef {string} SolveStatus
  *
  * @typedef {object} Step
  * @property {(Answer)[]} answers
- * @property {number} approach
+ * @property {number | null} approach
  * @property {string} approach_datum
  * @property {Contact} contact
  * @property {number | null} contact_stiffness
@@ -349,6 +424,7 @@
  * @property {LayersOfBodies} [layers]
  * @property {LoadReport} load
  * @property {PlasticZoneOfBodies} plasticity
+ * @property {RollingResult} [rolling]
  * @property {SolveStatus} status
  * @property {SubsurfaceOfBodies} [subsurface]
  * @property {SubsurfaceOfBodies} [subsurface_below_peak]
@@ -433,6 +509,17 @@
  * @property {number} solves
  * @property {number} symbolic
  * @property {number} total
+ *
+ * @typedef {object} TrackLimit
+ * @property {Side} body
+ * @property {number} depth
+ * @property {number} peak_pressure
+ *
+ * @typedef {object} TrackLimits
+ * @property {TrackLimit | null} kinematic
+ * @property {TrackLimit | null} perfect
+ *
+ * @typedef {'elastic' | 'shakes_down' | 'closed_cycle' | 'undecided' | 'ratchets'} TrackVerdict
  *
  * @typedef {'mm_N_MPa' | 'SI'} Units
  *
