@@ -189,3 +189,31 @@ def test_results_on_the_same_axes_differ(dent: Result) -> None:
         "second, upper body",
     ]
     plt.close(ax.get_figure())
+
+
+def test_passes_of_a_load_that_rolls_are_a_table(client: Client) -> None:
+    law = brinell.bilinear(yield_stress=500, tangent_modulus=0)
+    steel = brinell.material(young_modulus=210000, poisson_ratio=0.3, plasticity=law)
+    wheel = brinell.cylinder(radius=100, material=brinell.rigid)
+    rail = brinell.block(width=100, depth=100, material=steel)
+    load = {"force": 2000, "friction": 0.1, "passes": 12, "until": "passes"}
+    result = client.solve(brinell.job(wheel, rail, analysis="plane_strain", rolling=load))
+    rolling = result.rolling
+    assert rolling is not None
+    passes = rolling.passes
+    assert passes.index.tolist() == list(range(1, 13))
+    assert passes["lower_largest_strain"].iloc[0] > 0
+    assert (passes["lower_groove_depth_error"].dropna() > 0).all()
+    assert rolling.verdict == result.verdict.level
+    assert rolling.rate > 0 if rolling.verdict == "ratchets" else rolling.rate == 0
+    residual = rolling.residual
+    assert residual["depth"].is_monotonic_increasing
+    assert residual["sigma_x"].min() < -10
+    assert rolling.limits["perfect"]["peak_pressure"] == pytest.approx(
+        3.564 * 500 / 3**0.5, rel=1e-3
+    )
+    assert np.isnan(result.approach)
+    assert "rolling" in repr(rolling)
+    assert (
+        client.solve(brinell.job(wheel, rail, analysis="plane_strain", force=10)).rolling is None
+    )

@@ -60,6 +60,7 @@ from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
 from ._result import Answer, Pressure, Remark, Result, Step, Verdict
+from ._rolling import Rolling
 from ._surface import Surface, surface
 from ._trace import Trace, trace
 
@@ -92,6 +93,7 @@ __all__ = [
     "QuotaExceeded",
     "Remark",
     "Result",
+    "Rolling",
     "ServerDied",
     "ServerNotFound",
     "ServiceError",

@@ -133,6 +133,7 @@ def job(
     history: Sequence[Mapping[str, Any]] | None = None,
     onset: bool = False,
     target: Mapping[str, Any] | None = None,
+    rolling: Mapping[str, Any] | None = None,
     theory: Literal["deformation", "flow"] | None = None,
     elements_per_half_width: int | None = None,
     fields: bool | None = None,
@@ -156,6 +157,8 @@ def job(
             load away (theory "flow").
         onset: ask for the force at which the contact begins to yield.
         target: ask for the force under which a figure has a value: `{"peak_pressure": 1200}`.
+        rolling: a force that rolls over its track: `{"force": 2000, "friction": 0.2}`; the
+            theory is "flow" then.
         theory: "deformation" (default) knows one loading; "flow" follows the loads, with
             dents and residual stress.
         elements_per_half_width: how fine the mesh is (default 20).
@@ -173,6 +176,7 @@ def job(
         "history": history,
         "onset": onset or None,
         "target": target,
+        "rolling": rolling,
     }
     given = [name for name, value in loads.items() if value is not None]
     if len(given) != 1:
@@ -187,6 +191,7 @@ def job(
             ]
         )
     load = _load(given[0], loads[given[0]], {"analysis": analysis})
+    theory = theory or ("flow" if rolling is not None else None)
     settings = {**(solver or {}), **({"theory": theory} if theory else {})}
     document: dict[str, Any] = {
         "analysis": analysis,
@@ -212,6 +217,7 @@ _LOADS: dict[str, type[BaseModel]] = {
     "force": models.ForceLoad,
     "forces": models.ForcesLoad,
     "approach": models.ApproachLoad,
+    "rolling": models.RollingLoad,
     "approaches": models.ApproachesLoad,
     "history": models.HistoryLoad,
     "onset": models.OnsetLoad,

@@ -14,6 +14,7 @@ from ._errors import BrinellError, ServiceError
 from ._fields import Array, Fields
 from ._html import html_of, text_of
 from ._plain import need
+from ._rolling import Rolling
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -227,6 +228,12 @@ class Step:
         for side, body in bodies.items():
             errors.update({f"{side}.{name}": value for name, value in (body or {}).items()})
         return {name: float(value) for name, value in errors.items() if value is not None}
+
+    @property
+    def rolling(self) -> Rolling | None:
+        """The passes of a load that rolls; None of all other loads."""
+        data = self.data.get("rolling")
+        return Rolling(data) if data else None
 
     @property
     def remarks(self) -> list[Remark]:
@@ -470,6 +477,11 @@ class Result:
     def remarks(self) -> list[Remark]:
         """What to keep in mind about this answer, of all steps, each once."""
         return list(dict.fromkeys(remark for step in self.steps for remark in step.remarks))
+
+    @property
+    def rolling(self) -> Rolling | None:
+        """The passes of a load that rolls; None of all other loads."""
+        return self.last.rolling
 
     @property
     def target(self) -> dict[str, Any]:

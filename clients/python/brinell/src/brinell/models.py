@@ -66,6 +66,9 @@ class ApproachLoad(BaseModel):
     onset: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    rolling: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     target: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -112,6 +115,9 @@ class ApproachesLoad(BaseModel):
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    rolling: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     target: Annotated[
@@ -234,6 +240,140 @@ class BodyErrorsOfBodies(BaseModel):
     ]
     upper: Annotated[
         BodyErrors | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
+class BodyPass(BaseModel):
+    """
+    What a pass leaves in a body.
+    """
+
+    forward: Annotated[
+        float,
+        Field(
+            description='How far this pass has moved the surface along the travel, against the depth. Unit: mm (SI: m).'
+        ),
+    ]
+    groove_depth: Annotated[
+        float,
+        Field(
+            description='How far the surface has sunk in all passes. Unit: mm (SI: m).'
+        ),
+    ]
+    largest_sigma_x: Annotated[
+        float,
+        Field(
+            description='Largest residual stress along the travel. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    largest_sigma_z: Annotated[
+        float,
+        Field(
+            description='Largest residual stress across the travel. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    largest_strain: Annotated[
+        float,
+        Field(
+            description='Largest plastic strain that the pass has accumulated. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    largest_strain_depth: Annotated[
+        float, Field(description='Its depth. Unit: mm (SI: m).', ge=0.0)
+    ]
+    least_sigma_x: Annotated[
+        float,
+        Field(
+            description='Least residual stress along the travel. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    least_sigma_z: Annotated[
+        float,
+        Field(
+            description='Least residual stress across the travel. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    net_strain: Annotated[
+        float,
+        Field(
+            description='Largest change of the plastic strain by the pass, as an equivalent strain: what a cycle that closes takes back is not in it. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    net_strain_depth: Annotated[
+        float, Field(description='Its depth. Unit: mm (SI: m).', ge=0.0)
+    ]
+
+
+class BodyPassErrors(BaseModel):
+    """
+    Estimated relative errors of what a pass leaves in a body; `null` of a figure that is 0.
+    """
+
+    forward: Annotated[
+        float | None,
+        Field(description='Of the forward displacement. Without unit.', ge=0.0),
+    ]
+    groove_depth: Annotated[
+        float | None,
+        Field(description='Of the depth of the groove. Without unit.', ge=0.0),
+    ]
+    largest_strain: Annotated[
+        float | None,
+        Field(
+            description='Of the largest accumulated plastic strain. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    net_strain: Annotated[
+        float | None,
+        Field(description='Of the largest net strain. Without unit.', ge=0.0),
+    ]
+    residual: Annotated[
+        float | None,
+        Field(
+            description='Of the residual stresses, relative to the largest of them. Without unit.',
+            ge=0.0,
+        ),
+    ]
+
+
+class BodyPassErrorsOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        BodyPassErrors | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        BodyPassErrors | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
+class BodyPassOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        BodyPass | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        BodyPass | None,
         Field(
             description='Of the upper body; null if it is rigid or the step was stopped.'
         ),
@@ -817,6 +957,9 @@ class ForceLoad(BaseModel):
     onset: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    rolling: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     target: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -863,6 +1006,9 @@ class ForcesLoad(BaseModel):
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    rolling: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     target: Annotated[
@@ -981,41 +1127,6 @@ class Health(BaseModel):
     status: Annotated[str, Field(description='In a word.', examples=['ready'])]
 
 
-class Hertz(BaseModel):
-    """
-    Hertz's elastic contact under the same force.
-    """
-
-    half_width: Annotated[
-        float, Field(description='Half-width a. Unit: mm (SI: m).', ge=0.0)
-    ]
-    peak_pressure: Annotated[
-        float, Field(description='Peak pressure. Unit: MPa (SI: Pa).', ge=0.0)
-    ]
-    shakedown_depth: Annotated[
-        float | None,
-        Field(description='Depth that decides on it. Unit: mm (SI: m).', ge=0.0),
-    ]
-    shakedown_pressure: Annotated[
-        float | None,
-        Field(
-            description='Elastic peak pressure up to which the contact shakes down when it rolls freely, by the orthogonal shear stress over depth: where strength is the same everywhere, 4 k of a line in plane strain. In three dimensions it rolls along its shorter semi-axis, and this is an upper bound: 4.68 k of a circle. `null` without yield, in plane stress and in axisymmetry. Unit: MPa (SI: Pa).',
-            ge=0.0,
-        ),
-    ]
-    yield_onset_depth: Annotated[
-        float | None,
-        Field(description='Depth at which it does. Unit: mm (SI: m).', ge=0.0),
-    ]
-    yield_onset_force: Annotated[
-        float | None,
-        Field(
-            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
-            ge=0.0,
-        ),
-    ]
-
-
 class History(BaseModel):
     """
     One load of a history; zero takes it away.
@@ -1082,6 +1193,9 @@ class HistoryLoad(BaseModel):
         ),
     ]
     onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    rolling: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     target: Annotated[
@@ -1670,6 +1784,9 @@ class OnsetLoad(BaseModel):
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     onset: Annotated[Literal[True], Field(description='Always true.')]
+    rolling: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     target: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -1737,6 +1854,29 @@ class Parabola(BaseModel):
             examples=[30.0],
             ge=1e-09,
             le=1000000.0,
+        ),
+    ]
+
+
+class PassErrors(BaseModel):
+    """
+    Estimated relative errors of a pass; `null` of a figure that is 0.
+    """
+
+    bodies: Annotated[
+        BodyPassErrorsOfBodies, Field(description='Of the figures of each body.')
+    ]
+    half_width: Annotated[
+        float | None, Field(description='Of the half-width. Without unit.', ge=0.0)
+    ]
+    peak_pressure: Annotated[
+        float | None, Field(description='Of the peak pressure. Without unit.', ge=0.0)
+    ]
+    plastic_work: Annotated[
+        float | None,
+        Field(
+            description='Of the plastic work, and of rolling force and loss. Without unit.',
+            ge=0.0,
         ),
     ]
 
@@ -2169,6 +2309,53 @@ class Queue(BaseModel):
     running: Annotated[int, Field(description='Jobs being solved.', ge=0)]
 
 
+class ResidualOverDepth(BaseModel):
+    """
+    Stress and strain over depth that the passes have left.
+    """
+
+    depth: Annotated[
+        list[float], Field(description='Middle of each layer. Unit: mm (SI: m).')
+    ]
+    equivalent_plastic_strain: Annotated[
+        list[float],
+        Field(
+            description='Equivalent plastic strain that all passes have accumulated. Without unit.'
+        ),
+    ]
+    sigma_x: Annotated[
+        list[float],
+        Field(
+            description='Stress along the travel, an initial stress included. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    sigma_z: Annotated[
+        list[float],
+        Field(
+            description='Stress across the travel, an initial stress included. Unit: MPa (SI: Pa).'
+        ),
+    ]
+
+
+class ResidualOverDepthOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        ResidualOverDepth | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        ResidualOverDepth | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
 class Rigid(BaseModel):
     """
     A body that does not deform.
@@ -2318,6 +2505,30 @@ class RoughContact(BaseModel):
         Field(
             description='Pressure below which these parts of the area in contact are; empty where nothing touches. Unit: MPa (SI: Pa).'
         ),
+    ]
+
+
+class ShakedownLimit(BaseModel):
+    """
+    Elastic peak pressure up to which a line contact shakes down under a friction.
+    """
+
+    depth: Annotated[
+        float,
+        Field(
+            description='Depth that decides, 0 where the surface does. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    friction: Annotated[
+        float,
+        Field(
+            description='Traction over pressure in the whole contact. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    pressure: Annotated[
+        float, Field(description="Hertz's peak pressure. Unit: MPa (SI: Pa).", ge=0.0)
     ]
 
 
@@ -2718,6 +2929,9 @@ class TargetLoad(BaseModel):
     onset: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    rolling: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     target: Annotated[
         PermanentApproachTarget | DentDepthTarget | PeakPressureTarget | MeanPressureTarget | HalfWidthTarget | MaxPlasticStrainTarget,
         Field(
@@ -2990,6 +3204,35 @@ class Timings(BaseModel):
     total: Annotated[float, Field(description='Everything. Unit: ms.', ge=0.0)]
 
 
+class TrackLimit(BaseModel):
+    """
+    A limit of shakedown.
+    """
+
+    body: Annotated[
+        Literal['upper', 'lower'], Field(description='The body that decides.')
+    ]
+    depth: Annotated[
+        float,
+        Field(
+            description='Depth that decides, 0 where the surface does. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    peak_pressure: Annotated[
+        float, Field(description="Hertz's peak pressure. Unit: MPa (SI: Pa).", ge=0.0)
+    ]
+
+
+class TrackLimits(BaseModel):
+    """
+    Elastic peak pressures up to which a track shakes down.
+    """
+
+    kinematic: TrackLimit | None
+    perfect: TrackLimit | None
+
+
 class Validation(BaseModel):
     """
     Answer to a job that could be solved.
@@ -3014,7 +3257,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -3417,6 +3660,107 @@ class HardnessProfile(BaseModel):
     ]
 
 
+class Hertz(BaseModel):
+    """
+    Hertz's elastic contact under the same force.
+    """
+
+    half_width: Annotated[
+        float, Field(description='Half-width a. Unit: mm (SI: m).', ge=0.0)
+    ]
+    peak_pressure: Annotated[
+        float, Field(description='Peak pressure. Unit: MPa (SI: Pa).', ge=0.0)
+    ]
+    shakedown_depth: Annotated[
+        float | None,
+        Field(description='Depth that decides on it. Unit: mm (SI: m).', ge=0.0),
+    ]
+    shakedown_over_friction: Annotated[
+        list[ShakedownLimit] | None,
+        Field(
+            description='The same limit of a line contact in plane strain with friction, which slides over the whole contact: of both bodies the lower, for either sense of the friction. Empty of all other contacts, and where `shakedown_pressure` is `null`.'
+        ),
+    ] = None
+    shakedown_pressure: Annotated[
+        float | None,
+        Field(
+            description='Elastic peak pressure up to which the contact shakes down when it rolls freely, by the orthogonal shear stress over depth: where strength is the same everywhere, 4 k of a line in plane strain. In three dimensions it rolls along its shorter semi-axis, and this is an upper bound: 4.68 k of a circle. `null` without yield, in plane stress and in axisymmetry. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    yield_onset_depth: Annotated[
+        float | None,
+        Field(description='Depth at which it does. Unit: mm (SI: m).', ge=0.0),
+    ]
+    yield_onset_force: Annotated[
+        float | None,
+        Field(
+            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
+            ge=0.0,
+        ),
+    ]
+
+
+class Pass(BaseModel):
+    """
+    One pass of the load.
+    """
+
+    bodies: Annotated[
+        BodyPassOfBodies,
+        Field(
+            description='What the pass leaves in each body; `null` of one that cannot yield.'
+        ),
+    ]
+    energy_gap: Annotated[
+        float,
+        Field(
+            description='What is missing in the balance of these works over the plastic work; 0 without one. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    estimated_error: PassErrors | None
+    half_width: Annotated[
+        float, Field(description='Half-width of the contact. Unit: mm (SI: m).', ge=0.0)
+    ]
+    iterations: Annotated[int, Field(description='Iterations made.', ge=0)]
+    loss: Annotated[
+        float,
+        Field(
+            description='The same over the load: the coefficient of rolling resistance. Without unit.'
+        ),
+    ]
+    number: Annotated[int, Field(description='Number of the pass, from 1.', ge=0)]
+    peak_pressure: Annotated[
+        float, Field(description='Peak pressure. Unit: MPa (SI: Pa).', ge=0.0)
+    ]
+    plastic_work: Annotated[
+        float,
+        Field(
+            description='Work of plastic flow in both bodies. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
+            ge=0.0,
+        ),
+    ]
+    rolling_force: Annotated[
+        float,
+        Field(
+            description='Force against which the load is pushed, without friction. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
+        ),
+    ]
+    stored_energy: Annotated[
+        float,
+        Field(
+            description='Change of the elastic energy of the residual stress. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
+        ),
+    ]
+    traction_work: Annotated[
+        float,
+        Field(
+            description='Work of the friction on the plastic displacement of the surfaces. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
+        ),
+    ]
+
+
 class Roller(BaseModel):
     """
     A cylinder of finite length, whose axis is its y: a roller, a rib; only in three dimensions.
@@ -3499,6 +3843,137 @@ class Roller(BaseModel):
     ] = None
     type: Annotated[
         Literal['roller'], Field(description='The word that names this kind.')
+    ]
+
+
+class Rolling(BaseModel):
+    """
+    A line contact that passes over its track again and again, in the direction of x.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    alternating: Annotated[
+        bool | None,
+        Field(
+            description='Whether every second pass goes back. The friction keeps its sense to the travel. Default: `false`.'
+        ),
+    ] = None
+    force: Annotated[
+        float,
+        Field(
+            description='Force on unit thickness. Range: 1e-9 to 1e9 N/mm or 1e-6 to 1e12 N/m.',
+            examples=[2000.0],
+            ge=1e-09,
+            le=1000000000000.0,
+        ),
+    ]
+    friction: Annotated[
+        float | None,
+        Field(
+            description='Traction over pressure in the whole contact, which slides. Positive where the traction on the lower body acts along the travel of the load (a slider, a braked wheel), negative for a driven wheel; the upper body has the opposite traction. Without unit. Default: `0.0`.',
+            examples=[0.0],
+            ge=-1.0,
+            le=1.0,
+        ),
+    ] = None
+    passes: Annotated[
+        int | None, Field(description='Passes at most. Default: `30`.', ge=1, le=100)
+    ] = None
+    track: Annotated[
+        float | None,
+        Field(
+            description='Length of the track over the elastic half-width, after which the material comes back. It acts on the first pass alone. Without unit. Default: `32.0`.',
+            examples=[32.0],
+            ge=8.0,
+            le=256.0,
+        ),
+    ] = None
+    until: Annotated[
+        Literal['verdict', 'passes'] | None,
+        Field(
+            description='When to end: at the `verdict`, as soon as three passes running agree on it, or after all `passes`. Default: `verdict`.'
+        ),
+    ] = None
+
+
+class RollingLoad(BaseModel):
+    """
+    A force that rolls over a track, pass after pass: what becomes of the track is the answer.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    rolling: Annotated[Rolling, Field(examples=[{'force': 2000.0, 'friction': 0.2}])]
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class RollingResult(BaseModel):
+    """
+    The passes of a load that rolls and what becomes of the track. x points along the travel, y into the depth. Works are those on unit thickness and per length of travel, which is a force.
+    """
+
+    body: Literal['upper', 'lower'] | None
+    columns: Annotated[int, Field(description='Columns of the track.', ge=0)]
+    layers: Annotated[int, Field(description='Layers of each body.', ge=0)]
+    limits: Annotated[
+        TrackLimits,
+        Field(
+            description='Elastic peak pressures up to which the track shakes down under this friction.'
+        ),
+    ]
+    passes: Annotated[list[Pass], Field(description='The passes that have converged.')]
+    rate: Annotated[
+        float | None,
+        Field(
+            description='Plastic strain of a steady pass, or of a pair of passes there and back: net strain of a track that ratchets, accumulated strain of one that closes a cycle, 0 of one that shakes down; `null` where it is undecided. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    rate_error: Annotated[
+        float | None,
+        Field(
+            description='Estimated error of the rate by columns, and its change over three passes. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    reason: Annotated[
+        str | None,
+        Field(
+            description='Why the verdict is open or the passes end; `null` otherwise.'
+        ),
+    ]
+    residual: Annotated[
+        ResidualOverDepthOfBodies,
+        Field(
+            description='Stress and strain over depth that the last pass has left; the same everywhere along the track.'
+        ),
+    ]
+    verdict: Annotated[
+        Literal['elastic', 'shakes_down', 'closed_cycle', 'undecided', 'ratchets'],
+        Field(description='What becomes of the track, of both bodies the worse.'),
     ]
 
 
@@ -3615,7 +4090,7 @@ class Verdict(BaseModel):
         str,
         Field(
             description='The state of the bodies.',
-            examples=['not_converged', 'collapse', 'above_shakedown_limit', 'yields', 'dented', 'elastic', 'not_known', 'no_contact'],
+            examples=['not_converged', 'collapse', 'above_shakedown_limit', 'ratchets', 'closed_cycle', 'shakes_down', 'yields', 'dented', 'elastic', 'not_known', 'no_contact'],
         ),
     ]
     text: Annotated[str, Field(description='One sentence for a person.')]
@@ -3647,7 +4122,10 @@ class Step(BaseModel):
         ),
     ]
     approach: Annotated[
-        float, Field(description='Approach α of the supports. Unit: mm (SI: m).')
+        float | None,
+        Field(
+            description='Approach α of the supports; `null` of a line contact that rolls, which has none. Unit: mm (SI: m).'
+        ),
     ]
     approach_datum: Annotated[
         str, Field(description='Between which two boundaries α is counted.')
@@ -3687,6 +4165,12 @@ class Step(BaseModel):
         PlasticZoneOfBodies,
         Field(description='Plastic zone of each body; `null` for a rigid one.'),
     ]
+    rolling: Annotated[
+        RollingResult | None,
+        Field(
+            description='Passes of a load that rolls, and what becomes of the track; absent of all other loads.'
+        ),
+    ] = None
     status: Annotated[
         str,
         Field(
@@ -4230,7 +4714,7 @@ class ContactJob(BaseModel):
         ),
     ]
     load: Annotated[
-        ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad | TargetLoad,
+        ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad | TargetLoad | RollingLoad,
         Field(
             description='What presses the bodies together: exactly one of these. Several values are a sweep, one step each.'
         ),
