@@ -77,8 +77,7 @@ fn compare(job: &Value) -> Option<Compared> {
     let bar = step.estimated_error?.contact_stiffness?;
     let mut slopes = [0.0; 3];
     for (slope, by) in slopes.iter_mut().zip(STEPS) {
-        *slope = 2.0 * by * force
-            / (solve(1.0 + by)?.approach.unwrap() - solve(1.0 - by)?.approach.unwrap());
+        *slope = 2.0 * by * force / (solve(1.0 + by)?.approach? - solve(1.0 - by)?.approach?);
     }
     let bodies = [&step.plasticity.upper, &step.plasticity.lower];
     let strains =

@@ -131,9 +131,6 @@ impl Schemas<'_> {
             "OutputSettings",
             self.settings(&OutputSettings::TABLE, &OutputSettings::default(), &[]),
         ));
-        let rolling = Rolling::new(PositiveF64::MICRO);
-        all.push(("Rolling", self.settings(&Rolling::TABLE, &rolling, &["force"])));
-        all.push(("Until", enumeration::<Until>("When the passes of a load that rolls end.")));
         all.extend(self.tensile_test());
         all
     }
@@ -516,15 +513,7 @@ impl Schemas<'_> {
                 "additionalProperties": false,
             })
         };
-        let history = json!({
-            "type": "array",
-            "description": "In the order in which they are applied, at least one of them above \
-                            zero. Under `deformation` each stands alone.",
-            "items": {"oneOf": [step("force", &force), step("approach", &approach)]},
-            "minItems": 1,
-            "maxItems": Sweep::MAX_VALUES,
-            "examples": [[{"force": 612.6106}, {"force": 0.0}]],
-        });
+        let history = histories(step("force", &force), step("approach", &approach));
         let loads = [
             (
                 "ForceLoad",
@@ -592,7 +581,16 @@ impl Schemas<'_> {
             (name, object(description, entries))
         }));
         all.extend(self.targets());
+        all.extend(self.rolling());
         all
+    }
+
+    fn rolling(&self) -> [(&'static str, Value); 2] {
+        let default = Rolling::new(PositiveF64::MICRO);
+        [
+            ("Rolling", self.settings(&Rolling::TABLE, &default, &["force"])),
+            ("Until", enumeration::<Until>("When the passes of a load that rolls end.")),
+        ]
     }
 
     fn targets(&self) -> Vec<(&'static str, Value)> {
@@ -624,6 +622,20 @@ impl Schemas<'_> {
         let references: Vec<_> = names.iter().map(|name| self.named(name)).collect();
         json!({"description": description, "oneOf": references})
     }
+}
+
+/// Returns the schema of a history of such loads.
+#[expect(clippy::needless_pass_by_value, reason = "the macro takes them")]
+fn histories(force: Value, approach: Value) -> Value {
+    json!({
+        "type": "array",
+        "description": "In the order in which they are applied, at least one of them above \
+                        zero. Under `deformation` each stands alone.",
+        "items": {"oneOf": [force, approach]},
+        "minItems": 1,
+        "maxItems": Sweep::MAX_VALUES,
+        "examples": [[{"force": 612.6106}, {"force": 0.0}]],
+    })
 }
 
 /// Returns the schema of an array in numpy's file format.

@@ -18,7 +18,7 @@ impl Facts<'_> {
             1 => "1 pass".to_owned(),
             n => format!("{n} passes"),
         };
-        let body = self.named(rolling.body);
+        let body = in_body(rolling.body);
         let rate = rolling.rate.map_or_else(String::new, |rate| {
             let bar = rolling.rate_error.unwrap_or(0.0) / rate;
             let bar = if bar.is_finite() {
@@ -65,14 +65,6 @@ impl Facts<'_> {
             )
         });
         (level, format!("{text}{}.", limit.unwrap_or_default()))
-    }
-
-    fn named(&self, body: Option<Side>) -> &'static str {
-        match body {
-            Some(Side::Upper) => " in the upper body",
-            Some(Side::Lower) => " in the lower body",
-            None => "",
-        }
     }
 
     /// Returns the answers of the last pass.
@@ -218,5 +210,13 @@ const fn of_side(side: Side) -> AnswerBody {
     match side {
         Side::Upper => AnswerBody::Upper,
         Side::Lower => AnswerBody::Lower,
+    }
+}
+
+const fn in_body(body: Option<Side>) -> &'static str {
+    match body {
+        Some(Side::Upper) => " in the upper body",
+        Some(Side::Lower) => " in the lower body",
+        None => "",
     }
 }

@@ -117,7 +117,8 @@ impl Answer {
                 pass.bodies[side] = outlets.next();
             }
             if problem.is_shared() {
-                pass.bodies[1] = pass.bodies[0].clone();
+                let [upper, lower] = &mut pass.bodies;
+                lower.clone_from(upper);
             }
         }
         (pass, track, outcome.history)

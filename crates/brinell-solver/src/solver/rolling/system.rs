@@ -219,8 +219,12 @@ impl ContactSystem for Track {
             let changes = before.iter().zip(deviators(body));
             for (rows, ([xx, zz], after)) in trial.chunks_exact_mut(COMPONENTS * n).zip(changes) {
                 let (row, rest) = rows.split_at_mut(n);
-                row.iter_mut().for_each(|value| *value += after[0] - xx);
-                rest[..n].iter_mut().for_each(|value| *value += after[1] - zz);
+                for value in row {
+                    *value += after[0] - xx;
+                }
+                for value in &mut rest[..n] {
+                    *value += after[1] - zz;
+                }
             }
             body.begin(&vec![0.0; body.len()]);
         }
