@@ -41,6 +41,7 @@
  * @property {BodyErrors | null} upper
  *
  * @typedef {object} BodyPass
+ * @property {number} accumulated_strain
  * @property {number} forward
  * @property {number} groove_depth
  * @property {number} largest_sigma_x
@@ -362,16 +363,6 @@
  * @property {Units} units
  * @property {string} version
  *
- * @typedef {object} ResidualOverDepth
- * @property {(number)[]} depth
- * @property {(number)[]} equivalent_plastic_strain
- * @property {(number)[]} sigma_x
- * @property {(number)[]} sigma_z
- *
- * @typedef {object} ResidualOverDepthOfBodies
- * @property {ResidualOverDepth | null} lower
- * @property {ResidualOverDepth | null} upper
- *
  * @typedef {object} RollerContact
  * @property {(number)[]} end_pressure
  * @property {(number)[]} half_width
@@ -391,7 +382,6 @@
  * @property {number | null} rate
  * @property {number | null} rate_error
  * @property {string | null} reason
- * @property {ResidualOverDepthOfBodies} residual
  * @property {TrackVerdict} verdict
  *
  * @typedef {object} RoughContact

@@ -104,7 +104,7 @@ export function lifts(upper, lower, { approach, contact: { nodes, peak_position:
         }))
       : [];
   return (f) => {
-    const lifted = { upper: -approach - (f - 1) * up.v, lower: -(f - 1) * low.v };
+    const lifted = { upper: -(approach ?? 0) - (f - 1) * up.v, lower: -(f - 1) * low.v };
     if (!upper) return { ...lifted, contact: low.y + f * low.v + lifted.lower, unloaded: low.y };
     if (!lower) return { ...lifted, contact: up.y + f * up.v + lifted.upper, unloaded: up.y };
     let overlap = 0;

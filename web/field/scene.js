@@ -324,5 +324,7 @@ export class Scene {
 export const bodiesOf = (step, fields) =>
   /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
     const mesh = fields[name];
-    return mesh ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -step.approach : 0 }] : [];
+    return mesh
+      ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -(step.approach ?? 0) : 0 }]
+      : [];
   });

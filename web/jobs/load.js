@@ -3,6 +3,7 @@
 import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
 import { historyWords } from '../setup/history.js';
+import { rollingWords } from '../setup/load-line.js';
 import { sweepWords } from '../setup/list.js';
 
 /** @param {import('../types.js').Job} job @returns {string} */
@@ -12,6 +13,7 @@ export function loadWords(job) {
   if (kind === 'onset') return 'onset of yield';
   if (kind === 'target') return `P for ${targetWords(job)}`;
   const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
+  if (kind === 'rolling') return `P ${rollingWords(value, force)}`;
   if (kind === 'history') return historyWords(value, { force, approach });
   const [letter, name] = kind.startsWith('approach') ? ['α', approach] : ['P', force];
   return `${letter} ${Array.isArray(value) ? sweepWords(value) : exact(Number(value))} ${name}`;

@@ -62,6 +62,9 @@ const LEVELS = {
   yields: { kind: 'warning', mark: '!' },
   dented: { kind: 'warning', mark: '!' },
   above_shakedown_limit: { kind: 'warning', mark: '!' },
+  shakes_down: { kind: 'good', mark: '✓' },
+  closed_cycle: { kind: 'warning', mark: '!' },
+  ratchets: { kind: 'bad', mark: '✕' },
   collapse: { kind: 'bad', mark: '✕' },
   not_converged: { kind: 'bad', mark: '✕' },
 };

@@ -200,7 +200,9 @@ function remarks({ job, report }, at) {
           'li',
           {},
           h('b', {}, 'Error bars'),
-          ' Bounds of the error of the mesh, by a second mesh of half the density; they held in at least 95 of 100 tested cases and say nothing of the figures put in.',
+          step.rolling
+            ? ' Bounds of the error by half the columns and by twice the length of the track, without that of the theory.'
+            : ' Bounds of the error of the mesh, by a second mesh of half the density; they held in at least 95 of 100 tested cases and say nothing of the figures put in.',
         )
       : null;
   const { mesh, timings_ms: timings } = report;

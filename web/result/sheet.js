@@ -375,7 +375,8 @@ function inputs(job) {
     });
   };
   const kind = loadOf(job.load);
-  const load = kind === 'target' ? TARGETS[targetOf(job.load)] : LOADS[kind].field;
+  const loads = kind === 'target' ? [TARGETS[targetOf(job.load)]] : LOADS[kind].fields;
+  const given = loads.filter((load) => pointer.get(job.load, `/${load.key}`) !== undefined);
   const elements = job.mesh?.elements_per_half_width ?? usualElements(job);
   const whole = (/** @type {any} */ name, /** @type {string} */ value, /** @type {string} */ of) =>
     h(
@@ -453,15 +454,14 @@ function inputs(job) {
         ],
         (body) => body?.material?.plasticity,
       ),
-      whole(
-        load ? [`${load.label} `, h('i', {}, symbol(load.symbol ?? ''))] : 'Load',
-        load
-          ? writeWhole(
-              kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind],
-            )
-          : 'onset of yield',
-        load ? unitOfLoad(job, load) : '',
+      ...given.map((load) =>
+        whole(
+          [`${load.label} `, h('i', {}, symbol(load.symbol ?? ''))],
+          writeWhole(pointer.get(job.load, `/${load.key}`)),
+          unitOfLoad(job, load),
+        ),
       ),
+      ...(given.length ? [] : [whole('Load', 'onset of yield', '')]),
       whole(
         'Theory',
         THEORIES[job.solver?.theory ?? DEFAULTS['/solver/theory']]?.toLowerCase() ?? '',

@@ -30,17 +30,26 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
 export const barOf = ({ status, estimated_error: bars }, name) =>
   (status === 'converged' && bars?.[name]) || undefined;
 
+/** The same of all passes of a load that rolls. @param {import('../wire.js').RollingResult} rolling */
+const rolledStrain = ({ passes }) => {
+  const { upper, lower } = passes.at(-1)?.bodies ?? { upper: null, lower: null };
+  return Math.max(upper?.accumulated_strain ?? 0, lower?.accumulated_strain ?? 0);
+};
+
 /**
  * Largest equivalent plastic strain of both bodies; none where one of them does not harden.
  * @param {Step} step
  */
-export const strainOf = ({ plasticity: { upper, lower } }) =>
-  upper?.max_equivalent_plastic_strain === null || lower?.max_equivalent_plastic_strain === null
-    ? undefined
-    : Math.max(
-        upper?.max_equivalent_plastic_strain ?? 0,
-        lower?.max_equivalent_plastic_strain ?? 0,
-      );
+export const strainOf = ({ plasticity: { upper, lower }, rolling }) =>
+  rolling
+    ? rolledStrain(rolling)
+    : upper?.max_equivalent_plastic_strain === null ||
+        lower?.max_equivalent_plastic_strain === null
+      ? undefined
+      : Math.max(
+          upper?.max_equivalent_plastic_strain ?? 0,
+          lower?.max_equivalent_plastic_strain ?? 0,
+        );
 
 const length = (/** @type {Report} */ { units }) => unit('length', units);
 const stress = (/** @type {Report} */ { units }) => unit('stress', units);

@@ -44,7 +44,7 @@ const OVER_LOAD = {
  * @param {Report} report
  */
 function slopesAlong({ flow, approach, contact }, { load_approach: curve }) {
-  const ends = flow?.increments ?? { approach: [approach], force: [contact.force] };
+  const ends = flow?.increments ?? { approach: [approach ?? 0], force: [contact.force] };
   const placeOf = (/** @type {number} */ approach, /** @type {number} */ force) =>
     curve?.approach.findIndex((at, j) => at === approach && curve.force[j] === force) ?? -1;
   return ends.approach.map((approach, k) => curve?.stiffness[placeOf(approach, ends.force[k])]);
@@ -98,13 +98,16 @@ export class SweepPanel {
   }
 }
 
+/** A step of a sweep has an approach. @param {Step} step */
+const approachOf = ({ approach }) => approach ?? 0;
+
 /**
  * Whether the load falls again on a body that has yielded: the curve has a way back of its own.
  * @param {Shown} shown
  */
 const turnsBack = ({ job, report: { steps } }) =>
   job.solver?.theory === 'flow' &&
-  steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach) &&
+  steps.some((step, k) => k > 0 && approachOf(step) < approachOf(steps[k - 1])) &&
   steps.some((step) => (strainOf(step) ?? 1) > 0);
 
 /**
@@ -204,7 +207,7 @@ function overApproach(swept, shown, at) {
   const force = unit(forceOf(report), report.units);
   const turns = swept.some(turnsBack);
   const rising = (/** @type {Report} */ report) =>
-    answered(report).sort((a, b) => a.approach - b.approach);
+    answered(report).sort((a, b) => approachOf(a) - approachOf(b));
   return {
     turns,
     x: `α  [${unit('length', report.units)}]`,
@@ -218,14 +221,14 @@ function overApproach(swept, shown, at) {
         colour: one.colour,
         dash: one.dash,
         points: true,
-        x: turns ? approach : steps.map((step) => step.approach),
+        x: turns ? approach : steps.map(approachOf),
         y: turns ? force : steps.map(({ contact }) => contact.force),
       };
       return turns ? apart(curve, force) : [curve];
     }),
     marks: [
       ...onsets(swept, 'y', 'first yield, elastic theory'),
-      { across: 'x', at: report.steps[at].approach, text: 'shown' },
+      { across: 'x', at: approachOf(report.steps[at]), text: 'shown' },
     ],
     words: `Force over approach, ${report.steps.length} points up to ${figure(Math.max(...report.steps.map(({ contact }) => contact.force)))} ${force}.`,
   };

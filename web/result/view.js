@@ -24,6 +24,7 @@ import { HistoryPanel } from './history.js';
 import { beside, isUnloaded, loadWords } from './loads.js';
 import { MapPanel } from './map.js';
 import { segments } from './panel.js';
+import { PassesPanel } from './passes.js';
 import { PressurePanel } from './pressure.js';
 import { progressWords } from './progress.js';
 import { SpreadPanel } from './spread.js';
@@ -79,6 +80,7 @@ export class View {
     this.convergence = new ConvergencePanel();
     this.sweep = new SweepPanel();
     this.dent = new DentPanel();
+    this.passes = new PassesPanel();
     this.vary = new VaryPanel(on);
     this.figures = new FiguresPanel((step) => this.#go(step));
     this.differences = new DifferencesPanel();
@@ -127,7 +129,8 @@ export class View {
   }
 
   get #charts() {
-    return [this.pressure, this.spread, this.map, this.depth, this.sweep, this.dent];
+    const { pressure, spread, map, depth, sweep, dent, passes } = this;
+    return [pressure, spread, map, depth, sweep, dent, passes];
   }
 
   /**
@@ -135,13 +138,14 @@ export class View {
    * the question first: the curve of a sweep, the dent of a history, the map of half-spaces.
    */
   #arrange() {
-    const { sweep, dent, map, pressure, field, other, spread, depth, vary } = this;
+    const { sweep, dent, map, passes, pressure, field, other, spread, depth, vary } = this;
     const step = this.#shown[0]?.report.steps[this.#at];
     const left = step && isUnloaded(step);
     const all = [
       ...(vary.hasCurve ? [vary] : []),
       ...(left ? [dent] : []),
       ...(step && !step.flow ? [sweep] : []),
+      passes,
       map,
       pressure,
       field,
@@ -187,6 +191,7 @@ export class View {
     this.steps.stop();
     for (const { panel } of [
       this.sweep,
+      this.passes,
       this.dent,
       this.pressure,
       this.spread,
@@ -324,6 +329,7 @@ export class View {
       this.pressure,
       this.spread,
       this.map,
+      this.passes,
       this.dent,
       this.depth,
       this.field,
@@ -348,6 +354,7 @@ export class View {
     this.spread.show(shown, this.#at);
     this.map.show(shown, this.#at);
     this.dent.show(shown, this.#at);
+    this.passes.show(shown, this.#at);
     this.depth.show(shown, this.#at);
     this.vary.show(shown, this.#at);
     this.figures.show(shown, this.#at);
@@ -382,7 +389,8 @@ export class View {
     if (solid) namePlanes(this.plane, report.steps[this.#at]);
     const yields = hasYielded(raw);
     const asked = { job, at: this.#at, yields, units: setOf(report.units) };
-    if (!solid) this.field.show({ ...asked, report: raw }, anew, /** @type {any} */ (fields));
+    if (report.steps[0]?.rolling) this.field.clear();
+    else if (!solid) this.field.show({ ...asked, report: raw }, anew, /** @type {any} */ (fields));
     // The map offers to solve again with both.
     else if (!job.output?.fields) this.field.clear();
     else {

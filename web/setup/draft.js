@@ -216,11 +216,11 @@ function* dimensional(job) {
   }
   const kind = loadOf(job.load);
   if (kind === 'target') yield* within(job, '/load', [TARGETS[targetOf(job.load)]]);
-  const { field } = LOADS[kind];
-  if (field)
-    yield* within(job, '/load', [
-      { ...field, quantity: field.quantity === 'load' ? forceOf(job) : field.quantity },
-    ]);
+  const ofLoad = (/** @type {import('./fields.js').Field} */ field) => ({
+    ...field,
+    quantity: field.quantity === 'load' ? forceOf(job) : field.quantity,
+  });
+  yield* within(job, '/load', LOADS[kind].fields.map(ofLoad));
 }
 
 /**

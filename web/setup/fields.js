@@ -258,53 +258,74 @@ export const INITIAL_STRESS = {
   hint: 'Depth, stress along the surface in the section and out of it, a line each; tension positive.',
 };
 
-/** @type {Record<string, {label: string, field?: Field}>} */
+/** @type {Record<string, {label: string, fields: Field[]}>} */
 export const LOADS = {
   force: {
     label: 'Force',
-    field: { key: 'force', label: 'Force', symbol: 'P', quantity: 'load' },
+    fields: [{ key: 'force', label: 'Force', symbol: 'P', quantity: 'load' }],
   },
   forces: {
     label: 'Sweep of forces',
-    field: {
-      key: 'forces',
-      help: 'force',
-      label: 'Forces',
-      symbol: 'P',
-      quantity: 'load',
-      kind: 'list',
-      hint: 'Separated by spaces; 100…1200/12 makes twelve.',
-    },
+    fields: [
+      {
+        key: 'forces',
+        help: 'force',
+        label: 'Forces',
+        symbol: 'P',
+        quantity: 'load',
+        kind: 'list',
+        hint: 'Separated by spaces; 100…1200/12 makes twelve.',
+      },
+    ],
   },
   approach: {
     label: 'Approach',
-    field: { key: 'approach', label: 'Approach', symbol: 'α', quantity: 'length' },
+    fields: [{ key: 'approach', label: 'Approach', symbol: 'α', quantity: 'length' }],
   },
   approaches: {
     label: 'Sweep of approaches',
-    field: {
-      key: 'approaches',
-      help: 'approach',
-      label: 'Approaches',
-      symbol: 'α',
-      quantity: 'length',
-      kind: 'list',
-      hint: 'Separated by spaces; 0.002…0.02/10 makes ten.',
-    },
+    fields: [
+      {
+        key: 'approaches',
+        help: 'approach',
+        label: 'Approaches',
+        symbol: 'α',
+        quantity: 'length',
+        kind: 'list',
+        hint: 'Separated by spaces; 0.002…0.02/10 makes ten.',
+      },
+    ],
   },
   history: {
     label: 'History of loads',
-    field: {
-      key: 'history',
-      label: 'Loads in turn',
-      symbol: 'P',
-      quantity: 'load',
-      kind: 'history',
-      hint: 'Forces one after the other, 0 takes the load away; α0.01 is an approach.',
-    },
+    fields: [
+      {
+        key: 'history',
+        label: 'Loads in turn',
+        symbol: 'P',
+        quantity: 'load',
+        kind: 'history',
+        hint: 'Forces one after the other, 0 takes the load away; α0.01 is an approach.',
+      },
+    ],
   },
-  onset: { label: 'Onset of yield' },
-  target: { label: 'Force for a given figure' },
+  onset: { label: 'Onset of yield', fields: [] },
+  target: { label: 'Force for a given figure', fields: [] },
+  rolling: {
+    label: 'Force that rolls',
+    fields: [
+      { key: 'rolling/force', help: 'force', label: 'Force', symbol: 'P', quantity: 'load' },
+      {
+        key: 'rolling/friction',
+        label: 'Friction',
+        symbol: 'μ',
+        optional: true,
+        hint: 'Positive drags the lower body along the travel, negative is a driven wheel.',
+      },
+      { key: 'rolling/passes', label: 'Passes at most', symbol: 'N', optional: true },
+      { key: 'rolling/alternating', label: 'There and back', kind: 'flag' },
+    ],
+  },
 };
 
 /** Figures of the contact for which a force can be looked for. @type {Record<string, Field & {example: number}>} */
@@ -402,12 +423,15 @@ export const allFields = () => [
   INITIAL_STRESS,
   ...SURFACE,
   ...SETTINGS,
-  ...Object.values(LOADS).flatMap(({ field }) => field ?? []),
+  ...Object.values(LOADS).flatMap(({ fields }) => fields),
   ...Object.values(TARGETS),
 ];
 
 /** What the service takes where a job says nothing. */
 export const DEFAULTS = {
+  '/load/rolling/friction': 0,
+  '/load/rolling/passes': 30,
+  '/load/rolling/alternating': false,
   '/units': 'mm_N_MPa',
   '/upper/support': 'clamped',
   '/lower/support': 'clamped',

@@ -433,7 +433,7 @@ export class Form {
   #load() {
     const { load } = this.draft.job;
     const kind = loadOf(load);
-    const { field } = LOADS[kind];
+    const { fields } = LOADS[kind];
     const kinds = Object.fromEntries(
       Object.entries(LOADS).map(([key, { label }]) => [key, label]),
     );
@@ -449,7 +449,7 @@ export class Form {
     ];
     return [
       this.#choice('/load/kind', 'Given', kinds, (kind) => this.kinds.useLoad(String(kind))),
-      ...(field ? [this.#field('/load', field)] : []),
+      ...fields.map((field) => this.#field('/load', field)),
       ...(kind === 'target' ? target() : []),
       this.#choice('/solver/theory', 'Theory', THEORIES),
     ];

@@ -40,8 +40,9 @@ export async function closedForm(job, signal) {
   const highest = loads.every((load) => load?.approach === undefined)
     ? Math.max(0, ...loads.map((load) => Number(load?.force) || 0))
     : 0;
-  const forced = job.load?.force !== undefined || job.load?.forces !== undefined || highest > 0;
-  const load = highest > 0 ? { force: highest } : forced ? job.load : { force: 1 };
+  const one = job.load?.rolling?.force ?? (highest > 0 ? highest : undefined);
+  const forced = [one, job.load?.force, job.load?.forces].some((given) => given !== undefined);
+  const load = one !== undefined ? { force: one } : forced ? job.load : { force: 1 };
   try {
     const answer = await post('v1/hertz', { ...job, load }, { signal });
     return { hertz: forced ? answer : { ...answer, steps: [] }, why: '' };

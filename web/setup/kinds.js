@@ -40,6 +40,8 @@ export class Kinds {
   #given = new Map();
   /** Hardening of the bodies that were made rigid with their shape. @type {Map<Body, string>} */
   #stiffened = new Map();
+  /** What the job asked for before its load rolled. @type {any} */
+  #asked;
   /** Whether flow theory was chosen with a load that it alone knows. */
   #lent = false;
 
@@ -212,7 +214,11 @@ export class Kinds {
     this.#keepLoad();
     const before = this.#before('/load', kind);
     if (kind === 'target') this.useTarget(targetOf(before));
-    else this.#setLoad(before ?? loadLike(kind, this.draft.job), kind === 'history');
+    else
+      this.#setLoad(
+        before ?? loadLike(kind, this.draft.job),
+        kind === 'history' || kind === 'rolling',
+      );
   }
 
   /** @param {string} figure */
@@ -231,6 +237,20 @@ export class Kinds {
     );
   }
 
+  /** What a job with this load asks for: a track has neither fields nor a contact stiffness. @param {any} load */
+  #outputFor(load) {
+    const { output } = this.draft.job;
+    if (load.rolling) {
+      this.#asked ??= output;
+      return { ...output, fields: false, contact_stiffness: false };
+    }
+    const asked = this.#asked;
+    this.#asked = undefined;
+    return (
+      asked && { ...output, fields: asked.fields, contact_stiffness: asked.contact_stiffness }
+    );
+  }
+
   /** Gives the job another load, and flow theory as long as that alone knows the load. @param {object} load @param {boolean} flow */
   #setLoad(load, flow) {
     const { job } = this.draft;
@@ -239,7 +259,11 @@ export class Kinds {
       flow || job.solver?.increments != null || hasTerms(job.upper) || hasTerms(job.lower);
     const back = this.#lent && !needed;
     const solver = { ...job.solver, theory: flow ? 'flow' : 'deformation' };
-    this.draft.replace({ ...job, load, ...((flow || back) && { solver }) }, this.source);
+    const output = this.#outputFor(load);
+    this.draft.replace(
+      { ...job, load, ...((flow || back) && { solver }), ...(output && { output }) },
+      this.source,
+    );
     this.#lent = flow && (theory !== 'flow' || this.#lent);
     if (back) toast('Deformation theory again: this load does not need flow theory');
   }
@@ -261,7 +285,8 @@ function loadLike(kind, job) {
   const inTurn = (/** @type {string} */ key) => (Array.isArray(old?.[key]) ? old[key] : []);
   const last = (/** @type {string} */ key) => numberOf(inTurn(key).at(-1));
   const highest = Math.max(...inTurn('history').map((load) => numberOf(load?.force) || 0));
-  const one = [numberOf(old?.force), last('forces'), highest].find((force) => force > 0);
+  const rolled = numberOf(old?.rolling?.force);
+  const one = [numberOf(old?.force), last('forces'), highest, rolled].find((force) => force > 0);
   const deep = [numberOf(old?.approach), last('approaches')].find((approach) => approach > 0);
   const force = one ?? convert(TYPICAL.force, forceOf(job), 'mm_N_MPa', units);
   const approach = deep ?? convert(TYPICAL.approach, 'length', 'mm_N_MPa', units);
@@ -274,6 +299,7 @@ function loadLike(kind, job) {
     approaches: sweep(approach),
     history: [{ force }, { force: 0 }],
     onset: true,
+    rolling: { force },
   });
   return { [kind]: loads[kind] };
 }

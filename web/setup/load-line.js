@@ -12,6 +12,12 @@ export const LETTER = 6.4;
 /** The same of a bold one. */
 export const BOLD = 7.2;
 
+/** A force that rolls. @param {any} rolling @param {string} unit @returns {string} */
+export function rollingWords(rolling, unit) {
+  const friction = rolling?.friction ? `, μ ${exact(Number(rolling.friction))}` : '';
+  return `${exact(Number(rolling?.force))} ${unit} ${rolling?.alternating ? 'to and fro' : 'rolling'}${friction}`;
+}
+
 /** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
 export function loadLine(job) {
   const kind = loadOf(job.load);
@@ -21,6 +27,7 @@ export function loadLine(job) {
     return `P = ? (${kind === 'onset' ? 'first yield' : wanted})`;
   }
   const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
+  if (kind === 'rolling') return `P = ${rollingWords(value, force)}`;
   if (kind === 'history') {
     const words = [undefined, 0].map((few) =>
       historyWords(value, { force, approach }, { is: ' = ', few }),

@@ -206,7 +206,7 @@ def test_passes_of_a_load_that_rolls_are_a_table(client: Client) -> None:
     assert (passes["lower_groove_depth_error"].dropna() > 0).all()
     assert rolling.verdict == result.verdict.level
     assert rolling.rate > 0 if rolling.verdict == "ratchets" else rolling.rate == 0
-    residual = rolling.residual
+    residual = result.subsurface
     assert residual["depth"].is_monotonic_increasing
     assert residual["sigma_x"].min() < -10
     assert rolling.limits["perfect"]["peak_pressure"] == pytest.approx(

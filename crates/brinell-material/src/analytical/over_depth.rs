@@ -308,7 +308,8 @@ mod tests {
             let one = DepthLimit::sliding(friction, 1e-3, |_| 500.0);
             for of in [limit, uniform] {
                 assert!((of.peak_pressure / one.peak_pressure - 1.0).abs() < 2e-4, "{friction}");
-                assert!((of.depth - one.depth).abs() < 5e-3, "{friction} {of:?} {one:?}");
+                // The maximum over depth is flat.
+                assert!((of.depth - one.depth).abs() < 0.03, "{friction} {of:?} {one:?}");
             }
         }
     }

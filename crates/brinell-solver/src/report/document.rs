@@ -80,8 +80,9 @@ pub struct StepReport {
     /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flow: Option<FlowReport>,
-    /// Stresses over depth on the axis, or below the middle of the contact where there is none;
-    /// absent when not asked for, and where the step was stopped.
+    /// Stresses over depth on the axis, or below the middle of the contact where there is none; of
+    /// a load that rolls what its last pass has left, the same all along the track. Absent when
+    /// not asked for, and where the step was stopped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
     /// The same below the largest pressure; absent where that is in the middle.
@@ -130,9 +131,16 @@ impl StepReport {
         })
     }
 
-    /// Returns the largest equivalent plastic strain of both bodies, or `None` if the strain of a
-    /// body has no limit on finer meshes.
+    /// Returns the largest equivalent plastic strain of both bodies, of a load that rolls that of
+    /// all passes, or `None` if the strain of a body has no limit on finer meshes.
     pub fn max_plastic_strain(&self) -> Option<f64> {
+        if let Some(rolling) = &self.rolling {
+            let last = rolling.passes.last();
+            let bodies =
+                last.into_iter().flat_map(|last| [&last.bodies.upper, &last.bodies.lower]);
+            let strains = bodies.flatten().map(|body| body.accumulated_strain);
+            return Some(strains.fold(0.0, f64::max));
+        }
         let zones = [&self.plasticity.upper, &self.plasticity.lower].into_iter().flatten();
         zones
             .map(|zone| zone.max_equivalent_plastic_strain)

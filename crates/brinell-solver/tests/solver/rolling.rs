@@ -103,6 +103,11 @@ fn free_rolling_above_the_limit_ratchets() {
     assert!(first.energy_gap < 0.01, "{}", first.energy_gap);
     assert!(later.iter().all(|pass| pass.energy_gap < 0.03), "{later:?}");
     near(first.loss, first.rolling_force / step.contact.force, 1e-9);
+    let profile = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
+    let least = profile.sigma_x.iter().copied().fold(0.0, f64::min);
+    near(least, body(&step, 12).least_sigma_x, 1e-12);
+    let strains = profile.equivalent_plastic_strain.iter().copied().fold(0.0, f64::max);
+    near(strains, step.max_plastic_strain().unwrap(), 1e-12);
     let iterations: usize = found.passes.iter().map(|pass| pass.iterations).sum();
     assert!((300..600).contains(&iterations), "{iterations}");
 }

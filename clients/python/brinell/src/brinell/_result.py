@@ -186,6 +186,10 @@ class Step:
 
         That is so of a material that does not harden.
         """
+        if self.rolling is not None:
+            last = self.rolling.data["passes"][-1:]
+            bodies = [body for one in last for body in one["bodies"].values() if body]
+            return max((body["accumulated_strain"] for body in bodies), default=0.0)
         zones = [zone for zone in (self.data.get("plasticity") or {}).values() if zone]
         strains = [number(zone["max_equivalent_plastic_strain"]) for zone in zones]
         return NAN if any(map(math.isnan, strains)) else max(strains, default=NAN)
@@ -251,7 +255,8 @@ class Step:
 
     @property
     def subsurface(self) -> pd.DataFrame:
-        """Stresses over the depth below the middle of the contact, of both bodies (`body`).
+        """Stresses over the depth below the middle of the contact, of both bodies (`body`); of a
+        load that rolls what its last pass has left.
 
         Column `x` says where that is: x, in axisymmetry the radius.
         """

@@ -60,19 +60,6 @@ class Rolling:
         frame: pd.DataFrame = pandas.DataFrame(rows)
         return frame.set_index("number") if rows else frame
 
-    @property
-    def residual(self) -> pd.DataFrame:
-        """Stress and accumulated plastic strain over depth after the last pass, of each body
-        (`body`).
-        """
-        pandas = need("pandas", "pandas")
-        given = {name: of for name, of in self.data["residual"].items() if of}
-        frames = [pandas.DataFrame({"body": name, **of}) for name, of in given.items()]
-        frame: pd.DataFrame = (
-            pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame({"body": []})
-        )
-        return frame
-
     def __repr__(self) -> str:
         return f"<rolling: {self.verdict}, {len(self.data['passes'])} passes>"
 

@@ -251,6 +251,13 @@ class BodyPass(BaseModel):
     What a pass leaves in a body.
     """
 
+    accumulated_strain: Annotated[
+        float,
+        Field(
+            description='Largest plastic strain that all passes so far have accumulated. Without unit.',
+            ge=0.0,
+        ),
+    ]
     forward: Annotated[
         float,
         Field(
@@ -2309,53 +2316,6 @@ class Queue(BaseModel):
     running: Annotated[int, Field(description='Jobs being solved.', ge=0)]
 
 
-class ResidualOverDepth(BaseModel):
-    """
-    Stress and strain over depth that the passes have left.
-    """
-
-    depth: Annotated[
-        list[float], Field(description='Middle of each layer. Unit: mm (SI: m).')
-    ]
-    equivalent_plastic_strain: Annotated[
-        list[float],
-        Field(
-            description='Equivalent plastic strain that all passes have accumulated. Without unit.'
-        ),
-    ]
-    sigma_x: Annotated[
-        list[float],
-        Field(
-            description='Stress along the travel, an initial stress included. Unit: MPa (SI: Pa).'
-        ),
-    ]
-    sigma_z: Annotated[
-        list[float],
-        Field(
-            description='Stress across the travel, an initial stress included. Unit: MPa (SI: Pa).'
-        ),
-    ]
-
-
-class ResidualOverDepthOfBodies(BaseModel):
-    """
-    One value for each body.
-    """
-
-    lower: Annotated[
-        ResidualOverDepth | None,
-        Field(
-            description='Of the lower body; null if it is rigid or the step was stopped.'
-        ),
-    ]
-    upper: Annotated[
-        ResidualOverDepth | None,
-        Field(
-            description='Of the upper body; null if it is rigid or the step was stopped.'
-        ),
-    ]
-
-
 class Rigid(BaseModel):
     """
     A body that does not deform.
@@ -3965,12 +3925,6 @@ class RollingResult(BaseModel):
             description='Why the verdict is open or the passes end; `null` otherwise.'
         ),
     ]
-    residual: Annotated[
-        ResidualOverDepthOfBodies,
-        Field(
-            description='Stress and strain over depth that the last pass has left; the same everywhere along the track.'
-        ),
-    ]
     verdict: Annotated[
         Literal['elastic', 'shakes_down', 'closed_cycle', 'undecided', 'ratchets'],
         Field(description='What becomes of the track, of both bodies the worse.'),
@@ -4181,7 +4135,7 @@ class Step(BaseModel):
     subsurface: Annotated[
         SubsurfaceOfBodies | None,
         Field(
-            description='Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for, and where the step was stopped.'
+            description='Stresses over depth on the axis, or below the middle of the contact where there is none; of a load that rolls what its last pass has left, the same all along the track. Absent when not asked for, and where the step was stopped.'
         ),
     ] = None
     subsurface_below_peak: Annotated[

@@ -107,7 +107,8 @@ impl Facts<'_> {
             TrackVerdict::Ratchets => "added by each pass, or pair of passes, for good",
             TrackVerdict::Undecided => "not known: more passes are needed",
         };
-        let error = rolling.rate_error.zip(rolling.rate).map(|(error, rate)| error / rate);
+        let of_rate = |(error, rate): (f64, f64)| if rate > 0.0 { error / rate } else { 0.0 };
+        let error = rolling.rate_error.zip(rolling.rate).map(of_rate);
         let rate =
             self.answer("rate", "Strain of a steady pass", AnswerQuantity::Strain, rolling.rate);
         let body = rolling.body.map(of_side);

@@ -30,9 +30,6 @@ pub struct RollingReport {
     pub passes: Vec<PassReport>,
     /// Elastic peak pressures up to which the track shakes down under this friction.
     pub limits: TrackLimitsReport,
-    /// Stress and strain over depth that the last pass has left; the same everywhere along the
-    /// track.
-    pub residual: PerBody<Option<ResidualReport>>,
     /// Columns of the track.
     pub columns: usize,
     /// Layers of each body.
@@ -121,6 +118,8 @@ pub struct BodyPassReport {
     pub net_strain: f64,
     /// Its depth \[length >= 0\].
     pub net_strain_depth: f64,
+    /// Largest plastic strain that all passes so far have accumulated \[1 >= 0\].
+    pub accumulated_strain: f64,
     /// Least residual stress along the travel \[stress\].
     pub least_sigma_x: f64,
     /// Largest residual stress along the travel \[stress\].
@@ -192,20 +191,6 @@ pub struct TrackLimitReport {
     pub depth: f64,
     /// The body that decides.
     pub body: Side,
-}
-
-/// Stress and strain over depth that the passes have left.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = ResidualOverDepth))]
-pub struct ResidualReport {
-    /// Middle of each layer \[length\].
-    pub depth: Vec<f64>,
-    /// Stress along the travel, an initial stress included \[stress\].
-    pub sigma_x: Vec<f64>,
-    /// Stress across the travel, an initial stress included \[stress\].
-    pub sigma_z: Vec<f64>,
-    /// Equivalent plastic strain that all passes have accumulated \[1\].
-    pub equivalent_plastic_strain: Vec<f64>,
 }
 
 /// Elastic peak pressure up to which a line contact shakes down under a friction.

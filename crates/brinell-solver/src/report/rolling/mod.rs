@@ -7,7 +7,7 @@ mod run;
 mod step;
 
 pub use document::{
-    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, ResidualReport,
-    RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, RollingReport,
+    ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
 };
 pub(super) use run::{preflight, run_each};

@@ -1,18 +1,21 @@
 //! The report of a load that rolls.
 
+use std::cmp::Ordering;
+
 use brinell_halfspace::track::Verdict;
 
 use super::document::{
-    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, ResidualReport,
-    RollingReport, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, RollingReport,
+    TrackLimitReport, TrackLimitsReport, TrackVerdict,
 };
 use super::findings::findings;
-use crate::job::Job;
+use crate::job::{InitialStressProfile, Job};
 use crate::report::answers::Measured;
 use crate::report::build::{hertz, in_units, over_friction};
 use crate::report::validity;
 use crate::report::{
     ContactNodes, ContactReport, ErrorEstimate, LoadReport, Patch, PerBody, Side, StepReport,
+    SubsurfaceReport,
 };
 use crate::solver::rolling::{
     BodyPass, BodyPassErrors, Limit, Pass, PassErrors, RollingProblem, RollingSolution,
@@ -48,7 +51,7 @@ impl StepWriter<'_> {
             contact: self.contact(),
             contact_stiffness: None,
             flow: None,
-            subsurface: None,
+            subsurface: self.subsurface(),
             subsurface_below_peak: None,
             plasticity: PerBody { upper: None, lower: None },
             hertz: reference
@@ -140,7 +143,6 @@ impl StepWriter<'_> {
                 perfect: perfect.as_ref().filter(|limit| limit.peak_pressure > 0.0).map(limit),
                 kinematic: kinematic.as_ref().filter(|limit| limit.peak_pressure > 0.0).map(limit),
             },
-            residual: PerBody { upper: self.residual(0), lower: self.residual(1) },
             columns: solution.grid[0],
             layers: solution.grid[1],
         }
@@ -188,7 +190,7 @@ impl StepWriter<'_> {
         let write = self.write;
         let of_side = |side: usize| {
             let body = pass.bodies[side].as_ref()?;
-            Some(body_report(body, write))
+            Some(body_report(body, self.accumulated(side, number), write))
         };
         PassReport {
             number,
@@ -214,25 +216,94 @@ impl StepWriter<'_> {
         }
     }
 
-    fn residual(&self, side: usize) -> Option<ResidualReport> {
+    /// Returns the largest plastic strain that so many passes have accumulated in a body.
+    fn accumulated(&self, side: usize, passes: usize) -> f64 {
+        let passes =
+            || self.solution.passes[..passes].iter().filter_map(|p| p.bodies[side].as_ref());
+        let layers = 0..passes().next().map_or(0, |body| body.outlet.depths.len());
+        let of_layer = |layer: usize| passes().map(|body| body.outlet.accumulated[layer]).sum();
+        layers.map(of_layer).fold(0.0, f64::max)
+    }
+
+    /// Returns what the last pass has left over depth, far from the load.
+    fn subsurface(&self) -> Option<PerBody<Option<SubsurfaceReport>>> {
+        let is_asked = self.job.output.subsurface && !self.solution.status.is_stopped();
+        is_asked.then(|| PerBody { upper: self.profile(0), lower: self.profile(1) })
+    }
+
+    fn profile(&self, side: usize) -> Option<SubsurfaceReport> {
         let write = self.write;
+        let material = self.problem.materials[side].as_ref()?;
         let passes = || self.solution.passes.iter().filter_map(|pass| pass.bodies[side].as_ref());
         let outlet = &passes().next_back()?.outlet;
-        let stress = |k: usize| outlet.residual.iter().map(|s| write.stress(s[k])).collect();
+        let layers = || outlet.residual.iter();
+        let stress =
+            |of: &dyn Fn(&[f64; 2]) -> f64| layers().map(|s| write.stress(of(s))).collect();
+        let von_mises = |s: &[f64; 2]| (s[0] * s[0] + s[1] * s[1] - s[0] * s[1]).sqrt();
         let accumulated = |layer: usize| passes().map(|body| body.outlet.accumulated[layer]).sum();
-        Some(ResidualReport {
+        let initial = InitialStressProfile::new(material.initial_stress());
+        let is_stressed = !material.initial_stress().is_empty();
+        let before = |k: usize| {
+            let at = |depth: &f64| write.stress(initial.at(*depth)[k]);
+            is_stressed.then(|| outlet.depths.iter().map(at).collect::<Vec<f64>>())
+        };
+        let limits = material.hardening_law().zip(material.strength()).map(|(law, strength)| {
+            let at = |depth: &f64| law.nominal_yield_stress() * strength.factor(*depth);
+            outlet.depths.iter().map(at).collect::<Vec<f64>>()
+        });
+        Some(SubsurfaceReport {
+            position: Some(0.0),
             depth: outlet.depths.iter().map(|depth| write.length(*depth)).collect(),
-            sigma_x: stress(0),
-            sigma_z: stress(1),
+            sigma_x: stress(&|s| s[0]),
+            sigma_y: stress(&|_| 0.0),
+            sigma_z: stress(&|s| s[1]),
+            tau_max: stress(&|s| 0.5 * (s[0].max(s[1]).max(0.0) - s[0].min(s[1]).min(0.0))),
+            von_mises: stress(&von_mises),
             equivalent_plastic_strain: (0..outlet.depths.len()).map(accumulated).collect(),
+            utilization: limits.as_ref().map(|limits| {
+                layers().zip(limits).map(|(stress, limit)| von_mises(stress) / limit).collect()
+            }),
+            yield_stress: limits
+                .map(|limits| limits.iter().map(|limit| write.stress(*limit)).collect()),
+            initial_sigma_x: before(0),
+            initial_sigma_y: before(0).map(|stresses| vec![0.0; stresses.len()]),
+            initial_sigma_z: before(1),
+            position_y: None,
+            sigma_xx: None,
+            sigma_yy: None,
+            sigma_zz: None,
+            sigma_xy: None,
+            sigma_xz: None,
+            sigma_yz: None,
         })
     }
 }
 
-/// Returns the worst verdict and the body that has it; elastic where none can yield.
+/// Returns the worst verdict and the body that has it; elastic where none can yield, and no body
+/// where plastic flow dies out in both.
 pub(super) fn worst(verdicts: &[Option<Verdict>; 2]) -> (Option<usize>, Verdict) {
-    let bodies = verdicts.iter().enumerate().filter_map(|(side, v)| Some((Some(side), (*v)?)));
-    bodies.rev().max_by_key(|(_, verdict)| word(*verdict)).unwrap_or((None, Verdict::Elastic))
+    match *verdicts {
+        [None, None] => (None, Verdict::Elastic),
+        [Some(upper), None] => (Some(0), upper),
+        [None, Some(lower)] => (Some(1), lower),
+        [Some(upper), Some(lower)] => match word(upper).cmp(&word(lower)) {
+            Ordering::Greater => (Some(0), upper),
+            Ordering::Less => (Some(1), lower),
+            Ordering::Equal => match (rate(upper), rate(lower)) {
+                (Some(one), Some(other)) if one > other => (Some(0), upper),
+                (Some(_), Some(_)) => (Some(1), lower),
+                _ => (None, lower),
+            },
+        },
+    }
+}
+
+/// Returns the plastic strain of a steady pass, where there is any.
+const fn rate(verdict: Verdict) -> Option<f64> {
+    match verdict {
+        Verdict::ClosedCycle { strain: rate, .. } | Verdict::Ratchets { rate, .. } => Some(rate),
+        Verdict::Elastic | Verdict::ShakesDown { .. } | Verdict::Undecided { .. } => None,
+    }
 }
 
 /// Returns the word of a verdict.
@@ -246,7 +317,7 @@ pub(super) const fn word(verdict: Verdict) -> TrackVerdict {
     }
 }
 
-fn body_report(body: &BodyPass, write: UnitConverter) -> BodyPassReport {
+fn body_report(body: &BodyPass, accumulated: f64, write: UnitConverter) -> BodyPassReport {
     let stresses = |k: usize| body.outlet.residual.iter().map(move |stress| stress[k]);
     let least = |k: usize| write.stress(stresses(k).fold(f64::INFINITY, f64::min));
     let most = |k: usize| write.stress(stresses(k).fold(f64::NEG_INFINITY, f64::max));
@@ -257,6 +328,7 @@ fn body_report(body: &BodyPass, write: UnitConverter) -> BodyPassReport {
         largest_strain_depth: write.length(body.strain.largest.depth),
         net_strain: body.strain.net.value,
         net_strain_depth: write.length(body.strain.net.depth),
+        accumulated_strain: accumulated,
         least_sigma_x: least(0),
         largest_sigma_x: most(0),
         least_sigma_z: least(1),
