@@ -4,6 +4,7 @@ use brinell_halfspace::{DEVIATOR_COMPONENTS, HalfSpace, Layers, SurfaceGrid};
 
 use super::engine::{GridDesign, is_symmetric};
 use super::problem::{Expected, HalfSpaceProblem};
+use super::search::first_force;
 use crate::contact::ContactLoad;
 use crate::solver::SolveError;
 use crate::solver::loads::{Loads, Sought, largest_loads, loads};
@@ -35,7 +36,7 @@ const SEARCHED_OVERLOAD: f64 = 12.0;
 /// Those of a grid.
 pub fn estimate(problem: &HalfSpaceProblem) -> Result<HalfSpaceEstimate, SolveError> {
     let mut design: Option<GridDesign> = None;
-    for expected in of_loads(problem) {
+    for expected in of_loads(problem)? {
         let next = GridDesign::new(expected.bearable()?, problem.cells(), problem.cells());
         design = Some(design.map_or(next, |design| design.union(next)));
     }
@@ -46,17 +47,22 @@ pub fn estimate(problem: &HalfSpaceProblem) -> Result<HalfSpaceEstimate, SolveEr
 }
 
 /// What is expected under the largest loads.
-fn of_loads(problem: &HalfSpaceProblem) -> Vec<Expected> {
-    match loads(&problem.load) {
+fn of_loads(problem: &HalfSpaceProblem) -> Result<Vec<Expected>, SolveError> {
+    Ok(match loads(&problem.load) {
         Loads::Given(loads) => {
             largest_loads(&loads).into_iter().filter_map(|load| problem.expected(load)).collect()
         }
         Loads::Sought(sought) => {
-            let overload = if sought == Sought::Onset { 0.0 } else { SEARCHED_OVERLOAD };
-            let under_unit = problem.expected(ContactLoad::Force(1.0));
-            under_unit.map(|expected| Expected { overload, ..expected }).into_iter().collect()
+            let first = problem.expected(ContactLoad::Force(first_force(problem, sought)?));
+            let overload = |first: f64| match sought {
+                Sought::Onset => 0.0,
+                Sought::Target(_) => first.max(SEARCHED_OVERLOAD),
+            };
+            let expected =
+                |first: Expected| Expected { overload: overload(first.overload), ..first };
+            first.map(expected).into_iter().collect()
         }
-    }
+    })
 }
 
 /// Bytes that a solve on a grid holds.

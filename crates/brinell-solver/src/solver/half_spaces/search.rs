@@ -48,6 +48,32 @@ pub(super) fn run(
     Ok((found.trial.steps, found.sensitivity))
 }
 
+/// Returns the force of the first trial \[N\].
+///
+/// # Errors
+/// [`SolveError::NoYieldPoint`].
+pub(super) fn first_force(problem: &HalfSpaceProblem, sought: Sought) -> Result<f64, SolveError> {
+    let weakest = problem.weakest();
+    let under_peak = |peak: f64| problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
+    let highest = weakest.map_or(f64::INFINITY, |weakest| HIGHEST_START * weakest);
+    match sought {
+        Sought::Onset => onset_force(problem).ok_or(SolveError::NoYieldPoint),
+        Sought::Target(target) => match target.figure {
+            TargetFigure::HalfWidth => {
+                let shorter = |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);
+                Ok(problem.force_where(shorter, target.value.get(), 3.0))
+            }
+            TargetFigure::PeakPressure => Ok(under_peak(target.value.get().min(highest))),
+            TargetFigure::MeanPressure => Ok(under_peak((1.5 * target.value.get()).min(highest))),
+            TargetFigure::PermanentApproach
+            | TargetFigure::DentDepth
+            | TargetFigure::MaxPlasticStrain => weakest
+                .map(|weakest| under_peak(PLASTIC_START * weakest))
+                .ok_or(SolveError::NoYieldPoint),
+        },
+    }
+}
+
 struct ForceSearch<'a> {
     /// The problem of the job.
     problem: &'a HalfSpaceProblem,
@@ -60,7 +86,7 @@ impl ForceSearch<'_> {
     fn terms(&self) -> Result<Terms, SolveError> {
         let (tolerance, most_fine, missed) =
             if self.sought == Sought::Onset { ONSET } else { TARGET };
-        let first_force = self.first_force()?;
+        let first_force = first_force(self.problem, self.sought)?;
         Ok(Terms {
             first_force,
             expected_slope: self.expected_slope(),
@@ -68,32 +94,6 @@ impl ForceSearch<'_> {
             most_fine,
             missed,
         })
-    }
-
-    fn first_force(&self) -> Result<f64, SolveError> {
-        let weakest = self.problem.weakest();
-        let under_peak =
-            |peak: f64| self.problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
-        let highest = weakest.map_or(f64::INFINITY, |weakest| HIGHEST_START * weakest);
-        match self.sought {
-            Sought::Onset => onset_force(self.problem).ok_or(SolveError::NoYieldPoint),
-            Sought::Target(target) => match target.figure {
-                TargetFigure::HalfWidth => {
-                    let shorter =
-                        |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);
-                    Ok(self.problem.force_where(shorter, target.value.get(), 3.0))
-                }
-                TargetFigure::PeakPressure => Ok(under_peak(target.value.get().min(highest))),
-                TargetFigure::MeanPressure => {
-                    Ok(under_peak((1.5 * target.value.get()).min(highest)))
-                }
-                TargetFigure::PermanentApproach
-                | TargetFigure::DentDepth
-                | TargetFigure::MaxPlasticStrain => weakest
-                    .map(|weakest| under_peak(PLASTIC_START * weakest))
-                    .ok_or(SolveError::NoYieldPoint),
-            },
-        }
     }
 
     /// Returns an estimate of `d ln figure / d ln force`.
