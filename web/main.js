@@ -49,7 +49,8 @@ const WELCOME =
  * @returns {FieldSource | LayerSource | undefined} nothing where it did not ask for them, or the report has them
  */
 function sourceOf(id, report, job) {
-  const inside = report.steps.some(({ fields, layers }) => fields ?? layers);
+  // A track has no mesh.
+  const inside = report.steps.some(({ fields, layers, rolling }) => fields ?? layers ?? rolling);
   if (!job.output?.fields || inside) return undefined;
   return report.analysis === 'three_dimensional'
     ? new LayerSource(id, report)

@@ -40,8 +40,6 @@ export class Kinds {
   #given = new Map();
   /** Hardening of the bodies that were made rigid with their shape. @type {Map<Body, string>} */
   #stiffened = new Map();
-  /** What the job asked for before its load rolled. @type {any} */
-  #asked;
   /** Whether flow theory was chosen with a load that it alone knows. */
   #lent = false;
 
@@ -237,20 +235,6 @@ export class Kinds {
     );
   }
 
-  /** What a job with this load asks for: a track has neither fields nor a contact stiffness. @param {any} load */
-  #outputFor(load) {
-    const { output } = this.draft.job;
-    if (load.rolling) {
-      this.#asked ??= output;
-      return { ...output, fields: false, contact_stiffness: false };
-    }
-    const asked = this.#asked;
-    this.#asked = undefined;
-    return (
-      asked && { ...output, fields: asked.fields, contact_stiffness: asked.contact_stiffness }
-    );
-  }
-
   /** Gives the job another load, and flow theory as long as that alone knows the load. @param {object} load @param {boolean} flow */
   #setLoad(load, flow) {
     const { job } = this.draft;
@@ -259,11 +243,7 @@ export class Kinds {
       flow || job.solver?.increments != null || hasTerms(job.upper) || hasTerms(job.lower);
     const back = this.#lent && !needed;
     const solver = { ...job.solver, theory: flow ? 'flow' : 'deformation' };
-    const output = this.#outputFor(load);
-    this.draft.replace(
-      { ...job, load, ...((flow || back) && { solver }), ...(output && { output }) },
-      this.source,
-    );
+    this.draft.replace({ ...job, load, ...((flow || back) && { solver }) }, this.source);
     this.#lent = flow && (theory !== 'flow' || this.#lent);
     if (back) toast('Deformation theory again: this load does not need flow theory');
   }

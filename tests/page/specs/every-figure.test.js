@@ -125,7 +125,11 @@ for (let example = 0; example < MANY; example += 1)
         const numbers = [k + 1];
         const walk = (/** @type {any} */ part) => {
           if (typeof part === 'number') numbers.push(part, 100 * part);
-          else if (part && typeof part === 'object' && !(Array.isArray(part) && part.length > 8))
+          else if (
+            part &&
+            typeof part === 'object' &&
+            !(Array.isArray(part) && part.length > 8 && typeof part[0] === 'number')
+          )
             Object.values(part).forEach(walk);
         };
         walk(of);

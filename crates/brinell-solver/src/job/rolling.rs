@@ -109,13 +109,6 @@ impl Job {
                           `accelerated`, `strong` or `weak`";
             fault("/solver/coupling", detail);
         }
-        if self.output.fields {
-            fault("/output/fields", "a track has no mesh whose fields could be kept");
-        }
-        if self.output.contact_stiffness {
-            let detail = "a line contact that rolls has no approach and so no contact stiffness";
-            fault("/output/contact_stiffness", detail);
-        }
         faults
     }
 }

@@ -394,7 +394,7 @@ impl Facts<'_> {
     }
 
     /// Returns the answer of a figure, whose name, label and quantity are those of its row.
-    fn figure(&self, figure: Figure, value: impl Into<Option<f64>>) -> Answer {
+    pub fn figure(&self, figure: Figure, value: impl Into<Option<f64>>) -> Answer {
         let quantity = match figure.measure() {
             Measure::Length => AnswerQuantity::Length,
             Measure::Area => AnswerQuantity::Area,

@@ -316,8 +316,6 @@ fn what_does_not_roll_is_refused() {
         ("/solver/theory", json!("deformation"), "/solver/theory", "`flow`"),
         ("/solver/increments", json!(4), "/solver/increments", "no increments"),
         ("/solver/coupling", json!("secant_stiffness"), "/solver/coupling", "secant"),
-        ("/output", json!({"fields": true}), "/output/fields", "no mesh"),
-        ("/output", json!({"contact_stiffness": true}), "/output/contact_stiffness", "approach"),
         ("/load/rolling/passes", json!(0), "/load/rolling/passes", "between 1 and 100"),
         ("/load/rolling/friction", json!(2), "/load/rolling/friction", "between -1 and 1"),
         ("/load/rolling/force", json!(null), "/load/rolling/force", "required"),

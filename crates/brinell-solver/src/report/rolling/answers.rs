@@ -162,6 +162,9 @@ impl Facts<'_> {
             .of(of)
             .place(below(body.net_strain_depth).filter(|_| body.net_strain > 0.0))
             .text("what the pass has not taken back, largest of all layers"),
+            self.figure(Figure::MaxPlasticStrain, body.accumulated_strain)
+                .of(of)
+                .text("accumulated by all passes, largest of all layers"),
             self.answer("least_sigma_x", "Residual σ_x", stress, body.least_sigma_x)
                 .error(error(|errors| errors.residual))
                 .of(of)
