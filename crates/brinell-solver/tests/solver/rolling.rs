@@ -246,7 +246,7 @@ fn too_few_passes_are_undecided() {
     let step = step(&track(&perfect(), 1.05, &json!({"passes": 4})));
     let found = rolling(&step);
     assert_eq!((found.verdict, found.rate), (TrackVerdict::Undecided, None));
-    assert!(found.reason.as_ref().unwrap().contains("within 4 passes"), "{:?}", found.reason);
+    assert!(found.reason.as_ref().unwrap().contains("4 were made"), "{:?}", found.reason);
     let verdict = step.verdict.as_ref().unwrap();
     assert_eq!(verdict.level, VerdictLevel::NotKnown);
     let rate = step.answers.iter().find(|answer| answer.name == "rate").unwrap();
@@ -304,7 +304,7 @@ fn bars_hold_against_four_times_the_columns() {
             }
         }
         println!("{friction} {factor}: {held} of {all}");
-        assert!(held * 100 >= 80 * all, "{friction} {factor}: {held} of {all}");
+        assert!(held * 100 >= 90 * all, "{friction} {factor}: {held} of {all}");
     }
 }
 

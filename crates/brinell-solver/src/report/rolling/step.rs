@@ -175,8 +175,8 @@ impl StepWriter<'_> {
         matches!(verdict, Verdict::Undecided { .. }).then(|| {
             let unit = if self.problem.load.alternating { "pairs of passes" } else { "passes" };
             format!(
-                "no word has come three times running within {number} passes: a verdict takes at \
-                 least ten {unit}, and more near a limit"
+                "no word has come three times running: a verdict takes at least ten {unit}, and \
+                 more near a limit; {number} were made"
             )
         })
     }

@@ -1,15 +1,18 @@
 //! Estimated errors of the figures of a pass.
 //!
 //! ```text
-//! error = 0.7 |x(c) - x(c/2)| + |x(Λ) - x(2Λ)| + 1 % |x|      c columns over a, track of length Λ
+//! error = 0.7 |x(c) - x(c/2)| + |x(Λ) - x(2Λ)| + (0.5 |x| + 0.3 |x_1|)/c
 //! ```
+//! with c columns over a, a track of length Λ and the figure x_1 of the first pass.
 //! The second term is that of the first pass, on half the columns: a longer track changes nothing
-//! else. Contact figures have no term of the track.
+//! else. The last one is that of strains, forward displacement and works, which in passes that die
+//! out depend on what the first passes have left. Contact figures have neither.
 
 use super::pass::{BodyPass, Pass};
 
 const OF_COLUMNS: f64 = 0.7;
-const FLOOR: f64 = 1e-2;
+const FLOOR: f64 = 0.5;
+const FLOOR_OF_FIRST: f64 = 0.3;
 /// Floor of the half-width over the width of a column, as in three dimensions.
 const SCATTER_OF_WIDTH: f64 = 0.1;
 
@@ -44,11 +47,16 @@ pub struct BodyPassErrors {
 
 impl PassErrors {
     /// The errors of a pass beside the same pass on half the columns, and of first passes on
-    /// tracks of one and of two lengths on half the columns.
-    pub(super) fn of(fine: &Pass, coarse: &Pass, lengths: Option<[&Pass; 2]>, h: f64) -> Self {
+    /// tracks of one and of two lengths on half the columns. `first` is the first pass.
+    pub(super) fn of(
+        [fine, first, coarse]: [&Pass; 3],
+        lengths: Option<[&Pass; 2]>,
+        (h, columns): (f64, usize),
+    ) -> Self {
+        let [floor, floor_of_first] = [FLOOR, FLOOR_OF_FIRST].map(|floor| floor / columns as f64);
         let error = |of: &dyn Fn(&Pass) -> f64| {
             let track = lengths.map_or(0.0, |[one, two]| (of(one) - of(two)).abs());
-            OF_COLUMNS * (of(fine) - of(coarse)).abs() + track + FLOOR * of(fine).abs()
+            OF_COLUMNS * (of(fine) - of(coarse)).abs() + track + floor * of(fine).abs()
         };
         let of_contact = |of: &dyn Fn(&Pass) -> f64| OF_COLUMNS * (of(fine) - of(coarse)).abs();
         let of_body = |side: usize| {
@@ -58,18 +66,24 @@ impl PassErrors {
             };
             let residual = residuals(fine, side).into_iter().enumerate();
             let residual = residual.map(|(k, _)| error(&|pass: &Pass| residuals(pass, side)[k]));
+            let of_pass = |of: &dyn Fn(&BodyPass) -> f64| {
+                let first = first.bodies[side].as_ref().map_or(0.0, of);
+                figure(of) + floor_of_first * first.abs()
+            };
             Some(BodyPassErrors {
                 groove_depth: figure(&|body| body.outlet.groove_depth),
-                forward: figure(&|body| body.outlet.forward),
-                largest_strain: figure(&|body| body.strain.largest.value),
-                net_strain: figure(&|body| body.strain.net.value),
+                forward: of_pass(&|body| body.outlet.forward),
+                largest_strain: of_pass(&|body| body.strain.largest.value),
+                net_strain: of_pass(&|body| body.strain.net.value),
                 residual: residual.fold(0.0, f64::max),
             })
         };
         Self {
-            peak_pressure: of_contact(&|pass| pass.peak_pressure) + FLOOR * fine.peak_pressure,
+            peak_pressure: of_contact(&|pass| pass.peak_pressure) + floor * fine.peak_pressure,
             half_width: of_contact(&Pass::half_width) + SCATTER_OF_WIDTH * h,
-            work: error(&Pass::plastic_work) + fine.energy_gap() * fine.plastic_work(),
+            work: error(&Pass::plastic_work)
+                + floor_of_first * first.plastic_work()
+                + fine.energy_gap() * fine.plastic_work(),
             bodies: [of_body(0), of_body(1)],
         }
     }

@@ -86,7 +86,8 @@ pub fn run(
     let errors = fine.passes.iter().enumerate().map(|(k, pass)| {
         let beside = coarse.passes.get(k)?;
         let lengths = lengths.filter(|_| k == 0).map(|(one, two)| [one, two]);
-        Some(PassErrors::of(pass, beside, lengths, fine.column))
+        let columns = (fine.column, problem.columns);
+        Some(PassErrors::of([pass, &fine.passes[0], beside], lengths, columns))
     });
     let errors = errors.collect();
     let last = fine.last.ok_or(SolveError::NoTrack)?;
