@@ -23,6 +23,7 @@ mod queue;
 mod quotas;
 mod rate;
 mod results;
+mod silence;
 mod subject;
 mod upgrade;
 
