@@ -1,5 +1,6 @@
 /** Puts the page together. */
 
+import { Address } from './address.js';
 import { Problem, ask, faultsOf } from './api/client.js';
 import { onReconnect } from './api/connection.js';
 import { fetchResult } from './api/result.js';
@@ -18,13 +19,14 @@ import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
 import { allMaterials } from './setup/library.js';
 import { Live } from './setup/live.js';
-import { refusalWords, send, sentence, waitingWords } from './setup/send.js';
+import { Sending, refusalWords, send, sentence, waitingWords } from './setup/send.js';
 import { startSketch } from './setup/sketch.js';
 import { LayerSource } from './field/layers.js';
 import { FieldSource } from './field/source.js';
 import { JobList } from './jobs/list.js';
 import { names } from './jobs/names.js';
 import * as link from './jobs/link.js';
+import { Store } from './state.js';
 import { View } from './result/view.js';
 import { Watch } from './result/watch.js';
 
@@ -59,6 +61,13 @@ function sourceOf(id, report, job) {
 
 startMemory();
 startTheme();
+const store = new Store();
+const address = new Address();
+const sending = new Sending();
+/** Example jobs. */
+const examples = ask('v1/examples')
+  .catch(() => ({ examples: [] }))
+  .then(({ examples }) => examplesOf(examples));
 const draft = new Draft();
 draft.known = (/** @type {unknown} */ name) => allMaterials().some((one) => one.name === name);
 const form = new Form(draft, (moving) => live.ask(draft.job, moving));
@@ -67,12 +76,14 @@ const sketch = startSketch(draft);
 const view = new View({
   fieldsWanted: () => {
     // Of the job that is shown, whatever the form has come to since.
+    const { current } = store.state;
     if (current && !same(current.job, draft.job)) draft.replace(current.job, 'job');
     draft.set('/output/fields', true, 'page');
     solve();
   },
   stepped: () => {},
   spread: (ids) => {
+    const { current } = store.state;
     if (current?.id) location.hash = link.jobFragment(current.id, ids);
   },
   open: openBeside,
@@ -81,24 +92,23 @@ const view = new View({
 });
 const check = new Check(draft, form, json, (hertz) => {
   sketch(hertz);
-  if (!current) view.preview(hertz, draft.job);
+  if (!store.state.current) view.preview(hertz, draft.job);
 });
-const compared = /** @type {Map<string, Shown>} */ (new Map());
-/** @type {{id: string, job: import('./types.js').Job} | undefined} */
-let current;
-/** @type {Shown | undefined} */
-let first;
-
 const watch = new Watch({
   titled: showTitle,
   step: () => view.step,
-  job: () => current?.job ?? {},
+  job: () => store.state.current?.job ?? {},
   iterated: (history) => {
+    const { current } = store.state;
     if (current) view.iterate(history, current.job);
   },
   solved: (id, report) => {
-    const job = current?.job ?? {};
-    first = { id, report, job, fields: sourceOf(id, report, job), colour: COLOURS[0], label: '' };
+    const job = store.state.current?.job ?? {};
+    const fields = sourceOf(id, report, job);
+    store.take({
+      type: 'solved',
+      shown: { id, report, job, fields, colour: COLOURS[0], label: '' },
+    });
     show();
     if (innerWidth < 900)
       byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });
@@ -107,15 +117,15 @@ const watch = new Watch({
     list.refresh();
     const errors = faultsOf(document.error ?? {});
     if (errors.length) form.showError(errors);
-    if (!first)
+    if (!store.state.first)
       nothing(
         document.status === 'cancelled' ? 'The job was stopped before its first iteration.' : '',
       );
   },
   removed: (id) => {
     list.refresh();
-    if (first?.id !== id) return;
-    first = { ...first, removed: true };
+    if (store.state.first?.id !== id) return;
+    store.take({ type: 'removed', id });
     show();
     view.refreshReport();
   },
@@ -124,19 +134,22 @@ const watch = new Watch({
 /** Answers that are shown while a slider moves. */
 const live = new Live({
   begun: (job) => {
-    if (current?.id !== '') return;
+    if (store.state.current?.id !== '') return;
     const elements =
       job.mesh?.elements_per_half_width ?? DEFAULTS['/mesh/elements_per_half_width'];
     watch.showLive(`the figures are those while it moved; solving on ${elements} elements…`);
   },
   solved: ({ job, solved }, report) => {
-    if (isLeft()) return;
+    if (address.isLeft) return;
     if (watch.isRunning)
       toast('The job before goes on: Back shows it, and so does the list of jobs');
     // What a slider shows has no address.
-    if (location.hash) addressed('pushState', location.pathname);
-    current = { id: '', job };
-    first = { id: '', report, job: solved, colour: COLOURS[0], label: '' };
+    if (location.hash) address.name('pushState', location.pathname);
+    store.take({ type: 'opened', id: '', job });
+    store.take({
+      type: 'solved',
+      shown: { id: '', report, job: solved, colour: COLOURS[0], label: '' },
+    });
     const { total } = report.timings_ms;
     const elements = solved.mesh?.elements_per_half_width;
     const coarse =
@@ -150,7 +163,7 @@ const live = new Live({
     show(true);
   },
   failed: ({ status, message }) => {
-    if (current?.id === '')
+    if (store.state.current?.id === '')
       watch.showLive('where the slider was left is not solved; the figures are those before');
     if (status === 202) watch.showLive('this job takes too long to follow a slider');
     else if (status !== 422) refuse(`${sentence(message)} Move the slider again, or press Solve.`);
@@ -160,11 +173,11 @@ const live = new Live({
 const list = new JobList({
   open: openBeside,
   compare,
-  colourOf: (id) => compared.get(id)?.colour,
-  isChosen: (id) => compared.has(id) || chosen.has(id),
-  current: () => current?.id,
+  colourOf: (id) => store.state.compared.get(id)?.colour,
+  isChosen: (id) => isChosen(id),
+  current: () => store.state.current?.id,
   deleted: (id) => {
-    if (compared.has(id) || chosen.has(id)) compare(id, false);
+    if (isChosen(id)) compare(id, false);
   },
   // Another user may have deleted the shown job.
   refreshed: () => watch.look(),
@@ -175,13 +188,11 @@ const list = new JobList({
  * length otherwise.
  */
 function leaveUnlike() {
+  const { first, compared } = store.state;
   const unlike = [...compared.values()].filter(
     ({ job }) => first && forceOf(job) !== forceOf(first.job),
   );
-  for (const { id } of unlike) {
-    compared.delete(id);
-    chosen.delete(id);
-  }
+  store.take({ type: 'dropped', ids: unlike.map(({ id }) => id) });
   if (unlike.length > 0)
     toast(
       'An axisymmetric job and a plane one are not compared: the force of one is whole, that of the other per length',
@@ -190,9 +201,11 @@ function leaveUnlike() {
 
 /** @param {boolean} [moving] whether a slider moves */
 function show(moving = false) {
+  const { first } = store.state;
   if (!first) return;
   leaveUnlike();
-  const shown = [first, ...[...compared.values()].filter(({ id }) => id !== first?.id)];
+  const beside = [...store.state.compared.values()].filter(({ id }) => id !== first.id);
+  const shown = [first, ...beside];
   const labels = names(shown);
   view.show(
     shown.map((one, k) => ({ ...one, label: labels[k] })),
@@ -210,36 +223,9 @@ function refuse(words) {
   byId('solve-state').textContent = words;
 }
 
-/**
- * The job that is being sent.
- * @type {{job: import('./types.js').Job, controller: AbortController} | undefined}
- */
-let sending;
 /** Another set-up than the one that is being sent may be solved. */
 const showSending = () =>
-  byId('solve').setAttribute(
-    'aria-disabled',
-    String(Boolean(sending && same(sending.job, draft.job))),
-  );
-/** How often an address was followed. */
-let visits = 0;
-/** The address that was followed last. */
-let followed = location.hash;
-/**
- * Whether another address is asked for, of which the event is still to come: what arrives
- * meanwhile must not replace it.
- */
-const isLeft = () => location.hash !== followed;
-
-/**
- * Sets the address of the shown job.
- * @param {'pushState' | 'replaceState'} how
- * @param {string} address
- */
-function addressed(how, address) {
-  history[how](null, '', address);
-  followed = location.hash;
-}
+  byId('solve').setAttribute('aria-disabled', String(sending.isOf(draft.job)));
 
 async function solve() {
   const damaged = json.read();
@@ -252,49 +238,45 @@ async function solve() {
   const job = structuredClone(draft.job);
   // A key that is held down, or a second click, makes no second job; another set-up goes before
   // the one that waits.
-  if (sending && same(sending.job, job)) return;
-  sending?.controller.abort();
-  const mine = { job, controller: new AbortController() };
-  sending = mine;
-  const begun = visits;
+  if (sending.isOf(job)) return;
+  const [mine, visit] = [sending.begin(job), address.signal];
   showSending();
   try {
-    const { id } = await send(job, mine.controller.signal, (problem) => {
-      if (sending === mine) refuse(waitingWords(problem));
+    const { id } = await send(job, mine, (problem) => {
+      if (!mine.aborted) refuse(waitingWords(problem));
     });
-    if (sending !== mine) return;
+    if (mine.aborted) return;
     refuse('');
-    if (visits !== begun || isLeft()) {
+    if (visit.aborted || address.isLeft) {
       toast('The job is made: the list of jobs has it');
       return list.refresh();
     }
     live.stop();
-    current = { id, job };
-    addressed('pushState', link.jobFragment(id, [...compared.keys()]));
+    store.take({ type: 'opened', id, job });
+    address.name('pushState', link.jobFragment(id, [...store.state.compared.keys()]));
+    address.follow();
     keep();
     follow(id);
   } catch (error) {
-    if (sending !== mine) return;
+    if (mine.aborted) return;
     if (!(error instanceof Problem)) throw error;
     if (error.status === 422 || error.status === 400) check.refuse(error, job);
     form.focusFault();
     refuse(refusalWords(error, form.faults));
   } finally {
-    if (sending === mine) {
-      sending = undefined;
-      showSending();
-    }
+    sending.end(mine);
+    showSending();
   }
 }
 
 /** Marks a result whose job the form no longer shows. */
 function compareWithDraft() {
+  const { current } = store.state;
   byId('stale').hidden = !current || same(draft.job, current.job);
 }
 
 /** @param {string} id */
 function follow(id) {
-  first = undefined;
   nothing('');
   list.refresh();
   watch.start(id);
@@ -305,8 +287,7 @@ function follow(id) {
 function leave(words) {
   watch.stop();
   live.stop();
-  first = undefined;
-  current = undefined;
+  store.take({ type: 'left' });
   compareWithDraft();
   showTitle();
   nothing(words);
@@ -319,30 +300,27 @@ function keep() {
   tab.set(KEPT_AT, location.hash);
 }
 
-/** The job requested last: answers may arrive out of order. */
-let wanted = '';
-
 /**
  * Shows a job that somebody made.
  * @param {string} id
  * @param {boolean} edited whether the draft has been changed since it was shown
+ * @param {AbortSignal} visit
  */
-async function open(id, edited) {
-  wanted = id;
-  if (current?.id === id) return;
+async function open(id, edited, visit) {
+  if (store.state.current?.id === id) return;
   try {
     const job = await ask(`v1/jobs/${id}/request`);
-    if (wanted !== id) return;
-    current = { id, job };
+    if (visit.aborted) return;
+    store.take({ type: 'opened', id, job });
     if (!edited) draft.replace(job, 'link');
     follow(id);
   } catch (error) {
-    if (wanted !== id) return;
+    if (visit.aborted) return;
     const problem = error instanceof Problem ? error : undefined;
     const { status, message } = problem ?? { status: -1, message: String(error) };
     // An unreachable service is asked again when it is back.
     if (problem?.passing && status !== 0)
-      setTimeout(() => wanted === id && open(id, edited), 1000 * problem.retryAfter);
+      setTimeout(() => visit.aborted || open(id, edited, visit), 1000 * problem.retryAfter);
     leave(
       status === 404
         ? 'This link leads to a job that is not here: removed after its time, or made on another service.'
@@ -355,29 +333,28 @@ async function open(id, edited) {
   }
 }
 
-/** Jobs that were chosen in the list, which may be on their way. @type {Set<string>} */
-const chosen = new Set();
+/** Whether a job is compared, or is to be. @param {string} id */
+const isChosen = (id) => store.state.compared.has(id) || store.state.chosen.has(id);
 
 /** Shows a job; those that are laid over stay. @param {string} id */
 function openBeside(id) {
   location.hash = link.jobFragment(
     id,
-    [...compared.keys()].filter((one) => one !== id),
+    [...store.state.compared.keys()].filter((one) => one !== id),
   );
 }
 
 /** @param {string} id @param {boolean} on */
 async function compare(id, on) {
   // Beside nothing, the first one is shown.
+  const { current } = store.state;
   if (on && !current) return openBeside(id);
-  const job = current?.id;
   if (on) {
-    chosen.add(id);
-    await layOver(id, () => current?.id === job && chosen.has(id));
-    if (!compared.has(id)) chosen.delete(id);
+    store.take({ type: 'chosen', id });
+    await layOver(id, () => store.state.current?.id === current?.id && store.state.chosen.has(id));
+    if (!store.state.compared.has(id)) store.take({ type: 'dropped', ids: [id] });
   } else {
-    chosen.delete(id);
-    compared.delete(id);
+    store.take({ type: 'dropped', ids: [id] });
   }
   show();
   nameCompared();
@@ -385,8 +362,10 @@ async function compare(id, on) {
 
 /** Writes the compared jobs into the address and the list. */
 function nameCompared() {
+  const { current, compared } = store.state;
   const others = [...compared.keys()].filter((one) => one !== current?.id);
-  if (current?.id && !isLeft()) addressed('replaceState', link.jobFragment(current.id, others));
+  if (current?.id && !address.isLeft)
+    address.name('replaceState', link.jobFragment(current.id, others));
   keep();
   list.show();
 }
@@ -401,18 +380,12 @@ async function layOver(id, still) {
     const [report, job] = await Promise.all([fetchResult(id), ask(`v1/jobs/${id}/request`)]);
     if (!still()) return;
     // Others may have come meanwhile.
-    const used = new Set([...compared.values()].map(({ colour }) => colour));
+    const used = new Set([...store.state.compared.values()].map(({ colour }) => colour));
     const free = COLOURS.findIndex((one, k) => k > 0 && !used.has(one));
     if (free < 0) return toast(`${COLOURS.length} jobs are as many as can be told apart`);
-    compared.set(id, {
-      id,
-      report,
-      job,
-      fields: sourceOf(id, report, job),
-      label: '',
-      colour: COLOURS[free],
-      dash: DASHES[free],
-    });
+    const fields = sourceOf(id, report, job);
+    const [colour, dash] = [COLOURS[free], DASHES[free]];
+    store.take({ type: 'laid', shown: { id, report, job, fields, label: '', colour, dash } });
   } catch (error) {
     if (still()) toast(/** @type {Error} */ (error).message);
   }
@@ -425,9 +398,8 @@ async function layOver(id, still) {
  */
 async function compareOnly(wanted, still) {
   if (!still()) return;
-  chosen.clear();
-  for (const id of compared.keys()) if (!wanted.includes(id)) compared.delete(id);
-  for (const id of wanted) if (still() && !compared.has(id)) await layOver(id, still);
+  store.take({ type: 'only', ids: wanted });
+  for (const id of wanted) if (still() && !store.state.compared.has(id)) await layOver(id, still);
   if (!still()) return;
   show();
   list.show();
@@ -439,56 +411,50 @@ async function compareOnly(wanted, still) {
  */
 async function applyAddress(edited = false) {
   view.closeReport();
-  followed = location.hash;
+  const visit = address.follow();
   const { job, compared: named, draft: packed, damaged } = link.read();
   if (job) {
     const all = [...new Set(named)].filter((id) => id !== job);
     const others = all.slice(0, COLOURS.length - 1);
     if (others.length < all.length) {
       toast(`${COLOURS.length} jobs are as many as can be told apart: the link names these now`);
-      addressed('replaceState', link.jobFragment(job, others));
+      address.name('replaceState', link.jobFragment(job, others));
     }
-    const address = followed;
-    await open(job, edited);
-    return compareOnly(others, () => location.hash === address);
+    const { hash } = address;
+    await open(job, edited, visit);
+    // Who chooses another job to compare meanwhile names another address.
+    return compareOnly(others, () => !visit.aborted && location.hash === hash);
   }
-  const address = followed;
-  wanted = '';
   if (damaged) return leave('This link is damaged: it does not name a job.');
   if (packed === undefined || edited) {
     // What a slider shows has no address.
-    if (current?.id !== '') leave(WELCOME);
+    if (store.state.current?.id !== '') leave(WELCOME);
     return view.preview(check.hertz, draft.job);
   }
   const definition = await link.unpack(packed).catch(() => undefined);
-  if (location.hash !== address) return;
+  if (visit.aborted || address.isLeft) return;
   leave(
     isObject(definition) ? WELCOME : 'This link is damaged: it does not carry a whole definition.',
   );
-  draft.replace(isObject(definition) ? definition : (examples[0]?.job ?? {}), 'link');
+  draft.replace(isObject(definition) ? definition : ((await examples)[0]?.job ?? {}), 'link');
 }
 
-/** Example jobs. @type {{title: string, job: import('./types.js').Job}[]} */
-let examples = [];
-
 async function begin() {
-  const served = await ask('v1/examples').catch(() => ({ examples: [] }));
-  examples = examplesOf(served.examples);
+  const all = await examples;
   const choice = /** @type {HTMLSelectElement} */ (byId('example'));
-  choice.append(...examples.map(({ title }) => h('option', { value: title }, title)));
+  choice.append(...all.map(({ title }) => h('option', { value: title }, title)));
   choice.addEventListener('change', () => {
-    const example = examples.find(({ title }) => title === choice.value);
+    const example = all.find(({ title }) => title === choice.value);
     if (example) draft.replace(example.job, 'example');
   });
   draft.addEventListener('change', () => {
-    choice.value = examples.find(({ job }) => same(job, draft.job))?.title ?? '';
+    choice.value = all.find(({ job }) => same(job, draft.job))?.title ?? '';
   });
   const before = kept(tab, KEPT, (job) => (isObject(job) ? job : undefined));
-  draft.replace(before ?? examples[0]?.job ?? {}, before ? 'kept' : 'example');
+  draft.replace(before ?? all[0]?.job ?? {}, before ? 'kept' : 'example');
   nothing(WELCOME);
   draft.addEventListener('change', keep);
   addEventListener('hashchange', () => {
-    visits += 1;
     live.stop();
     applyAddress();
   });
@@ -515,7 +481,7 @@ addEventListener('keydown', (event) => {
 draft.addEventListener('change', () => {
   compareWithDraft();
   // What is said of a job that waits to be sent stays.
-  if (!sending) refuse('');
+  if (!sending.isOn) refuse('');
   showSending();
   // Not `disabled`: a button that has the focus would lose it.
   byId('undo').setAttribute('aria-disabled', String(!draft.undoable));
@@ -536,7 +502,7 @@ addEventListener('keydown', (event) => {
   });
 });
 onReconnect(() => {
-  if (!sending) refuse('');
+  if (!sending.isOn) refuse('');
   // A definition that the address carries has come, and may have been changed since.
   if (link.read().job) applyAddress();
   list.refresh();
@@ -547,6 +513,7 @@ document.addEventListener('visibilitychange', () => {
 });
 byId('report').addEventListener('click', () => watch.look());
 byId('restore').addEventListener('click', () => {
+  const { current } = store.state;
   if (current) draft.replace(current.job, 'job');
   // The button is gone: what it was about is the result.
   byId('result').focus({ preventScroll: true });

@@ -2,6 +2,34 @@
 
 import { Problem, hasKey, post } from '../api/client.js';
 import { reconnected } from '../api/connection.js';
+import { same } from '../lib/pointer.js';
+
+/** The job that is being sent. Another one goes before the one that waits. */
+export class Sending {
+  /** @type {{job: import('../types.js').Job, controller: AbortController} | undefined} */
+  #now;
+
+  get isOn() {
+    return this.#now !== undefined;
+  }
+
+  /** @param {import('../types.js').Job} job */
+  isOf(job) {
+    return this.#now !== undefined && same(this.#now.job, job);
+  }
+
+  /** @param {import('../types.js').Job} job @returns {AbortSignal} aborted when another one is sent */
+  begin(job) {
+    this.#now?.controller.abort();
+    this.#now = { job, controller: new AbortController() };
+    return this.#now.controller.signal;
+  }
+
+  /** @param {AbortSignal} signal of the job that is sent no more */
+  end(signal) {
+    if (this.#now?.controller.signal === signal) this.#now = undefined;
+  }
+}
 
 /**
  * @param {import('../types.js').Job} job
