@@ -66,6 +66,11 @@ export function arrange(parent, children) {
   });
 }
 
+let count = 0;
+
+/** An identifier that no other element has. @param {string} kind */
+export const uniqueId = (kind) => `${kind}-${++count}`;
+
 /**
  * The element of this id, which the page has.
  * @template {HTMLElement} [E=HTMLElement]

@@ -7,6 +7,7 @@
 import { figure, percent, unit } from '../lib/units.js';
 import { figureOf } from '../lib/digits.js';
 import { axesOf } from './axes.js';
+import { isUnloaded } from './loads.js';
 import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Step} Step */
@@ -24,7 +25,7 @@ export const verdictOf = ({ verdict }) => verdict;
 /** The plain figures of a result that has no answers. @param {Step} step @param {Report} report @returns {Answer[]} */
 function plainAnswers(step, report) {
   const { peak, width, approach, force, mean, strain, stiffness } = STEP_FIGURES;
-  return /** @type {import('./step-figures.js').StepFigure[]} */ ([
+  const plain = /** @type {import('./step-figures.js').StepFigure[]} */ ([
     peak,
     width,
     approach,
@@ -54,7 +55,33 @@ function plainAnswers(step, report) {
           },
         ];
   });
+  return [...dents(step, report), ...plain];
 }
+
+/** What a load has left in both surfaces. @param {Step} step @param {Report} report @returns {Answer[]} */
+const dents = (step, { units }) =>
+  isUnloaded(step)
+    ? /** @type {const} */ (['upper', 'lower']).flatMap((body) => {
+        const surface = step.flow?.surfaces[body];
+        return surface
+          ? [
+              {
+                name: 'dent_depth',
+                label: `Dent, ${body} body`,
+                body,
+                value: surface.depth,
+                quantity: /** @type {const} */ ('length'),
+                unit: unit('length', units),
+                error: null,
+                bias: null,
+                elastic: null,
+                place: null,
+                text: '',
+              },
+            ]
+          : [];
+      })
+    : [];
 
 /** Marks of verdicts, and what they are beside their colour. @type {Record<string, {kind: 'good' | 'warning' | 'bad', mark: string}>} */
 const LEVELS = {

@@ -2,7 +2,7 @@
  * A chart as SVG: on the page, and by itself with title and legend in the light colours of paper.
  */
 
-import { svg } from '../lib/dom.js';
+import { svg, uniqueId } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
 import { plain } from '../lib/units.js';
 import { placeWords } from './labels.js';
@@ -16,8 +16,6 @@ import { placeWords } from './labels.js';
 /** Width of a letter at 11 px, on average. */
 const LETTER = 6;
 const LINE = 16;
-
-let count = 0;
 
 /** Colours of the drawing under way, by name: those of paper, or of the page. */
 let ink = paper;
@@ -81,7 +79,7 @@ export function laidOut(plot, title, width, height, colours) {
   const x = axis(ranges.x, [box.left, box.right], xTicks);
   const y = axis(ranges.y, [box.bottom, box.top], yTicks, plot.log);
   const right = axis(ranges.right, [box.bottom, box.top], rightTicks);
-  const clip = `clip-${++count}`;
+  const clip = uniqueId('clip');
   const root = svg('svg', {
     xmlns: 'http://www.w3.org/2000/svg',
     viewBox: `0 0 ${width} ${head + height}`,

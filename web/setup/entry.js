@@ -3,7 +3,7 @@
  * screen readers.
  */
 
-import { h } from '../lib/dom.js';
+import { h, uniqueId } from '../lib/dom.js';
 import { doubtOf, readQuantity } from '../lib/number.js';
 import { isObject } from '../lib/kept.js';
 import { same } from '../lib/pointer.js';
@@ -51,8 +51,6 @@ import { written } from './written.js';
  */
 const LONGEST = 1000;
 
-let count = 0;
-
 /**
  * @param {Field} field
  * @param {(value: unknown) => void} change called with the value as it goes into the job
@@ -60,7 +58,7 @@ let count = 0;
  * @returns {Entry}
  */
 export function entry(field, change, surroundings) {
-  const id = `entry-${++count}`;
+  const id = uniqueId('entry');
   const { input, read, write, problem, beside } = control(field, id, change, surroundings);
   const unit = h('span', { class: 'unit' });
   const error = h('p', { class: 'error', id: `${id}-error`, hidden: true });

@@ -1,6 +1,6 @@
 /** Explanations in place: what a figure means, for those who do not set up contacts every day. */
 
-import { h } from '../lib/dom.js';
+import { h, uniqueId } from '../lib/dom.js';
 import { described } from './words.js';
 
 /** By the key of a field or figure. @type {Record<string, string>} */
@@ -53,8 +53,6 @@ export const TEXTS = {
     'Deformation theory takes plastic strain from the state as it is: fast, and close as long as the load only grows. Flow theory follows the history in increments: it knows unloading, residual stresses and the dent.',
 };
 
-let count = 0;
-
 /**
  * A question mark that opens the explanation of a figure.
  * @param {string} key
@@ -66,7 +64,7 @@ let count = 0;
 export function help(key, name, label, description, ofField = false) {
   const text = TEXTS[key] ?? (description && described(description));
   if (!text) return null;
-  const id = `help-${++count}`;
+  const id = uniqueId('help');
   return h(
     'span',
     { class: 'help' },

@@ -6,6 +6,7 @@ import { locate, locateAll } from '../../../web/field/locate.js';
 import { differences, names } from '../../../web/jobs/names.js';
 import { figure } from '../../../web/lib/units.js';
 import { progressWords } from '../../../web/result/progress.js';
+import { NOTHING, after } from '../../../web/state.js';
 
 /** @param {number[]} lengths iterations of each step @param {number} pace [ms] of a step */
 const history = (lengths, pace) =>
@@ -115,4 +116,28 @@ test('jobs with loads of different kinds are told apart by them', () => {
     differences([job({ force: 1 }), job({ force: 2 })]).map(({ label }) => label),
     ['Force'],
   );
+});
+
+test('the state of the page follows what happens, and keeps what was', () => {
+  const shown = (/** @type {string} */ id) => /** @type {any} */ ({ id, label: '' });
+  const all = (/** @type {any[]} */ ...events) => events.reduce(after, NOTHING);
+  const opened = all({ type: 'opened', id: 'a', job: {} }, { type: 'solved', shown: shown('a') });
+  assert.deepEqual([opened.current?.id, opened.first?.id], ['a', 'a']);
+  assert.equal(after(opened, { type: 'opened', id: 'b', job: {} }).first, undefined);
+  assert.equal(opened.first?.id, 'a', 'the state before is as it was');
+  const compared = [
+    { type: 'chosen', id: 'b' },
+    { type: 'laid', shown: shown('b') },
+    { type: 'chosen', id: 'c' },
+    { type: 'laid', shown: shown('c') },
+  ].reduce((state, event) => after(state, /** @type {any} */ (event)), opened);
+  assert.deepEqual([...compared.compared.keys()], ['b', 'c']);
+  assert.deepEqual([...after(compared, { type: 'dropped', ids: ['b'] }).compared.keys()], ['c']);
+  const only = after(compared, { type: 'only', ids: ['c'] });
+  assert.deepEqual([[...only.compared.keys()], only.chosen.size], [['c'], 0]);
+  const removed = after(opened, { type: 'removed', id: 'a' });
+  assert.equal(removed.first?.removed, true);
+  assert.equal(after(opened, { type: 'removed', id: 'b' }), opened);
+  const left = after(compared, { type: 'left' });
+  assert.deepEqual([left.current, left.first, left.compared.size], [undefined, undefined, 2]);
 });

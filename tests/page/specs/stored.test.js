@@ -23,6 +23,8 @@ service.test(
     await page.reload();
     // Its figures are on cards and in the table, whatever later results say besides.
     await page.locator('#headline [data-answer=approach]').waitFor();
+    const dents = page.locator('#headline [data-answer=dent_depth]');
+    assert.match((await dents.allInnerTexts()).join(' '), /0\.002746/);
     assert.equal(await page.locator('#headline .verdict-text').count(), 0);
     const table = page.locator('#panel-figures');
     await table.getByText('0.0054723').waitFor();
