@@ -103,7 +103,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       {},
       ended && h('li', {}, h('b', {}, ended)),
       others.length > 0 && h('li', {}, `Beside each other in the charts: ${others.join('; ')}.`),
-      h('li', {}, `Approach: from ${step.approach_datum}.`),
+      h('li', {}, `Approach: ${step.approach === null ? '' : 'from '}${step.approach_datum}.`),
       sides.flatMap(({ one, at, label: name }) =>
         one.report.steps[at].validity.map(({ message }) =>
           h(

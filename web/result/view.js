@@ -280,9 +280,15 @@ export class View {
     showSheet({
       shown: this.#shown,
       at: this.#at,
-      drawings: [this.pressure, this.spread, this.dent, this.depth, this.sweep].flatMap(
-        ({ panel, chart }) =>
-          panel.element.hidden ? [] : (chart.drawing(panel.caption, 380, 135) ?? []),
+      drawings: [
+        this.passes,
+        this.pressure,
+        this.spread,
+        this.dent,
+        this.depth,
+        this.sweep,
+      ].flatMap(({ panel, chart }) =>
+        panel.element.hidden ? [] : (chart.drawing(panel.caption, 380, 135) ?? []),
       ),
       fields: [...this.#maps(), this.other.canvas(undefined, paper)].filter((one) => one !== null),
       cutDrawing: this.field.cutDrawing(),
