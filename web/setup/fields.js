@@ -673,6 +673,9 @@ export function typicalInitialStress(job, material) {
   });
 }
 
+/** Whether a body has backstress, which flow theory alone knows. @param {any} body */
+export const hasTerms = (body) => Boolean(body?.material?.plasticity?.backstress);
+
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link LOADS} */
 export const loadOf = (load) =>
   Object.keys(LOADS).find((key) => isObject(load) && key in load) ?? 'force';

@@ -10,37 +10,22 @@ import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
 import { jobFor } from './draft.js';
 import { entry } from './entry.js';
 import {
-  BACKSTRESS,
   DEFAULTS,
-  ELASTIC,
   INITIAL_STRESS,
   ISO_76,
   LAWS,
-  OVER_DEPTH,
-  LOADS,
-  NAME,
-  SETTINGS,
-  SUPPORTS,
-  SURFACE,
-  TARGETS,
-  THEORIES,
-  TITLE,
-  UNIT_SYSTEMS,
-  ANALYSES,
   hasInitialStress,
   hasSurface,
-  initialStressOf,
   lawOf,
   loadOf,
   overDepthOf,
   ratedApproach,
-  shapeFields,
-  shapesFor,
   targetOf,
   tiltOf,
   usualElements,
 } from './fields.js';
-import { Kinds, hasTerms } from './kinds.js';
+import { Kinds } from './kinds.js';
+import { layoutOf } from './layout.js';
 import { onMaterials } from './library.js';
 import { MaterialChoice } from './material-choice.js';
 import { inWords } from './words.js';
@@ -64,7 +49,8 @@ export class Form {
   #fields = new Map();
   /** Those that there were before the form was built last. @type {Map<string, Made>} */
   #before = new Map();
-  #shape = '';
+  /** @type {import('./layout.js').Place[]} */
+  #layout = [];
   /** Whether there is something not as usual below the fields that every body has. */
   #unusual = { upper: false, lower: false };
   /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
@@ -161,31 +147,9 @@ export class Form {
 
   #show() {
     const { job } = this.draft;
-    const shape = JSON.stringify([
-      lawOf(job.upper?.material),
-      lawOf(job.lower?.material),
-      overDepthOf(job.upper?.material),
-      overDepthOf(job.lower?.material),
-      hasBackstress(job, 'upper'),
-      hasBackstress(job, 'lower'),
-      hasInitialStress(job.upper?.material),
-      hasInitialStress(job.lower?.material),
-      loadOf(job.load),
-      targetOf(job.load),
-      job.upper?.shape?.type,
-      job.lower?.shape?.type,
-      job.upper?.shape?.profile,
-      job.lower?.shape?.profile,
-      tiltOf(job.upper?.shape),
-      tiltOf(job.lower?.shape),
-      hasSurface(job.upper),
-      hasSurface(job.lower),
-      ratedApproach(job) !== undefined,
-      job.analysis === 'axisymmetric',
-      job.analysis === 'three_dimensional',
-    ]);
-    if (shape !== this.#shape) this.#build();
-    this.#shape = shape;
+    const layout = layoutOf(job);
+    if (!pointer.same(layout, this.#layout)) this.#build(layout);
+    this.#layout = layout;
     const units = unitsOf(job);
     for (const [place, { entry, field }] of this.#fields) {
       const usual = place === '/mesh/elements_per_half_width' ? usualElements(job) : undefined;
@@ -227,23 +191,25 @@ export class Form {
     curve.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
-  #build() {
+  /** @param {import('./layout.js').Place[]} layout */
+  #build(layout) {
     [this.#before, this.#fields] = [this.#fields, new Map()];
-    arrange(this.parts.title, [this.#field('', TITLE)]);
-    arrange(this.parts.general, [
-      this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) =>
-        this.#useAnalysis(String(analysis)),
-      ),
-      this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
-        this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
-        this.#readAgain();
-      }),
-    ]);
+    const elements = /** @type {Map<string, Element[]>} */ (new Map());
+    for (const { part, place, field } of layout) {
+      const [body] = /** @type {[Body]} */ (part.split('/'));
+      const made = field
+        ? [this.#place(place, field, (value) => this.#change(place, value))]
+        : this.#always(body, place);
+      elements.set(part, [...(elements.get(part) ?? []), ...made]);
+    }
+    const of = (/** @type {import('./layout.js').Part} */ part) => elements.get(part) ?? [];
+    for (const part of /** @type {const} */ (['title', 'general', 'load', 'settings']))
+      arrange(this.parts[part], of(part));
+    const { job } = this.draft;
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
       const { fields, more, rare } = this.parts[body];
-      arrange(fields, this.#body(body));
-      arrange(rare, this.#rare(body));
-      const { job } = this.draft;
+      arrange(fields, of(body));
+      arrange(rare, of(`${body}/rare`));
       const law = lawOf(job[body]?.material);
       const words = [
         job.analysis !== 'three_dimensional' && 'support',
@@ -255,12 +221,51 @@ export class Form {
         .join(', ')
         .replace(/^./, (letter) => letter.toUpperCase());
     }
-    arrange(this.parts.load, this.#load());
-    arrange(
-      this.parts.settings,
-      SETTINGS.map((field) => this.#field('', field)),
-    );
     this.#before.clear();
+  }
+
+  /** What a body has at a place whatever the job. @param {Body} body @param {string} place @returns {Element[]} */
+  #always(body, place) {
+    if (place === 'material') return this.materials[body].elements;
+    return [this.previews[body][/** @type {'shape' | 'curve' | 'stress'} */ (place)]];
+  }
+
+  /** Takes what somebody has entered. @param {string} place @param {any} value */
+  #change(place, value) {
+    const [, own, rest] = /^\/(upper|lower)\/(.*)$/.exec(place) ?? [];
+    const [body, { kinds }] = [/** @type {Body} */ (own), this];
+    switch (rest ?? place) {
+      case '/analysis':
+        return this.#useAnalysis(String(value));
+      case '/units':
+        this.draft.changeUnits(value, SOURCE);
+        return this.#readAgain();
+      case 'shape/type':
+        return kinds.useShape(body, String(value));
+      case 'shape/profile':
+        return kinds.useProfile(body, value ? String(value) : undefined);
+      case 'shape/tilt_kind':
+        return kinds.useTilt(body, value);
+      case 'surface_kind':
+        return kinds.useSurface(body, value === 'given');
+      case 'material/law':
+        return kinds.useLaw(body, String(value));
+      case 'material/plasticity/depth_kind':
+        return kinds.useOverDepth(body, String(value));
+      case 'material/stress_kind':
+        return kinds.useInitialStress(body, value === 'given');
+      case '/load/kind':
+        return kinds.useLoad(String(value));
+      case '/load/target_kind':
+        return kinds.useTarget(String(value));
+      // What is emptied to take another stays where it is; the choice above takes it away.
+      case 'shape/moment':
+        return this.draft.set(place, value ?? '', SOURCE);
+      case `material/${INITIAL_STRESS.key}`:
+        return this.draft.set(place, value ?? [], SOURCE);
+      default:
+        return this.draft.set(place, value, SOURCE);
+    }
   }
 
   /** What holds the fields, and stays when they change. */
@@ -302,159 +307,6 @@ export class Form {
     return parts;
   }
 
-  /** Fields of a body. Their listeners read the draft when they are called: the form is not built anew by every change. @param {Body} body */
-  #body(body) {
-    const { job } = this.draft;
-    const { shape, material } = job[body] ?? {};
-    const at = `/${body}`;
-    const law = lawOf(material);
-    const laws = Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label]));
-    const { shape: ofShape, curve } = this.previews[body];
-    return [
-      this.#choice(`${at}/shape/type`, 'Shape', shapesFor(job.analysis, shape?.type), (type) =>
-        this.kinds.useShape(body, String(type)),
-      ),
-      ...shapeFields(shape).flatMap((field) =>
-        field.key === 'profile'
-          ? this.#place(`${at}/shape/profile`, field, (profile) =>
-              this.kinds.useProfile(body, profile ? String(profile) : undefined),
-            )
-          : field.key === tiltOf(shape)
-            ? this.#tilt(body, field)
-            : this.#field(`${at}/shape`, field),
-      ),
-      ...this.#surface(body),
-      ofShape,
-      ...this.materials[body].elements,
-      this.#field(`${at}/material`, NAME),
-      ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
-      this.#choice(`${at}/material/law`, 'Hardening', laws, (law) =>
-        this.kinds.useLaw(body, String(law)),
-      ),
-      ...(LAWS[law]?.fields ?? [])
-        .filter((field) => !isOverruled(material, field))
-        .map((field) => this.#field(`${at}/material/plasticity`, field)),
-      ...(hasBackstress(job, body) ? [this.#field(`${at}/material/plasticity`, BACKSTRESS)] : []),
-      curve,
-    ];
-  }
-
-  /** @param {Body} body @param {Field} field */
-  #tilt(body, field) {
-    const at = `/${body}/shape`;
-    const kinds = { tilt: 'Tilt given', moment: 'Moment given' };
-    return [
-      this.#choice(`${at}/tilt_kind`, 'Misalignment', kinds, (kind) =>
-        this.kinds.useTilt(body, kind),
-      ),
-      // A moment that is emptied to take another stays where it is; the choice takes it away.
-      this.#place(`${at}/${field.key}`, field, (value) =>
-        this.draft.set(
-          `${at}/${field.key}`,
-          value ?? (field.key === 'moment' ? '' : undefined),
-          SOURCE,
-        ),
-      ),
-    ];
-  }
-
-  /** @param {Body} body */
-  #surface(body) {
-    const { analysis, [body]: of } = this.draft.job;
-    if (analysis !== 'three_dimensional' || of?.shape?.type === 'roller') return [];
-    return [
-      this.#choice(
-        `/${body}/surface_kind`,
-        'Surface',
-        { none: 'Smooth', given: 'Heights' },
-        (kind) => this.kinds.useSurface(body, kind === 'given'),
-      ),
-      ...(hasSurface(of) ? SURFACE.map((field) => this.#field(`/${body}`, field)) : []),
-    ];
-  }
-
-  /** Fields that few bodies need. @param {Body} body */
-  #rare(body) {
-    const law = lawOf(this.draft.job[body]?.material);
-    return [
-      // A half-space has no far boundary.
-      ...(this.draft.job.analysis === 'three_dimensional'
-        ? []
-        : [this.#choice(`/${body}/support`, 'Support', SUPPORTS)]),
-      ...(LAWS[law]?.fields.length ? this.#overDepth(body) : []),
-      ...(law === 'rigid' ? [] : this.#initialStress(body)),
-      this.previews[body].stress,
-    ];
-  }
-
-  /** @param {Body} body */
-  #overDepth(body) {
-    const plasticity = `/${body}/material/plasticity`;
-    const kinds = Object.entries(OVER_DEPTH).map(([key, { label }]) => [key, label]);
-    const { fields = [] } = OVER_DEPTH[overDepthOf(this.draft.job[body]?.material)] ?? {};
-    return [
-      this.#choice(
-        `${plasticity}/depth_kind`,
-        'Strength over depth',
-        { uniform: 'Uniform', ...Object.fromEntries(kinds) },
-        (kind) => this.kinds.useOverDepth(body, String(kind)),
-      ),
-      ...fields.map((field) => this.#field(plasticity, field)),
-      ...(LAWS[lawOf(this.draft.job[body]?.material)]?.fields ?? [])
-        .filter((field) => isOverruled(this.draft.job[body]?.material, field))
-        .map((field) =>
-          this.#field(plasticity, {
-            ...field,
-            hint: 'Strength comes from the hardness; this law gives the shape of its curve.',
-          }),
-        ),
-    ];
-  }
-
-  /** @param {Body} body */
-  #initialStress(body) {
-    const at = `/${body}/material`;
-    const place = `${at}/${INITIAL_STRESS.key}`;
-    // A table that is emptied to take another stays where it is; the choice above takes it away.
-    const field = initialStressOf(this.draft.job.analysis);
-    const stresses = () =>
-      this.#place(place, field, (value) => this.draft.set(place, value ?? [], SOURCE));
-    return [
-      this.#choice(
-        `${at}/stress_kind`,
-        'Initial stress',
-        { none: 'None', given: 'Over depth' },
-        (kind) => this.kinds.useInitialStress(body, kind === 'given'),
-      ),
-      ...(hasInitialStress(this.draft.job[body]?.material) ? [stresses()] : []),
-    ];
-  }
-
-  #load() {
-    const { load } = this.draft.job;
-    const kind = loadOf(load);
-    const { fields } = LOADS[kind];
-    const kinds = Object.fromEntries(
-      Object.entries(LOADS).map(([key, { label }]) => [key, label]),
-    );
-    const figures = {
-      ...Object.fromEntries(Object.entries(TARGETS).map(([key, { label }]) => [key, label])),
-      ...(ratedApproach(this.draft.job) && { [ISO_76.key]: ISO_76.label }),
-    };
-    const target = () => [
-      this.#choice('/load/target_kind', 'Figure', figures, (figure) =>
-        this.kinds.useTarget(String(figure)),
-      ),
-      this.#field('/load', TARGETS[targetOf(load)]),
-    ];
-    return [
-      this.#choice('/load/kind', 'Given', kinds, (kind) => this.kinds.useLoad(String(kind))),
-      ...fields.map((field) => this.#field('/load', field)),
-      ...(kind === 'target' ? target() : []),
-      this.#choice('/solver/theory', 'Theory', THEORIES),
-    ];
-  }
-
   /** @param {string} analysis */
   #useAnalysis(analysis) {
     const { job } = this.draft;
@@ -478,22 +330,6 @@ export class Form {
       const value = entry.read();
       if (typeof value !== 'string') this.draft.amend(place, value, SOURCE);
     }
-  }
-
-  /** @param {string} parent @param {Field} field */
-  #field(parent, field) {
-    return this.#place(`${parent}/${field.key}`, field, (value) =>
-      this.draft.set(`${parent}/${field.key}`, value, SOURCE),
-    );
-  }
-
-  /** @param {string} place @param {string} label @param {Record<string, string>} choices @param {(value: unknown) => void} [change] */
-  #choice(place, label, choices, change) {
-    return this.#place(
-      place,
-      { key: place.slice(place.lastIndexOf('/') + 1), label, kind: 'choice', choices },
-      change ?? ((value) => this.draft.set(place, value, SOURCE)),
-    );
   }
 
   /** @param {string} place @param {Field} field @param {(value: unknown) => void} change */
@@ -538,11 +374,6 @@ function previews(body) {
   return { shape: place('shape'), curve: place('curve'), stress: place('stress') };
 }
 
-/** Whether hardness over depth stands in place of a figure of the law. @param {any} material @param {Field} field */
-const isOverruled = (material, { key }) =>
-  ['hardness', 'case'].includes(overDepthOf(material)) &&
-  (key === 'yield_stress' || key === 'reference_stress');
-
 /** Whether a body has something in the fields that few need. @param {Record<string, any> | undefined} body */
 const isUnusual = (body) =>
   (body?.support ?? 'clamped') !== 'clamped' ||
@@ -569,11 +400,6 @@ function valueIn(job, place) {
   }
   return pointer.get(job, place);
 }
-
-/** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {Body} body */
-const hasBackstress = (job, body) =>
-  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
-  (job.solver?.theory === 'flow' || hasTerms(job[body]));
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */
 function inner(place, { pointer, detail: reported }) {

@@ -15,6 +15,7 @@ import {
   PERMANENT,
   TARGETS,
   lawOf,
+  hasTerms,
   loadOf,
   overDepthOf,
   plasticityLike,
@@ -248,9 +249,6 @@ export class Kinds {
     if (back) toast('Deformation theory again: this load does not need flow theory');
   }
 }
-
-/** Whether a body has backstress, which flow theory alone knows. @param {any} body */
-export const hasTerms = (body) => Boolean(body?.material?.plasticity?.backstress);
 
 /**
  * A load of another kind, as large as the one that a job has.

@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { locate, locateAll } from '../../../web/field/locate.js';
 import { differences, names } from '../../../web/jobs/names.js';
 import { figure } from '../../../web/lib/units.js';
+import { layoutOf } from '../../../web/setup/layout.js';
 import { progressWords } from '../../../web/result/progress.js';
 import { NOTHING, after } from '../../../web/state.js';
 
@@ -140,4 +141,57 @@ test('the state of the page follows what happens, and keeps what was', () => {
   assert.equal(after(opened, { type: 'removed', id: 'b' }), opened);
   const left = after(compared, { type: 'left' });
   assert.deepEqual([left.current, left.first, left.compared.size], [undefined, undefined, 2]);
+});
+
+test('the layout of the form is a function of the job', () => {
+  const places = (/** @type {any} */ job) =>
+    layoutOf(job)
+      .filter(({ field }) => field)
+      .map(({ place }) => place);
+  const steel = { young_modulus: 210000, poisson_ratio: 0.3 };
+  const law = { law: 'bilinear', yield_stress: 500, tangent_modulus: 0 };
+  const body = {
+    shape: { type: 'cylinder', radius: 20 },
+    material: { ...steel, plasticity: law },
+  };
+  const job = { analysis: 'plane_strain', upper: body, lower: body, load: { force: 600 } };
+  const plain = places(job);
+  assert.ok(plain.includes('/upper/material/plasticity/yield_stress'));
+  assert.equal(new Set(plain).size, plain.length, 'no place is there twice');
+  // Other figures are no other layout.
+  const heavier = { ...job, load: { force: 900 }, upper: { ...body, support: 'roller' } };
+  assert.deepEqual(layoutOf(/** @type {any} */ (heavier)), layoutOf(/** @type {any} */ (job)));
+  /** @param {any} change @param {string[]} more @param {string[]} fewer */
+  const changes = (change, more, fewer = []) => {
+    const now = places({ ...job, ...change });
+    for (const place of more) assert.ok(now.includes(place) && !plain.includes(place), place);
+    for (const place of fewer) assert.ok(!now.includes(place) && plain.includes(place), place);
+  };
+  const upper = (/** @type {any} */ material) => ({ upper: { ...body, material } });
+  changes(
+    upper({ rigid: true }),
+    [],
+    ['/upper/material/young_modulus', '/upper/material/stress_kind'],
+  );
+  changes(upper({ ...steel, plasticity: { ...law, over_depth: [[0, 1]] } }), [
+    '/upper/material/plasticity/over_depth',
+  ]);
+  changes(upper({ ...body.material, initial_stress: [] }), ['/upper/material/initial_stress']);
+  changes({ solver: { theory: 'flow' } }, [
+    '/upper/material/plasticity/backstress',
+    '/lower/material/plasticity/backstress',
+  ]);
+  changes({ load: { rolling: { force: 1 } } }, ['/load/rolling/friction'], ['/load/force']);
+  changes(
+    { load: { target: { dent_depth: 1 } } },
+    ['/load/target_kind', '/load/target/dent_depth'],
+    ['/load/force'],
+  );
+  const ball = { shape: { type: 'sphere', radius: 5 }, material: steel };
+  const roller = { shape: { type: 'roller', radius: 5, length: 9, moment: 3 }, material: steel };
+  changes(
+    { analysis: 'three_dimensional', upper: roller, lower: ball },
+    ['/upper/shape/tilt_kind', '/upper/shape/moment', '/lower/surface_kind'],
+    ['/upper/support', '/lower/support'],
+  );
 });

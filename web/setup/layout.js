@@ -1,0 +1,172 @@
+/** Which fields the form has for a job, in their order: a function of the job alone. */
+
+import {
+  ANALYSES,
+  BACKSTRESS,
+  ELASTIC,
+  ISO_76,
+  LAWS,
+  LOADS,
+  NAME,
+  OVER_DEPTH,
+  SETTINGS,
+  SUPPORTS,
+  SURFACE,
+  TARGETS,
+  THEORIES,
+  TITLE,
+  UNIT_SYSTEMS,
+  hasInitialStress,
+  hasSurface,
+  hasTerms,
+  initialStressOf,
+  lawOf,
+  loadOf,
+  overDepthOf,
+  ratedApproach,
+  shapeFields,
+  shapesFor,
+  targetOf,
+  tiltOf,
+} from './fields.js';
+
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {import('./fields.js').Field} Field */
+/** @typedef {'upper' | 'lower'} Body */
+/** @typedef {'title' | 'general' | Body | `${Body}/rare` | 'load' | 'settings'} Part */
+/**
+ * @typedef {{part: Part, place: string, field?: Field}} Place a field of the form; without a field
+ *   something that its body always has there: `shape`, `material`, `curve`, `stress`
+ */
+
+/** @param {Job} job @returns {Place[]} */
+export const layoutOf = (job) => [
+  ...fields('title', '', [TITLE]),
+  choice('general', '/analysis', 'Analysis', ANALYSES),
+  choice('general', '/units', 'Units', UNIT_SYSTEMS),
+  ...['upper', 'lower'].flatMap((body) => [
+    ...ofBody(job, /** @type {Body} */ (body)),
+    ...ofRare(job, /** @type {Body} */ (body)),
+  ]),
+  ...ofLoad(job),
+  ...fields('settings', '', SETTINGS),
+];
+
+/** Whether hardness over depth stands in place of a figure of the law. @param {any} material @param {Field} field */
+const isOverruled = (material, { key }) =>
+  ['hardness', 'case'].includes(overDepthOf(material)) &&
+  (key === 'yield_stress' || key === 'reference_stress');
+
+/** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {Job} job @param {Body} body */
+const hasBackstress = (job, body) =>
+  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
+  (job.solver?.theory === 'flow' || hasTerms(job[body]));
+
+/** @param {Part} part @param {string} parent @param {Field[]} all @returns {Place[]} */
+const fields = (part, parent, all) =>
+  all.map((field) => ({ part, place: `${parent}/${field.key}`, field }));
+
+/** @param {Part} part @param {string} place @param {string} label @param {Record<string, string>} choices @returns {Place} */
+const choice = (part, place, label, choices) => ({
+  part,
+  place,
+  field: { key: place.slice(place.lastIndexOf('/') + 1), label, kind: 'choice', choices },
+});
+
+/** Words of a table of kinds. @param {Record<string, {label: string}>} kinds */
+const labels = (kinds) =>
+  Object.fromEntries(Object.entries(kinds).map(([key, { label }]) => [key, label]));
+
+/** @param {Job} job @param {Body} body @returns {Place[]} */
+function ofBody(job, body) {
+  const { shape, material } = job[body] ?? {};
+  const [at, law] = [`/${body}`, lawOf(material)];
+  const [ofShape, ofMaterial] = [`${at}/shape`, `${at}/material`];
+  const tilts = { tilt: 'Tilt given', moment: 'Moment given' };
+  return [
+    choice(body, `${ofShape}/type`, 'Shape', shapesFor(job.analysis, shape?.type)),
+    ...shapeFields(shape).flatMap((field) => [
+      ...(field.key === tiltOf(shape)
+        ? [choice(body, `${ofShape}/tilt_kind`, 'Misalignment', tilts)]
+        : []),
+      ...fields(body, ofShape, [field]),
+    ]),
+    ...ofSurface(job, body),
+    { part: body, place: 'shape' },
+    { part: body, place: 'material' },
+    ...fields(body, ofMaterial, [NAME, ...(law === 'rigid' ? [] : ELASTIC)]),
+    choice(body, `${ofMaterial}/law`, 'Hardening', labels(LAWS)),
+    ...fields(body, `${ofMaterial}/plasticity`, [
+      ...(LAWS[law]?.fields ?? []).filter((field) => !isOverruled(material, field)),
+      ...(hasBackstress(job, body) ? [BACKSTRESS] : []),
+    ]),
+    { part: body, place: 'curve' },
+  ];
+}
+
+/** @param {Job} job @param {Body} body @returns {Place[]} */
+function ofSurface(job, body) {
+  const { analysis, [body]: of } = job;
+  if (analysis !== 'three_dimensional' || of?.shape?.type === 'roller') return [];
+  const kinds = { none: 'Smooth', given: 'Heights' };
+  return [
+    choice(body, `/${body}/surface_kind`, 'Surface', kinds),
+    ...fields(body, `/${body}`, hasSurface(of) ? SURFACE : []),
+  ];
+}
+
+/** Fields that few bodies need. @param {Job} job @param {Body} body @returns {Place[]} */
+function ofRare(job, body) {
+  /** @type {Part} */
+  const part = `${body}/rare`;
+  const material = job[body]?.material;
+  const [law, at] = [lawOf(material), `/${body}/material`];
+  const kinds = { none: 'None', given: 'Over depth' };
+  const stress = hasInitialStress(material) ? [initialStressOf(job.analysis)] : [];
+  return [
+    // A half-space has no far boundary.
+    ...(job.analysis === 'three_dimensional'
+      ? []
+      : [choice(part, `/${body}/support`, 'Support', SUPPORTS)]),
+    ...(LAWS[law]?.fields.length ? ofOverDepth(part, at, material) : []),
+    ...(law === 'rigid'
+      ? []
+      : [choice(part, `${at}/stress_kind`, 'Initial stress', kinds), ...fields(part, at, stress)]),
+    { part, place: 'stress' },
+  ];
+}
+
+/** @param {Part} part @param {string} at @param {any} material @returns {Place[]} */
+function ofOverDepth(part, at, material) {
+  const plasticity = `${at}/plasticity`;
+  const kinds = { uniform: 'Uniform', ...labels(OVER_DEPTH) };
+  const hint = 'Strength comes from the hardness; this law gives the shape of its curve.';
+  const overruled = (LAWS[lawOf(material)]?.fields ?? [])
+    .filter((field) => isOverruled(material, field))
+    .map((field) => ({ ...field, hint }));
+  return [
+    choice(part, `${plasticity}/depth_kind`, 'Strength over depth', kinds),
+    ...fields(part, plasticity, OVER_DEPTH[overDepthOf(material)]?.fields ?? []),
+    ...fields(part, plasticity, overruled),
+  ];
+}
+
+/** @param {Job} job @returns {Place[]} */
+function ofLoad(job) {
+  const kind = loadOf(job.load);
+  const figures = {
+    ...labels(TARGETS),
+    ...(ratedApproach(job) && { [ISO_76.key]: ISO_76.label }),
+  };
+  return [
+    choice('load', '/load/kind', 'Given', labels(LOADS)),
+    ...fields('load', '/load', LOADS[kind].fields),
+    ...(kind === 'target'
+      ? [
+          choice('load', '/load/target_kind', 'Figure', figures),
+          ...fields('load', '/load', [TARGETS[targetOf(job.load)]]),
+        ]
+      : []),
+    choice('load', '/solver/theory', 'Theory', THEORIES),
+  ];
+}
