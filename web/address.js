@@ -9,11 +9,6 @@ export class Address {
     return this.#visit.signal;
   }
 
-  /** The address that is followed. */
-  get hash() {
-    return this.#followed;
-  }
-
   /**
    * Whether another address is asked for, of which the event is still to come: what arrives
    * meanwhile must not replace it.

@@ -420,7 +420,7 @@ async function applyAddress(edited = false) {
       toast(`${COLOURS.length} jobs are as many as can be told apart: the link names these now`);
       address.name('replaceState', link.jobFragment(job, others));
     }
-    const { hash } = address;
+    const { hash } = location;
     await open(job, edited, visit);
     // Who chooses another job to compare meanwhile names another address.
     return compareOnly(others, () => !visit.aborted && location.hash === hash);

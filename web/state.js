@@ -1,14 +1,13 @@
-/** Which jobs the page shows, and how that comes about. */
+/** Which jobs the page shows. */
 
 /** @typedef {import('./types.js').Shown} Shown */
 /** @typedef {import('./types.js').Job} Job */
 /**
  * @typedef {object} State
- * @property {{id: string, job: Job} | undefined} current the job of the address; without an id what
- *   a slider shows
+ * @property {{id: string, job: Job} | undefined} current without an id what a slider shows
  * @property {Shown | undefined} first its result
  * @property {ReadonlyMap<string, Shown>} compared jobs that are laid over it
- * @property {ReadonlySet<string>} chosen jobs of the list, which may be on their way
+ * @property {ReadonlySet<string>} chosen in the list, maybe on their way
  */
 /**
  * @typedef {{type: 'opened', id: string, job: Job} | {type: 'solved', shown: Shown}
@@ -59,7 +58,6 @@ const without = (state, is) => ({
   chosen: new Set([...state.chosen].filter((id) => !is(id))),
 });
 
-/** Holds the state and takes what happens. */
 export class Store {
   /** @type {State} */
   state = NOTHING;

@@ -201,7 +201,7 @@ function remarks({ job, report }, at) {
           {},
           h('b', {}, 'Error bars'),
           step.rolling
-            ? ' Bounds of the error by half the columns and by twice the length of the track, without that of the theory.'
+            ? ' Bounds of the error of the columns, not of the theory.'
             : ' Bounds of the error of the mesh, by a second mesh of half the density; they held in at least 95 of 100 tested cases and say nothing of the figures put in.',
         )
       : null;

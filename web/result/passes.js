@@ -1,4 +1,4 @@
-/** The chart of a load that rolls: what each pass moves and what it adds. */
+/** The chart of a load that rolls. */
 
 import { figure } from '../lib/units.js';
 import { Chart } from './chart.js';
@@ -29,7 +29,6 @@ export class PassesPanel {
       const bodies = passes.map((pass) => pass.bodies[name]);
       if (bodies.every((body) => body === null)) return [];
       const of = (/** @type {'largest_strain' | 'net_strain'} */ key) =>
-        // 0 has no place on the axis.
         bodies.map((body) => (body?.[key] ? 100 * body[key] : null));
       const curve = { colour: COLOURS[name], x, points: true };
       return [
@@ -37,20 +36,14 @@ export class PassesPanel {
         { ...curve, label: `${name} body, net`, y: of('net_strain'), dash: [7, 3] },
       ];
     });
-    const [last] = passes.slice(-1);
     this.chart.show({
       x: 'pass',
-      y: 'plastic strain of the pass  [%]',
+      y: 'strain of a pass  [%]',
       log: true,
       curves: curves.filter(({ y }) => y.some((value) => value !== null)),
       marks: [],
-      words: `Plastic strain of ${passes.length} passes: ${['lower', 'upper']
-        .map((name) => ({ name, body: last.bodies[/** @type {'lower' | 'upper'} */ (name)] }))
-        .filter(({ body }) => body)
-        .map(
-          ({ name, body }) =>
-            `in the last one ${figure(100 * (body?.largest_strain ?? 0), 3)} %, of which ${figure(100 * (body?.net_strain ?? 0), 3)} % stay in the ${name} body`,
-        )
+      words: `After ${passes.length} passes ${curves
+        .map(({ label, y }) => `${figure(y.at(-1) ?? 0, 3)} % (${label})`)
         .join(', ')}.`,
     });
   }

@@ -30,7 +30,7 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
 export const barOf = ({ status, estimated_error: bars }, name) =>
   (status === 'converged' && bars?.[name]) || undefined;
 
-/** The same of all passes of a load that rolls. @param {import('../wire.js').RollingResult} rolling */
+/** @param {import('../wire.js').RollingResult} rolling */
 const rolledStrain = ({ passes }) => {
   const { upper, lower } = passes.at(-1)?.bodies ?? { upper: null, lower: null };
   return Math.max(upper?.accumulated_strain ?? 0, lower?.accumulated_strain ?? 0);

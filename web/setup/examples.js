@@ -21,8 +21,8 @@ const TITLES = /** @type {Record<string, string>} */ ({
   ball_in_raceway: 'Ball in a raceway, in three dimensions',
   ellipse_dent: 'Dent of an ellipsoid, in three dimensions',
   tilted_roller: 'Tilted roller with a logarithmic profile, in three dimensions',
-  rail_under_driven_wheel: 'Rail under a driven wheel: does it ratchet?',
-  rolled_hardened_roller: 'Case-hardened roller that rolls, with residual stress',
+  rail_under_driven_wheel: 'Rail under a driven wheel',
+  rolled_hardened_roller: 'Case-hardened roller that rolls',
 });
 
 const HARD = { name: 'Bearing steel, elastic', young_modulus: 207000, poisson_ratio: 0.3 };

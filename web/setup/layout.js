@@ -35,8 +35,7 @@ import {
 /** @typedef {'upper' | 'lower'} Body */
 /** @typedef {'title' | 'general' | Body | `${Body}/rare` | 'load' | 'settings'} Part */
 /**
- * @typedef {{part: Part, place: string, field?: Field}} Place a field of the form; without a field
- *   something that its body always has there: `shape`, `material`, `curve`, `stress`
+ * @typedef {{part: Part, place: string, field?: Field}} Place without a field what a body always has
  */
 
 /** @param {Job} job @returns {Place[]} */
@@ -115,7 +114,7 @@ function ofSurface(job, body) {
   ];
 }
 
-/** Fields that few bodies need. @param {Job} job @param {Body} body @returns {Place[]} */
+/** @param {Job} job @param {Body} body @returns {Place[]} */
 function ofRare(job, body) {
   /** @type {Part} */
   const part = `${body}/rare`;

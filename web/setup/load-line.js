@@ -15,7 +15,7 @@ export const BOLD = 7.2;
 /** A force that rolls. @param {any} rolling @param {string} unit @returns {string} */
 export function rollingWords(rolling, unit) {
   const friction = rolling?.friction ? `, μ ${exact(Number(rolling.friction))}` : '';
-  return `${exact(Number(rolling?.force))} ${unit} ${rolling?.alternating ? 'to and fro' : 'rolling'}${friction}`;
+  return `${exact(Number(rolling?.force))} ${unit} rolling${friction}`;
 }
 
 /** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */

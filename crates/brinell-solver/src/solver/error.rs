@@ -182,8 +182,8 @@ impl SolveError {
                 write.length_about(*least)
             ),
             Self::NoTrack => "a load rolls over surfaces that open as one arc from where they \
-                              touch: cylinders, blocks, grooves and parabolas, of which at least \
-                              one is round"
+                              touch: cylinders, blocks, grooves, parabolas and ellipses, of which \
+                              at least one is round"
                 .to_owned(),
             Self::Track(fault) => track_text(fault, write),
             Self::Interrupted(_) => "stopped before the first iteration".to_owned(),

@@ -255,6 +255,18 @@ fn too_few_passes_are_undecided() {
     assert!(step.approach.is_none());
 }
 
+/// A law without a yield point has no limit of shakedown, and no sentence about one.
+#[test]
+fn a_law_without_a_yield_point_has_no_limit() {
+    let law =
+        json!({"law": "ramberg_osgood", "reference_stress": 500, "offset": 0.4, "exponent": 9});
+    let step = step(&track(&law, 0.4, &json!({"passes": 2})));
+    let limits = rolling(&step).limits;
+    assert!(limits.perfect.is_none() && limits.kinematic.is_none(), "{limits:?}");
+    let text = &step.verdict.as_ref().unwrap().text;
+    assert!(!text.contains("inf") && !text.contains("limit"), "{text}");
+}
+
 /// Every answer that has a bar has a figure, and no figure of a pass is missing.
 #[test]
 fn every_figure_has_a_bar() {

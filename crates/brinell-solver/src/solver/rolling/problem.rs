@@ -116,7 +116,8 @@ impl RollingProblem {
     pub fn perfect_limit(&self) -> Option<Limit> {
         let half_width = 2.0 * self.radius / self.effective_modulus();
         let of_body = |(side, material): (usize, &Deformable)| {
-            let yield_stress = material.hardening_law()?.yield_stress();
+            let yield_stress =
+                Some(material.hardening_law()?.yield_stress()).filter(|limit| *limit > 0.0)?;
             let strength = material.strength();
             let limit = DepthLimit::sliding(self.load.friction.abs(), half_width, |depth| {
                 yield_stress * strength.as_ref().map_or(1.0, |strength| strength.factor(depth))

@@ -7,7 +7,7 @@ use super::errors::PassErrors;
 use super::pass::Pass;
 use super::problem::{Limit, RollingProblem};
 use super::system::Track;
-use crate::job::Until;
+use crate::job::{Deformable, Until};
 use crate::solver::method::couplings::iteration::Controls;
 use crate::solver::method::observer::{IncrementNumber, Interrupt, IterationRecord, Observer};
 use crate::solver::method::phases::{Phase, PhaseTimes};
@@ -195,7 +195,11 @@ fn kinematic(
     let pressure = track.grid.sample(|x| (1.0 - (x / a).powi(2)).max(0.0).sqrt());
     let mut least: Option<Limit> = None;
     let bodies = track.bodies.borrow();
-    for ((side, _), body) in problem.yielding().zip(bodies.iter()) {
+    let has_yield_point = |material: &Deformable| {
+        material.hardening_law().is_some_and(|law| law.yield_stress() > 0.0)
+    };
+    let limited = problem.yielding().zip(bodies.iter());
+    for ((side, _), body) in limited.filter(|((_, material), _)| has_yield_point(material)) {
         let limits = watched(run, Phase::Flexibility, |stop| {
             let strength = |layer: usize| body.law().yield_stress(layer);
             TrackLimits::new(body.space(), &pressure, body.friction(), strength, stop)
