@@ -32,8 +32,8 @@ export class PassesPanel {
         bodies.map((body) => (body?.[key] ? 100 * body[key] : null));
       const curve = { colour: COLOURS[name], x, points: true };
       return [
-        { ...curve, label: `${name} body, accumulated`, y: of('largest_strain') },
-        { ...curve, label: `${name} body, net`, y: of('net_strain'), dash: [7, 3] },
+        { ...curve, label: `${name}, accumulated`, y: of('largest_strain') },
+        { ...curve, label: `${name}, net`, y: of('net_strain'), dash: [7, 3] },
       ];
     });
     this.chart.show({
@@ -42,7 +42,7 @@ export class PassesPanel {
       log: true,
       curves: curves.filter(({ y }) => y.some((value) => value !== null)),
       marks: [],
-      words: `After ${passes.length} passes ${curves
+      words: `${passes.length} passes: ${curves
         .map(({ label, y }) => `${figure(y.at(-1) ?? 0, 3)} % (${label})`)
         .join(', ')}.`,
     });

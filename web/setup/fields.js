@@ -312,7 +312,7 @@ export const LOADS = {
   onset: { label: 'Onset of yield', fields: [] },
   target: { label: 'Force for a given figure', fields: [] },
   rolling: {
-    label: 'Force that rolls',
+    label: 'Rolling',
     fields: [
       { key: 'rolling/force', help: 'force', label: 'Force', symbol: 'P', quantity: 'load' },
       {
