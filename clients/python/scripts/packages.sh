@@ -23,7 +23,7 @@ trap 'rm -rf "$empty"' EXIT
 python3 -m venv "$empty/env"
 # The two packages come from here alone, whatever a registry has under their names.
 wheel=$(echo "$dist"/brinell-*.whl)
-"$empty/env/bin/pip" install --quiet --disable-pip-version-check "$dist"/brinell_server-*.whl "${wheel}[all]"
+"$empty/env/bin/pip" install --quiet --disable-pip-version-check "$dist"/brinell_server-*.whl "${wheel}[all,surfaces]"
 # Neither this repository nor another program named brinell is in sight.
 root=$PWD
 cd "$empty"
