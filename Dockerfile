@@ -32,7 +32,7 @@ COPY . .
 RUN touch src/lib.rs src/main.rs crates/*/src/lib.rs && cargo build --profile dist --locked --bin brinell && mkdir /data
 
 FROM debian:bookworm-slim
-ARG VERSION=0.2.0
+ARG VERSION=0.3.0
 LABEL org.opencontainers.image.title="brinell" \
       org.opencontainers.image.description="Elasto-plastic contact between two bodies as an HTTP service" \
       org.opencontainers.image.version="${VERSION}" \
