@@ -11,7 +11,7 @@ use serde::Deserialize;
 use super::client::Client;
 use super::fault::Fault;
 use super::input::write_answer;
-use super::progress::ProgressLine;
+use super::progress::{PRELIMINARY, ProgressLine};
 use super::style::Style;
 use super::table::table;
 use super::{NOT_CONVERGED, block_on};
@@ -58,6 +58,7 @@ struct Status {
 
 #[derive(Debug, Deserialize)]
 struct Progress {
+    iterations: usize,
     latest: Option<IterationRecord>,
 }
 
@@ -98,7 +99,8 @@ async fn show_a_job(client: &Client) -> Result<(JobId, Report), Fault> {
     let state = loop {
         let job: Status = client.get(&format!("{}?wait=0.05", submitted.links.job)).await?;
         if let Some(record) = &job.progress.latest {
-            progress.show(record);
+            let before = if job.progress.iterations == 0 { PRELIMINARY } else { "" };
+            progress.show(before, record);
         }
         if job.status.is_finished() {
             break job.status;

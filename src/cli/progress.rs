@@ -13,6 +13,9 @@ const DELAY: Duration = Duration::from_secs(1);
 /// Time between two updates.
 const INTERVAL: Duration = Duration::from_millis(100);
 
+/// Introduces iterations that the report does not list.
+pub(super) const PRELIMINARY: &str = "preliminary solve, ";
+
 /// An observer that prints progress and times the solve.
 pub(super) struct ProgressLine {
     started: Instant,
@@ -40,8 +43,8 @@ impl ProgressLine {
         line
     }
 
-    /// Shows an iteration.
-    pub(super) fn show(&mut self, record: &IterationRecord) {
+    /// Shows an iteration, after the words that introduce it.
+    pub(super) fn show(&mut self, before: &str, record: &IterationRecord) {
         let increment = record.increment.map_or_else(String::new, |at| {
             let load = if at.loads > 1 {
                 format!("load {} of {}, ", at.load, at.loads)
@@ -51,7 +54,7 @@ impl ProgressLine {
             format!("{load}increment {} of {}, ", at.number, at.count)
         });
         self.text = format!(
-            "{increment}iteration {}, residual {:.1e}, peak pressure {}",
+            "{before}{increment}iteration {}, residual {:.1e}, peak pressure {}",
             record.iteration,
             record.equilibrium_residual,
             significant(record.peak_pressure, 5)
@@ -79,7 +82,12 @@ impl Drop for ProgressLine {
 
 impl Observer for ProgressLine {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        self.show(record);
+        self.show("", record);
+        ControlFlow::Continue(())
+    }
+
+    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.show(PRELIMINARY, record);
         ControlFlow::Continue(())
     }
 

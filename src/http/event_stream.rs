@@ -11,7 +11,7 @@ use tokio::time::sleep;
 
 use super::HttpState;
 use super::wire::{JobDocument, Prefix};
-use crate::jobs::{JobId, JobRecord, JobState, StoreError, Subscription};
+use crate::jobs::{IterationRecord, JobId, JobRecord, JobState, StoreError, Subscription};
 
 /// Longest time between two queries of the store, in case an announcement is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
@@ -50,7 +50,7 @@ pub(super) struct Follower {
     subscription: Subscription,
     prefix: Prefix,
     position: EventPosition,
-    sent_state: Option<(JobState, u32, bool)>,
+    sent_state: Option<(JobState, u32, bool, Option<IterationRecord>)>,
     events: Sender<Event>,
 }
 
@@ -134,8 +134,9 @@ impl Follower {
         record: &JobRecord,
         id: Option<String>,
     ) -> Result<(), StoreError> {
-        let now = (record.state, record.attempts, record.cancel_requested);
-        if self.sent_state != Some(now) {
+        let preliminary = record.latest.clone().filter(|_| record.iterations == 0);
+        let now = (record.state, record.attempts, record.cancel_requested, preliminary);
+        if self.sent_state.as_ref() != Some(&now) {
             let turn = self.state.streams.turn().await;
             let job = JobDocument::of(&self.state, record.clone(), &self.prefix).await?;
             drop(turn);

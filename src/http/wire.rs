@@ -299,7 +299,8 @@ pub struct JobList {
 pub struct Progress {
     /// Iterations made.
     pub iterations: usize,
-    /// The latest of them.
+    /// The latest of them. While `iterations` is 0, the latest iteration of a preliminary solve,
+    /// which sizes meshes, increments or a force and which no history lists.
     #[schema(required)]
     pub latest: Option<IterationRecord>,
 }

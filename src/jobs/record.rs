@@ -92,7 +92,7 @@ pub struct JobRecord {
     pub cancel_requested: bool,
     /// Iterations of the latest attempt so far.
     pub iterations: usize,
-    /// The latest of them.
+    /// The latest of them; without any, that of a preliminary solve.
     pub latest: Option<IterationRecord>,
     /// Whether there is a report to fetch.
     pub has_report: bool,

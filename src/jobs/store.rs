@@ -102,7 +102,8 @@ pub trait JobStore: Send + Sync + 'static {
         lease: Duration,
     ) -> Result<Vec<LeaseStatus>, StoreError>;
 
-    /// Appends iterations to the history of a leased job.
+    /// Appends iterations to the history of a leased job. `latest` is the last of them, or of a
+    /// preliminary solve that the history does not list.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
@@ -110,6 +111,7 @@ pub trait JobStore: Send + Sync + 'static {
         &self,
         lease: &Lease,
         records: &[IterationRecord],
+        latest: &IterationRecord,
     ) -> Result<(), StoreError>;
 
     /// Stores the results of further steps of a leased job, in order. Results that begin with step

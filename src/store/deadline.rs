@@ -59,7 +59,9 @@ timely!(JobStore {
     CALL => fn fields(id: JobId, step: usize, at: usize) -> Option<FieldsPart>;
     CALL => fn claim(request: &ClaimRequest) -> Claims;
     CALL => fn heartbeat(leases: &[Lease], lease: Duration) -> Vec<LeaseStatus>;
-    CALL => fn record_progress(lease: &Lease, records: &[IterationRecord]) -> ();
+    CALL => fn record_progress(
+        lease: &Lease, records: &[IterationRecord], latest: &IterationRecord
+    ) -> ();
     to_write(steps) => fn record_steps(lease: &Lease, steps: &[StepResult]) -> ();
     to_write(steps) => fn finish(
         lease: &Lease, records: &[IterationRecord], steps: &[StepResult], outcome: Outcome

@@ -7,6 +7,8 @@ use crate::jobs::{IterationRecord, Outcome};
 pub(super) enum Message {
     /// Further iterations.
     Iterations(Vec<IterationRecord>),
+    /// The latest iteration of a preliminary solve, before any other.
+    Preliminary(IterationRecord),
     /// The solve has ended, after these last iterations.
     Done(Vec<IterationRecord>, Outcome),
 }

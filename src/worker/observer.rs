@@ -41,6 +41,8 @@ pub(super) struct JobObserver {
     messages: UnboundedSender<Message>,
     interrupt: Option<Interrupt>,
     pending: Vec<IterationRecord>,
+    has_iterated: bool,
+    preliminary: Option<IterationRecord>,
     sent_at: Duration,
     gives_way: bool,
     memory: JobMemory,
@@ -62,6 +64,8 @@ impl JobObserver {
             messages,
             interrupt: None,
             pending: Vec::new(),
+            has_iterated: false,
+            preliminary: None,
             sent_at: Duration::ZERO,
             gives_way: false,
             memory,
@@ -76,10 +80,17 @@ impl JobObserver {
 
     fn send_progress(&mut self) {
         let now = self.started.elapsed();
-        if !self.pending.is_empty() && now.saturating_sub(self.sent_at) >= SEND_INTERVAL {
+        if now.saturating_sub(self.sent_at) < SEND_INTERVAL {
+            return;
+        }
+        let message = if self.pending.is_empty() {
+            self.preliminary.take().filter(|it| encode(it).is_ok()).map(Message::Preliminary)
+        } else {
+            Some(Message::Iterations(self.take_pending()))
+        };
+        if let Some(message) = message {
             self.sent_at = now;
-            let records = self.take_pending();
-            let _ = self.messages.send(Message::Iterations(records));
+            let _ = self.messages.send(message);
         }
     }
 
@@ -101,6 +112,13 @@ impl Observer for JobObserver {
         if encode(record).is_ok() {
             self.pending.push(record.clone());
         }
+        self.has_iterated = true;
+        self.preliminary = None;
+        self.on_checkpoint()
+    }
+
+    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.preliminary = (!self.has_iterated).then(|| record.clone());
         self.on_checkpoint()
     }
 

@@ -161,6 +161,7 @@ impl WorkerState {
         let mut iterations = 0;
         let mut batch = Vec::with_capacity(BATCH);
         let mut records = Vec::new();
+        let mut latest = None;
         let mut steps = Vec::new();
         let mut unwritten = None;
         let mut write_at = Instant::now() + PROGRESS_INTERVAL;
@@ -178,7 +179,9 @@ impl WorkerState {
                             Message::Iterations(more) => {
                                 iterations += more.len();
                                 records.extend(more);
+                                latest = records.last().cloned();
                             }
+                            Message::Preliminary(record) => latest = Some(record),
                             Message::Done(last, outcome) => {
                                 iterations += last.len();
                                 records.extend(last);
@@ -199,8 +202,8 @@ impl WorkerState {
                         unwritten = unwritten.or(written.err());
                     }
                 }
-                () = sleep_until(write_at), if !records.is_empty() => {
-                    self.write_progress(lease, &mut records, stop).await;
+                () = sleep_until(write_at), if latest.is_some() => {
+                    self.write_progress(lease, &mut records, &mut latest, stop).await;
                     write_at = Instant::now() + PROGRESS_INTERVAL;
                 }
                 () = sleep_until(long_at), if has_place => {
@@ -217,10 +220,15 @@ impl WorkerState {
         &self,
         lease: &Lease,
         records: &mut Vec<IterationRecord>,
+        latest: &mut Option<IterationRecord>,
         stop: &StopFlag,
     ) {
-        match self.store.record_progress(lease, records).await {
-            Ok(()) => records.clear(),
+        let Some(last) = latest else { return };
+        match self.store.record_progress(lease, records, last).await {
+            Ok(()) => {
+                records.clear();
+                *latest = None;
+            }
             Err(StoreError::LeaseLost | StoreError::NotFound) => stop.raise(),
             Err(error) => {
                 let error = &error as &dyn std::error::Error;

@@ -102,6 +102,33 @@ fn a_running_job_is_followed_to_its_end() {
 }
 
 #[test]
+fn a_job_shows_the_progress_of_its_preliminary_solve() {
+    let service = InProcess::start(|_| ());
+    let id = service.target.submit(&job("preliminary"));
+    let mut follower = spawn_curl(&["--no-buffer", &format!("{}{id}/events", service.target.url)]);
+    let mut stdout = BufReader::new(follower.stdout.take().unwrap());
+    let mut seen = String::new();
+    // Three states: the job runs, and two moments of the preliminary solve.
+    while seen.matches("\"status\":\"running\"").count() < 3 {
+        assert_ne!(stdout.read_line(&mut seen).unwrap(), 0, "{seen}");
+    }
+    let progress = service.target.get(&id).json()["progress"].clone();
+    assert_eq!(progress["iterations"], 0);
+    assert!(progress["latest"]["iteration"].as_u64().unwrap() > 1, "{progress}");
+    service.solver.open_gate();
+    stdout.read_to_string(&mut seen).unwrap();
+    follower.wait().unwrap();
+    let all = events(&parse(seen.as_bytes()).unwrap().body);
+    let shown = all.iter().filter(|event| event.data["status"] == "running");
+    let moments: Vec<u64> =
+        shown.filter_map(|event| event.data["progress"]["latest"]["iteration"].as_u64()).collect();
+    assert!(moments.len() > 1 && moments.is_sorted(), "{moments:?}");
+    assert_eq!(all.iter().filter(|event| event.name == "iteration").count(), 1);
+    let end = &all.last().unwrap().data;
+    assert_eq!((&end["status"], &end["progress"]["iterations"]), (&"succeeded".into(), &1.into()));
+}
+
+#[test]
 #[ignore = "full"]
 fn a_hundred_followers_and_one_that_never_reads() {
     let service = InProcess::start(|_| ());

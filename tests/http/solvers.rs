@@ -13,7 +13,7 @@ use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus};
 
 /// `abort`, `panic`, `nan`, `impossible`, `fail`; `understated` is estimated to need a byte, and
 /// solved; `flood` has steps until it is told to stop; `slow` iterates until the gate is opened or
-/// it is told to stop; anything else converges at once.
+/// it is told to stop; `preliminary` does so in a preliminary solve, and then iterates once; anything else converges at once.
 #[derive(Default)]
 pub struct TestSolver {
     open: Mutex<bool>,
@@ -32,9 +32,9 @@ impl TestSolver {
         *self.changed.wait_timeout_while(open, Duration::from_millis(1), |open| !*open).unwrap().0
     }
 
-    fn iterate(&self, observer: &mut dyn Observer) -> Report {
+    fn iterate(&self, mut show: impl FnMut(&IterationRecord) -> ControlFlow<Interrupt>) -> Report {
         for iteration in 1.. {
-            if let ControlFlow::Break(interrupt) = observer.on_iteration(&record(iteration)) {
+            if let ControlFlow::Break(interrupt) = show(&record(iteration)) {
                 return report(match interrupt {
                     Interrupt::Cancelled => SolveStatus::Cancelled,
                     Interrupt::TimedOut => SolveStatus::TimedOut,
@@ -88,7 +88,12 @@ impl JobSolver for TestSolver {
                 Err(RunError::Failed("the matrix is not positive definite".to_owned()))
             }
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
-            Some("slow") => Ok(self.iterate(observer)),
+            Some("slow") => Ok(self.iterate(|record| observer.on_iteration(record))),
+            Some("preliminary") => {
+                let report = self.iterate(|record| observer.on_preliminary_iteration(record));
+                let _ = observer.on_iteration(&record(1));
+                Ok(report)
+            }
             _ => Ok(report(SolveStatus::Converged)),
         }
     }

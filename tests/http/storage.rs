@@ -22,6 +22,20 @@ fn below_the_reserve_no_job_is_accepted_and_readiness_says_so() {
     assert!(server.log().contains("the disk is full"));
 }
 
+/// Jobs are their owner's, also beneath a permissive umask.
+#[cfg(unix)]
+#[test]
+fn nobody_else_reads_the_database() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let data = Scratch::new();
+    let server = Server::start_with(&["--data-dir", data.0.to_str().unwrap()]);
+    server.target.submit(&example());
+    for name in ["brinell.db", "brinell.db-wal", "brinell.db-shm"] {
+        let mode = data.0.join(name).metadata().unwrap().permissions().mode();
+        assert_eq!(mode & 0o077, 0, "{name}: {mode:o}");
+    }
+}
+
 /// Whoever keeps `brinell.db` keeps all jobs.
 #[test]
 #[ignore = "full"]

@@ -73,7 +73,7 @@ pub async fn streams_that_nobody_reads_hold_no_reader(subject: &Subject) {
     let id = subject.enqueue("x").await;
     let lease = subject.claim_one().await;
     let records: Vec<_> = (1..=ITERATIONS).map(iteration).collect();
-    subject.store.record_progress(&lease, &records).await.unwrap();
+    subject.store.record_progress(&lease, &records, records.last().unwrap()).await.unwrap();
     let router = router(HttpState::new(service(subject), HttpSettings::default(), None));
     let asked = TowerToHyperService::new(router);
     let ask = || {

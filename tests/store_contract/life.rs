@@ -32,8 +32,8 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     let waited = running.created_at.duration_until(running.started_at.unwrap());
     assert_eq!(waited, SignedDuration::from_secs(5));
 
-    store.record_progress(&lease, &[iteration(1), iteration(2)]).await.unwrap();
-    store.record_progress(&lease, &[iteration(3)]).await.unwrap();
+    store.record_progress(&lease, &[iteration(1), iteration(2)], &iteration(2)).await.unwrap();
+    store.record_progress(&lease, &[iteration(3)], &iteration(3)).await.unwrap();
     let running = subject.get(id).await;
     assert_eq!((running.iterations, running.latest), (3, Some(iteration(3))));
     assert_eq!(store.history(id, 1).await.unwrap(), [iteration(2), iteration(3)]);

@@ -56,7 +56,9 @@ fn call(name: &str, store: Arc<dyn Store>, lease: Lease) -> Call {
         "claim" => Box::pin(async move { drop(store.claim(&Subject::request(1)).await) }),
         "heartbeat" => Box::pin(async move { drop(store.heartbeat(&[lease], LEASE).await) }),
         "progress" => Box::pin(async move {
-            drop(store.record_progress(&lease, &[iteration(1), iteration(2)]).await);
+            drop(
+                store.record_progress(&lease, &[iteration(1), iteration(2)], &iteration(2)).await,
+            );
         }),
         "steps" => Box::pin(async move { drop(store.record_steps(&lease, &[step()]).await) }),
         "finish" => Box::pin(async move {
@@ -100,7 +102,8 @@ async fn others_go_on(others: &Subject, stopped: JobId, what: &str) {
             None => {}
         }
     };
-    insist(what, || async { store.record_progress(&lease, &[iteration(1)]).await }).await;
+    insist(what, || async { store.record_progress(&lease, &[iteration(1)], &iteration(1)).await })
+        .await;
     let (last, outcome) = ([iteration(2)], reported(SolveStatus::Converged));
     insist(what, || store.finish(&lease, &last, &[], outcome.clone())).await;
     assert_eq!(others.get(own).await.state, JobState::Succeeded, "{what}");

@@ -46,7 +46,10 @@ async fn work(store: Arc<dyn Store>) -> usize {
         let claims = store.claim(&request).await.unwrap().jobs;
         let Some(claim) = claims.first() else { return done };
         for number in 1..=3 {
-            store.record_progress(&claim.lease, &[iteration(number)]).await.unwrap();
+            store
+                .record_progress(&claim.lease, &[iteration(number)], &iteration(number))
+                .await
+                .unwrap();
         }
         store.heartbeat(&[claim.lease], LEASE).await.unwrap();
         store

@@ -358,7 +358,7 @@ function words(
     case 'queued':
       return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
     case 'running':
-      return 'meshing and factorizing';
+      return progressWords(progress.latest ? [progress.latest] : [], job);
     case 'failed':
       return [error?.detail, ...(error?.errors ?? []).map(({ detail }) => detail)]
         .filter(Boolean)

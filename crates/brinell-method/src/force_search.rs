@@ -131,7 +131,7 @@ pub fn find<B: Sought>(
     terms: Terms,
     run: &mut Run<'_>,
 ) -> Result<ForceFound<B::Step>, B::Error> {
-    let (force, sensitivity) = run.silently(|run| coarse(bodies, terms, run))?;
+    let (force, sensitivity) = run.preliminarily(|run| coarse(bodies, terms, run))?;
     let mut found = fine(bodies, terms, force, sensitivity, run)?;
     // The deviation of a steep figure is larger under an equally small change of the force.
     let steepness = (sensitivity / terms.expected_slope).max(1.0);

@@ -164,7 +164,7 @@ pub fn run<B: TwoDensities>(
 ) -> Result<Option<Interrupt>, ErrorOf<B::Engine>> {
     let (engine, design) = bodies.coarse(run)?;
     let mut preliminary = Vec::new();
-    let chosen = run.silently(|run| {
+    let chosen = run.preliminarily(|run| {
         let division = increments.map_or(Division::Level(0), Division::Fixed);
         let history = History { engine: &engine, loads, division, guide: None };
         history.choose_increments(design, &mut preliminary, run)

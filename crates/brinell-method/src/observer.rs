@@ -114,6 +114,13 @@ pub trait Observer {
         self.on_checkpoint()
     }
 
+    /// Called after every outer iteration of a preliminary solve, which sizes meshes, increments
+    /// or a force that is sought. The report does not list it.
+    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        let _ = record;
+        self.on_checkpoint()
+    }
+
     /// Called between phases and within the long ones, so that a stop does not wait for the next
     /// iteration.
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {

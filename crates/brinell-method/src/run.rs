@@ -33,13 +33,13 @@ impl<'a> Run<'a> {
         Run { phases: &mut *self.phases, passes: &mut *self.passes, observer: &mut *self.observer }
     }
 
-    /// Runs `work`, whose iterations the observer does not see but can stop.
-    pub fn silently<T>(&mut self, work: impl FnOnce(&mut Run<'_>) -> T) -> T {
-        let mut silent = SilentObserver { inner: &mut *self.observer };
+    /// Runs `work`, whose iterations are preliminary to the observer.
+    pub fn preliminarily<T>(&mut self, work: impl FnOnce(&mut Run<'_>) -> T) -> T {
+        let mut preliminary = Preliminary { inner: &mut *self.observer };
         work(&mut Run {
             phases: &mut *self.phases,
             passes: &mut *self.passes,
-            observer: &mut silent,
+            observer: &mut preliminary,
         })
     }
 
@@ -99,12 +99,20 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Passes requests to stop on, and no iterations.
-struct SilentObserver<'a> {
+/// Passes iterations on as preliminary.
+struct Preliminary<'a> {
     inner: &'a mut dyn Observer,
 }
 
-impl Observer for SilentObserver<'_> {
+impl Observer for Preliminary<'_> {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.inner.on_preliminary_iteration(record)
+    }
+
+    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.inner.on_preliminary_iteration(record)
+    }
+
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.inner.on_checkpoint()
     }

@@ -70,6 +70,7 @@ pub(in crate::store) trait Leasing: Send {
         &mut self,
         lease: &Lease,
         records: &[IterationRecord],
+        latest: &IterationRecord,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Appends iterations, without counting them.
     fn append_records(
@@ -179,8 +180,8 @@ macro_rules! leasing {
                 &mut self,
                 lease: &Lease,
                 records: &[IterationRecord],
+                latest: &IterationRecord,
             ) -> Result<(), StoreError> {
-                let Some(latest) = records.last() else { return Ok(()) };
                 self.append_records(lease, records).await?;
                 let progress = fenced!(sqlx::query::<$database>(PROGRESS), lease);
                 let progress = progress.bind(number_of(records)).bind(to_json(latest)?);

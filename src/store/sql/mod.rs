@@ -328,8 +328,11 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         &self,
         lease: &Lease,
         records: &[IterationRecord],
+        latest: &IterationRecord,
     ) -> Result<(), StoreError> {
-        Leasing::record_progress(&mut *self.backend.statements().await?, lease, records).await?;
+        let mut line = self.backend.statements().await?;
+        Leasing::record_progress(&mut *line, lease, records, latest).await?;
+        drop(line);
         self.announce(&[Change::Progress(lease.job)]);
         Ok(())
     }

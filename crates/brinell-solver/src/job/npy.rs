@@ -9,6 +9,8 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
+use super::reader::text::Quoted;
+
 const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// The figures of an array, `[i * shape[1] + j]`.
@@ -36,15 +38,21 @@ pub(super) fn read(text: &str, most: usize) -> Result<Grid, String> {
     let (header, data) = rest.split_at_checked(length).ok_or_else(cut)?;
     let header = std::str::from_utf8(header).map_err(|_| "has a header that is no text")?;
 
-    let Header { kind, by_columns, shape } = Header::parse(header)
-        .ok_or_else(|| format!("must have a header as numpy.save writes it, not `{header}`"))?;
+    let Header { kind, by_columns, shape } = Header::parse(header).ok_or_else(|| {
+        format!("must have a header as numpy.save writes it, not {}", Quoted(header))
+    })?;
     let size = match kind {
         "<f8" => 8,
         "<f4" => 4,
-        _ => return Err(format!("must be of little-endian floats, `<f8` or `<f4`, not `{kind}`")),
+        _ => {
+            let kind = Quoted(kind);
+            return Err(format!(
+                "must be of little-endian floats, \"<f8\" or \"<f4\", not {kind}"
+            ));
+        }
     };
     let Ok([rows, columns]) = <[usize; 2]>::try_from(shape.as_slice()) else {
-        return Err(format!("must have two dimensions, not the shape {shape:?}"));
+        return Err(format!("must have two dimensions, not {}", shape.len()));
     };
     let count = rows.checked_mul(columns).filter(|count| *count <= most);
     let count = count.ok_or_else(|| format!("must have at most {most} heights"))?;

@@ -56,6 +56,48 @@ proptest! {
     }
 }
 
+/// Every place of a document.
+fn pointers(value: &serde_json::Value, at: &str, found: &mut Vec<String>) {
+    use serde_json::Value;
+    found.push(at.to_owned());
+    match value {
+        Value::Object(members) => {
+            members.iter().for_each(|(key, one)| {
+                let key = key.replace('~', "~0").replace('/', "~1");
+                pointers(one, &format!("{at}/{key}"), found);
+            });
+        }
+        Value::Array(items) => {
+            items.iter().zip(0..).for_each(|(one, k)| pointers(one, &format!("{at}/{k}"), found));
+        }
+        _ => {}
+    }
+}
+
+proptest! {
+    /// A long text at any place is repeated with its beginning only.
+    #[test]
+    fn a_fault_repeats_little_of_the_job(job in job(), place: prop::sample::Index) {
+        let long = "x".repeat(10_000);
+        let whole = serde_json::to_value(&job).unwrap();
+        let mut places = Vec::new();
+        pointers(&whole, "", &mut places);
+        let place = place.get(&places);
+        let mut text = whole.clone();
+        *text.pointer_mut(place).unwrap() = long.clone().into();
+        let mut key = whole;
+        if let Some(members) = key.pointer_mut(place).unwrap().as_object_mut() {
+            members.insert(long, 1.into());
+        }
+        for spoilt in [text, key] {
+            let Err(JobError::Fields(faults)) = Job::from_value(&spoilt) else { continue };
+            for fault in faults {
+                prop_assert!(fault.detail.len() < 400 && fault.pointer.len() < 200, "{fault:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn words_are_those_that_are_serialized() {
     fn check<T: Named + serde::Serialize>() {

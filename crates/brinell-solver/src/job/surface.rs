@@ -316,12 +316,18 @@ mod tests {
         let good = bytes(&rows);
         for (heights, said) in [
             (npy(&header("<f8", "False", "(8, 10)"), &bytes(&hole)), "got NaN at [2, 3]"),
-            (npy(&header(">f8", "False", "(8, 10)"), &good), "not `>f8`"),
-            (npy(&header("|O", "False", "(8, 10)"), &good), "not `|O`"),
-            (npy(&header("<f8", "False", "(80,)"), &good), "two dimensions, not the shape [80]"),
+            (npy(&header(">f8", "False", "(8, 10)"), &good), "not \">f8\""),
+            (npy(&header("|O", "False", "(8, 10)"), &good), "not \"|O\""),
+            (npy(&header("<f8", "False", "(80,)"), &good), "two dimensions, not 1"),
             (npy(&header("<f8", "False", "(4, 20)"), &good), "got 4 × 20"),
             (npy(&header("<f8", "False", "(8, 11)"), &good), "704 bytes of data, not 640"),
             (npy(&header("<f8", "False", "(99999999999, 99999999999)"), &good), "at most 1048576"),
+            (
+                npy(&header("<f8", "False", &format!("({}1,)", "1, ".repeat(20_000))), &good),
+                "not 20001",
+            ),
+            (npy(&header(&"<f8".repeat(20_000), "False", "(8, 10)"), &good), "<f8<f8"),
+            (npy(&"{".repeat(60_000), &good), "not \"{{{{"),
             (npy("{}", &good), "a header as numpy.save writes it"),
             (npy(&header("<f8", "0", "(8, 10)"), &good), "a header as numpy.save writes it"),
             (npy(&header("<f8", "False", "(+8, 10)"), &good), "a header as numpy.save writes it"),
@@ -347,6 +353,7 @@ mod tests {
             };
             assert_eq!(faults[0].pointer, "/upper/surface/heights/npy_base64");
             assert!(faults.len() == 1 && faults[0].detail.contains(said), "{faults:?}");
+            assert!(faults[0].detail.len() < 150, "{faults:?}");
         }
         let wire = json!({"heights": {"npy": ""}, "spacing_x": 0.1, "spacing_y": 0.2});
         let expected = ["/upper/surface/heights/npy", "/upper/surface/heights/npy_base64"];

@@ -245,6 +245,10 @@ impl Observer for InUnits<'_> {
         self.observer.on_iteration(&in_units(record, self.write))
     }
 
+    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.observer.on_preliminary_iteration(&in_units(record, self.write))
+    }
+
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.observer.on_checkpoint()
     }

@@ -276,13 +276,19 @@ fn a_job_that_is_stopped_keeps_its_iterations() {
     }
 }
 
-/// Takes down which increments it is told of.
+/// Takes down which increments it is told of, and which before, of a preliminary solve.
 #[derive(Default)]
-struct Increments(Vec<IncrementNumber>);
+struct Increments(Vec<IncrementNumber>, Vec<IncrementNumber>);
 
 impl Observer for Increments {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
         self.0.extend(record.increment);
+        ControlFlow::Continue(())
+    }
+
+    fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        assert!(self.0.is_empty(), "the preliminary solve comes first");
+        self.1.extend(record.increment);
         ControlFlow::Continue(())
     }
 }
@@ -306,6 +312,8 @@ fn a_history_says_how_far_it_is() {
         (1..=3).map(move |number| IncrementNumber { number, count: 3, load, loads: 2 })
     });
     assert_eq!(told, all.collect::<Vec<_>>());
+    let preliminary = IncrementNumber { number: 3, count: 3, load: 2, loads: 2 };
+    assert!(seen.1.contains(&preliminary), "{:?}", seen.1);
     let kept: Vec<_> =
         solution.steps.iter().flat_map(|step| &step.history).filter_map(|r| r.increment).collect();
     assert_eq!(kept, seen.0);

@@ -85,8 +85,9 @@ fn step(
     let engine =
         HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance.get());
     let design = size(problem, load, run)?;
-    let (coarse, design) =
-        run.silently(|run| under(&engine, load, design.with_cells(0.5 * problem.cells()), run))?;
+    let (coarse, design) = run.preliminarily(|run| {
+        under(&engine, load, design.with_cells(0.5 * problem.cells()), run)
+    })?;
     interrupted(coarse.status)?;
     let engine = HalfSpaceEngine::new(problem, Theory::Deformation);
     let (mut fine, _) = under(&engine, load, design.with_cells(problem.cells()), run)?;
@@ -112,7 +113,7 @@ pub(super) fn size(
         return Ok(design);
     }
     let engine = HalfSpaceEngine::auxiliary(problem, Theory::Deformation, SIZING_TOLERANCE);
-    let (found, design) = run.silently(|run| under(&engine, load, design, run))?;
+    let (found, design) = run.preliminarily(|run| under(&engine, load, design, run))?;
     interrupted(found.status)?;
     Ok(design)
 }

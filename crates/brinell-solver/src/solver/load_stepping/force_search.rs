@@ -176,7 +176,7 @@ impl ForceSearch<'_> {
         let job = self.coarser_job(half);
         let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
         let Some(force) = found.steps.last().map(StepSolution::force) else { return Ok(0.0) };
-        let trial = run.silently(|run| self.trial_by(&sequence, force, run))?;
+        let trial = run.preliminarily(|run| self.trial_by(&sequence, force, run))?;
         let change = match trial {
             Ok(trial) if trial.is_converged() => {
                 let at_ends = |trial: &Trial<StepSolution>| {

@@ -275,7 +275,7 @@ impl<'a> LoadStepper<'a> {
         known: Option<System>,
         run: &mut Run<'_>,
     ) -> Result<MeshSolve, SolveError> {
-        let pass = run.silently(|run| mesh_solve::run(self.problem, request, known, run))?;
+        let pass = run.preliminarily(|run| mesh_solve::run(self.problem, request, known, run))?;
         // One that was stopped has no fields that the next mesh could start from.
         match pass.outcome.status {
             SolveStatus::Cancelled => Err(SolveError::Interrupted(Interrupt::Cancelled)),

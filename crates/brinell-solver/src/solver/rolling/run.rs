@@ -74,10 +74,11 @@ pub fn run(
     let design = TrackDesign::new(problem, half);
     let auxiliary = TrackEngine::auxiliary(problem);
     let passes = problem.load.passes as usize;
-    let coarse = run.silently(|run| sequence(&auxiliary, design, (passes, Until::Passes), run))?;
+    let coarse =
+        run.preliminarily(|run| sequence(&auxiliary, design, (passes, Until::Passes), run))?;
     interrupted(&coarse)?;
     let long = TrackDesign { length: 2.0 * design.length, ..design };
-    let long = run.silently(|run| sequence(&auxiliary, long, (1, Until::Passes), run))?;
+    let long = run.preliminarily(|run| sequence(&auxiliary, long, (1, Until::Passes), run))?;
     interrupted(&long)?;
     let engine = TrackEngine::new(problem);
     let fine = TrackDesign::new(problem, problem.columns);
