@@ -426,26 +426,26 @@ function soFar(history, job, set) {
         h('span', { class: 'bar-of-error' }, 'so far'),
       ),
     );
-  return last
-    ? h(
-        'div',
-        {},
-        h(
-          'p',
-          { class: 'verdict-text neutral' },
-          h('span', { class: 'mark', 'aria-hidden': 'true' }, '…'),
-          h('span', {}, sentence(progressWords(history, job))),
-        ),
-        h(
+  return h(
+    'div',
+    {},
+    h(
+      'p',
+      { class: 'verdict-text neutral' },
+      h('span', { class: 'mark', 'aria-hidden': 'true' }, '…'),
+      h('span', {}, sentence(progressWords(history, job))),
+    ),
+    last
+      ? h(
           'dl',
           { class: 'figures' },
           row('Peak pressure', last.peak_pressure, unit('stress', set)),
           row('Approach', last.approach, unit('length', set)),
           row('Contact pairs', last.contact_pairs, ''),
           row('Points that yield', last.plastic_points, ''),
-        ),
-      )
-    : h('p', { class: 'empty' }, 'Meshing and factorizing.');
+        )
+      : null,
+  );
 }
 
 /** Whether a body yields in any step: all steps of a job are looked at in the same quantity. @param {import('../types.js').Report} report */

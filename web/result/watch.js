@@ -358,7 +358,9 @@ function words(
     case 'queued':
       return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
     case 'running':
-      return progressWords(progress.latest ? [progress.latest] : [], job);
+      return progress.latest
+        ? `${progress.iterations ? '' : 'preliminary '}${progressWords([progress.latest], job)}`
+        : progressWords([], job);
     case 'failed':
       return [error?.detail, ...(error?.errors ?? []).map(({ detail }) => detail)]
         .filter(Boolean)

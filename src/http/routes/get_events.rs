@@ -32,9 +32,9 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
 /// A job as server-sent events
 ///
 /// From its beginning, or from where the client left off. `state` events carry the job as `GET
-/// /v1/jobs/{id}` answers it, `iteration` events an iteration each under the id `A-N`, the N-th of
-/// attempt A. The last event has the id `A-N-end`. When a job is taken up anew, its iterations
-/// begin again under the next attempt.
+/// /v1/jobs/{id}` answers it, also as a preliminary solve progresses; `iteration` events carry an
+/// iteration each under the id `A-N`, the N-th of attempt A. The last event has the id `A-N-end`.
+/// When a job is taken up anew, its iterations begin again under the next attempt.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/events", tag = "jobs",
     params(
