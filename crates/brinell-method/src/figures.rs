@@ -147,6 +147,15 @@ impl Figures {
     /// Number of values, with the figures of a body twice.
     pub const COUNT: usize = Figure::OF_CONTACT + 2 * Figure::OF_BODY;
 
+    /// Makes figures of a value for each figure and side.
+    pub fn by(value: impl Fn(Figure, usize) -> f64) -> Self {
+        let mut values = [0.0; Self::COUNT];
+        for (figure, side) in Figure::ALL.iter().flat_map(|figure| [(*figure, 0), (*figure, 1)]) {
+            values[figure.at(side)] = value(figure, side);
+        }
+        Self::of(values)
+    }
+
     /// Returns the semi-axes along x and y \[mm\].
     pub const fn semi_axes(&self) -> [f64; 2] {
         [self.half_width, self.semi_axis_y]

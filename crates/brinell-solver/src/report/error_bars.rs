@@ -26,26 +26,27 @@ use super::{PerBody, contact_stiffness, target, validity};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
+use crate::solver::floors::floors;
 use crate::solver::method::figures::{Figure, Figures};
 use crate::solver::{ElasticReference, StepSolution};
 
-/// Returns the name of a figure in `docs/validity.md` and its floors over h/a: in plane analyses,
-/// and of bodies of revolution.
-pub(super) const fn floors(figure: Figure) -> Option<(&'static str, [f64; 2])> {
+/// Returns the name in `docs/validity.md` of a figure that has a bar.
+pub const fn name_of(figure: Figure) -> Option<&'static str> {
     Some(match figure {
-        Figure::PeakPressure => ("peak pressure", [0.03, 0.1]),
-        Figure::HalfWidth => ("half-width", [0.3, 0.3]),
-        Figure::Approach => ("approach", [0.03, 0.03]),
-        Figure::Force => ("force", [0.03, 0.03]),
-        Figure::MaxPlasticStrain => ("largest plastic strain", [2.0, 0.5]),
-        Figure::MeanPlasticStrain => ("mean plastic strain", [0.5, 0.1]),
-        Figure::PlasticArea => ("plastic area", [1.0, 0.5]),
-        Figure::Dent => ("dent", [0.01, 0.02]),
-        Figure::PileUp => ("pile-up", [0.03, 0.03]),
-        Figure::LeastStress => ("residual stress", [0.25, 0.25]),
-        Figure::LargestVonMises => ("utilization", [0.05, 0.05]),
-        // Figures that no meshes have been compared for, or that half-spaces alone have.
-        _ => return None,
+        Figure::PeakPressure => "peak pressure",
+        Figure::HalfWidth => "half-width",
+        Figure::SemiAxisY => "semi-axis along y",
+        Figure::ContactArea => "contact area",
+        Figure::Approach => "approach",
+        Figure::Force => "force",
+        Figure::MaxPlasticStrain => "largest plastic strain",
+        Figure::MeanPlasticStrain => "mean plastic strain",
+        Figure::PlasticArea => "plastic area",
+        Figure::Dent => "dent",
+        Figure::PileUp => "pile-up",
+        Figure::LeastStress => "residual stress",
+        Figure::LargestVonMises => "utilization",
+        Figure::PlasticDepth => return None,
     })
 }
 
@@ -151,14 +152,19 @@ pub fn estimate_error(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     estimate(job, step, &validity::findings(job, step, reference.as_ref()))
 }
 
+/// Returns what the floors of the figures of a load step are multiplied by; `None` where the step
+/// has no bars.
+pub fn scales_of_floors(step: &StepSolution) -> Option<Figures> {
+    Bars::of(step).map(|bars| bars.scales)
+}
+
 /// Returns the error bars of a load step, as if its force were prescribed.
 pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Option<ErrorEstimate> {
     let known = Known::by(findings);
-    let half_width = if step.patch.is_some() { step.half_width() } else { step.reached[1] };
-    if !known.has_estimate() || half_width <= 0.0 {
+    if !known.has_estimate() {
         return None;
     }
-    let bars = Bars::of(step, half_width)?;
+    let bars = Bars::of(step)?;
     let of_contact = |figure: Figure| known.bar(figure, 0, bars.of_figure(figure, 0));
     let is_approach_given = matches!(step.load, ContactLoad::Approach(_));
     let uncertain = |side: usize| {
@@ -206,6 +212,25 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
 }
 
 impl ErrorEstimate {
+    /// Returns the bar of a figure, of a body that of one side.
+    pub fn of_figure(&self, figure: Figure, side: usize) -> Option<f64> {
+        let body = self.bodies.and_then(|bodies| [bodies.upper, bodies.lower][side]);
+        match figure {
+            Figure::PeakPressure => self.peak_pressure,
+            Figure::HalfWidth => self.half_width,
+            Figure::Approach => self.approach,
+            Figure::Force => self.force,
+            Figure::MaxPlasticStrain => body?.max_equivalent_plastic_strain,
+            Figure::MeanPlasticStrain => body?.mean_equivalent_plastic_strain,
+            Figure::PlasticArea => body?.area,
+            Figure::Dent => body?.depth,
+            Figure::PileUp => body?.pile_up,
+            Figure::LeastStress => body?.least_stress,
+            Figure::LargestVonMises => body?.utilization,
+            Figure::SemiAxisY | Figure::ContactArea | Figure::PlasticDepth => None,
+        }
+    }
+
     /// Adds the relative error of a force that the solver has searched for. The error widens the
     /// bars of all figures that depend on the force, except the figure of the `target`.
     fn with_force_error(mut self, error: f64, target: Option<TargetFigure>) -> Self {
@@ -239,11 +264,16 @@ struct Bars {
     found: Figures,
     coarse: Figures,
     increments: Figures,
+    /// What the floors are multiplied by.
     scales: Figures,
 }
 
 impl Bars {
-    fn of(step: &StepSolution, half_width: f64) -> Option<Self> {
+    fn of(step: &StepSolution) -> Option<Self> {
+        let half_width = if step.patch.is_some() { step.half_width() } else { step.reached[1] };
+        if half_width <= 0.0 {
+            return None;
+        }
         let figures = step.figures();
         let mut scales = figures;
         let largest_approach = step.approach.abs().max(step.reached[0]);
@@ -262,13 +292,14 @@ impl Bars {
         }
         // The coarsest part of a contact may have the peak pressure.
         let part = step.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
+        let size = (step.spacing / half_width).max(part);
         Some(Self {
             of_revolution: step.stress_state == StressState::Axisymmetric,
-            size: (step.spacing / half_width).max(part),
+            size,
             found: figures,
             coarse: step.coarse?,
             increments: step.increment_error.unwrap_or_default(),
-            scales,
+            scales: scales.zip(&scales, |scale, _| size * scale.abs()),
         })
     }
 
@@ -280,8 +311,7 @@ impl Bars {
         if found == 0.0 {
             return (coarse == 0.0).then_some(0.0);
         }
-        let floor = floors(figure)?.1[usize::from(self.of_revolution)];
-        let floor = floor * self.size * at(&self.scales);
+        let floor = floors(figure)[usize::from(self.of_revolution)]? * at(&self.scales);
         Some(((found - coarse).abs() + floor) / found.abs() + at(&self.increments))
     }
 }
@@ -300,13 +330,15 @@ fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Figure, floors};
+    use super::{Figure, floors, name_of};
 
     #[test]
     fn the_document_has_the_same_floors() {
         let document = include_str!("../../../../docs/validity.md");
-        for (figure, [plane, revolution]) in Figure::ALL.iter().filter_map(|row| floors(*row)) {
-            let row = format!("| {figure} | {plane} | {revolution} |");
+        for (figure, name) in Figure::ALL.iter().filter_map(|row| Some((row, name_of(*row)?))) {
+            let cells = floors(*figure)
+                .map(|floor| floor.map_or_else(String::new, |floor| format!("{floor}")));
+            let row = format!("| {name} | {} |", cells.join(" | "));
             assert!(document.contains(&row), "{row}");
         }
     }

@@ -327,7 +327,7 @@ impl Known {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::error_bars::floors;
+    use crate::report::error_bars::name_of;
 
     /// The table of `docs/validity.md`: what each finding takes.
     #[test]
@@ -379,8 +379,7 @@ mod tests {
                 Voids::Figures(FigureSet::ALL) => "all figures".to_owned(),
                 Voids::Figures(set) => {
                     let figures = Figure::ALL.iter().filter(|figure| set.has(**figure, 0));
-                    let names: Vec<&str> =
-                        figures.filter_map(|figure| Some(floors(*figure)?.0)).collect();
+                    let names: Vec<&str> = figures.filter_map(|figure| name_of(*figure)).collect();
                     names.join(", ")
                 }
             };

@@ -33,7 +33,7 @@ mod verdict;
 pub use answers::{Answer, AnswerBody, AnswerPlace, AnswerQuantity};
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
-pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error};
+pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error, name_of, scales_of_floors};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece,
     Side as FieldSide, encode_fields, encode_layers,
@@ -42,7 +42,7 @@ pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
     EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport,
-    RoughContactReport, SectionReport, ThreeDimensionalReport,
+    RoughContactReport, SectionReport, ThreeDimensionalReport, problem_of,
 };
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;

@@ -34,7 +34,7 @@ pub struct EllipticReference {
 
 /// Returns the problem of a job for the engine of half-spaces, or `None` if the job is not in
 /// three dimensions.
-pub(super) fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
+pub fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
     let [upper, lower] = [&job.upper, &job.lower].map(|body| body.shape.curvatures());
     let (upper, lower) = (upper?, lower?);
     let material = |material: &Material| match material {

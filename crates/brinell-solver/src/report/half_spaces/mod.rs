@@ -15,5 +15,5 @@ pub use document::{
     EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
     SectionReport, ThreeDimensionalReport,
 };
-pub use elastic::EllipticReference;
+pub use elastic::{EllipticReference, problem_of};
 pub(super) use run::{preflight, run_each};
