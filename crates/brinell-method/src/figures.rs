@@ -218,6 +218,17 @@ impl FigureSet {
         Self(std::array::from_fn(|k| self.0[k] || other.0[k]))
     }
 
+    /// Returns the figures of both sets.
+    #[must_use]
+    pub fn within(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] && other.0[k]))
+    }
+
+    /// Returns whether no figure is in the set.
+    pub fn is_empty(&self) -> bool {
+        self.0.iter().all(|has| !has)
+    }
+
     /// Returns whether a figure is in the set. The side counts for figures of a body.
     pub fn has(&self, figure: Figure, side: usize) -> bool {
         self.0[figure.at(side)]

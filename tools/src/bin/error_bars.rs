@@ -31,7 +31,7 @@ use brinell_solver::job::Job;
 use brinell_solver::report::{estimate_error, name_of, problem_of, scales_of_floors};
 use brinell_solver::solver::floors::floors;
 use brinell_solver::solver::{
-    self, Figure, Figures, Interrupt, Observer, SolveStatus, half_spaces,
+    self, Figure, FigureSet, Figures, Interrupt, Observer, SolveStatus, half_spaces,
 };
 use random_job::Random;
 use serde::{Deserialize, Serialize};
@@ -180,14 +180,15 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
     let solution = solver::run(&job, &mut Patience(Instant::now())).ok()?;
     let is_solved = solution.interrupted.is_none()
         && solution.steps.iter().all(|step| step.status == SolveStatus::Converged);
-    let mut unknown_peaks_before = 0;
+    let mut unknown = FigureSet::default();
     let solved = solution.steps.into_iter().map(|mut step| {
-        step.unknown_peaks_before = unknown_peaks_before;
-        let errors = estimate_error(&job, &step);
+        step.unknown_before = unknown;
+        let (errors, left) = estimate_error(&job, &step);
+        if !step.increments.is_empty() {
+            unknown = left;
+        }
         let bars: Vec<_> =
             places().map(|(figure, side)| errors.as_ref()?.of_figure(figure, side)).collect();
-        let is_unknown = !step.increments.is_empty() && bars[0].is_none();
-        unknown_peaks_before += usize::from(is_unknown);
         Solved {
             figures: step.figures(),
             bars,

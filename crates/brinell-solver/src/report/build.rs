@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::answers::{Measured, is_dented};
 use super::contact_stiffness::{LoadDifferences, Seen};
-use super::findings::{Finding, Known};
+use super::findings::{Finding, left_unknown};
 use super::load_approach::CurvePoint;
 use super::measured::measured;
 use super::target::TargetSeen;
@@ -16,7 +16,7 @@ use super::{
 use crate::analytical::DepthLimit;
 use crate::contact::ContactLoad;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
-use crate::solver::method::figures::Figure;
+use crate::solver::method::figures::FigureSet;
 use crate::solver::method::observer::ask;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Options, Phase,
@@ -36,8 +36,8 @@ pub(super) struct ReportBuilder<'a> {
     is_history: bool,
     /// Largest force so far that has left plastic strain in a history.
     dented_under: f64,
-    /// Number of loads of the history whose peak pressure the mesh does not resolve.
-    unknown_peaks: usize,
+    /// Figures of the bodies that the loads of the history so far have left unknown.
+    unknown: FigureSet,
     target: TargetSeen,
     /// The mesh of the last load step.
     mesh: MeshReport,
@@ -58,7 +58,7 @@ impl<'a> ReportBuilder<'a> {
             differences: LoadDifferences::new(job, options),
             is_history: false,
             dented_under: 0.0,
-            unknown_peaks: 0,
+            unknown: FigureSet::default(),
             target: TargetSeen::default(),
             mesh: MeshReport::NONE,
             over_friction: None,
@@ -80,7 +80,7 @@ impl<'a> ReportBuilder<'a> {
         observer: &mut dyn Observer,
     ) -> StepReport {
         let start = observer.elapsed();
-        step.unknown_peaks_before = self.unknown_peaks;
+        step.unknown_before = self.unknown;
         let slope = self.differences.next(Seen::of(&step), observer);
         let fields = slope.and_then(|slope| {
             step.contact_stiffness = step.contact_stiffness.or(slope);
@@ -100,8 +100,9 @@ impl<'a> ReportBuilder<'a> {
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             self.is_history |= !step.increments.is_empty();
-            let is_peak_known = Known::by(&findings).has(Figure::PeakPressure, 0);
-            self.unknown_peaks += usize::from(self.is_history && !is_peak_known);
+            if self.is_history {
+                self.unknown = left_unknown(self.unknown, &findings);
+            }
             let (half_width, stiffness) = (step.half_width(), step.contact_stiffness);
             let end = [step.approach, step.force(), half_width];
             self.curve.extend(load_approach::points(

@@ -20,14 +20,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::findings::{Finding, Known};
+use super::findings::{Finding, Known, left_unknown};
 use super::surface_stress::UncertainStress;
 use super::{PerBody, contact_stiffness, target, validity};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
 use crate::solver::floors::floors;
-use crate::solver::method::figures::{Figure, Figures};
+use crate::solver::method::figures::{Figure, FigureSet, Figures};
 use crate::solver::{ElasticReference, StepSolution};
 
 /// Returns the name in `docs/validity.md` of a figure that has a bar.
@@ -56,6 +56,8 @@ const STIFFNESS_FLOORS: [f64; 2] = [0.1, 0.2];
 /// Largest exponent of the force in the power laws of peak pressure, half-width and stiffness of a
 /// contact of arcs: the exponent of a line contact.
 const WITH_FORCE: f64 = 0.5;
+/// Exponent of the force in the growth of plastic strain well beyond the onset of yield.
+const STRAIN_WITH_FORCE: f64 = 1.5;
 
 /// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
 /// and say nothing about the theory: for that see `validity`, which also says why a bound is
@@ -72,9 +74,7 @@ pub struct ErrorEstimate {
     /// Of the approach; 0 where it is prescribed \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub approach: Option<f64>,
-    /// Of the contact force; 0 where it is prescribed; `null` where `target.relative_error` has
-    /// it: of the force that leaves a permanent target, and of targets in three dimensions \[1 >=
-    /// 0\].
+    /// Of the contact force; 0 where it is prescribed \[1 >= 0\].
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub force: Option<f64>,
@@ -88,7 +88,7 @@ pub struct ErrorEstimate {
 }
 
 /// Estimated relative errors of figures of one body; 0 of a figure that is 0.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct BodyErrors {
     /// Of the largest plastic strain \[1 >= 0\].
@@ -139,17 +139,19 @@ pub(super) fn estimate(
                 step.target_sensitivity.zip(target::error_of(target.figure, &bars, of_revolution));
             match error.map(|(sensitivity, error)| error / sensitivity) {
                 Some(error) => bars.with_force_error(error, Some(target.figure)),
-                None => ErrorEstimate { force: None, ..bars },
+                None => bars.without_force(target.figure),
             }
         }
         (ContactLoad::Force(_), _) => ErrorEstimate { force: Some(0.0), ..bars },
     })
 }
 
-/// Returns the error bars of a load step by itself, whatever came before it in a history.
-pub fn estimate_error(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
+/// Returns the error bars of a load step, and the figures of the bodies that it leaves unknown to
+/// the loads that follow it in a history.
+pub fn estimate_error(job: &Job, step: &StepSolution) -> (Option<ErrorEstimate>, FigureSet) {
     let reference = ElasticReference::of(job, step.force());
-    estimate(job, step, &validity::findings(job, step, reference.as_ref()))
+    let findings = validity::findings(job, step, reference.as_ref());
+    (estimate(job, step, &findings), left_unknown(step.unknown_before, &findings))
 }
 
 /// Returns what the floors of the figures of a load step are multiplied by; `None` where the step
@@ -231,6 +233,29 @@ impl ErrorEstimate {
         }
     }
 
+    /// Takes the bars of the figures that depend on a force whose error is unknown: of all but the
+    /// target.
+    fn without_force(self, target: TargetFigure) -> Self {
+        let of = |is_target: bool, bar: Option<f64>| bar.filter(|_| is_target);
+        let body = |errors: BodyErrors| BodyErrors {
+            max_equivalent_plastic_strain: of(
+                target == TargetFigure::MaxPlasticStrain,
+                errors.max_equivalent_plastic_strain,
+            ),
+            depth: of(target == TargetFigure::DentDepth, errors.depth),
+            ..BodyErrors::default()
+        };
+        Self {
+            peak_pressure: of(target == TargetFigure::PeakPressure, self.peak_pressure),
+            half_width: of(target == TargetFigure::HalfWidth, self.half_width),
+            bodies: self.bodies.map(|PerBody { upper, lower }| PerBody {
+                upper: upper.map(body),
+                lower: lower.map(body),
+            }),
+            ..Self::default()
+        }
+    }
+
     /// Adds the relative error of a force that the solver has searched for. The error widens the
     /// bars of all figures that depend on the force, except the figure of the `target`.
     fn with_force_error(mut self, error: f64, target: Option<TargetFigure>) -> Self {
@@ -248,8 +273,13 @@ impl ErrorEstimate {
         wider(&mut self.contact_stiffness, WITH_FORCE);
         if let Some(bodies) = &mut self.bodies {
             for body in [&mut bodies.upper, &mut bodies.lower].into_iter().flatten() {
+                wider(&mut body.max_equivalent_plastic_strain, STRAIN_WITH_FORCE);
+                wider(&mut body.mean_equivalent_plastic_strain, STRAIN_WITH_FORCE);
+                wider(&mut body.area, 1.0);
                 wider(&mut body.depth, 1.0);
                 wider(&mut body.pile_up, 1.0);
+                wider(&mut body.least_stress, WITH_FORCE);
+                wider(&mut body.utilization, WITH_FORCE);
             }
         }
         self

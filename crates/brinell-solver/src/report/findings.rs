@@ -47,7 +47,7 @@ pub(super) enum Finding {
     /// The peak pressure is next to an end of the contact.
     PeakNextToEnd { x: f64, spacing: f64 },
     /// The mesh has not resolved the peak pressure of an earlier load.
-    EarlierPeak,
+    EarlierLoads { unknown: FigureSet },
     /// A clamped body is deeper than wide.
     ClampedColumn,
     /// The stress at the surface of a body changes within elements.
@@ -185,6 +185,8 @@ pub(super) enum OnsetUnknown {
     NextToEnd { x: f64, spacing: f64 },
     /// A sharp corner carries pressure.
     AtCorner { x: f64 },
+    /// The contact runs to an end of a roller.
+    AtRollerEnd,
 }
 
 /// A place where strength changes.
@@ -236,7 +238,7 @@ impl Finding {
             | Self::FewElementsOverPart { .. }
             | Self::RingOnFewElements { .. }
             | Self::PeakNextToEnd { .. }
-            | Self::EarlierPeak
+            | Self::EarlierLoads { .. }
             | Self::ClampedColumn
             | Self::SurfaceStress { .. }
             | Self::SmallApproach { .. }
@@ -279,7 +281,7 @@ impl Finding {
                 let peak = FigureSet::of(&[Figure::PeakPressure]);
                 Voids::Figures(peak.with(FigureSet::of(&BELOW)))
             }
-            Self::EarlierPeak => of(&BELOW),
+            Self::EarlierLoads { unknown } => Voids::Figures(*unknown),
             Self::ClampedColumn => of(&[Figure::Approach, Figure::Force, Figure::Dent]),
             Self::CoarseCase { bodies, place: CasePlace::Element(_), .. } => {
                 Voids::Figures(FigureSet::of_bodies(&BELOW, *bodies))
@@ -290,6 +292,21 @@ impl Finding {
             _ => of(&[]),
         }
     }
+}
+
+/// Returns the figures that a history leaves unknown: those that earlier loads left
+/// unknown, those that the findings of this load take, and what depends on a peak that they take.
+pub(super) fn left_unknown(before: FigureSet, findings: &[Finding]) -> FigureSet {
+    const KEPT: [Figure; 3] = [Figure::Approach, Figure::Dent, Figure::PileUp];
+    let known = Known::by(findings);
+    let below = FigureSet::of(&BELOW);
+    let kept = below.with(FigureSet::of(&KEPT));
+    if !known.has_estimate() {
+        return kept;
+    }
+    let taken = known.void.within(kept);
+    let is_peak_known = known.has(Figure::PeakPressure, 0);
+    before.with(taken).with(if is_peak_known { FigureSet::default() } else { below })
 }
 
 /// The error bars that all findings of a load step take away.
@@ -352,7 +369,10 @@ mod tests {
                 "a tip that elements leave out",
             ),
             (Finding::PeakNextToEnd { x: 0.0, spacing: 0.0 }, "the peak next to an end"),
-            (Finding::EarlierPeak, "the peak of an earlier load"),
+            (
+                Finding::EarlierLoads { unknown: FigureSet::of(&BELOW) },
+                "an earlier load whose peak has no bar",
+            ),
             (Finding::ClampedColumn, "a clamped column"),
             (Finding::ElasticCorner { x: 0.0 }, "pressure without bound"),
             (Finding::YieldingCorner { x: 0.0 }, "pressure without bound"),

@@ -1,5 +1,6 @@
 //! The sentences of findings, in the units of a job.
 
+use super::error_bars::name_of;
 use super::findings::{
     Advice, CasePlace, ContactOutline, Deformation, Density, Finding, OnsetUnknown, Unconverged,
     Wide, Work,
@@ -7,6 +8,7 @@ use super::findings::{
 use super::run::CONFORMING_ADVICE;
 use super::suspicions;
 use crate::job::{MeshSettings, Named as _, YIELD_OVER_HARDNESS};
+use crate::solver::method::figures::Figure;
 use crate::solver::{MAX_HALF_ANGLE, SolveStatus};
 use crate::units::{UnitConverter, about, percent, rounded};
 
@@ -96,10 +98,16 @@ impl Finding {
                 length(*x),
                 small(*spacing)
             ),
-            Self::EarlierPeak => format!(
-                "The mesh does not tell the largest pressure of an earlier load, nor what it left \
-                 in the bodies: plastic strain and stress are those of the mesh. {MORE_ELEMENTS}"
-            ),
+            Self::EarlierLoads { unknown } => {
+                let figures =
+                    Figure::ALL.iter().filter(|figure| (0..2).any(|k| unknown.has(**figure, k)));
+                let names: Vec<_> = figures.filter_map(|figure| name_of(*figure)).collect();
+                format!(
+                    "The mesh does not tell what an earlier load left in the bodies: {} are those \
+                     of the mesh. {MORE_ELEMENTS}",
+                    names.join(", ")
+                )
+            }
             Self::ClampedColumn => {
                 "A clamped body is deeper than wide: the mesh has few elements over its end, and \
                  the error of the approach, and of the force under a given approach, is not \
@@ -317,6 +325,11 @@ fn onset_unknown(cause: OnsetUnknown, is_sought: bool, write: UnitConverter) -> 
             "{unknown}. A sharp corner carries pressure at x = {}, where elastic stress has no \
              bound: the force falls with the size of the elements.",
             write.length_text(x)
+        ),
+        OnsetUnknown::AtRollerEnd => format!(
+            "{unknown}. The contact runs to an end of a roller, where elastic pressure has no \
+             bound: the force falls with the size of the cells. A profile that ends the contact \
+             before the roller does has an onset."
         ),
     }
 }

@@ -203,8 +203,8 @@ fn of_mesh(job: &Job, step: &StepSolution, half_width: f64, findings: &mut Vec<F
     } else if peak_is_next_to_end(step) {
         findings.push(Finding::PeakNextToEnd { x: step.peak_position, spacing });
     }
-    if step.unknown_peaks_before > 0 {
-        findings.push(Finding::EarlierPeak);
+    if !step.unknown_before.is_empty() {
+        findings.push(Finding::EarlierLoads { unknown: step.unknown_before });
     }
     if is_clamped_column(job, step) {
         findings.push(Finding::ClampedColumn);

@@ -45,7 +45,7 @@ pub(crate) use load_stepping::utilization::{
     EDGE_UTILIZATION, at_narrow_edge, highest_utilization,
 };
 pub use mesh_sizing::estimate::{Estimate, estimate};
-pub use method::figures::{BodyFigures, Figure, Figures};
+pub use method::figures::{BodyFigures, Figure, FigureSet, Figures};
 pub use method::force_search::{Unreachable, UnreachableReason};
 pub use method::increments::LastIncrement;
 pub use method::observer::{

@@ -13,7 +13,7 @@ use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::rough::LEAST_PART;
-use crate::solver::method::figures::{BodyFigures, Figures};
+use crate::solver::method::figures::{BodyFigures, FigureSet, Figures};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::method::phases::PhaseTimes;
@@ -131,9 +131,8 @@ pub struct StepSolution {
     pub increment_error: Option<Figures>,
     /// The largest approach and half-width of a history so far \[mm\]; zero without one.
     pub reached: [f64; 2],
-    /// Loads before it in a history whose largest pressure the mesh did not tell; what they left
-    /// in the bodies is unknown as well.
-    pub unknown_peaks_before: usize,
+    /// Figures of the bodies that earlier loads of a history have left unknown.
+    pub unknown_before: FigureSet,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the
     /// elastic one, of the pairs in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,

@@ -35,6 +35,16 @@ pub struct EllipticReference {
 /// Returns the problem of a job for the engine of half-spaces, or `None` if the job is not in
 /// three dimensions.
 pub fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
+    let reference = EllipticReference::of(job)?;
+    let onset = reference.onset_force().filter(|force| {
+        let problem = &reference.problem;
+        problem.heights.is_none() && !problem.is_line(&problem.hertz(*force))
+    });
+    Some(HalfSpaceProblem { onset, ..reference.problem })
+}
+
+/// Returns the problem without its onset of yield.
+fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
     let [upper, lower] = [&job.upper, &job.lower].map(|body| body.shape.curvatures());
     let (upper, lower) = (upper?, lower?);
     let material = |material: &Material| match material {
@@ -48,6 +58,7 @@ pub fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
         heights: heights(job),
         load: job.load.clone(),
         cells_per_semi_axis: job.mesh.elements_per_half_width,
+        onset: None,
         solver: job.solver,
     })
 }
@@ -132,7 +143,7 @@ fn whole(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 impl EllipticReference {
     /// Returns the reference for a job, or `None` if the job is not in three dimensions.
     pub fn of(job: &Job) -> Option<Self> {
-        let problem = problem_of(job)?;
+        let problem = shapes_of(job)?;
         if !problem.has_hertz() {
             return Some(Self { onset: None, rolling: None, problem });
         }

@@ -1,9 +1,9 @@
 //! Findings on an answer in three dimensions.
 
 use super::step::largest_strain;
-use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
+use crate::job::{Body, Deformable, Job, Load, Material, MeshSettings, Roller, Theory};
 use crate::report::findings::{
-    CasePlace, ContactOutline, Deformation, Density, Finding, Unconverged, Wide,
+    CasePlace, ContactOutline, Deformation, Density, Finding, OnsetUnknown, Unconverged, Wide,
 };
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
@@ -40,6 +40,9 @@ pub(super) fn findings(
         findings.push(Finding::AtEdge { in_hole: false });
     }
     findings.extend(coarse_grid(problem, step));
+    if !step.unknown_before.is_empty() {
+        findings.push(Finding::EarlierLoads { unknown: step.unknown_before });
+    }
     let strain =
         step.figures.bodies.iter().map(|body| body.max_plastic_strain).fold(0.0, f64::max);
     let is_history = job.solver.theory == Theory::Flow;
@@ -104,7 +107,13 @@ fn of_shapes(problem: &HalfSpaceProblem, step: &HalfSpaceStep, findings: &mut Ve
     if problem.heights.is_some() && reaches_rim(&step.surface) {
         findings.push(Finding::SurfaceEnd);
     }
-    findings.extend(roller_end(problem, step));
+    if let Some(end) = roller_end(problem, step) {
+        findings.push(end);
+        if problem.load == Load::Onset {
+            let cause = OnsetUnknown::AtRollerEnd;
+            findings.push(Finding::OnsetUnknown { cause, is_sought: true });
+        }
+    }
     if has_kinks(problem) {
         findings.push(Finding::Kinks);
     }

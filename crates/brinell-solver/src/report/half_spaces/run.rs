@@ -8,16 +8,17 @@ use super::findings::findings;
 use super::flow::FlowState;
 use super::measured::measured;
 use super::step::StepWriter;
-use crate::job::{FieldError, Job, Load, Named as _, TargetFigure, Theory};
+use crate::job::{FieldError, Job, Load, Named as _, Theory};
 use crate::report::answers::{Measured, is_dented};
 use crate::report::build::{timings, worse};
 use crate::report::contact_stiffness::{LoadDifferences, Seen as SeenLoad};
+use crate::report::findings::left_unknown;
 use crate::report::load_approach::CurvePoint;
 use crate::report::run::RunError;
 use crate::report::target::TargetSeen;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
 use crate::solver::half_spaces::{self, HalfSpaceStep};
-use crate::solver::method::figures::{Figure, Figures};
+use crate::solver::method::figures::{FigureSet, Figures};
 use crate::solver::{Observer, Options, SolveStatus, StepReceiver};
 use crate::units::UnitConverter;
 
@@ -83,6 +84,8 @@ struct Seen {
     /// Largest force so far that has left plastic strain in a history.
     dented_under: f64,
     target: TargetSeen,
+    /// Figures of the bodies that the loads of a history so far have left unknown.
+    unknown: FigureSet,
 }
 
 impl Default for Seen {
@@ -94,6 +97,7 @@ impl Default for Seen {
             flow: FlowState::default(),
             dented_under: 0.0,
             target: TargetSeen::default(),
+            unknown: FigureSet::default(),
         }
     }
 }
@@ -125,7 +129,11 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         seen.status = worse(seen.status, step.status);
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
         let flow = seen.flow.report(job, &step, reference, write);
+        step.unknown_before = seen.unknown;
         let findings = findings(job, self.writer.problem, &step);
+        if flow.is_some() {
+            seen.unknown = left_unknown(seen.unknown, &findings);
+        }
         let force = step.figures.force;
         let measured = Measured {
             is_dented: is_dented(seen.dented_under, force),
@@ -139,7 +147,7 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         let report = report.answered(job, &measured, &findings, write);
         if let Load::Target(target) = &job.load {
             let reached = step.target_figure(target.figure);
-            seen.target.take(step.figures.force, reached, target_error(&step, target.figure));
+            seen.target.take(step.figures.force, reached, step.target_error(target.figure));
         }
         if step.status == SolveStatus::Converged {
             let Figures { approach, force, half_width, .. } = step.figures;
@@ -157,24 +165,6 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         self.seen = Seen::default();
         self.differences = LoadDifferences::new(self.writer.job, self.differences.options);
     }
-}
-
-/// Returns the estimated relative error of the target figure.
-fn target_error(step: &HalfSpaceStep, figure: TargetFigure) -> Option<f64> {
-    let errors = step.errors.as_ref()?;
-    let figures = &step.figures;
-    let of_body =
-        |figure: Figure| [errors, figures].map(|set| set.get(figure, 0).max(set.get(figure, 1)));
-    let [error, value] = match figure {
-        TargetFigure::PermanentApproach => [errors.approach, figures.approach],
-        TargetFigure::DentDepth => of_body(Figure::Dent),
-        TargetFigure::PeakPressure => [errors.peak_pressure, figures.peak_pressure],
-        // The error of a mean pressure is the error of its area.
-        TargetFigure::MeanPressure => [errors.contact_area, figures.contact_area],
-        TargetFigure::HalfWidth => [errors.half_width, figures.half_width],
-        TargetFigure::MaxPlasticStrain => of_body(Figure::MaxPlasticStrain),
-    };
-    Some((error / value.abs().max(f64::MIN_POSITIVE)).abs())
 }
 
 fn mesh_report(step: &HalfSpaceStep, write: UnitConverter, enlargements: usize) -> MeshReport {

@@ -23,6 +23,8 @@ use crate::solver::method::figures::Figure;
 use crate::units::UnitConverter;
 
 /// Fractions of the contact area for which the quantile of the pressure is reported.
+/// Relative error of an onset of yield in closed form, which is sought over some hundred depths.
+const CLOSED_FORM: f64 = 1e-3;
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
 /// Writes the reports of the load steps of one job.
@@ -81,7 +83,7 @@ impl StepWriter<'_> {
                 shakedown_depth: self.reference.rolling().map(|limit| write.length(limit.depth)),
                 shakedown_over_friction: Vec::new(),
             }),
-            yield_onset: self.yield_onset(step),
+            yield_onset: self.yield_onset(step, known),
             validity: validity::remarks(findings, write),
             estimated_error: self.estimated_error(step, contact_stiffness, known),
             fields: None,
@@ -125,17 +127,25 @@ impl StepWriter<'_> {
     }
 
     /// Returns the onset of yield if the job asks for it.
-    fn yield_onset(&self, step: &HalfSpaceStep) -> Option<YieldOnsetReport> {
-        let write = self.write;
-        let first =
-            self.problem.highest_utilization(step).filter(|_| self.job.load == Load::Onset)?;
+    fn yield_onset(&self, step: &HalfSpaceStep, known: Known) -> Option<YieldOnsetReport> {
+        if self.job.load != Load::Onset || !known.has_estimate() {
+            return None;
+        }
+        let (write, force) = (self.write, step.figures.force);
+        let closed = self.problem.onset.and_then(|_| self.reference.utilization(force));
+        let (side, [x, depth]) = if let Some((_, depth, side)) = closed {
+            (side, [0.0, depth])
+        } else {
+            let first = self.problem.highest_utilization(step)?;
+            (first.side, [first.position[0], first.position[2]])
+        };
         Some(YieldOnsetReport {
-            force: write.force(step.figures.force),
+            force: write.force(force),
             approach: write.length(step.figures.approach),
             peak_pressure: write.stress(step.figures.peak_pressure),
-            body: if first.side == 0 { Side::Upper } else { Side::Lower },
-            position: write.length(first.position[0]),
-            depth: write.length(first.position[2]),
+            body: if side == 0 { Side::Upper } else { Side::Lower },
+            position: write.length(x),
+            depth: write.length(depth),
         })
     }
 
@@ -353,7 +363,8 @@ impl StepWriter<'_> {
         stiffness: Option<f64>,
         known: Known,
     ) -> Option<ErrorEstimate> {
-        let (figures, errors) = (&step.figures, step.errors.as_ref()?);
+        let (figures, errors) =
+            (&step.figures, step.errors.as_ref().filter(|_| known.has_estimate())?);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies is proportional to the contact size.
             (Some(_), _) => Some(0.5 * relative(errors.contact_area, figures.contact_area)),
@@ -368,8 +379,8 @@ impl StepWriter<'_> {
             approach: Some(relative(errors.approach, figures.approach)),
             // The stress at the onset of yield is proportional to the cube root of the force.
             force: match self.job.load {
+                Load::Onset if self.problem.onset.is_some() => Some(CLOSED_FORM),
                 Load::Onset => peak.map(|peak| 3.0 * peak),
-                Load::Target(_) if figures.force > 0.0 => None,
                 _ => Some(relative(errors.force, figures.force)),
             },
             contact_stiffness: of_stiffness,
@@ -386,7 +397,8 @@ impl StepWriter<'_> {
     }
 
     fn ellipse_errors(&self, step: &HalfSpaceStep, known: Known) -> Option<EllipseErrors> {
-        let (figures, errors) = (&step.figures, step.errors.as_ref()?);
+        let (figures, errors) =
+            (&step.figures, step.errors.as_ref().filter(|_| known.has_estimate())?);
         let of = |side: usize| {
             let part = |figure: Figure| {
                 let bar = relative(errors.get(figure, side), figures.get(figure, side));

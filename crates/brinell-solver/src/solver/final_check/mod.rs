@@ -23,6 +23,7 @@ use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::method::Interrupted as _;
 use crate::solver::method::contact_system::Linearize as _;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
+use crate::solver::method::figures::FigureSet;
 use crate::solver::method::final_check::{COLLAPSE_STRAIN, Evidence, LeastScales, judge};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
@@ -299,7 +300,7 @@ fn step(
         increments: Vec::new(),
         increment_error: None,
         reached: [0.0; 2],
-        unknown_peaks_before: 0,
+        unknown_before: FigureSet::default(),
         unloading_stiffness: 0.0,
         energy: energy(system, outcome, bodies),
     }

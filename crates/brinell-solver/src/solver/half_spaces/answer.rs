@@ -17,6 +17,7 @@ use crate::contact::ContactLoad;
 use crate::contact::kkt::ContactScales;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::iteration::{norm, relative};
+use crate::solver::method::figures::FigureSet;
 use crate::solver::method::final_check::{Evidence, LeastScales, judge};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::phases::Phase;
@@ -147,6 +148,7 @@ impl Answer {
             is_preliminary: false,
             largest_approach: 0.0,
             missed: None,
+            unknown_before: FigureSet::default(),
         }
     }
 }

@@ -11,6 +11,7 @@
 
 use super::step::HalfSpaceStep;
 use crate::contact::ContactLoad;
+use crate::job::TargetFigure;
 use crate::solver::SolveStatus;
 use crate::solver::floors::floors;
 use crate::solver::method::figures::{Figure, Figures};
@@ -41,12 +42,83 @@ impl HalfSpaceStep {
         if self.tilt.abs() > 0.0 {
             errors.peak_pressure += 0.5 * (0.5 * size).powi(2) * self.figures.peak_pressure;
         }
-        // A prescribed quantity has no error.
+        self.clear_prescribed(&mut errors);
+        Some(errors)
+    }
+
+    /// Returns the estimated relative error of the target figure.
+    pub fn target_error(&self, figure: TargetFigure) -> Option<f64> {
+        let errors = self.errors.as_ref()?;
+        let of_body = |figure: Figure| {
+            [errors, &self.figures].map(|set| set.get(figure, 0).max(set.get(figure, 1)))
+        };
+        let of_contact = |figure: Figure| [errors, &self.figures].map(|set| set.get(figure, 0));
+        let [error, value] = match figure {
+            TargetFigure::PermanentApproach => of_contact(Figure::Approach),
+            TargetFigure::DentDepth => of_body(Figure::Dent),
+            TargetFigure::PeakPressure => of_contact(Figure::PeakPressure),
+            // The error of a mean pressure is the error of its area.
+            TargetFigure::MeanPressure => of_contact(Figure::ContactArea),
+            TargetFigure::HalfWidth => of_contact(Figure::HalfWidth),
+            TargetFigure::MaxPlasticStrain => of_body(Figure::MaxPlasticStrain),
+        };
+        Some((error / value.abs().max(f64::MIN_POSITIVE)).abs())
+    }
+
+    /// Adds the relative error of a force that was sought to the errors of all figures but that of
+    /// the target. No figure has an error where that of the force is unknown.
+    pub(super) fn add_force_error(&mut self, error: Option<f64>, target: TargetFigure) {
+        let (Some(errors), Some(error)) = (&mut self.errors, error) else {
+            self.errors = None;
+            return;
+        };
+        let exponent = |figure: Figure| match (figure, target) {
+            (Figure::PeakPressure, TargetFigure::PeakPressure)
+            | (Figure::HalfWidth | Figure::SemiAxisY, TargetFigure::HalfWidth) => 0.0,
+            (
+                Figure::PeakPressure
+                | Figure::HalfWidth
+                | Figure::SemiAxisY
+                | Figure::LeastStress
+                | Figure::LargestVonMises,
+                _,
+            ) => 0.5,
+            (Figure::MaxPlasticStrain | Figure::MeanPlasticStrain, _) => 1.5,
+            _ => 1.0,
+        };
+        let added = Figures::by(|figure, side| {
+            exponent(figure) * error * self.figures.get(figure, side).abs()
+        });
+        *errors = errors.zip(&added, |error, added| error + added);
+    }
+
+    /// A prescribed quantity has no error.
+    fn clear_prescribed(&self, errors: &mut Figures) {
         match self.load {
             ContactLoad::Force(_) => errors.force = 0.0,
             ContactLoad::Approach(_) => errors.approach = 0.0,
         }
-        Some(errors)
+    }
+
+    /// Adds the relative changes of figures under half as many increments to their errors.
+    /// Approach, force and widths have changes of their own; all other figures take the change of
+    /// the pressure, which is the largest.
+    pub(super) fn add_increments(&mut self, changes: &Figures) {
+        let Some(mut errors) = self.errors else { return };
+        let Figures { peak_pressure, half_width, approach, force, .. } = *changes;
+        let relative = Figures {
+            force,
+            approach,
+            half_width,
+            semi_axis_y: half_width,
+            contact_area: 2.0 * half_width,
+            ..Figures::of([peak_pressure; Figures::COUNT])
+        };
+        let added = relative
+            .zip(&self.figures, |relative, figure| OF_INCREMENTS * relative * figure.abs());
+        errors = errors.zip(&added, |error, added| error + added);
+        self.clear_prescribed(&mut errors);
+        self.errors = Some(errors);
     }
 
     /// Returns what the floors of the figures are multiplied by.
@@ -79,21 +151,4 @@ impl HalfSpaceStep {
     fn yields(&self) -> bool {
         self.figures.bodies.iter().any(|body| body.max_plastic_strain > 0.0)
     }
-}
-
-/// Adds the relative changes of figures under half as many increments to their errors. Approach,
-/// force and widths have changes of their own; all other figures take the change of the pressure,
-/// which is the largest.
-pub(super) fn add_increments(errors: &mut Figures, figures: &Figures, changes: &Figures) {
-    let Figures { peak_pressure, half_width, approach, force, .. } = *changes;
-    let relative = Figures {
-        force,
-        approach,
-        half_width,
-        semi_axis_y: half_width,
-        contact_area: 2.0 * half_width,
-        ..Figures::of([peak_pressure; Figures::COUNT])
-    };
-    let added = relative.zip(figures, |relative, figure| OF_INCREMENTS * relative * figure.abs());
-    *errors = errors.zip(&added, |error, added| error + added);
 }

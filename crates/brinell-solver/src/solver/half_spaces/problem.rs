@@ -49,6 +49,8 @@ pub struct HalfSpaceProblem {
     pub load: Load,
     /// Cells over each semi-axis of the contact.
     pub cells_per_semi_axis: u32,
+    /// Force at the onset of yield, where it has a closed form \[N\].
+    pub onset: Option<f64>,
     /// Theory, coupling, tolerance, increments and iteration limit.
     pub solver: SolverSettings,
 }

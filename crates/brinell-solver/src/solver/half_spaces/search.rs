@@ -22,6 +22,8 @@ const FEWEST_CELLS: u32 = 4;
 /// from which on the value counts as missed: for a target, and for the onset of yield.
 const TARGET: (f64, usize, f64) = (1e-3, 4, 1e-2);
 const ONSET: (f64, usize, f64) = (2e-4, 8, 3e-3);
+/// Growth of the stress at the onset of yield with the force.
+const ONSET_SLOPE: f64 = 1.0 / 3.0;
 /// Ratio of elastic peak pressure to yield stress in the first trial for a figure of plastic flow,
 /// and the largest ratio in the first trial for a pressure.
 const PLASTIC_START: f64 = 2.5;
@@ -43,9 +45,25 @@ pub(super) fn run(
         solved.materials =
             problem.materials.each_ref().map(|material| material.as_ref().map(without));
     }
+    if let (Sought::Onset, Some(force)) = (sought, problem.onset) {
+        let mut steps: Vec<HalfSpaceStep> = Vec::new();
+        let interrupt = given(&solved, &[ContactLoad::Force(force)], run, &mut steps)?;
+        return match interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt())) {
+            Some(interrupt) => Err(SolveError::Interrupted(interrupt)),
+            None => Ok((steps, ONSET_SLOPE)),
+        };
+    }
     let search = ForceSearch { problem, solved, sought };
     let found = find(&search, search.terms()?, run)?;
-    Ok((found.trial.steps, found.sensitivity))
+    let mut steps = found.trial.steps;
+    if let Sought::Target(target) = sought {
+        let error = steps.last().and_then(|step| step.target_error(target.figure));
+        let error = error.map(|error| error / found.sensitivity);
+        for step in &mut steps {
+            step.add_force_error(error, target.figure);
+        }
+    }
+    Ok((steps, found.sensitivity))
 }
 
 /// Returns the force of the first trial \[N\].
@@ -99,7 +117,7 @@ impl ForceSearch<'_> {
     /// Returns an estimate of `d ln figure / d ln force`.
     fn expected_slope(&self) -> f64 {
         match self.sought {
-            Sought::Onset => 1.0 / 3.0,
+            Sought::Onset => ONSET_SLOPE,
             Sought::Target(target) => match target.figure {
                 TargetFigure::PeakPressure | TargetFigure::MeanPressure => 0.3,
                 TargetFigure::HalfWidth => 0.4,

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use brinell_contact::KktReport;
 use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 
-use super::errors::add_increments;
 use crate::contact::ContactLoad;
-use crate::solver::method::figures::Figures;
+use crate::solver::method::figures::{FigureSet, Figures};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{IterationRecord, SolveStatus};
 use crate::solver::method::steps::{IncrementRecord, LoadEnd, Step};
@@ -74,6 +73,8 @@ pub struct HalfSpaceStep {
     /// Ratio of the sought figure to its target, if the search has found no force that gives the
     /// target.
     pub missed: Option<f64>,
+    /// Figures of the bodies that earlier loads of a history have left unknown.
+    pub unknown_before: FigureSet,
 }
 
 /// Pressure and gap in the cells of the surface: `[i ny + j]` for the cell `(i, j)` at
@@ -204,8 +205,8 @@ impl Step for HalfSpaceStep {
 
     /// [`errors`](Self::errors) already contain the change from the coarse history's figures.
     fn estimate(&mut self, _: Option<Figures>, increments: Option<Figures>) {
-        if let (Some(errors), Some(changes)) = (&mut self.errors, increments) {
-            add_increments(errors, &self.figures, &changes);
+        if let Some(changes) = increments {
+            self.add_increments(&changes);
         }
     }
 

@@ -134,8 +134,8 @@ impl HalfSpaces {
         }
         let gap = self.tilted(&self.initial_gap, contact.tilt);
         let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let begins = (contact.approach - least).abs() <= f64::EPSILON * least.abs();
-        if begins { 0.0 } else { contact.approach }
+        let approach = contact.approach - least;
+        if approach.abs() <= f64::EPSILON * least.abs() { 0.0 } else { approach }
     }
 
     /// Returns the peak pressure \[MPa\] and its cell.
