@@ -232,10 +232,6 @@ impl HardeningLaw for Scaled {
     fn flow_stress(&self) -> f64 {
         self.factor * self.law.flow_stress()
     }
-
-    fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
-        self.law.has_yielded(stress / self.factor, plastic_strain)
-    }
 }
 
 #[cfg(test)]

@@ -34,8 +34,31 @@ enum Form {
     Curve(Interpolant),
 }
 
+/// Plastic strain over the elastic one from which on a point of a curve without an elastic limit
+/// counts as yielded.
+const YIELDED: f64 = 1e-2;
 /// Newton step over the unknown below which only rounding is left.
 const LAST_STEP: f64 = 1e-9;
+
+/// Returns the stress from which on a point counts as yielded \[MPa\]
+/// ([`ReturnMapping::has_yielded`]). `triple_shear` is 3G \[MPa\].
+pub fn stress_of_yield(law: &dyn HardeningLaw, triple_shear: f64) -> f64 {
+    if law.yield_stress() > 0.0 {
+        return law.yield_stress();
+    }
+    // Bisects the logarithm of the plastic strain.
+    let [mut below, mut above] = [f64::MIN_POSITIVE.ln(), 0.0];
+    for _ in 0..64 {
+        let middle = 0.5 * (below + above);
+        let strain: f64 = middle.exp();
+        if strain > YIELDED * law.stress(strain) / triple_shear {
+            above = middle;
+        } else {
+            below = middle;
+        }
+    }
+    law.stress(above.exp())
+}
 
 impl ReturnMapping {
     /// Prepares a law beside a shear modulus \[MPa\].
@@ -60,14 +83,13 @@ impl ReturnMapping {
         &*self.law
     }
 
-    /// Whether a point counts as yielded ([`HardeningLaw::has_yielded`]).
+    /// Whether a point counts as yielded: if it has plastic strain or, on a curve without an
+    /// elastic limit, if that strain is more than a hundredth of the elastic one.
     #[inline]
     pub fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
-        match self.form {
-            // Innermost loops call this; a law with a yield point needs no virtual call.
-            Form::Line(_) => plastic_strain > 0.0,
-            _ => self.law.has_yielded(stress, plastic_strain),
-        }
+        let least =
+            if self.yield_stress > 0.0 { 0.0 } else { YIELDED * stress / self.triple_shear };
+        plastic_strain > least
     }
 
     /// σ_y \[MPa\].

@@ -46,8 +46,8 @@ pub trait HardeningLaw: Debug + Send + Sync {
         None
     }
 
-    /// Returns the stress above which a point counts as yielded \[MPa\]: the yield stress or, for
-    /// a curve without an elastic limit, a conventional proof stress.
+    /// Returns the yield stress or, for a curve without an elastic limit, a conventional proof
+    /// stress \[MPa\].
     fn nominal_yield_stress(&self) -> f64 {
         self.yield_stress()
     }
@@ -62,12 +62,6 @@ pub trait HardeningLaw: Debug + Send + Sync {
     /// infinite for a curve that rises without bound.
     fn largest_stress(&self) -> f64 {
         f64::INFINITY
-    }
-
-    /// Whether a point in this state counts as yielded: if it has plastic strain or, for a curve
-    /// without an elastic limit, if its stress exceeds the nominal yield stress.
-    fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
-        plastic_strain > 0.0 && (self.yield_stress() > 0.0 || stress > self.nominal_yield_stress())
     }
 }
 

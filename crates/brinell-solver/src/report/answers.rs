@@ -298,9 +298,9 @@ impl Facts<'_> {
         self.strained_zones().next().is_some()
     }
 
-    /// Returns whether a body has reached its yield stress, or its reference stress.
+    /// Returns whether a body with a yield point has yielded.
     pub fn yields_by_limit(&self) -> bool {
-        self.zones().any(|(_, zone)| zone.yielded)
+        self.zones().any(|(side, zone)| zone.yielded && self.yield_point(side) != Some(0.0))
     }
 
     /// Returns whether a body has a law without a yield point.

@@ -350,7 +350,7 @@ impl Bars {
 fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
     match step.stress_state {
-        state if !yields || step.approach < step.reached[0] => {
+        state if !yields || !step.flows && step.approach < step.reached[0] => {
             STIFFNESS_FLOORS[usize::from(state == StressState::Axisymmetric)] * size
         }
         StressState::PlaneStress => contact_stiffness::PLANE_STRESS_ERROR,

@@ -19,6 +19,7 @@
 use std::collections::BTreeMap;
 
 use crate::analytical::Stress;
+use crate::material::stress_of_yield;
 use crate::solver::recovery::{Recovery, Values};
 use crate::solver::{BodySolution, has_yielded};
 
@@ -101,7 +102,7 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
 
 /// Constants that compute f from recovered values.
 struct Excess {
-    /// Yield or reference stress at a strength of 1 \[MPa\].
+    /// Stress from which on points count as yielded, at a strength of 1 \[MPa\].
     limit: f64,
     /// 3G for a law with a yield point, else 0 \[MPa\].
     triple_shear: f64,
@@ -112,12 +113,12 @@ struct Excess {
 impl Excess {
     fn of(solution: &BodySolution) -> Option<Self> {
         let law = solution.model.hardening()?;
+        let triple_shear = 3.0 * solution.model.elastic().shear;
         // Without a yield point, points on both sides of the boundary have plastic strain.
-        let triple_shear =
-            if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
+        let is_limited = law.yield_stress() > 0.0;
         Some(Self {
-            limit: law.nominal_yield_stress(),
-            triple_shear,
+            limit: stress_of_yield(law, triple_shear),
+            triple_shear: if is_limited { triple_shear } else { 0.0 },
             has_memory: solution.model.has_memory(),
         })
     }

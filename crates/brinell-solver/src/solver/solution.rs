@@ -48,6 +48,7 @@ pub struct Solution {
 
 /// The answer to one load. Half models are not mirrored here.
 #[derive(Debug, Clone)]
+#[expect(clippy::struct_excessive_bools, reason = "they are independent of each other")]
 pub struct StepSolution {
     /// How the iteration ended, the final checks included.
     pub status: SolveStatus,
@@ -131,6 +132,8 @@ pub struct StepSolution {
     pub increment_error: Option<Figures>,
     /// The largest approach and half-width of a history so far \[mm\]; zero without one.
     pub reached: [f64; 2],
+    /// Whether a point flowed in the last increment of a history.
+    pub flows: bool,
     /// Figures of the bodies that earlier loads of a history have left unknown.
     pub unknown_before: FigureSet,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the

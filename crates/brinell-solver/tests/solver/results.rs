@@ -194,7 +194,7 @@ fn the_plastic_zone_reaches_the_surface_only_under_high_loads() {
 }
 
 #[test]
-fn a_law_without_a_yield_point_is_outlined_at_its_reference_stress() {
+fn a_law_without_a_yield_point_is_outlined_where_it_counts_as_yielded() {
     let law = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3,
         "exponent": 5.0});
     let zone = step(&cylinders(&law, FORCE)).plasticity.lower.unwrap();

@@ -300,6 +300,7 @@ fn step(
         increments: Vec::new(),
         increment_error: None,
         reached: [0.0; 2],
+        flows: false,
         unknown_before: FigureSet::default(),
         unloading_stiffness: 0.0,
         energy: energy(system, outcome, bodies),

@@ -37,6 +37,10 @@ use crate::solver::solution::StepSolution;
 use crate::solver::strategy::coupling;
 use crate::solver::{SolveError, final_check};
 
+/// Plastic strain that a point gains in an increment, over its elastic strain, from which on it
+/// flows.
+const FLOWS: f64 = 1e-4;
+
 /// What a history is solved with.
 #[derive(Clone, Copy)]
 pub(super) struct MeshedHistory<'a> {
@@ -118,6 +122,8 @@ pub(super) struct MeshMemory {
     peak: [f64; 3],
     /// Whether the load falls.
     is_falling: bool,
+    /// Whether a point flowed in the last increment.
+    flows: bool,
     /// What the points of each model have been through.
     points: Vec<Vec<PointHistory>>,
 }
@@ -191,6 +197,7 @@ impl HistoryEngine for HistoryOnMesh<'_> {
             },
             peak: [0.0; 3],
             is_falling: false,
+            flows: false,
             points: Vec::new(),
         }
     }
@@ -258,11 +265,12 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         let whole = solve.fields.iter().map(|field| field.displacement.clone()).collect();
         (solve.system.accepted.plastic, solve.system.accepted.whole) = (plastic, whole);
         memory.points.resize_with(solve.fields.len(), Vec::new);
+        memory.flows = false;
         for (field, histories) in solve.fields.iter_mut().zip(&mut memory.points) {
             let points = field.stress.points.as_flattened_mut();
             histories.resize(points.len(), PointHistory::default());
             for (point, history) in points.iter_mut().zip(histories) {
-                history.take(point, memory.is_falling);
+                memory.flows |= history.take(point, memory.is_falling);
             }
         }
         let half_width = solve.patch.map_or(0.0, |patch| patch.half_width());
@@ -300,9 +308,9 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         }
         let unloading = final_check::unloading_stiffness(solve, run);
         step.unloading_stiffness = unloading.unwrap_or(0.0);
-        // Ends that go back, or forth again over what has yielded, leave it as elastic as the
-        // rest.
-        if progress.is_below_largest_load() {
+        // Ends that go back, or forth again, without flow leave the bodies elastic.
+        step.flows = memory.flows;
+        if progress.is_below_largest_load() && !step.flows {
             step.contact_stiffness = step.contact_stiffness.or(unloading);
         }
         step
@@ -335,14 +343,17 @@ struct PointHistory {
 }
 
 impl PointHistory {
-    /// Goes on to the end of an increment, and tells the point what it has been through.
-    fn take(&mut self, point: &mut GaussPoint, is_falling: bool) {
+    /// Goes on to the end of an increment, and tells the point what it has been through. Returns
+    /// whether the point flowed.
+    fn take(&mut self, point: &mut GaussPoint, is_falling: bool) -> bool {
+        let gained = point.equivalent_plastic_strain - self.accumulated;
         if is_falling {
-            self.reverse += point.equivalent_plastic_strain - self.accumulated;
+            self.reverse += gained;
         }
         self.accumulated = point.equivalent_plastic_strain;
         self.von_mises = self.von_mises.max(point.largest_von_mises);
         point.reverse_plastic_strain = self.reverse;
         point.largest_von_mises = self.von_mises;
+        gained > FLOWS * self.von_mises / (3.0 * point.secant_shear)
     }
 }
