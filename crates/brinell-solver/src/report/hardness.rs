@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::ValidityNote;
 use super::error_bars::under_its_force;
 use super::findings::Finding;
-use crate::job::{Block, HardnessTest, Job, Material, Shape, TestScale};
+use crate::job::{Block, HardnessTest, Job, Material, Named, Shape, TestScale};
 use crate::solver::{SolveStatus, StepSolution};
 use crate::units::UnitConverter;
 
@@ -207,6 +207,16 @@ impl HardnessSeen {
         if published.is_none() {
             remark("bias_unknown", found.why_unknown().to_owned());
         }
+        let number = found.number(found.radius).filter(|_| found.is_converged());
+        if let (Some(number), Some([least, most])) = (number, range(test.scale))
+            && !(least..=most).contains(&number)
+        {
+            let name = test.scale.name();
+            remark(
+                "outside_scale",
+                format!("The scale {name} is for {least} to {most} by its standard."),
+            );
+        }
         let least_thickness = found.least_thickness();
         if let (Some(least), Shape::Block(Block { depth, .. })) =
             (least_thickness, &job.lower.shape)
@@ -228,7 +238,7 @@ impl HardnessSeen {
         let diagonal = if is_pyramid(test) { std::f64::consts::FRAC_PI_2.sqrt() } else { 1.0 };
         Some(HardnessReport {
             test: test.name(),
-            number: found.number(found.radius).filter(|_| found.is_converged()),
+            number,
             relative_error: found.relative_error(),
             bias: published.map(|(pressure, _)| found.pressure() / pressure - 1.0),
             bias_source: published.map(|(_, source)| source.to_owned()),
@@ -256,6 +266,16 @@ impl HardnessSeen {
 
 const fn is_pyramid(test: &HardnessTest) -> bool {
     matches!(test.scale, TestScale::Hv | TestScale::Berkovich)
+}
+
+/// Numbers for which a scale is meant: ISO 6506-1 and ISO 6508-1.
+const fn range(scale: TestScale) -> Option<[f64; 2]> {
+    match scale {
+        TestScale::Hbw => Some([0.0, 650.0]),
+        TestScale::Hrc => Some([20.0, 70.0]),
+        TestScale::Hrb => Some([10.0, 100.0]),
+        TestScale::Hv | TestScale::Berkovich | TestScale::Sphere => None,
+    }
 }
 
 /// Dao's loading curvature of an E* and the stress at his strain, within the moduli over stress of

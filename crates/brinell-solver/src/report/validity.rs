@@ -69,6 +69,7 @@ pub const VALIDITY_CODES: &[&str] = &[
     "full_sliding",
     "bias_unknown",
     "equal_cone",
+    "outside_scale",
     "thin_specimen",
 ];
 

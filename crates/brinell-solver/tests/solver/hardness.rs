@@ -87,7 +87,7 @@ fn a_brinell_number_of_steel() {
 }
 
 /// Cones and Rockwell's depths of one steel agree with its Brinell number as ISO 18265 has it, 240
-/// HBW with 253 HV, and with Dao's loading curvature.
+/// HBW with 253 HV (HBW is 0.95 HV there), and with Dao's loading curvature.
 #[test]
 fn pyramids_and_rockwell() {
     let steel = hollomon(1103.0, 0.088);
@@ -122,6 +122,21 @@ fn fused_silica() {
     assert!((found.mean_pressure / 9350.0 - 1.0).abs() < bar, "{}", found.mean_pressure);
     let pharr = found.oliver_pharr.unwrap();
     assert!((pharr.reduced_modulus / pharr.true_reduced_modulus - 1.0).abs() < 0.15);
+}
+
+/// A soft steel under the cone of Rockwell C is below its scale. A soft body that does not harden
+/// has no answer with small strains before the ball bears its force, and so no number.
+#[test]
+fn what_a_scale_does_not_measure() {
+    let soft = report(&test(&json!("HRC"), &hollomon(500.0, 0.15), 208_000.0, 8.0, 6));
+    let soft = found(&soft);
+    assert!(soft.number.unwrap() < 20.0);
+    assert!(soft.remarks.iter().any(|remark| remark.code == "outside_scale"));
+
+    let plateau = json!({"law": "bilinear", "yield_stress": 200, "tangent_modulus": 0});
+    let report = report(&test(&json!("HBW 10/3000"), &plateau, 210_000.0, 40.0, 16));
+    assert_eq!(report.status, SolveStatus::NotConverged);
+    assert!(report.hardness.is_none_or(|hardness| hardness.number.is_none()));
 }
 
 /// A specimen that the standard calls too thin is remarked on.

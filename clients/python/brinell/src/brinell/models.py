@@ -3271,7 +3271,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'bias_unknown', 'equal_cone', 'thin_specimen'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'bias_unknown', 'equal_cone', 'outside_scale', 'thin_specimen'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
