@@ -164,6 +164,28 @@
  * @property {SurfaceOfBodies} surfaces
  * @property {number} unloading_stiffness
  *
+ * @typedef {object} HardnessResult
+ * @property {number | null} bias
+ * @property {string | null} bias_source
+ * @property {number | null} constraint
+ * @property {number | null} curvature_bias
+ * @property {number} depth
+ * @property {number} diameter
+ * @property {number | null} flow_stress
+ * @property {number} force
+ * @property {number | null} least_thickness
+ * @property {number} mean_pressure
+ * @property {number | null} meyer_exponent
+ * @property {number | null} number
+ * @property {OliverPharr | null} oliver_pharr
+ * @property {number | null} permanent_depth
+ * @property {number} pile_up
+ * @property {number | null} relative_error
+ * @property {(ValidityNote)[]} remarks
+ * @property {number | null} representative_strain
+ * @property {number | null} rim_diameter
+ * @property {string} test
+ *
  * @typedef {object} Hertz
  * @property {number} half_width
  * @property {number} peak_pressure
@@ -288,6 +310,15 @@
  * @property {number} spacing
  * @property {boolean} symmetric
  *
+ * @typedef {object} OliverPharr
+ * @property {number} area
+ * @property {number} contact_depth
+ * @property {number} indentation_hardness
+ * @property {number} reduced_modulus
+ * @property {number} stiffness
+ * @property {number} true_area
+ * @property {number} true_reduced_modulus
+ *
  * @typedef {object} Pass
  * @property {BodyPassOfBodies} bodies
  * @property {number} energy_gap
@@ -353,6 +384,7 @@
  *
  * @typedef {object} Report
  * @property {Analysis} analysis
+ * @property {HardnessResult} [hardness]
  * @property {LoadApproach} [load_approach]
  * @property {Mesh} mesh
  * @property {SolveStatus} status

@@ -1,6 +1,7 @@
 //! A report as plain text for a person, at most 80 columns wide.
 
 mod bodies;
+mod hardness;
 mod history;
 mod number;
 mod passes;
@@ -77,6 +78,14 @@ impl Page {
         self.line(&format!("{title} · {analysis} · {}", report.units));
         if let Some(target) = &report.target {
             self.target(job, target);
+            self.line("");
+        }
+        if let Some(hardness) = &report.hardness {
+            let Names { length, stress, .. } = self.names;
+            self.text.push_str(&hardness::hardness(hardness, length, stress, self.style));
+            for note in &hardness.remarks {
+                self.line(&wrapped("note   ", &words(&note.message), " "));
+            }
             self.line("");
         }
         for (name, body) in [("upper", &job.upper), ("lower", &job.lower)] {

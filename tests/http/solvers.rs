@@ -125,6 +125,7 @@ fn report(status: SolveStatus) -> Report {
         steps: Vec::new(),
         load_approach: None,
         target: None,
+        hardness: None,
         mesh: MeshReport {
             symmetric: true,
             spacing: 0.01,

@@ -123,7 +123,10 @@ const OWN = [
 /** @param {{name: string, job: Job}[]} served @returns {Example[]} with the stress field, which is what one comes here to see */
 export const examplesOf = (served) =>
   [
-    ...served.map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })),
+    // The form has no hardness test yet, whose job has no upper body.
+    ...served
+      .filter(({ job }) => job.upper)
+      .map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })),
     ...OWN,
   ].map(({ title, job }) => ({
     title,

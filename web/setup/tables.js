@@ -241,11 +241,11 @@ export const ROCKWELL = [[20.3,240.0],[21.3,245.0],[22.2,250.0],[23.1,255.0],[24
 /** The figures of a result by what they are; those without unit are left out. @type {Record<string, string[]>} */
 /* prettier-ignore */
 export const FIGURES = {
-  length: ["a","approach","b","dent","depth","displacement","forward","gap","groove_depth","half_width","height","largest_strain_depth","left","net_strain_depth","nodes","outline","peak_position","peak_position_y","pile_up","pile_up_position","position","position_y","right","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
-  stress: ["end_pressure","initial_sigma_x","initial_sigma_y","initial_sigma_z","largest_cell_pressure","largest_sigma_x","largest_sigma_z","least_sigma_x","least_sigma_z","mean_pressure","middle_pressure","nominal_pressure","peak_pressure","pressure","pressure_quantiles","shakedown_pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","von_mises","yield_stress"],
+  length: ["a","approach","b","contact_depth","dent","depth","diameter","displacement","forward","gap","groove_depth","half_width","height","largest_strain_depth","least_thickness","left","net_strain_depth","nodes","outline","peak_position","peak_position_y","permanent_depth","pile_up","pile_up_position","position","position_y","right","rim_diameter","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
+  stress: ["end_pressure","flow_stress","indentation_hardness","initial_sigma_x","initial_sigma_y","initial_sigma_z","largest_cell_pressure","largest_sigma_x","largest_sigma_z","least_sigma_x","least_sigma_z","mean_pressure","middle_pressure","nominal_pressure","peak_pressure","pressure","pressure_quantiles","reduced_modulus","shakedown_pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","true_reduced_modulus","von_mises","yield_stress"],
   load: ["force","plastic_work","rolling_force","stiffness_from","stiffness_to","stored_energy","traction_work","yield_onset_force"],
   slope: ["contact_stiffness","line_load","stiffness","unloading_stiffness"],
-  area: ["area","reverse_area"],
+  area: ["area","reverse_area","true_area"],
   volume: ["volume"],
   energy: ["dissipated","elastic","moment","plastic","stored","work"],
 };

@@ -201,3 +201,30 @@ def test_a_moment_has_a_unit() -> None:
         radius=5, length=10, moment=unit.Quantity(2, "N*m"), material=brinell.rigid
     )
     assert document_of({"upper": body})["upper"]["shape"]["moment"] == pytest.approx(2000)
+
+
+def test_hardness_tests_bring_their_indenter(client: brinell.Client) -> None:
+    steel = brinell.material(
+        young_modulus=208000,
+        poisson_ratio=0.3,
+        plasticity=brinell.swift(yield_stress=650, strain_offset=0.0025, exponent=0.088),
+    )
+    result = client.solve(brinell.brinell_test(steel, elements_per_half_width=8))
+    assert result.hardness["test"] == "HBW 10/3000"
+    assert 200 < result.hardness["number"] < 300
+    for job, name in [
+        (brinell.vickers(steel, elements_per_half_width=6), "HV 1"),
+        (brinell.rockwell_c(steel, elements_per_half_width=6), "HRC"),
+    ]:
+        assert client.solve(job).hardness["test"] == name
+    assert "hold" in _refused(client, {"scale": "HV", "force_kgf": 1, "hold": 10})
+
+
+def _refused(client: brinell.Client, test: dict[str, Any]) -> str:
+    specimen = {
+        "shape": {"type": "block", "width": 4, "depth": 2},
+        "material": {"young_modulus": 208000, "poisson_ratio": 0.3},
+    }
+    with pytest.raises(brinell.InvalidJob) as refused:
+        client.solve({"lower": specimen, "load": {"hardness": test}})
+    return str(refused.value)

@@ -10,8 +10,8 @@ use super::fields::{read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
 use super::wire::InUnits;
 use super::{
-    Body, FieldError, JobError, Load, Material, MeshSettings, Named, OutputSettings, Quantity,
-    SolverSettings, Units, name, tags,
+    Body, FaultCode, FieldError, HardnessTest, JobError, Load, Material, MeshSettings, Named,
+    OutputSettings, Quantity, SolverSettings, Units, hardness, name, tags,
 };
 
 /// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
@@ -124,6 +124,7 @@ impl Job {
         faults.extend(job.faults_of_revolution());
         faults.extend(job.faults_of_theory());
         faults.extend(job.faults_of_rolling());
+        faults.extend(job.faults_of_hardness());
         faults.extend(job.faults_of_shapes());
         faults.extend(job.faults_of_three_dimensions(document));
         let refused = faults.into_sorted(document);
@@ -133,7 +134,7 @@ impl Job {
     /// Reads any job of the format, solvable or not.
     pub(super) fn read(document: &Node) -> Result<Self, JobError> {
         let faults = Faults::default();
-        let job = Self::read_members(Cursor::root(document, &faults));
+        let job = Self::read_members(Cursor::root(document, &faults), is_test(document));
         faults.extend(both_rigid(document));
         let faults = faults.into_sorted(document);
         match job {
@@ -142,34 +143,64 @@ impl Job {
         }
     }
 
-    fn read_members(cursor: Cursor<'_>) -> Option<Self> {
+    /// Reads the members. A hardness test brings its upper body and is of revolution, under flow
+    /// theory.
+    fn read_members(cursor: Cursor<'_>, is_test: bool) -> Option<Self> {
         let object = cursor.object()?;
         object.only(Self::KEYS);
         let title = object.or("title", None, |c| name::read(c).map(Some));
-        let analysis = object.required("analysis", |c| c.named::<Analysis>());
+        let analysis = if is_test {
+            object.or("analysis", Analysis::Axisymmetric, |c| c.named())
+        } else {
+            object.required("analysis", |c| c.named())
+        };
         let units = object.or("units", Units::default(), |c| c.named());
-        let upper = object.required("upper", |c| Body::read(c, units));
+        let upper = (!is_test).then(|| object.required("upper", |c| Body::read(c, units)));
+        if is_test && object.has("upper") {
+            let detail = "a hardness test brings its indenter; `load.hardness` has its material";
+            object.fault("upper", FaultCode::Inconsistent, format_args!("{detail}"));
+        }
         let lower = object.required("lower", |c| Body::read(c, units));
         let force = analysis.map_or(Quantity::LineForce, Analysis::force);
         let load = object.required("load", |c| Load::read(c, force, units));
-        let default_mesh = analysis.map_or_else(MeshSettings::default, MeshSettings::of);
+        let default_mesh = if is_test {
+            hardness::mesh()
+        } else {
+            analysis.map_or_else(MeshSettings::default, MeshSettings::of)
+        };
         let mesh = object.or("mesh", default_mesh, |c| read_settings_from(c, default_mesh));
-        let solver = object.or("solver", SolverSettings::default(), read_settings);
+        let given = if is_test { hardness::settings() } else { SolverSettings::default() };
+        let solver = object.or("solver", given, |c| read_settings_from(c, given));
         let output = object.or("output", OutputSettings::default(), read_settings);
         let tags = object.or("tags", BTreeMap::new(), tags::read);
+        let (lower, load) = (lower?, load?);
+        let upper = upper.unwrap_or_else(|| {
+            let indenter = load.hardness()?.indenter(&lower.material);
+            if indenter.is_none() {
+                let detail = "no indenter is of this size";
+                object.fault("load", FaultCode::NotSolvable, format_args!("{detail}"));
+            }
+            indenter
+        });
         Some(Self {
             title: title?,
             analysis: analysis?,
             units: units?,
             upper: upper?,
-            lower: lower?,
-            load: load?,
+            lower,
+            load,
             mesh: mesh?,
             solver: solver?,
             output: output?,
             tags: tags?,
         })
     }
+}
+
+/// Whether the load is a hardness test, valid or not.
+fn is_test(document: &Node) -> bool {
+    let test = document.at("/load").and_then(|load| load.at(&format!("/{}", HardnessTest::KEY)));
+    test.is_some_and(|test| *test != Node::Null)
 }
 
 /// Refuses two rigid bodies. The check reads the document, so that other faults do not hide this
@@ -197,7 +228,9 @@ impl Serialize for Job {
         }
         map.serialize_entry("analysis", &self.analysis)?;
         map.serialize_entry("units", &units)?;
-        map.serialize_entry("upper", &InUnits(&self.upper, units).of(self.analysis))?;
+        if self.load.hardness().is_none() {
+            map.serialize_entry("upper", &InUnits(&self.upper, units).of(self.analysis))?;
+        }
         map.serialize_entry("lower", &InUnits(&self.lower, units).of(self.analysis))?;
         map.serialize_entry(
             "load",

@@ -7,7 +7,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::reader::Cursor;
 use super::wire::InUnits;
 use super::{
-    FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Rolling, Target, Units,
+    FaultCode, FieldError, HardnessTest, NonNegativeF64, PositiveF64, Quantity, Rolling, Target,
+    Units,
 };
 
 /// The load of a job. Several values are a sweep with one load step each.
@@ -122,7 +123,11 @@ impl HistoryLoad {
 
 /// One to [`Sweep::MAX_VALUES`] loads in sequence, at least one of them above zero.
 #[derive(Debug, Clone, PartialEq)]
-pub struct History(Vec<HistoryLoad>);
+pub struct History {
+    loads: Vec<HistoryLoad>,
+    /// The hardness test that the reader wrote as these loads: `{"hardness": {...}}`.
+    test: Option<HardnessTest>,
+}
 
 impl History {
     /// Builds a history of at most [`Sweep::MAX_VALUES`] loads, at least one of them above zero.
@@ -137,7 +142,12 @@ impl History {
         if loads.iter().all(|load| load.magnitude() == 0.0) {
             return Err(vec![FieldError::new("", "must have a load above zero")]);
         }
-        Ok(Self(loads))
+        Ok(Self { loads, test: None })
+    }
+
+    /// Builds the history of a hardness test.
+    pub(super) fn of_test(loads: Vec<HistoryLoad>, test: HardnessTest) -> Option<Self> {
+        Some(Self { test: Some(test), ..Self::new(loads).ok()? })
     }
 }
 
@@ -145,14 +155,23 @@ impl Deref for History {
     type Target = [HistoryLoad];
 
     fn deref(&self) -> &[HistoryLoad] {
-        &self.0
+        &self.loads
     }
 }
 
 impl Load {
     /// The keys of the wire format. A load has one of them.
-    pub const KINDS: &'static [&'static str] =
-        &["force", "forces", "approach", "approaches", "history", "onset", "target", "rolling"];
+    pub const KINDS: &'static [&'static str] = &[
+        "force",
+        "forces",
+        "approach",
+        "approaches",
+        "history",
+        "onset",
+        "target",
+        "rolling",
+        "hardness",
+    ];
 
     /// Returns the key of this load in the wire format: singular for one value.
     pub fn kind(&self) -> &'static str {
@@ -161,11 +180,18 @@ impl Load {
             Self::Forces(_) => "forces",
             Self::Approaches(values) if values.len() == 1 => "approach",
             Self::Approaches(_) => "approaches",
+            Self::History(History { test: Some(_), .. }) => HardnessTest::KEY,
             Self::History(_) => "history",
             Self::Onset => "onset",
             Self::Target(_) => "target",
             Self::Rolling(_) => Rolling::KEY,
         }
+    }
+
+    /// Returns the hardness test whose history this is.
+    pub fn hardness(&self) -> Option<&HardnessTest> {
+        let Self::History(history) = self else { return None };
+        history.test.as_ref()
     }
 
     /// Returns the smallest force above zero, if the job gives all loads as forces.
@@ -221,6 +247,9 @@ impl Load {
             Rolling::KEY => {
                 object.required(Rolling::KEY, |c| Rolling::read(c, units)).map(Self::Rolling)
             }
+            HardnessTest::KEY => object
+                .required(HardnessTest::KEY, |c| HardnessTest::read(c, units)?.history())
+                .map(Self::History),
             _ => many("approaches", Quantity::Approach).map(Self::Approaches),
         };
         let given: Vec<_> = Self::KINDS.iter().filter(|kind| object.has(kind)).collect();
@@ -261,7 +290,10 @@ impl InUnits<'_, Load> {
         let value = match self.0 {
             Load::Forces(values) => wire(values, force),
             Load::Approaches(values) => wire(values, Quantity::Approach),
-            Load::History(loads) => WireValue::History(loads.iter().map(entry).collect()),
+            Load::History(loads) => match &loads.test {
+                Some(test) => WireValue::Hardness(InUnits(test, self.1)),
+                None => WireValue::History(loads.iter().map(entry).collect()),
+            },
             Load::Onset => WireValue::Yes(true),
             Load::Target(target) => WireValue::Target(InUnits(target, self.1)),
             Load::Rolling(rolling) => WireValue::Rolling(InUnits(rolling, self.1)),
@@ -284,6 +316,7 @@ enum WireValue<'a> {
     Yes(bool),
     Target(InUnits<'a, Target>),
     Rolling(InUnits<'a, Rolling>),
+    Hardness(InUnits<'a, HardnessTest>),
 }
 
 #[derive(serde::Serialize)]

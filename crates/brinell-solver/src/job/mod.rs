@@ -15,6 +15,7 @@ pub mod contact_job;
 pub mod error;
 pub mod fields;
 pub mod hardening;
+pub mod hardness;
 pub mod initial_stress;
 pub mod load;
 mod material;
@@ -51,6 +52,7 @@ pub use fields::{Field, FieldTable};
 pub use hardening::{
     BackstressTerm, Bilinear, Hardening, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,
 };
+pub use hardness::{HardnessTest, TestScale};
 pub use initial_stress::{InitialStress, InitialStressProfile};
 pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};

@@ -10,10 +10,10 @@ use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words
 use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase,
-    Hardening, HardnessProfile, HardnessScale, InitialStress, Interpolation, Job, Load,
-    MeshSettings, Named, OutputSettings, OverDepth, PositiveF64, Quantity, RollerProfile, Rolling,
-    Shape, SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units, Until, name,
-    tags,
+    Hardening, HardnessProfile, HardnessScale, HardnessTest, InitialStress, Interpolation, Job,
+    Load, MeshSettings, Named, OutputSettings, OverDepth, PositiveF64, Quantity, RollerProfile,
+    Rolling, Shape, SolverSettings, Support, Surface, Sweep, TargetFigure, TestScale, Theory,
+    Units, Until, name, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -25,6 +25,9 @@ pub fn schemas(base: &str) -> Vec<(&'static str, Value)> {
 struct Schemas<'a> {
     base: &'a str,
 }
+
+/// The name, the key, the description and the schema of a kind of load.
+type LoadSchema = (&'static str, &'static str, &'static str, Value);
 
 /// A member of an object.
 struct Entry {
@@ -192,9 +195,18 @@ impl Schemas<'_> {
                     schema: name_schema("What the job is called."),
                     required: false,
                 },
-                required("analysis", self.named("Analysis")),
+                optional(
+                    "analysis",
+                    "Analysis",
+                    "Kinematics. Required, but for a hardness test, which is `axisymmetric`.",
+                ),
                 optional("units", "Units", &units),
-                required("upper", self.named_as("ContactBody", "The body above the contact.")),
+                optional(
+                    "upper",
+                    "ContactBody",
+                    "The body above the contact. Required, but for a hardness test, which brings \
+                     its indenter.",
+                ),
                 required("lower", self.named_as("ContactBody", "The body below the contact.")),
                 required("load", self.named("Load")),
                 optional("mesh", "MeshSettings", "The mesh."),
@@ -557,13 +569,8 @@ impl Schemas<'_> {
                 "The force under which a figure of the contact has a value is the answer.",
                 example(self.named("Target"), json!({"peak_pressure": 1200.0})),
             ),
-            (
-                "RollingLoad",
-                Rolling::KEY,
-                "A force that rolls over a track, pass after pass: what becomes of the track is \
-                 the answer.",
-                example(self.named("Rolling"), json!({"force": 2000.0, "friction": 0.2})),
-            ),
+            self.rolling_load(),
+            self.hardness_load(),
         ];
         let names = loads.each_ref().map(|(name, ..)| *name);
         let mut all = vec![(
@@ -582,7 +589,35 @@ impl Schemas<'_> {
         }));
         all.extend(self.targets());
         all.extend(self.rolling());
+        all.extend(self.hardness());
         all
+    }
+
+    fn rolling_load(&self) -> LoadSchema {
+        let mut schema = self.named("Rolling");
+        schema["examples"] = json!([{"force": 2000.0, "friction": 0.2}]);
+        let description = "A force that rolls over a track, pass after pass: what becomes of the \
+                           track is the answer.";
+        ("RollingLoad", Rolling::KEY, description, schema)
+    }
+
+    fn hardness_load(&self) -> LoadSchema {
+        let schema = json!({
+            "description": "The test, or its name: `HBW 10/3000`, `HV 10`, `HRC`, `HRB`.",
+            "anyOf": [self.named(HardnessTest::TABLE.name), {"type": "string"}],
+            "examples": [{"scale": "HBW", "ball": 10.0, "force_kgf": 3000.0}],
+        });
+        let description = "A hardness test of the lower body: its number is the answer.";
+        ("HardnessLoad", HardnessTest::KEY, description, schema)
+    }
+
+    fn hardness(&self) -> [(&'static str, Value); 2] {
+        let fields = HardnessTest::TABLE.fields.iter().map(|field| self.entry(field, None));
+        let test = object(HardnessTest::TABLE.description, fields.collect());
+        [
+            (HardnessTest::TABLE.name, test),
+            ("TestScale", enumeration::<TestScale>("A scale of hardness.")),
+        ]
     }
 
     fn rolling(&self) -> [(&'static str, Value); 2] {

@@ -4,8 +4,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::fields::{Record, write_record};
 use super::{
-    BackstressTerm, HardenedCase, HardnessProfile, InitialStress, MeshSettings, OutputSettings,
-    Rolling, SolverSettings, Units,
+    BackstressTerm, HardenedCase, HardnessProfile, HardnessTest, InitialStress, MeshSettings,
+    OutputSettings, Rolling, SolverSettings, Units,
 };
 
 /// A part of a job, to be written in these units.
@@ -40,5 +40,6 @@ written_as_records!(
     HardenedCase,
     HardnessProfile,
     InitialStress,
-    Rolling
+    Rolling,
+    HardnessTest
 );

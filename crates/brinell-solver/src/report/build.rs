@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::answers::{Measured, is_dented};
 use super::contact_stiffness::{LoadDifferences, Seen};
 use super::findings::{Finding, left_unknown};
+use super::hardness::HardnessSeen;
 use super::load_approach::CurvePoint;
 use super::measured::measured;
 use super::target::TargetSeen;
@@ -39,6 +40,7 @@ pub(super) struct ReportBuilder<'a> {
     /// Figures of the bodies that the loads of the history so far have left unknown.
     unknown: FigureSet,
     target: TargetSeen,
+    hardness: HardnessSeen,
     /// The mesh of the last load step.
     mesh: MeshReport,
     /// Limits of shakedown over friction, which every load step repeats.
@@ -60,6 +62,7 @@ impl<'a> ReportBuilder<'a> {
             dented_under: 0.0,
             unknown: FigureSet::default(),
             target: TargetSeen::default(),
+            hardness: HardnessSeen::default(),
             mesh: MeshReport::NONE,
             over_friction: None,
             time: Duration::ZERO,
@@ -119,6 +122,7 @@ impl<'a> ReportBuilder<'a> {
             self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
         }
         self.target.see(self.job, step, &findings);
+        self.hardness.see(self.job, step, &findings);
         let measured = Measured {
             is_dented: is_dented(self.dented_under, step.force()),
             ..measured(self.job, step, reference.as_ref(), &findings)
@@ -140,7 +144,8 @@ impl<'a> ReportBuilder<'a> {
 
     /// Returns the report without its load steps.
     pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
-        let Self { job, write, status, curve, is_history, target, mesh, time, .. } = self;
+        let Self { job, write, status, curve, is_history, target, hardness, mesh, time, .. } =
+            self;
         let interrupted = solution.interrupted.map(SolveStatus::from);
         let status = interrupted.map_or(status, |interrupted| worse(status, interrupted));
         Report {
@@ -154,6 +159,7 @@ impl<'a> ReportBuilder<'a> {
                 load_approach::curve(curve, write)
             },
             target: target.finish(job, solution.sensitivity, write),
+            hardness: hardness.finish(job, write),
             mesh: MeshReport { passes: solution.passes, ..mesh },
             timings_ms: timings(&solution.phases, observer.elapsed(), time),
             tags: job.tags.clone(),

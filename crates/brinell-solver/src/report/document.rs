@@ -11,9 +11,9 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Answer, ContactReport, ErrorEstimate, FieldsReport, FlowReport, LayersReport, LoadApproach,
-    RollingReport, ShakedownLimit, TargetReport, ThreeDimensionalReport, ValidityNote, Verdict,
-    YieldOnsetReport,
+    Answer, ContactReport, ErrorEstimate, FieldsReport, FlowReport, HardnessReport, LayersReport,
+    LoadApproach, RollingReport, ShakedownLimit, TargetReport, ThreeDimensionalReport,
+    ValidityNote, Verdict, YieldOnsetReport,
 };
 use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
@@ -35,6 +35,9 @@ pub struct Report {
     /// The force that was asked for by what it does; only of a job with `load.target`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target: Option<TargetReport>,
+    /// The hardness that a test finds; only of a job with `load.hardness`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<HardnessReport>,
     /// The mesh of the last step.
     pub mesh: MeshReport,
     /// Where the time went.

@@ -12,6 +12,7 @@ mod fields;
 mod findings;
 mod flow;
 mod half_spaces;
+mod hardness;
 mod layer_fields;
 mod load_approach;
 mod measured;
@@ -44,6 +45,7 @@ pub use half_spaces::{
     EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport,
     RoughContactReport, SectionReport, ThreeDimensionalReport, problem_of,
 };
+pub use hardness::{HardnessReport, OliverPharrReport};
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};

@@ -67,6 +67,10 @@ pub const VALIDITY_CODES: &[&str] = &[
     "surface_end",
     "near_limit",
     "full_sliding",
+    "bias_unknown",
+    "equal_cone",
+    "outside_scale",
+    "thin_specimen",
 ];
 
 /// Half-width over the smallest radius above which the surfaces deviate too far from their

@@ -23,6 +23,7 @@ mod factor_cache;
 mod flow_increments;
 mod flow_references;
 mod flow_theory;
+mod hardness;
 mod honesty;
 mod indenters;
 mod independent_program;

@@ -55,6 +55,7 @@ from ._errors import (
 )
 from ._fields import BodyFields, Fields
 from ._find import Found
+from ._hardness import brinell_test, rockwell_c, vickers
 from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
@@ -106,6 +107,7 @@ __all__ = [
     "Verdict",
     "bilinear",
     "block",
+    "brinell_test",
     "cone",
     "curved",
     "cylinder",
@@ -126,6 +128,7 @@ __all__ = [
     "punch",
     "ramberg_osgood",
     "rigid",
+    "rockwell_c",
     "roller",
     "sphere",
     "steels",
@@ -133,6 +136,7 @@ __all__ = [
     "swift",
     "table",
     "trace",
+    "vickers",
     "voce",
     "wedge",
 ]

@@ -57,6 +57,7 @@ MOMENT = "moment"
 _KINDS: dict[str, str | tuple[str, str]] = {
     **dict.fromkeys(
         [
+            "ball",
             "radius",
             "radius_x",
             "length",
@@ -85,6 +86,7 @@ _KINDS: dict[str, str | tuple[str, str]] = {
     **dict.fromkeys(
         [
             "young_modulus",
+            "indenter_young_modulus",
             "yield_stress",
             "tangent_modulus",
             "reference_stress",

@@ -494,6 +494,13 @@ class Result:
         return self.data.get("target") or {}
 
     @property
+    def hardness(self) -> dict[str, Any]:
+        """Of a hardness test: `number`, `relative_error`, `bias` and what was measured; else
+        empty.
+        """
+        return self.data.get("hardness") or {}
+
+    @property
     def yield_onset(self) -> dict[str, Any]:
         """Of a job that asks for the onset of yield: `force`, `approach`, `peak_pressure`, where.
 

@@ -60,6 +60,9 @@ class ApproachLoad(BaseModel):
     forces: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    hardness: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     history: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -109,6 +112,9 @@ class ApproachesLoad(BaseModel):
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    hardness: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     history: Annotated[
@@ -958,6 +964,9 @@ class ForceLoad(BaseModel):
     forces: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    hardness: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     history: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -1009,6 +1018,9 @@ class ForcesLoad(BaseModel):
             min_length=1,
         ),
     ]
+    hardness: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     history: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -1188,6 +1200,9 @@ class HistoryLoad(BaseModel):
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    hardness: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     history: Annotated[
@@ -1767,6 +1782,39 @@ class NpyHeights(BaseModel):
     ]
 
 
+class OliverPharr(BaseModel):
+    """
+    Oliver and Pharr's figures (J. Mater. Res. 7 (1992) 1564) of the unloading curve, beside the true contact.
+    """
+
+    area: Annotated[
+        float,
+        Field(description='Area of the indenter at this depth. Unit: mm² (SI: m²).'),
+    ]
+    contact_depth: Annotated[
+        float,
+        Field(description='Contact depth `h_c = h − 0.75 F/S`. Unit: mm (SI: m).'),
+    ]
+    indentation_hardness: Annotated[
+        float, Field(description='Force over the area, H. Unit: MPa (SI: Pa).')
+    ]
+    reduced_modulus: Annotated[
+        float, Field(description='`√π S / (2 √A)`. Unit: MPa (SI: Pa).')
+    ]
+    stiffness: Annotated[
+        float,
+        Field(
+            description='Slope S of the unloading curve at its beginning. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
+        ),
+    ]
+    true_area: Annotated[
+        float, Field(description='Area of the true contact. Unit: mm² (SI: m²).')
+    ]
+    true_reduced_modulus: Annotated[
+        float, Field(description='E* of the two materials. Unit: MPa (SI: Pa).')
+    ]
+
+
 class OnsetLoad(BaseModel):
     """
     The force at which the contact begins to yield is the answer.
@@ -1785,6 +1833,9 @@ class OnsetLoad(BaseModel):
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    hardness: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
     history: Annotated[
@@ -2883,6 +2934,9 @@ class TargetLoad(BaseModel):
     forces: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    hardness: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     history: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -3217,7 +3271,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'bias_unknown', 'equal_cone', 'outside_scale', 'thin_specimen'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -3620,6 +3674,176 @@ class HardnessProfile(BaseModel):
     ]
 
 
+class HardnessResult(BaseModel):
+    """
+    The hardness that a test finds.
+    """
+
+    bias: Annotated[
+        float | None,
+        Field(
+            description='Mean pressure over that of a published result with large strains, less 1; `null` where none is known, as a remark says. Without unit.'
+        ),
+    ]
+    bias_source: Annotated[str | None, Field(description='The published result.')]
+    constraint: Annotated[
+        float | None,
+        Field(
+            description="Mean pressure over this stress; Tabor's is 2.8. Without unit."
+        ),
+    ]
+    curvature_bias: Annotated[
+        float | None,
+        Field(
+            description='Loading curvature F/h² of a pyramid over that of Dao et al., less 1. Without unit.'
+        ),
+    ]
+    depth: Annotated[
+        float, Field(description='Depth of the indentation under it. Unit: mm (SI: m).')
+    ]
+    diameter: Annotated[
+        float,
+        Field(
+            description='Diameter of the contact under it; of pyramids the diagonal of a square of equal area. Unit: mm (SI: m).'
+        ),
+    ]
+    flow_stress: Annotated[
+        float | None,
+        Field(description='Stress of the curve at this strain. Unit: MPa (SI: Pa).'),
+    ]
+    force: Annotated[
+        float,
+        Field(
+            description='Largest force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
+        ),
+    ]
+    least_thickness: Annotated[
+        float | None,
+        Field(
+            description='Least thickness of the specimen by the standard. Unit: mm (SI: m).'
+        ),
+    ]
+    mean_pressure: Annotated[
+        float,
+        Field(
+            description="Force over the area of the contact, Meyer's hardness. Unit: MPa (SI: Pa)."
+        ),
+    ]
+    meyer_exponent: Annotated[
+        float | None,
+        Field(
+            description="Exponent of Meyer's law, force over diameter. Without unit."
+        ),
+    ]
+    number: Annotated[
+        float | None,
+        Field(
+            description='Hardness number; `null` of `berkovich` and `sphere`, whose hardness is `mean_pressure`, and where a load did not converge.'
+        ),
+    ]
+    oliver_pharr: OliverPharr | None
+    permanent_depth: Annotated[
+        float | None, Field(description='Depth that is left. Unit: mm (SI: m).')
+    ]
+    pile_up: Annotated[
+        float,
+        Field(
+            description='Height of the edge of the contact under load over the plane surface: above 0 piled up, below 0 sunk in. Unit: mm (SI: m).'
+        ),
+    ]
+    relative_error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of the relative error of the number, or of the mean pressure, by the mesh. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    remarks: Annotated[list[ValidityNote], Field(description='What to keep in mind.')]
+    representative_strain: Annotated[
+        float | None,
+        Field(
+            description="Tabor's representative plastic strain: 0.2 a/R of a ball, 0.08 of a pyramid. Without unit."
+        ),
+    ]
+    rim_diameter: Annotated[
+        float | None,
+        Field(
+            description='Diameter of the highest points around the indentation that is left; `null` where nothing is piled up. Unit: mm (SI: m).'
+        ),
+    ]
+    test: Annotated[str, Field(description='Name of the test, e.g. `HBW 10/3000`.')]
+
+
+class HardnessTest(BaseModel):
+    """
+    A hardness test of the lower body. It brings its indenter, so that there is no `upper`.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    ball: Annotated[
+        float | None,
+        Field(
+            description='Diameter of the ball of `HBW` (10, 5, 2.5 or 1 mm) or `sphere`. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[10.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ] = None
+    force: Annotated[
+        float | None,
+        Field(
+            description='Force, in place of `force_kgf`. Range: 1e-9 to 1e9 N.',
+            examples=[29420.0],
+            ge=1e-09,
+            le=1000000000.0,
+        ),
+    ] = None
+    force_kgf: Annotated[
+        float | None,
+        Field(
+            description='Force in kgf of 9.80665 N, as scales name it. Without unit.',
+            examples=[3000.0],
+            ge=1e-09,
+            le=3000.0,
+        ),
+    ] = None
+    indenter_poisson_ratio: Annotated[
+        float | None,
+        Field(
+            description="Poisson's ratio of the indenter: 0.21 of tungsten carbide, 0.07 of diamond. Without unit.",
+            examples=[0.21],
+            ge=0.0,
+            le=0.499999,
+        ),
+    ] = None
+    indenter_young_modulus: Annotated[
+        float | None,
+        Field(
+            description="Young's modulus of the indenter: 600 GPa of tungsten carbide for `HBW` and `HRB`, 1141 GPa of diamond for all others, unless given. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
+            examples=[600000.0],
+            ge=0.001,
+            le=100000000000000.0,
+        ),
+    ] = None
+    scale: Annotated[
+        Literal['HBW', 'HV', 'berkovich', 'HRC', 'HRB', 'sphere'],
+        Field(
+            description='Scale: `HBW`, `HV`, `HRC` and `HRB` by ISO 6506, 6507 and 6508; `berkovich` and `sphere` for instrumented indentation.'
+        ),
+    ]
+    tip_radius: Annotated[
+        float | None,
+        Field(
+            description='Radius of the tip of `HV`, 0.5 µm unless given, or `berkovich`, 0.1 µm. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[0.0005],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ] = None
+
+
 class Hertz(BaseModel):
     """
     Hertz's elastic contact under the same force.
@@ -3878,6 +4102,9 @@ class RollingLoad(BaseModel):
     forces: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+    hardness: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
     history: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
@@ -4048,6 +4275,47 @@ class Verdict(BaseModel):
         ),
     ]
     text: Annotated[str, Field(description='One sentence for a person.')]
+
+
+class HardnessLoad(BaseModel):
+    """
+    A hardness test of the lower body: its number is the answer.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    hardness: Annotated[
+        HardnessTest | str,
+        Field(
+            description='The test, or its name: `HBW 10/3000`, `HV 10`, `HRC`, `HRB`.',
+            examples=[{'ball': 10.0, 'force_kgf': 3000.0, 'scale': 'HBW'}],
+        ),
+    ]
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    rolling: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
 
 
 class HardnessOverDepth(BaseModel):
@@ -4423,6 +4691,12 @@ class Report(BaseModel):
             description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
         ),
     ]
+    hardness: Annotated[
+        HardnessResult | None,
+        Field(
+            description='The hardness that a test finds; only of a job with `load.hardness`.'
+        ),
+    ] = None
     load_approach: Annotated[
         LoadApproach | None, Field(description='The load–approach curve of a sweep.')
     ] = None
@@ -4662,13 +4936,13 @@ class ContactJob(BaseModel):
         extra='forbid',
     )
     analysis: Annotated[
-        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
+        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'] | None,
         Field(
-            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
+            description='Kinematics. Required, but for a hardness test, which is `axisymmetric`.'
         ),
-    ]
+    ] = None
     load: Annotated[
-        ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad | TargetLoad | RollingLoad,
+        ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad | TargetLoad | RollingLoad | HardnessLoad,
         Field(
             description='What presses the bodies together: exactly one of these. Several values are a sweep, one step each.'
         ),
@@ -4702,7 +4976,12 @@ class ContactJob(BaseModel):
             description='Units of every figure of the job and of its result. Default: `mm_N_MPa`.'
         ),
     ] = None
-    upper: Annotated[ContactBody, Field(description='The body above the contact.')]
+    upper: Annotated[
+        ContactBody | None,
+        Field(
+            description='The body above the contact. Required, but for a hardness test, which brings its indenter.'
+        ),
+    ] = None
 
 
 class Example(BaseModel):

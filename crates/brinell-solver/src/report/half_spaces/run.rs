@@ -67,6 +67,7 @@ pub fn run_each(
             load_approach::curve(seen.curve, write)
         },
         target: seen.target.finish(job, done.sensitivity, write),
+        hardness: None,
         mesh: MeshReport { passes: done.grids, ..seen.mesh },
         timings_ms: timings(&done.phases, observer.elapsed(), time),
         tags: job.tags.clone(),

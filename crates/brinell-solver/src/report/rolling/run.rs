@@ -74,6 +74,7 @@ pub fn run_each(
         steps: Vec::new(),
         load_approach: None,
         target: None,
+        hardness: None,
         mesh,
         timings_ms: timings(phases, observer.elapsed(), reporting),
         tags: job.tags.clone(),

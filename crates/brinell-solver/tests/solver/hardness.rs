@@ -1,0 +1,224 @@
+//! Hardness tests: numbers of published curves, scales beside each other, and what is refused.
+
+use brinell_solver::job::{Job, JobError, Load};
+use brinell_solver::report::{HardnessReport, Report};
+use brinell_solver::solver::SolveStatus;
+use serde_json::{Value, json};
+
+use crate::problems::{parse, report};
+
+/// A specimen of `width` by `depth` \[mm\] under a test.
+fn test(test: &Value, plasticity: &Value, modulus: f64, size: f64, elements: u32) -> Value {
+    json!({
+        "lower": {
+            "shape": {"type": "block", "width": 2.0 * size, "depth": size},
+            "material": {
+                "young_modulus": modulus, "poisson_ratio": 0.3, "plasticity": plasticity,
+            },
+        },
+        "load": {"hardness": test},
+        "mesh": {"elements_per_half_width": elements},
+        "output": {"subsurface": false},
+    })
+}
+
+fn found(report: &Report) -> &HardnessReport {
+    assert_eq!(report.status, SolveStatus::Converged);
+    report.hardness.as_ref().unwrap()
+}
+
+/// Hollomon's law `H ε_p^n` as a table from a yield strain of 0.2 %.
+fn hollomon(coefficient: f64, exponent: f64) -> Value {
+    let at = |strain: f64| coefficient * strain.powf(exponent);
+    let strains = [0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0];
+    let points: Vec<_> =
+        std::iter::once([0.0, at(0.002)]).chain(strains.map(|e| [e, at(e)])).collect();
+    json!({"law": "table", "points": points})
+}
+
+/// N. E. Dowling, *Mechanical Behavior of Materials*, table 4.6: strength coefficient, exponent
+/// and Brinell hardness of one metal, under 500 kgf for aluminium. Each number lies within 6 % and
+/// inside the bar of the mesh.
+///
+/// His AISI 1020 (737 MPa, 0.19) has 107 HB there and 130 HBW here, as by Tabor's rule: not even
+/// its tensile strength of 441 MPa goes with 107 HB in ISO 18265, which has 131.
+#[test]
+#[ignore = "full"]
+fn numbers_of_published_curves() {
+    for (load, curve, modulus, published) in [
+        ("HBW 10/3000", (1103.0, 0.088), 208_000.0, 256.0),
+        ("HBW 10/500", (806.0, 0.20), 73_100.0, 120.0),
+        ("HBW 10/500", (827.0, 0.113), 71_000.0, 150.0),
+    ] {
+        let report = report(&test(&json!(load), &hollomon(curve.0, curve.1), modulus, 40.0, 24));
+        let found = found(&report);
+        let (number, bar) = (found.number.unwrap(), found.relative_error.unwrap());
+        let off = (number / published - 1.0).abs();
+        assert!(off < bar && off < 0.06 && bar < 0.065, "{number} ± {bar} for {published}");
+    }
+}
+
+/// Brinell's number of ASTM A514 by a coarse mesh, with all that the answer has beside it.
+#[test]
+fn a_brinell_number_of_steel() {
+    let job = test(&json!("HBW 10/3000"), &hollomon(1103.0, 0.088), 208_000.0, 40.0, 12);
+    let report = report(&job);
+    let found = found(&report);
+    assert_eq!(found.test, "HBW 10/3000");
+    let (number, bar) = (found.number.unwrap(), found.relative_error.unwrap());
+    assert!((number / 256.0 - 1.0).abs() < bar && bar < 0.12, "{number} ± {bar}");
+    // The number is that of the diameter, by the formula of ISO 6506-1.
+    let by_diameter = {
+        let (ball, d, force) = (10.0, found.diameter, 3000.0 * 9.80665);
+        0.204 * force / (std::f64::consts::PI * ball * (ball - f64::sqrt(ball * ball - d * d)))
+    };
+    assert!((number / by_diameter - 1.0).abs() < 1e-9);
+    // Tabor's rule, which friction and the curve change by some 5 %.
+    assert!(found.bias.unwrap().abs() < 0.06);
+    // Meyer's exponent is 2 + n of a power law that is fully plastic.
+    assert!((found.meyer_exponent.unwrap() - 2.088).abs() < 0.2);
+    let permanent = found.permanent_depth.unwrap();
+    assert!(permanent > 0.8 * found.depth && permanent < found.depth);
+    assert!(found.pile_up > 0.0 && found.rim_diameter.unwrap() > found.diameter * 0.95);
+    assert!(found.remarks.is_empty(), "{:?}", found.remarks);
+    let pharr = found.oliver_pharr.unwrap();
+    // A pile-up that Oliver and Pharr's depth leaves out.
+    assert!(pharr.area < pharr.true_area && pharr.indentation_hardness > found.mean_pressure);
+}
+
+/// Cones and Rockwell's depths of one steel agree with its Brinell number as ISO 18265 has it, 240
+/// HBW with 253 HV (HBW is 0.95 HV there), and with Dao's loading curvature.
+#[test]
+fn pyramids_and_rockwell() {
+    let steel = hollomon(1103.0, 0.088);
+    let vickers = report(&test(&json!("HV 1"), &steel, 208_000.0, 2.0, 12));
+    let vickers = found(&vickers);
+    let (number, bar) = (vickers.number.unwrap(), vickers.relative_error.unwrap());
+    assert!((number / 253.0 - 1.0).abs() < bar && bar < 0.15, "{number} ± {bar}");
+    assert!(vickers.curvature_bias.unwrap().abs() < 0.06, "{vickers:?}");
+    let codes: Vec<_> = vickers.remarks.iter().map(|remark| &*remark.code).collect();
+    assert_eq!(codes, ["bias_unknown", "equal_cone"]);
+
+    // 1471 N on a steel of some 1800 MPa: 45 to 52 HRC for 430 to 530 HBW.
+    let rockwell = report(&test(&json!("HRC"), &hollomon(2200.0, 0.08), 208_000.0, 6.0, 12));
+    let rockwell = found(&rockwell);
+    let (number, bar) = (rockwell.number.unwrap(), rockwell.relative_error.unwrap());
+    assert!((45.0..52.0).contains(&number) && bar < 0.15, "{number} ± {bar}");
+    assert_eq!(rockwell.bias, None);
+    assert!(rockwell.remarks.iter().any(|remark| remark.code == "bias_unknown"));
+}
+
+/// Fused silica of 72 GPa under 10 mN: 9.2 to 9.5 GPa are measured. Its yield stress of 5.5 GPa,
+/// without hardening, is that of published fits.
+#[test]
+fn fused_silica() {
+    let silica = json!({"law": "bilinear", "yield_stress": 5500, "tangent_modulus": 0});
+    let mut job = test(&json!({"scale": "berkovich", "force": 0.01}), &silica, 72_000.0, 0.02, 16);
+    job["lower"]["material"]["poisson_ratio"] = json!(0.17);
+    let report = report(&job);
+    let found = found(&report);
+    assert_eq!(found.number, None);
+    let bar = found.relative_error.unwrap();
+    assert!((found.mean_pressure / 9350.0 - 1.0).abs() < bar, "{}", found.mean_pressure);
+    let pharr = found.oliver_pharr.unwrap();
+    assert!((pharr.reduced_modulus / pharr.true_reduced_modulus - 1.0).abs() < 0.15);
+}
+
+/// A soft steel under the cone of Rockwell C is below its scale. A soft body that does not harden
+/// has no answer with small strains before the ball bears its force, and so no number.
+#[test]
+fn what_a_scale_does_not_measure() {
+    let soft = report(&test(&json!("HRC"), &hollomon(500.0, 0.15), 208_000.0, 8.0, 6));
+    let soft = found(&soft);
+    assert!(soft.number.unwrap() < 20.0);
+    assert!(soft.remarks.iter().any(|remark| remark.code == "outside_scale"));
+
+    let plateau = json!({"law": "bilinear", "yield_stress": 200, "tangent_modulus": 0});
+    let report = report(&test(&json!("HBW 10/3000"), &plateau, 210_000.0, 40.0, 16));
+    assert_eq!(report.status, SolveStatus::NotConverged);
+    assert!(report.hardness.is_none_or(|hardness| hardness.number.is_none()));
+}
+
+/// A specimen that the standard calls too thin is remarked on.
+#[test]
+fn a_thin_specimen() {
+    let mut job = test(&json!("HBW 2.5/187.5"), &hollomon(1103.0, 0.088), 208_000.0, 0.5, 8);
+    job["lower"]["shape"]["width"] = json!(20.0);
+    let report = report(&job);
+    let hardness = report.hardness.unwrap();
+    assert!(hardness.least_thickness.unwrap() > 0.5);
+    assert!(hardness.remarks.iter().any(|remark| remark.code == "thin_specimen"));
+}
+
+#[test]
+fn a_name_and_its_members_are_one_test() {
+    let steel = hollomon(1103.0, 0.088);
+    let parsed = |load: Value| parse(&test(&load, &steel, 208_000.0, 40.0, 12));
+    let named = parsed(json!("HBW 10/3000"));
+    assert_eq!(named, parsed(json!({"scale": "HBW", "ball": 10, "force_kgf": 3000})));
+    assert_eq!(parsed(json!("HRC")), parsed(json!({"scale": "HRC"})));
+    assert_eq!(parsed(json!("HV 10")), parsed(json!({"scale": "HV", "force_kgf": 10})));
+    let Load::History(loads) = &named.load else { panic!("a history") };
+    let forces: Vec<_> = loads.iter().map(|load| load.magnitude()).collect();
+    assert_eq!(forces, [3000.0 * 9.80665, 0.0]);
+    named.validate().unwrap();
+    let wire = serde_json::to_value(&named).unwrap();
+    assert!(wire.get("upper").is_none() && wire["load"]["hardness"]["ball"] == 10.0);
+    assert_eq!(Job::from_value(&wire).unwrap(), named);
+    let mut in_metres = wire.clone();
+    in_metres["units"] = json!("SI");
+    in_metres["load"]["hardness"]["ball"] = json!(0.01);
+    in_metres["lower"] = json!({
+        "shape": {"type": "block", "width": 0.08, "depth": 0.04},
+        "material": {"young_modulus": 2.08e11, "poisson_ratio": 0.3},
+    });
+    let in_metres = Job::from_value(&in_metres).unwrap();
+    assert_eq!(in_metres.load, named.load);
+    assert_eq!(in_metres.upper, named.upper);
+}
+
+#[test]
+fn what_is_no_test_is_refused_by_pointer() {
+    let steel = hollomon(1103.0, 0.088);
+    let pointers = |change: &dyn Fn(&mut Value)| -> Vec<String> {
+        let mut job = test(&json!("HBW 10/3000"), &steel, 208_000.0, 40.0, 12);
+        change(&mut job);
+        match Job::from_value(&job) {
+            Err(JobError::Fields(faults)) => faults.into_iter().map(|f| f.pointer).collect(),
+            other => panic!("{other:?}"),
+        }
+    };
+    let load = |test: Value| pointers(&move |job| job["load"] = json!({"hardness": test.clone()}));
+    let at = |key: &str| vec![format!("/load/hardness{key}")];
+    assert_eq!(load(json!("HBW 10/2000")), at(""));
+    assert_eq!(load(json!("HRC 150")), at(""));
+    assert_eq!(load(json!("Mohs")), at(""));
+    assert_eq!(load(json!(250)), at(""));
+    assert_eq!(load(json!({"scale": "HBW", "ball": 10})), at("/force_kgf"));
+    assert_eq!(load(json!({"scale": "HBW", "ball": 7, "force_kgf": 3000})), at("/ball"));
+    assert_eq!(load(json!({"scale": "HBW", "ball": 10, "force": 20000})), at("/force"));
+    assert_eq!(load(json!({"scale": "HRC", "force": 1471})), at("/force"));
+    assert_eq!(load(json!({"scale": "HV", "force_kgf": 1, "ball": 1})), at("/ball"));
+    assert_eq!(load(json!({"scale": "sphere", "force": 1, "ball": 1, "hold": 10})), at("/hold"));
+    assert_eq!(
+        load(json!({"scale": "HV", "force_kgf": 1, "indenter_young_modulus": 7e5})),
+        at("/indenter_poisson_ratio")
+    );
+    let body = |job: &mut Value| job["upper"] = job["lower"].clone();
+    assert_eq!(pointers(&body), ["/upper"]);
+    assert_eq!(pointers(&|job| job["analysis"] = json!("plane_strain")), ["/analysis"]);
+    assert_eq!(
+        pointers(&|job| job["solver"] = json!({"theory": "deformation"})),
+        ["/solver/theory"]
+    );
+    assert_eq!(
+        pointers(&|job| job["lower"]["material"] = json!({"rigid": true})),
+        ["/lower/material"]
+    );
+    assert_eq!(
+        pointers(&|job| job["lower"]["shape"] = json!({"type": "cylinder", "radius": 20})),
+        ["/lower/shape/type"]
+    );
+    // All other loads need what a test brings.
+    assert_eq!(pointers(&|job| job["load"] = json!({"force": 1})), ["/analysis", "/upper"]);
+}
