@@ -65,11 +65,7 @@ export class Watch {
     const id = this.#shown;
     if (!id) return;
     const gone = await ask(`v1/jobs/${id}`).then(() => false, isGone);
-    if (gone && this.#shown === id)
-      this.#removed(
-        id,
-        'Links to it no longer work. Its figures stay here until another job is shown.',
-      );
+    if (gone && this.#shown === id) this.#removed(id, 'Its figures stay here.');
   }
 
   /** @param {string} id @param {string} meaning what follows of it */
@@ -150,8 +146,7 @@ export class Watch {
       this.#shown = id;
     } catch (error) {
       if (signal.aborted) return;
-      if (isGone(error))
-        return this.#removed(id, 'Its set-up is in the form: press Solve to solve it again.');
+      if (isGone(error)) return this.#removed(id, 'press Solve to solve it again.');
       this.on.titled('No answer');
       this.#put(
         '',
@@ -179,7 +174,7 @@ export class Watch {
         if (!(error instanceof Problem)) throw error;
         if (error.status === 409) return undefined;
         if (!error.passing) throw error;
-        this.#say(`${error.message}; the result is asked for again`);
+        this.#say(`${error.message}; it is asked again`);
         await Promise.all([
           reconnected(),
           error.status === 0 ? undefined : pause(error.retryAfter),
@@ -353,14 +348,11 @@ function words(
   report,
   job,
 ) {
-  const iterations = `${progress.iterations} iteration${progress.iterations === 1 ? '' : 's'}`;
   switch (status) {
     case 'queued':
       return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
     case 'running':
-      return progress.latest
-        ? `${progress.iterations ? '' : 'preliminary '}${progressWords([progress.latest], job)}`
-        : progressWords([], job);
+      return `${progress.latest && !progress.iterations ? 'preliminary ' : ''}${progressWords(progress.latest ? [progress.latest] : [], job)}`;
     case 'failed':
       return [error?.detail, ...(error?.errors ?? []).map(({ detail }) => detail)]
         .filter(Boolean)
@@ -369,7 +361,7 @@ function words(
     case 'succeeded':
       return `${report && report.steps.length > 1 ? `${report.steps.length} steps ` : ''}solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
     default:
-      return report ? shownOf(report, job) : `after ${iterations}, no result`;
+      return report ? shownOf(report, job) : `after ${iterations(progress.iterations)}, no result`;
   }
 }
 
@@ -382,9 +374,11 @@ function shownOf(report, job) {
   const { steps } = report;
   if (steps.some(({ status }) => status === 'converged') || steps.length > 1)
     return solvedWords(job, report);
-  const iterations = steps.at(-1)?.history.length ?? 0;
-  return `after ${iterations} iteration${iterations === 1 ? '' : 's'}; the figures are those of the last one, not an answer`;
+  return `after ${iterations(steps.at(-1)?.history.length ?? 0)}; its figures are no answer`;
 }
+
+/** @param {number} n */
+const iterations = (n) => `${n} iteration${n === 1 ? '' : 's'}`;
 
 /** @param {string | null} from @param {string | null} to */
 const since = (from, to) => (from && to ? Date.parse(to) - Date.parse(from) : 0);

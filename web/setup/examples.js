@@ -120,10 +120,10 @@ const OWN = [
   },
 ];
 
-/** @param {{name: string, job: Job}[]} served @returns {Example[]} with the stress field, which is what one comes here to see */
+/** @param {{name: string, job: Job}[]} served @returns {Example[]} with the stress field */
 export const examplesOf = (served) =>
   [
-    // The form has no hardness test yet, whose job has no upper body.
+    // The form knows no hardness test.
     ...served
       .filter(({ job }) => job.upper)
       .map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })),

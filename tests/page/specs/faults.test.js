@@ -74,7 +74,7 @@ service.test('a job is cancelled, and those behind it know their place', async (
   await page.locator('#panel-convergence').waitFor();
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.locator('[data-status=cancelled]').waitFor();
-  await page.getByText('the figures are those of the last one, not an answer').waitFor();
+  await page.getByText('its figures are no answer').waitFor();
   await page.evaluate((id) => fetch(`v1/jobs/${id}/cancel`, { method: 'POST' }), waiting);
 });
 

@@ -268,9 +268,9 @@ mod refused {
 
     #[test]
     fn loads() {
-        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches, history, onset, target, rolling");
+        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches, history, onset, target, rolling, hardness");
         assert_snapshot!(faults_of(&with("/load", json!({"force": 1, "approach": 0}))), @r"
-        /load: must have only one of: force, forces, approach, approaches, history, onset, target, rolling
+        /load: must have only one of: force, forces, approach, approaches, history, onset, target, rolling, hardness
         /load/approach: must be greater than 0, got 0
         ");
         assert_snapshot!(faults_of(&with("/load", json!({"forces": []}))), @"/load/forces: must have between 1 and 1000 items, got 0");
