@@ -112,6 +112,9 @@ figures! {
     contact {
         /// Largest contact pressure \[MPa\].
         peak_pressure PeakPressure Stress member,
+        /// Contact pressure in the middle of the contact; of a roller the largest across its middle,
+        /// none of heights \[MPa\].
+        middle_pressure MiddlePressure Stress member,
         /// Half-width; in three dimensions the semi-axis along x \[mm\].
         half_width HalfWidth Length member,
         /// Semi-axis along y; only in three dimensions \[mm\].
@@ -209,6 +212,13 @@ impl FigureSet {
                 set.0[figure.at(side)] = true;
             }
         }
+        set
+    }
+
+    /// Returns the set of all figures but one of the contact.
+    pub fn all_but(figure: Figure) -> Self {
+        let mut set = Self::ALL;
+        set.0[figure.at(0)] = false;
         set
     }
 

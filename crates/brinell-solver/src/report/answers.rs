@@ -675,6 +675,7 @@ impl Facts<'_> {
         };
         let mut answers = Vec::new();
         let peak = |value: f64| self.figure(Figure::PeakPressure, value);
+        let middle = self.middle_pressure();
         answers.push(match self.measured.inside_rim {
             Some((pressure, _)) if pressure <= 0.0 => {
                 let peak =
@@ -688,8 +689,9 @@ impl Facts<'_> {
                 .error(bars.and_then(|bars| bars.peak_pressure))
                 .elastic(hertz.map(|hertz| hertz.peak_pressure))
                 .place(of_surface(contact.peak_position, whole.map(|whole| whole.peak_position_y)))
-                .text(beside),
+                .text(middle.as_ref().map_or_else(|| beside.to_owned(), |_| self.least_peak())),
         });
+        answers.extend(middle);
         let half_width = self
             .figure(Figure::HalfWidth, contact.half_width)
             .error(bars.and_then(|bars| bars.half_width))
@@ -745,6 +747,26 @@ impl Facts<'_> {
             .text(if self.is_rough() { "over the cells in contact" } else { beside }),
         );
         answers
+    }
+
+    /// Returns the pressure in the middle where it has a bar and the peak has none.
+    fn middle_pressure(&self) -> Option<Answer> {
+        let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
+        let pressure = self.step.contact.middle_pressure;
+        let bar = bars.middle_pressure.filter(|_| pressure > 0.0)?;
+        Some(self.figure(Figure::MiddlePressure, pressure).error(Some(bar)))
+    }
+
+    /// Says what the peak is at least: the larger of the pressures in the middle and in the mean, less
+    /// their bars.
+    fn least_peak(&self) -> String {
+        let contact = &self.step.contact;
+        let less =
+            |pressure: f64, bar: Option<f64>| pressure * (1.0 - bar.unwrap_or(1.0)).max(0.0);
+        let middle = self.bars().and_then(|bars| bars.middle_pressure);
+        let least = less(contact.middle_pressure, middle)
+            .max(less(contact.mean_pressure, self.mean_pressure_bar()));
+        format!("at least {} {}", about(least), self.unit(AnswerQuantity::Stress))
     }
 
     /// Returns the bar of the mean pressure: under a given force that of the contact area.

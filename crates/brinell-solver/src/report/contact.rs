@@ -23,6 +23,11 @@ pub struct ContactReport {
     /// x of the largest pressure; where nothing touches, of the largest that the history had
     /// \[length\].
     pub peak_position: f64,
+    /// Pressure in the middle of the contact; of a roller the largest across its middle, 0 of heights
+    /// \[stress >= 0\].
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub middle_pressure: f64,
     /// Force over width, or over the area of the contact circle; of a pin in a hole over those
     /// across the approach \[stress >= 0\].
     pub mean_pressure: f64,
@@ -74,6 +79,7 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
         half_angle: step.conforming.map(|pair| pair.angle(step.half_width()).to_degrees()),
         peak_pressure: write.stress(step.peak_pressure),
         peak_position: write.length(step.peak_position),
+        middle_pressure: write.stress(step.middle_pressure()),
         mean_pressure: write.stress(step.mean_pressure()),
         patches: patches(step)
             .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })

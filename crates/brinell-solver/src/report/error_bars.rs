@@ -26,7 +26,7 @@ use super::{PerBody, contact_stiffness, target, validity};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
-use crate::solver::floors::floors;
+use crate::solver::bars::Bars;
 use crate::solver::method::figures::{Figure, FigureSet, Figures};
 use crate::solver::{ElasticReference, StepSolution};
 
@@ -34,6 +34,7 @@ use crate::solver::{ElasticReference, StepSolution};
 pub const fn name_of(figure: Figure) -> Option<&'static str> {
     Some(match figure {
         Figure::PeakPressure => "peak pressure",
+        Figure::MiddlePressure => "middle pressure",
         Figure::HalfWidth => "half-width",
         Figure::SemiAxisY => "semi-axis along y",
         Figure::ContactArea => "contact area",
@@ -56,6 +57,8 @@ const STIFFNESS_FLOORS: [f64; 2] = [0.1, 0.2];
 /// Largest exponent of the force in the power laws of peak pressure, half-width and stiffness of a
 /// contact of arcs: the exponent of a line contact.
 const WITH_FORCE: f64 = 0.5;
+/// Elements from the middle within which a peak is that in the middle.
+pub(super) const BESIDE: f64 = 2.5;
 /// Exponent of the force in the growth of plastic strain well beyond the onset of yield.
 const STRAIN_WITH_FORCE: f64 = 1.5;
 
@@ -68,6 +71,10 @@ pub struct ErrorEstimate {
     /// Of the peak pressure \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub peak_pressure: Option<f64>,
+    /// Of the pressure in the middle of the contact \[1 >= 0\].
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub middle_pressure: Option<f64>,
     /// Of the half-width \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub half_width: Option<f64>,
@@ -131,13 +138,13 @@ pub(super) fn estimate(
     Some(match (step.load, &job.load) {
         (ContactLoad::Approach(_), _) => bars,
         (ContactLoad::Force(_), Load::Onset) => {
-            bars.with_force_error(step.onset_error.unwrap_or(0.0), None)
+            bars.with_force_error(step.force_error.unwrap_or(0.0), None)
         }
         (ContactLoad::Force(force), Load::Target(target)) if force > 0.0 => {
-            let of_revolution = step.stress_state == StressState::Axisymmetric;
-            let error =
-                step.target_sensitivity.zip(target::error_of(target.figure, &bars, of_revolution));
-            match error.map(|(sensitivity, error)| error / sensitivity) {
+            match step
+                .force_error
+                .filter(|_| target::error_of(target.figure, &bars, false).is_some())
+            {
                 Some(error) => bars.with_force_error(error, Some(target.figure)),
                 None => bars.without_force(target.figure),
             }
@@ -201,10 +208,19 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
             ),
         })
     };
+    // Of a tip the peak in the middle is without bound.
+    let is_peak_in_middle = (step.peak_position - step.middle).abs() < BESIDE * step.spacing;
+    // Where an edge is left out, the contact ends anywhere on an element.
+    let is_edge_left_out =
+        findings.iter().any(|finding| matches!(finding, Finding::RoundedEdge { .. }));
+    let of_end = if is_edge_left_out { 0.5 * bars.size } else { 0.0 };
     // The stiffness is known where the contact size is.
     let stiffness = step.contact_stiffness.filter(|_| known.has(Figure::HalfWidth, 0));
     Some(ErrorEstimate {
         peak_pressure: of_contact(Figure::PeakPressure),
+        middle_pressure: of_contact(Figure::MiddlePressure)
+            .filter(|_| known.has(Figure::PeakPressure, 0) || !is_peak_in_middle)
+            .map(|bar| bar + of_end),
         half_width: of_contact(Figure::HalfWidth),
         approach: if is_approach_given { Some(0.0) } else { of_contact(Figure::Approach) },
         force: of_contact(Figure::Force),
@@ -219,6 +235,7 @@ impl ErrorEstimate {
         let body = self.bodies.and_then(|bodies| [bodies.upper, bodies.lower][side]);
         match figure {
             Figure::PeakPressure => self.peak_pressure,
+            Figure::MiddlePressure => self.middle_pressure,
             Figure::HalfWidth => self.half_width,
             Figure::Approach => self.approach,
             Figure::Force => self.force,
@@ -270,6 +287,7 @@ impl ErrorEstimate {
         if target != Some(TargetFigure::HalfWidth) {
             wider(&mut self.half_width, WITH_FORCE);
         }
+        wider(&mut self.middle_pressure, WITH_FORCE);
         wider(&mut self.contact_stiffness, WITH_FORCE);
         if let Some(bodies) = &mut self.bodies {
             for body in [&mut bodies.upper, &mut bodies.lower].into_iter().flatten() {
@@ -283,66 +301,6 @@ impl ErrorEstimate {
             }
         }
         self
-    }
-}
-
-/// Figures from which the error bars of a load step are computed.
-struct Bars {
-    of_revolution: bool,
-    /// Element size over half-width, h/a.
-    size: f64,
-    found: Figures,
-    coarse: Figures,
-    increments: Figures,
-    /// What the floors are multiplied by.
-    scales: Figures,
-}
-
-impl Bars {
-    fn of(step: &StepSolution) -> Option<Self> {
-        let half_width = if step.patch.is_some() { step.half_width() } else { step.reached[1] };
-        if half_width <= 0.0 {
-            return None;
-        }
-        let figures = step.figures();
-        let mut scales = figures;
-        let largest_approach = step.approach.abs().max(step.reached[0]);
-        scales.approach = largest_approach;
-        scales.force = scales.force.max(step.unloading_stiffness * largest_approach);
-        for (scales, body) in scales.bodies.iter_mut().zip(&step.bodies) {
-            let Some(body) = body else { continue };
-            let points = body.stress.points.iter().flatten();
-            let von_mises = points.map(|point| point.largest_von_mises).fold(0.0, f64::max);
-            let elastic_strain = von_mises / (3.0 * body.model.elastic().shear);
-            scales.max_plastic_strain += elastic_strain;
-            scales.mean_plastic_strain += elastic_strain;
-            scales.pile_up += scales.dent;
-            scales.dent = largest_approach;
-            (scales.least_stress, scales.largest_von_mises) = (von_mises, von_mises);
-        }
-        // The coarsest part of a contact may have the peak pressure.
-        let part = step.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
-        let size = (step.spacing / half_width).max(part);
-        Some(Self {
-            of_revolution: step.stress_state == StressState::Axisymmetric,
-            size,
-            found: figures,
-            coarse: step.coarse?,
-            increments: step.increment_error.unwrap_or_default(),
-            scales: scales.zip(&scales, |scale, _| size * scale.abs()),
-        })
-    }
-
-    /// Returns the bar of a figure. A figure of 0 has the bar 0 if it is 0 on the coarser mesh too,
-    /// else no bar.
-    fn of_figure(&self, figure: Figure, side: usize) -> Option<f64> {
-        let at = |figures: &Figures| figures.values()[figure.at(side)];
-        let (found, coarse) = (at(&self.found), at(&self.coarse));
-        if found == 0.0 {
-            return (coarse == 0.0).then_some(0.0);
-        }
-        let floor = floors(figure)[usize::from(self.of_revolution)]? * at(&self.scales);
-        Some(((found - coarse).abs() + floor) / found.abs() + at(&self.increments))
     }
 }
 
@@ -360,7 +318,8 @@ fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Figure, floors, name_of};
+    use super::{Figure, name_of};
+    use crate::solver::floors::floors;
 
     #[test]
     fn the_document_has_the_same_floors() {

@@ -65,7 +65,7 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<Finding> {
 fn cause(job: &Job, step: &StepSolution, is_sought: bool) -> Option<OnsetUnknown> {
     let spacing = step.spacing;
     if let Some(edge) = &step.rounded_edge {
-        if is_sought && step.onset_error.is_some_and(|error| error <= KNOWN) {
+        if is_sought && step.force_error.is_some_and(|error| error <= KNOWN) {
             return None;
         }
         let used = at_narrow_edge(step, &Problem::of(job))?.ratio;

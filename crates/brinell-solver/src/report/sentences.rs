@@ -451,17 +451,22 @@ impl Work {
                      history: {cause}."
                 )
             }
-            Self::Search { meshes, of_histories, force } => format!(
-                "The force was sought on {meshes} meshes, of which searches rarely take more than \
-                 {MANY_MESHES}: {}. A force near {} (`load.force` or `load.history`) is solved at \
-                 once.",
-                if of_histories {
-                    "each trial of a force is a history in increments on meshes of its own"
+            Self::Search { meshes, of_cells, of_histories, force } => {
+                let [one, many] = if of_cells { ["grid", "grids"] } else { ["mesh", "meshes"] };
+                let cause = if of_histories {
+                    format!(
+                        "each trial of a force is a history in increments on {many} of its own"
+                    )
                 } else {
-                    "near the value the contact changes from mesh to mesh"
-                },
-                write.force_text(force)
-            ),
+                    format!("near the value the contact changes from {one} to {one}")
+                };
+                format!(
+                    "The force was sought on {meshes} {many}, of which searches rarely take more \
+                     than {MANY_MESHES}: {cause}. A force near {} (`load.force` or \
+                     `load.history`) is solved at once.",
+                    write.force_text(force)
+                )
+            }
             Self::FineMesh { elements, asked, equations } => format!(
                 "Details of the surfaces take {elements:.0} elements over the half-width in place \
                  of {asked:.0}, and {:.1} million equations: the job takes some {:.0} times as \

@@ -119,7 +119,14 @@ pub(super) fn findings(
     let mut findings: Vec<Finding> = Vec::new();
     findings.extend(status(step, job.solver));
     findings.extend(slow_coupling(step, job.solver.coupling));
-    findings.extend(many_meshes(step));
+    let of_histories = step.energy.is_some();
+    let search = Work::Search {
+        meshes: step.meshes_of_search,
+        of_cells: false,
+        of_histories,
+        force: step.force(),
+    };
+    findings.extend(long_search(search));
     findings.extend(fine_mesh(job, step, half_width));
     let radius = smallest_radius(job, reference);
     findings.extend(wide_contact(job, step, half_width, radius).map(Finding::Wide));
@@ -314,14 +321,9 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<Finding> {
 }
 
 /// Returns the finding on a search for a force that took many meshes.
-fn many_meshes(step: &StepSolution) -> Option<Finding> {
-    (step.meshes_of_search > MANY_MESHES).then(|| {
-        Finding::Work(Work::Search {
-            meshes: step.meshes_of_search,
-            of_histories: step.energy.is_some(),
-            force: step.force(),
-        })
-    })
+pub(super) fn long_search(search: Work) -> Option<Finding> {
+    let is_long = matches!(search, Work::Search { meshes, .. } if meshes > MANY_MESHES);
+    is_long.then_some(Finding::Work(search))
 }
 
 /// Returns the finding on a mesh that details of the surfaces make much finer than the job

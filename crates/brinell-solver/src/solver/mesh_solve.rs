@@ -26,7 +26,7 @@ use crate::solver::method::observer::ask;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Answer, solve};
 use crate::solver::problem::Problem;
-use crate::solver::solution::BodySolution;
+use crate::solver::solution::{BodySolution, pressure_in_middle};
 use crate::solver::strategy::coupling;
 use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, final_check};
 
@@ -143,6 +143,13 @@ impl MeshSolve {
         }
     }
 
+    /// Pressure in the middle of the contact \[MPa\].
+    fn middle_pressure(&self) -> f64 {
+        let (x, pressure) =
+            self.system.pressure_over_x(&self.outcome.state.response.contact.force);
+        pressure_in_middle(self.system.stress_state, self.middle(), &x, &pressure)
+    }
+
     /// Headline figures; `None` where nothing touches.
     pub fn figures_of_contact(&self) -> Option<Figures> {
         self.patch.map(|_| Figures { bodies: self.body_figures(), ..self.figures() })
@@ -187,7 +194,15 @@ impl Answer for MeshSolve {
         let ContactFigures { force, approach, peak_pressure, .. } =
             self.system.figures(&self.outcome.state.response.contact);
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
-        Figures { peak_pressure, half_width, approach, force, ..Figures::default() }
+        let middle_pressure = self.middle_pressure();
+        Figures {
+            peak_pressure,
+            middle_pressure,
+            half_width,
+            approach,
+            force,
+            ..Figures::default()
+        }
     }
 
     fn body_figures(&self) -> [BodyFigures; 2] {

@@ -9,6 +9,7 @@
 //! check:     full displacement fields; contact conditions and equilibrium from scratch
 //! ```
 
+pub mod bars;
 mod body_system;
 mod conforming;
 mod error;

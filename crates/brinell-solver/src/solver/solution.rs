@@ -114,11 +114,9 @@ pub struct StepSolution {
     /// The figure that is sought over its wanted value, where no force gave it: it jumps from one
     /// mesh to the next.
     pub missed: Option<f64>,
-    /// Of the onset of yield: relative error of the force, by how much meshes of half the density
-    /// change it.
-    pub onset_error: Option<f64>,
-    /// Relative change of a target over that of the force, under the force that was sought for it.
-    pub target_sensitivity: Option<f64>,
+    /// Relative error of the force that was sought: of the onset of yield by how much meshes of half
+    /// the density change it, for a target the bar of the target over its sensitivity.
+    pub force_error: Option<f64>,
     /// Meshes on which its force was sought; 0 of a load that was given.
     pub meshes_of_search: usize,
     /// Times the candidate zone was widened.
@@ -281,6 +279,7 @@ impl StepSolution {
         };
         Figures {
             peak_pressure: self.peak_pressure,
+            middle_pressure: self.middle_pressure(),
             half_width: self.half_width(),
             approach: self.approach,
             force: self.force(),
@@ -292,6 +291,13 @@ impl StepSolution {
     /// Half of the distance between the ends of the pressure; 0 where nothing touches \[mm\].
     pub fn half_width(&self) -> f64 {
         self.patch.map_or(0.0, |patch| patch.half_width())
+    }
+
+    /// Pressure in the middle of the contact \[MPa\].
+    pub fn middle_pressure(&self) -> f64 {
+        let x: Vec<f64> = self.pairs.iter().map(|pair| pair.x).collect();
+        let pressure: Vec<f64> = self.pairs.iter().map(|pair| pair.pressure).collect();
+        pressure_in_middle(self.stress_state, self.middle, &x, &pressure)
     }
 
     /// Force over the width or, of a body of revolution, over the area of the contact circle; 0
@@ -309,6 +315,29 @@ impl StepSolution {
         };
         // The half-width is known to half an element; a mean above the peak would be its error.
         (self.force() / area).min(self.peak_pressure)
+    }
+}
+
+/// Returns the pressure at `middle` from those at ascending x \[MPa\]: interpolated between two pairs,
+/// of a body of revolution by the parabola through the two pairs beside the axis. That on the axis
+/// stands for a circle of half an element.
+pub(super) fn pressure_in_middle(
+    state: StressState,
+    middle: f64,
+    x: &[f64],
+    pressure: &[f64],
+) -> f64 {
+    if let (StressState::Axisymmetric, [_, inner, outer, ..]) = (state, pressure) {
+        return ((4.0 * inner - outer) / 3.0).max(0.0);
+    }
+    let right = x.partition_point(|x| *x <= middle);
+    match (right.checked_sub(1).and_then(|left| pressure.get(left)), pressure.get(right)) {
+        (Some(left), Some(beyond)) => {
+            let part = (middle - x[right - 1]) / (x[right] - x[right - 1]);
+            left + part * (beyond - left)
+        }
+        (Some(only), None) | (None, Some(only)) => *only,
+        (None, None) => 0.0,
     }
 }
 

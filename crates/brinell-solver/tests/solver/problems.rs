@@ -1,7 +1,7 @@
 //! Jobs that several verification problems share.
 
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, Report};
+use brinell_solver::report::{self, Report, StepReport};
 use brinell_solver::solver::{self, Options, Solution, Unobserved};
 use serde_json::{Value, json};
 
@@ -82,4 +82,31 @@ pub fn bits(solution: &Solution) -> Vec<u64> {
 pub fn assert_within(value: f64, expected: f64, tolerance: f64) {
     let error = value / expected - 1.0;
     assert!(error.abs() <= tolerance, "{value} is {:+.4} % off {expected}", 100.0 * error);
+}
+
+/// Asserts that a figure is the expected one within its error bar.
+#[track_caller]
+fn assert_in_bar(value: f64, expected: f64, bar: Option<f64>) {
+    assert_within(value, expected, bar.unwrap());
+}
+
+/// Asserts that the peak pressure is the expected one within its error bar.
+#[track_caller]
+pub fn assert_peak(step: &StepReport, expected: f64) {
+    let bar = step.estimated_error.and_then(|bars| bars.peak_pressure);
+    assert_in_bar(step.contact.peak_pressure, expected, bar);
+}
+
+/// Asserts that the half-width is the expected one within its error bar.
+#[track_caller]
+pub fn assert_width(step: &StepReport, expected: f64) {
+    let bar = step.estimated_error.and_then(|bars| bars.half_width);
+    assert_in_bar(step.contact.half_width, expected, bar);
+}
+
+/// Asserts that the approach is the expected one within its error bar.
+#[track_caller]
+pub fn assert_approach(step: &StepReport, expected: f64) {
+    let bar = step.estimated_error.and_then(|bars| bars.approach);
+    assert_in_bar(step.approach.unwrap(), expected, bar);
 }

@@ -167,35 +167,42 @@ pub fn half_spaces(random: &mut Random) -> Value {
     })
 }
 
+/// Radius of the upper body of a contact in three dimensions, along x.
+fn upper_radius(job: &Value) -> f64 {
+    let shape = &job["upper"]["shape"];
+    shape["radius"].as_f64().or_else(|| shape["radius_x"].as_f64()).unwrap_or(1.0)
+}
+
+/// Replaces the upper body of a contact in three dimensions by a roller of its radius, on a flat.
+pub fn put_roller(random: &mut Random, job: &mut Value) {
+    let radius = upper_radius(job);
+    let length = radius * random.between(0.3, 1.5);
+    let mut roller = json!({"type": "roller", "radius": radius, "length": length});
+    match random.one_of(&[0, 1, 2, 3]) {
+        0 => roller["profile"] = json!("iso_16281"),
+        1 => {
+            roller["profile"] = json!("crowned");
+            roller["crown_radius"] = json!(100.0 * radius);
+        }
+        _ => {}
+    }
+    if random.happens(0.3) {
+        roller["tilt"] = json!(random.between(-0.5, 0.5));
+    }
+    job["upper"]["shape"] = roller;
+    job["lower"]["shape"] = json!({"type": "flat"});
+}
+
 /// Any contact in three dimensions: half-spaces as above, rollers, rough surfaces, strength over
 /// depth, onsets and targets, in both systems of units.
 pub fn in_three_dimensions(random: &mut Random) -> Value {
     let mut job = half_spaces(random);
-    let radius = job["upper"]["shape"]["radius"]
-        .as_f64()
-        .or_else(|| job["upper"]["shape"]["radius_x"].as_f64())
-        .unwrap_or(1.0);
+    let radius = upper_radius(&job);
     let force = &job["load"]["force"];
     let force = force.as_f64().or_else(|| job["load"]["forces"][1].as_f64());
     let force = force.or_else(|| job["load"]["history"][0]["force"].as_f64());
     match random.one_of(&[0, 0, 0, 1, 2]) {
-        1 => {
-            let length = radius * random.between(0.3, 1.5);
-            let mut roller = json!({"type": "roller", "radius": radius, "length": length});
-            match random.one_of(&[0, 1, 2, 3]) {
-                0 => roller["profile"] = json!("iso_16281"),
-                1 => {
-                    roller["profile"] = json!("crowned");
-                    roller["crown_radius"] = json!(100.0 * radius);
-                }
-                _ => {}
-            }
-            if random.happens(0.3) {
-                roller["tilt"] = json!(random.between(-0.5, 0.5));
-            }
-            job["upper"]["shape"] = roller;
-            job["lower"]["shape"] = json!({"type": "flat"});
-        }
+        1 => put_roller(random, &mut job),
         2 => {
             let spacing = 0.002 * radius;
             let rows: Vec<Vec<f64>> = (0..10)

@@ -4,11 +4,12 @@ use super::step::largest_strain;
 use crate::job::{Body, Deformable, Job, Load, Material, MeshSettings, Roller, Theory};
 use crate::report::findings::{
     CasePlace, ContactOutline, Deformation, Density, Finding, OnsetUnknown, Unconverged, Wide,
+    Work,
 };
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
 use crate::report::validity::{
-    Unfinished, WIDE_CONTACT, large_strain, of_history, over_yield_stress,
+    Unfinished, WIDE_CONTACT, large_strain, long_search, of_history, over_yield_stress,
 };
 use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
@@ -39,6 +40,13 @@ pub(super) fn findings(
     if step.reaches_edge {
         findings.push(Finding::AtEdge { in_hole: false });
     }
+    let search = Work::Search {
+        meshes: step.grids_of_search,
+        of_cells: true,
+        of_histories: job.solver.theory == Theory::Flow,
+        force: step.figures.force,
+    };
+    findings.extend(long_search(search));
     findings.extend(coarse_grid(problem, step));
     if !step.unknown_before.is_empty() {
         findings.push(Finding::EarlierLoads { unknown: step.unknown_before });

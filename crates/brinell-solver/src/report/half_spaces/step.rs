@@ -9,6 +9,7 @@ use super::layers::layers;
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
+use crate::report::error_bars::BESIDE;
 use crate::report::findings::{Finding, Known};
 use crate::report::plastic_strain::bounded;
 use crate::report::{
@@ -108,6 +109,7 @@ impl StepWriter<'_> {
             half_angle: None,
             peak_pressure: write.stress(figures.peak_pressure),
             peak_position: write.length(step.peak_position[0]),
+            middle_pressure: write.stress(figures.middle_pressure),
             mean_pressure: if touches {
                 write.stress(figures.force / figures.contact_area)
             } else {
@@ -149,13 +151,9 @@ impl StepWriter<'_> {
         })
     }
 
-    /// Returns dP/dα at a constant contact area \[N/mm\] for bodies that are elastic under the
-    /// next change of load: they have not yielded, or a history has reached a larger approach
-    /// before.
+    /// Returns dP/dα at a constant contact area \[N/mm\] of bodies that do not flow.
     pub fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
-        let yields = step.bodies.iter().flatten().any(|body| body.largest_strain.is_some());
-        let grows = step.figures.approach >= step.largest_approach;
-        let is_known = !(step.status.is_stopped() || yields && grows);
+        let is_known = !(step.status.is_stopped() || step.flows);
         is_known.then(|| self.reference.stiffness(step))
     }
 
@@ -373,8 +371,16 @@ impl StepWriter<'_> {
         };
         let peak = Some(relative(errors.peak_pressure, figures.peak_pressure));
         let peak = known.bar(Figure::PeakPressure, 0, peak);
+        let middle = relative(errors.middle_pressure, figures.middle_pressure);
+        let [x, y] = step.peak_position;
+        let grid = &step.surface.grid;
+        let is_peak_in_middle = x.abs() < BESIDE * grid.hx() && y.abs() < BESIDE * grid.hy();
+        let middle = known
+            .bar(Figure::MiddlePressure, 0, Some(middle))
+            .filter(|_| peak.is_some() || !is_peak_in_middle);
         Some(ErrorEstimate {
             peak_pressure: peak,
+            middle_pressure: middle.filter(|_| self.problem.heights.is_none()),
             half_width: self.semi_axis_error(step, 0),
             approach: Some(relative(errors.approach, figures.approach)),
             // The stress at the onset of yield is proportional to the cube root of the force.

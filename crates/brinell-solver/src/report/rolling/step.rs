@@ -84,6 +84,7 @@ impl StepWriter<'_> {
             half_angle: None,
             peak_pressure: write.stress(last.peak_pressure),
             peak_position: write.length(last.peak_position),
+            middle_pressure: write.stress(self.middle_pressure()),
             mean_pressure: write.stress(mean),
             patches: touches.then_some(Patch { left, right }).into_iter().collect(),
             nodes: ContactNodes {
@@ -93,6 +94,15 @@ impl StepWriter<'_> {
                 gap: solution.gap.iter().map(|gap| write.length(*gap)).collect(),
             },
         }
+    }
+
+    /// Returns the pressure of the column nearest to the middle of the contact.
+    fn middle_pressure(&self) -> f64 {
+        let [left, right] = self.solution.last.ends;
+        let from_middle = |x: f64| (x - 0.5 * (left + right)).abs();
+        let columns = self.solution.x.iter().zip(&self.solution.pressure);
+        let nearest = columns.min_by(|a, b| from_middle(*a.0).total_cmp(&from_middle(*b.0)));
+        nearest.map_or(0.0, |(_, pressure)| *pressure)
     }
 
     /// Returns the errors of the contact in the last pass.

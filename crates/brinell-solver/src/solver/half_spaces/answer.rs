@@ -142,11 +142,12 @@ impl Answer {
             plastic_residual: evidence.equilibrium_residual,
             increments: Vec::new(),
             last_increment: LastIncrement::default(),
+            grids_of_search: 0,
             enlargements: self.system.design.enlargements,
             reaches_edge: evidence.reaches_edge,
             has_collapsed: evidence.has_collapsed,
             is_preliminary: false,
-            largest_approach: 0.0,
+            flows: self.system.flows(&self.outcome.state.loads),
             missed: None,
             unknown_before: FigureSet::default(),
         }

@@ -17,7 +17,7 @@ use crate::solver::floors::floors;
 use crate::solver::method::figures::{Figure, Figures};
 
 /// Place of half-spaces among the floors of a figure.
-const HALF_SPACES: usize = 2;
+const HALF_SPACES: usize = 3;
 const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
 /// Growth of the floor of the peak pressure with the distance of the peak from the middle over the
@@ -77,6 +77,7 @@ impl HalfSpaceStep {
             | (Figure::HalfWidth | Figure::SemiAxisY, TargetFigure::HalfWidth) => 0.0,
             (
                 Figure::PeakPressure
+                | Figure::MiddlePressure
                 | Figure::HalfWidth
                 | Figure::SemiAxisY
                 | Figure::LeastStress

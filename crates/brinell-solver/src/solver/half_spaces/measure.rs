@@ -73,6 +73,7 @@ pub(super) fn measure(
         force: contact.total_force,
         approach: system.approach(contact),
         peak_pressure,
+        middle_pressure: middle_pressure(system, &pressure),
         half_width: axes[0],
         semi_axis_y: axes[1],
         contact_area: area(system, &pressure, axes),
@@ -260,6 +261,21 @@ fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
         first.zip(last).map_or(0.0, |(first, last)| 0.5 * side * (last - first + 1) as f64)
     };
     [half(&|cell| cell / grid.ny(), grid.hx()), half(&|cell| cell % grid.ny(), grid.hy())]
+}
+
+/// Returns the pressure in the middle of the contact: the mean of the cells beside it, of a roller the
+/// largest in the rows beside it, 0 of heights.
+fn middle_pressure(system: &HalfSpaces, pressure: &[f64]) -> f64 {
+    let (grid, design) = (system.grid(), &system.design);
+    if design.is_patch() {
+        return 0.0;
+    }
+    let middle = |n: usize| [(n - 1) / 2, n / 2];
+    let cells = |i: usize| middle(grid.ny()).map(|j| pressure[i * grid.ny() + j]);
+    if design.half_length.is_some() {
+        return (0..grid.nx()).flat_map(cells).fold(0.0, f64::max);
+    }
+    middle(grid.nx()).into_iter().flat_map(cells).sum::<f64>() / 4.0
 }
 
 /// Returns the contact area: of the ellipse with these semi-axes, of the rows of a roller, or of

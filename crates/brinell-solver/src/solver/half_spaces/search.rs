@@ -56,6 +56,9 @@ pub(super) fn run(
     let search = ForceSearch { problem, solved, sought };
     let found = find(&search, search.terms()?, run)?;
     let mut steps = found.trial.steps;
+    for step in &mut steps {
+        step.grids_of_search = *run.passes;
+    }
     if let Sought::Target(target) = sought {
         let error = steps.last().and_then(|step| step.target_error(target.figure));
         let error = error.map(|error| error / found.sensitivity);

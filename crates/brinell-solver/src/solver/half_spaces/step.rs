@@ -14,6 +14,7 @@ use crate::solver::solution::Energy;
 
 /// The answer to one load step of a contact in three dimensions. Lengths in mm, forces in N,
 /// stresses in MPa.
+#[expect(clippy::struct_excessive_bools, reason = "independent facts of a step")]
 #[derive(Debug, Clone)]
 pub struct HalfSpaceStep {
     /// How the iteration ended, including the final check.
@@ -59,8 +60,10 @@ pub struct HalfSpaceStep {
     pub increments: Vec<IncrementRecord>,
     /// The last increment.
     pub last_increment: LastIncrement,
-    /// Largest approach so far in the history \[mm\]; zero without a history.
-    pub largest_approach: f64,
+    /// Whether a cell flows in the last increment.
+    pub flows: bool,
+    /// Number of grids on which the force was sought; zero where it is given.
+    pub grids_of_search: usize,
     /// Number of times that the grid was enlarged.
     pub enlargements: usize,
     /// Whether the contact or the plastic region reaches the edge of the last grid.
@@ -200,7 +203,6 @@ impl Step for HalfSpaceStep {
     fn end_load(&mut self, end: LoadEnd) {
         (self.load, self.last_increment) = (end.load, end.last_increment);
         self.increments = end.increments;
-        self.largest_approach = end.reached[0];
     }
 
     /// [`errors`](Self::errors) already contain the change from the coarse history's figures.

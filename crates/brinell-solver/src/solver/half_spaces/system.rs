@@ -20,6 +20,7 @@ use brinell_halfspace::{
 use super::engine::GridDesign;
 use super::moment::PrescribedMoment;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use crate::material::flows;
 use crate::solver::method;
 use crate::solver::method::contact_system::{
     BlockVector, ContactFigures, ContactSystem, Response,
@@ -138,15 +139,33 @@ impl HalfSpaces {
         if approach.abs() <= f64::EPSILON * least.abs() { 0.0 } else { approach }
     }
 
-    /// Returns the peak pressure \[MPa\] and its cell.
+    /// Returns the peak pressure \[MPa\] and its cell. A mean over cells beyond the end of a roller
+    /// would be no pressure of the roller.
     pub fn peak(&self, force: &[f64]) -> (f64, usize) {
         let (grid, area) = (self.grid(), self.grid().cell_area());
+        let is_at_end = |cell: usize| {
+            let beyond = grid.y(cell % grid.ny()).abs() + grid.hy();
+            self.design.half_length.is_some_and(|half_length| beyond > half_length)
+        };
         let pressure = |cell: usize| {
-            if self.is_smoothed { smoothed(grid, force, cell) / area } else { force[cell] / area }
+            let is_mean = self.is_smoothed && !is_at_end(cell);
+            if is_mean { smoothed(grid, force, cell) / area } else { force[cell] / area }
         };
         (0..force.len())
             .map(|cell| (pressure(cell), cell))
             .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most })
+    }
+
+    /// Returns whether a cell flows in an increment of the initial stress `2G Δε_p`.
+    pub fn flows(&self, increment: &BlockVector) -> bool {
+        let (yielding, n_cells) = (self.yielding.borrow(), self.grid().n_cells());
+        yielding.flowed.iter().any(|(body, cell)| {
+            let (layer, start) = place(*cell, n_cells);
+            let flow = isometric(std::array::from_fn(|k| increment[*body][start + k * n_cells]));
+            // 3G times the equivalent of Δε_p.
+            let gained = (1.5 * flow.iter().map(|x| x * x).sum::<f64>()).sqrt();
+            flows(gained, yielding.bodies[*body].law().yield_stress(layer, *cell), 1.0)
+        })
     }
 
     /// Returns `Σ (hx hy)² h_l/ℓ a:a` over the cells that have flowed. In other cells, the initial

@@ -9,6 +9,7 @@ use super::utilization::{
 };
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
+use crate::solver::bars::Bars;
 use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::method::force_search::{self, Density, ForceFound, Terms, Trial, Tried, find};
@@ -134,11 +135,15 @@ impl ForceSearch<'_> {
         {
             let error = self.force_error(&trial, slope, run)?;
             if let Some(step) = trial.steps.last_mut() {
-                step.onset_error = Some(error);
+                step.force_error = Some(error);
             }
         }
-        if let (Sought::Target(_), [step]) = (self.sought, trial.steps.as_mut_slice()) {
-            step.target_sensitivity = Some(sensitivity);
+        if let Sought::Target(target) = self.sought {
+            let bars = trial.steps.last().and_then(Bars::of);
+            let error = bars.and_then(|bars| bars.of_target(target.figure));
+            for step in &mut trial.steps {
+                step.force_error = error.map(|error| error / sensitivity);
+            }
         }
         if let Some(step) = trial.steps.first_mut() {
             step.meshes_of_search = *run.passes - before;

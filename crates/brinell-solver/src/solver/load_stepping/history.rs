@@ -13,7 +13,7 @@ use crate::fem::assembly::GaussPoint;
 use crate::fem::element::StressState;
 use crate::fem::mesh::ContactZone;
 use crate::job::Job;
-use crate::material::ReferenceModuli;
+use crate::material::{ReferenceModuli, flows};
 use crate::solver::body_system::system::System;
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::finite_elements::{FiniteElements, MeshDesign};
@@ -36,10 +36,6 @@ use crate::solver::reference::ElasticReference;
 use crate::solver::solution::StepSolution;
 use crate::solver::strategy::coupling;
 use crate::solver::{SolveError, final_check};
-
-/// Plastic strain that a point gains in an increment, over its elastic strain, from which on it
-/// flows.
-const FLOWS: f64 = 1e-4;
 
 /// What a history is solved with.
 #[derive(Clone, Copy)]
@@ -354,6 +350,6 @@ impl PointHistory {
         self.von_mises = self.von_mises.max(point.largest_von_mises);
         point.reverse_plastic_strain = self.reverse;
         point.largest_von_mises = self.von_mises;
-        gained > FLOWS * self.von_mises / (3.0 * point.secant_shear)
+        flows(gained, self.von_mises, 3.0 * point.secant_shear)
     }
 }
