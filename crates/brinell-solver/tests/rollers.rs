@@ -222,6 +222,33 @@ fn a_tilted_roller_yields_at_one_end() {
     assert!(!text.contains("NaN"));
 }
 
+/// Under flow theory pressures are means over cells; at the end of a roller they are not, for beyond
+/// it there is no pressure. The pressure in the middle has a bar where that at the end has none.
+#[test]
+fn a_peak_at_an_end_is_no_mean_with_what_lies_beyond() {
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500}});
+    let pressed = |cells: u32| {
+        let changes = json!({"lower": {"shape": {"type": "flat"}, "material": steel},
+            "load": {"history": [{"force": 3000}, {"force": 0}]}, "solver": {"theory": "flow"},
+            "mesh": {"elements_per_half_width": cells}});
+        solve(&roller(4.0, &json!({}), &changes)).steps.remove(0)
+    };
+    let [step, finer] = [4, 8].map(pressed);
+    let [low, high] = along(&step).end_pressure;
+    assert!(step.contact.peak_pressure >= low.max(high), "{}", step.contact.peak_pressure);
+    let bars = step.estimated_error.unwrap();
+    assert_eq!(bars.peak_pressure, None);
+    near(
+        finer.contact.middle_pressure,
+        along(&step).middle_pressure,
+        bars.middle_pressure.unwrap(),
+    );
+    let of = |name: &str| step.answers.iter().find(|answer| answer.name == name).unwrap();
+    assert_eq!(of("middle_pressure").error, bars.middle_pressure);
+    assert!(of("peak_pressure").text.starts_with("at least "));
+}
+
 /// Rounding leaves a roller at an angle a curvature of its own along its axis, of either sign.
 #[test]
 fn a_roller_at_any_angle_is_the_same_contact() {

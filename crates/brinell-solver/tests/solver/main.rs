@@ -30,6 +30,7 @@ mod independent_program;
 mod initial_stress;
 mod invariants;
 mod line_contact;
+mod middle_pressure;
 mod model;
 mod onset_of_line_contact;
 mod outcomes;

@@ -1,0 +1,84 @@
+//! The pressure in the middle of a contact has a bar where the peak has none: at sharp and at rounded
+//! edges, of balls that are pressed most in a ring; not at a tip.
+
+use brinell_solver::analytical::flat_punch_pressure;
+use brinell_solver::report::{Answer, StepReport};
+use serde_json::{Value, json};
+
+use crate::problems::{assert_within, report};
+
+const ELEMENTS: [u32; 2] = [16, 64];
+
+/// A rigid indenter on a steel block, on meshes of so many elements.
+fn pressed(analysis: &str, shape: &Value, law: &Value, force: f64) -> [StepReport; 2] {
+    ELEMENTS.map(|elements| {
+        let material =
+            json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": law});
+        let job = json!({"analysis": analysis, "load": {"force": force},
+            "upper": {"shape": shape, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "block", "width": 80.0, "depth": 40.0},
+                "material": material},
+            "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}});
+        report(&job).steps.remove(0)
+    })
+}
+
+fn answer<'a>(step: &'a StepReport, name: &str) -> Option<&'a Answer> {
+    step.answers.iter().find(|answer| answer.name == name)
+}
+
+/// Asserts that the bar on the coarse mesh holds against the fine one.
+#[track_caller]
+fn assert_holds([coarse, fine]: &[StepReport; 2]) -> f64 {
+    let bar = coarse.estimated_error.unwrap().middle_pressure.unwrap();
+    assert_within(fine.contact.middle_pressure, coarse.contact.middle_pressure, bar);
+    bar
+}
+
+#[test]
+fn a_sharp_punch_is_pressed_in_the_middle_as_sadowsky_found() {
+    let punch = json!({"type": "punch", "width": 2.0, "depth": 5.0});
+    let steps = pressed("plane_strain", &punch, &Value::Null, 100.0);
+    let bar = assert_holds(&steps);
+    let [step, _] = &steps;
+    assert_within(step.contact.middle_pressure, flat_punch_pressure(100.0, 1.0, 0.0), bar);
+    let bars = step.estimated_error.unwrap();
+    assert!(bar < 0.03 && bars.peak_pressure.is_none(), "{bars:?}");
+    assert_eq!(answer(step, "middle_pressure").unwrap().error, Some(bar));
+    let peak = answer(step, "peak_pressure").unwrap();
+    assert!(peak.error.is_none() && peak.text.starts_with("at least "), "{peak:?}");
+}
+
+#[test]
+fn a_rounded_edge_leaves_the_middle_known() {
+    let law = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 2000.0});
+    for radius in [0.1, 0.5] {
+        let punch = json!({"type": "punch", "width": 4.0, "edge_radius": radius, "depth": 5.0});
+        let steps = pressed("plane_strain", &punch, &law, 1500.0);
+        assert!(assert_holds(&steps) < 0.08);
+        assert_eq!(steps[0].estimated_error.unwrap().half_width, None);
+    }
+}
+
+#[test]
+fn the_middle_of_a_ball_is_known() {
+    let ball = json!({"type": "cylinder", "radius": 10.0});
+    let law = json!({"law": "bilinear", "yield_stress": 300.0, "tangent_modulus": 1000.0});
+    for law in [Value::Null, law] {
+        let steps = pressed("axisymmetric", &ball, &law, 400.0);
+        assert!(assert_holds(&steps) < 0.05);
+        // An ordinary contact has one answer for its peak.
+        let bars = steps[0].estimated_error.unwrap();
+        assert_eq!(answer(&steps[0], "middle_pressure").is_none(), bars.peak_pressure.is_some());
+    }
+}
+
+#[test]
+fn the_middle_of_a_tip_is_not_known() {
+    let cone = json!({"type": "cone", "angle": 19.7, "width": 20.0, "depth": 20.0});
+    let law = json!({"law": "bilinear", "yield_stress": 300.0, "tangent_modulus": 2000.0});
+    let [step, _] = pressed("axisymmetric", &cone, &law, 400.0);
+    let bars = step.estimated_error.unwrap();
+    assert_eq!((bars.peak_pressure, bars.middle_pressure), (None, None));
+    assert!(answer(&step, "middle_pressure").is_none());
+}
