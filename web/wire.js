@@ -277,6 +277,7 @@
  * @property {string} events
  * @property {string} [field_vtr]
  * @property {string} [field_vtu]
+ * @property {string} [hardness_csv]
  * @property {string} [increments_csv]
  * @property {string} [load_approach_svg]
  * @property {string} [pressure_csv]

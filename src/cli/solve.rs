@@ -64,6 +64,8 @@ enum ResultFormat {
     SubsurfaceCsv,
     /// Every increment of a history
     IncrementsCsv,
+    /// Load-displacement curve of a hardness test
+    HardnessCsv,
     /// Surfaces of all steps, the dent among them
     SurfaceCsv,
     /// Mesh, displacements and stresses, for ParaView
@@ -88,6 +90,7 @@ impl ResultFormat {
             Self::Csv => Some(Export::PressureCsv),
             Self::SubsurfaceCsv => Some(Export::SubsurfaceCsv),
             Self::IncrementsCsv => Some(Export::IncrementsCsv),
+            Self::HardnessCsv => Some(Export::HardnessCsv),
             Self::SurfaceCsv => Some(Export::SurfaceCsv),
             Self::Vtu => Some(Export::FieldVtu),
             Self::Vtr => Some(Export::FieldVtr),

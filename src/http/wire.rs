@@ -104,6 +104,9 @@ pub struct Links {
     /// The increments of all loads; by flow theory. So are the following.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub increments_csv: Option<String>,
+    /// The load-displacement curve of a hardness test.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness_csv: Option<String>,
     /// The surfaces of both bodies after every load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface_csv: Option<String>,
@@ -144,6 +147,8 @@ impl Links {
                 has(|job| job.output.fields && job.analysis == Analysis::ThreeDimensional)
             }),
             increments_csv: of_flow("increments.csv"),
+            hardness_csv: of_flow("hardness.csv")
+                .filter(|_| has(|job| job.load.hardness().is_some())),
             surface_csv: of_flow("surface.csv"),
             surface_svg: of_flow("surface.svg"),
             load_approach_svg: with_result("load_approach.svg")

@@ -1,6 +1,6 @@
 //! Exports of results for other programs.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::in_process::{InProcess, job};
 use crate::server::{Server, Target, example};
@@ -94,9 +94,26 @@ fn a_history_is_served_as_tables_and_figures() {
         assert!(String::from_utf8(answer.body).unwrap().starts_with(beginning), "{file}");
     }
     let other = solved(&server.target, &json!({"force": 600.0}), &json!({}));
-    for file in ["increments.csv", "surface.csv", "surface.svg", "load_approach.svg"] {
+    server.target.get(&format!("{job}/hardness.csv")).problem(409, "not-in-result");
+    let files =
+        ["increments.csv", "hardness.csv", "surface.csv", "surface.svg", "load_approach.svg"];
+    for file in files {
         server.target.get(&format!("{other}/{file}")).problem(409, "not-in-result");
     }
+}
+
+#[test]
+fn a_hardness_test_has_its_curve() {
+    let server = Server::start();
+    let mut asked: Value =
+        serde_json::from_str(include_str!("../../api/examples/brinell_test.json")).unwrap();
+    asked["mesh"] = json!({"elements_per_half_width": 6});
+    let job = server.target.submit(&asked);
+    server.target.wait_for(&job, &["succeeded"]);
+    let linked = server.target.get(&job).json()["links"]["hardness_csv"].clone();
+    let text = String::from_utf8(server.target.get(linked.as_str().unwrap()).body).unwrap();
+    assert!(text.starts_with("step,displacement [mm],force [N],diameter [mm],"), "{text}");
+    assert!(text.lines().last().unwrap().starts_with("2,"), "{text}");
 }
 
 #[test]

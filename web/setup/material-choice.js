@@ -7,7 +7,7 @@ import { h, toast } from '../lib/dom.js';
 import { toolbar } from '../lib/toolbar.js';
 import { unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
-import { allMaterials, askHardness, askToForget, askToKeep, ownMaterials } from './library.js';
+import { allMaterials, askToForget, askToKeep, ownMaterials } from './library.js';
 import { inMegapascals, materialOf } from './materials.js';
 import { PRESETS } from './presets.js';
 
@@ -44,7 +44,10 @@ export class MaterialChoice {
         h(
           'div',
           { class: 'bar beside' },
-          button('From hardness…', () => askHardness((material) => this.#use(material))),
+          button('From hardness…', async () =>
+            (await import('./from-hardness.js')).askHardness((material) => this.#use(material)),
+          ),
+          button('Hardness test…', () => this.#test()),
           button('Keep as own…', () => this.#keep()),
           this.drop,
         ),
@@ -83,6 +86,12 @@ export class MaterialChoice {
   #use(material, name) {
     const { name: _, ...figures } = materialOf({ material }, unitsOf(this.draft.job));
     this.use(name ? { name, ...figures } : figures);
+  }
+
+  async #test() {
+    const { job } = this.draft;
+    const material = inMegapascals(job[this.body]?.material ?? {}, unitsOf(job));
+    (await import('./hardness-test.js')).askTest(material);
   }
 
   #keep() {

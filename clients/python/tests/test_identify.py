@@ -50,6 +50,53 @@ def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -
     assert "of the approach open" in str(found)
 
 
+def test_a_dent_gives_the_material_back(client: brinell.Client) -> None:
+    def dented(yield_stress: float) -> Any:
+        job = indented(yield_stress, 0.17)
+        document = job.model_dump(exclude_none=True, mode="json")
+        document["load"] = {"history": [{"force": 1000}, {"force": 0}]}
+        document["solver"] = {"theory": "flow"}
+        return document
+
+    exact = client.solve(dented(480)).last.data["flow"]["surfaces"]["lower"]
+    place = np.linspace(0, 1, 15)
+    heights = np.interp(place, exact["x"], exact["height"])
+    found = brinell.identify(
+        np.column_stack([heights, place]),
+        dented(350),
+        ["yield_stress"],
+        client=client,
+        measured="dent",
+    )
+    assert found.values["yield_stress"] == pytest.approx(480, rel=0.005)
+    assert found.sweeps <= 15
+    assert found.plot_residuals().get_xlabel() == "place [mm]"
+
+
+@pytest.mark.full
+def test_two_diameters_give_yield_stress_and_exponent(client: brinell.Client) -> None:
+    def tested(yield_stress: float, exponent: float, force: float = 1000) -> Any:
+        document = indented(yield_stress, exponent).model_dump(exclude_none=True, mode="json")
+        del document["upper"]
+        document["lower"]["shape"] = {"type": "block", "width": 80, "depth": 40}
+        ball = {"scale": "sphere", "ball": 10, "force": force}
+        return {**document, "load": {"hardness": ball}}
+
+    forces = [7355.0, 29420.0]
+    seen = [client.solve(tested(480, 0.17, one)).hardness["diameter"] for one in forces]
+    found = brinell.identify(
+        np.column_stack([seen, forces]),
+        tested(400, 0.13),
+        FREE,
+        client=client,
+        noise=0.005,
+        measured="diameter",
+    )
+    assert found.covers({"yield_stress": 480, "exponent": 0.17})
+    assert found.sweeps <= 15
+    print(found, found.sweeps)
+
+
 @pytest.mark.full
 def test_the_compliance_of_the_frame_is_found_beside_the_yield_stress(
     client: brinell.Client,

@@ -212,6 +212,21 @@ def test_hardness_tests_bring_their_indenter(client: brinell.Client) -> None:
     result = client.solve(brinell.brinell_test(steel, elements_per_half_width=8))
     assert result.hardness["test"] == "HBW 10/3000"
     assert 200 < result.hardness["number"] < 300
+    curve = result.hardness_curve
+    assert list(curve) == ["step", "displacement", "force", "diameter", "mean_pressure"]
+    assert curve["force"].max() == pytest.approx(result.hardness["force"])
+    assert curve.iloc[0].tolist()[:4] == [1, 0, 0, 0]
+    assert curve["force"].iloc[-1] == 0
+    drawn = result.plot.hardness()
+    assert drawn.get_xlabel() == "displacement [mm]"
+    assert drawn.get_legend().get_texts()[0].get_text().startswith("HBW 10/3000: 2")
+    roller = brinell.cylinder(radius=5, material=brinell.rigid)
+    body = brinell.block(width=40, depth=20, material=steel)
+    other = brinell.job(
+        roller, body, analysis="axisymmetric", force=100, elements_per_half_width=6
+    )
+    with pytest.raises(brinell.BrinellError, match="no hardness test"):
+        _ = client.solve(other).hardness_curve
     for job, name in [
         (brinell.vickers(steel, elements_per_half_width=6), "HV 1"),
         (brinell.rockwell_c(steel, elements_per_half_width=6), "HRC"),

@@ -48,6 +48,9 @@ fn operation(form: Export) -> Operation {
         Export::IncrementsCsv => {
             ("Every increment of a history, as a table", Some("not-in-result"))
         }
+        Export::HardnessCsv => {
+            ("Load-displacement curve of a hardness test, as a table", Some("not-in-result"))
+        }
         Export::SurfaceCsv => {
             ("Surfaces of all steps, the dent among them, as a table", Some("not-in-result"))
         }

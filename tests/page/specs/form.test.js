@@ -372,6 +372,18 @@ service.test('a tensile test becomes a hardening table', async (page) => {
   await page.locator('.preview svg[aria-label="Hardening curve"]').first().waitFor();
 });
 
+service.test('a material has a hardness test, with number, bar and curve', async (page) => {
+  await page.getByRole('button', { name: 'Hardness test…' }).last().click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByLabel('Scale').selectOption('HBW 10/3000');
+  await dialog.getByRole('button', { name: 'Measure' }).click();
+  await dialog.getByText(/HBW 10\/3000: \d+/).waitFor({ timeout: 60_000 });
+  assert.match(await dialog.innerText(), /± [\d.]+ %[^]*Depth under load[^]*Tabor/);
+  await dialog.locator('.plot svg').waitFor();
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await dialog.waitFor({ state: 'detached' });
+});
+
 service.test(
   'a strength follows from hardness, and materials of one’s own are kept with their source',
   async (page) => {

@@ -160,6 +160,8 @@ service.test('from the first field to Solve there is a stop for each field', asy
 service.test('arrows go along a toolbar, and Tab leaves it', async (page) => {
   await tabTo(page, /^From hardness/);
   await page.keyboard.press('ArrowRight');
+  assert.match(await name(page), /^Hardness test/);
+  await page.keyboard.press('ArrowRight');
   assert.match(await name(page), /^Keep as own/);
   await page.keyboard.press('ArrowRight');
   assert.match(await name(page), /^From hardness/, 'from the last to the first');

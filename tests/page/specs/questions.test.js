@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
-import { vickersOf } from '../../../web/setup/library.js';
+import { vickersOf } from '../../../web/setup/from-hardness.js';
 import { suite } from '../browser.js';
 import { shown, solved, follow, steel } from '../jobs.js';
 

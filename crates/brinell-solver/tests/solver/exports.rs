@@ -248,6 +248,7 @@ fn what_the_result_lacks_is_named() {
             (false, true),
             (false, false),
             (false, false),
+            (false, false),
             (true, false),
             (true, false),
             (false, false),

@@ -1,6 +1,7 @@
 //! Hardness tests: numbers of published curves, scales beside each other, and what is refused.
 
 use brinell_solver::job::{Job, JobError, Load};
+use brinell_solver::report::export::{Export, ExportError};
 use brinell_solver::report::{HardnessReport, Report};
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
@@ -84,6 +85,46 @@ fn a_brinell_number_of_steel() {
     let pharr = found.oliver_pharr.unwrap();
     // A pile-up that Oliver and Pharr's depth leaves out.
     assert!(pharr.area < pharr.true_area && pharr.indentation_hardness > found.mean_pressure);
+}
+
+/// The load-displacement curve starts at rest, passes the largest force and ends with the dent.
+#[test]
+fn a_curve_as_a_table() {
+    let steel = hollomon(1103.0, 0.088);
+    let asked = test(&json!("HBW 10/3000"), &steel, 208_000.0, 40.0, 6);
+    let (job, report) = (parse(&asked), report(&asked));
+    let table = Export::HardnessCsv.write(&job, &report, None).unwrap();
+    let mut rows = table.lines();
+    assert_eq!(
+        rows.next(),
+        Some("step,displacement [mm],force [N],diameter [mm],mean_pressure [MPa]")
+    );
+    let rows: Vec<Vec<&str>> = rows.map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows[0], ["1", "0", "0", "0", ""]);
+    let increments =
+        report.steps.iter().map(|step| step.flow.as_ref().unwrap().increments.force.len());
+    assert_eq!(rows.len(), 1 + increments.sum::<usize>());
+    let numbers = |row: &[&str]| -> Vec<f64> {
+        row[1..].iter().filter_map(|cell| cell.parse().ok()).collect()
+    };
+    let top = rows.iter().rfind(|row| row[0] == "1").unwrap();
+    let [depth, force, diameter, pressure] = numbers(top)[..] else { panic!("{top:?}") };
+    let found = found(&report);
+    assert_eq!(force, found.force);
+    assert!((diameter / found.diameter - 1.0).abs() < 0.12, "{diameter}");
+    let area = std::f64::consts::PI * 0.25 * diameter * diameter;
+    assert!((pressure * area / force - 1.0).abs() < 1e-12);
+    let last = numbers(rows.last().unwrap());
+    assert!(last[0] > 0.5 * depth && last[0] < depth && last[1] == 0.0, "{last:?}");
+
+    let mut other = asked;
+    other["load"] = json!({"history": [{"force": 100}, {"force": 0}]});
+    other["analysis"] = json!("axisymmetric");
+    other["upper"] =
+        json!({"shape": {"type": "cylinder", "radius": 5}, "material": {"rigid": true}});
+    other["solver"] = json!({"theory": "flow"});
+    let (job, report) = (parse(&other), crate::problems::report(&other));
+    assert_eq!(Export::HardnessCsv.write(&job, &report, None), Err(ExportError::NoHardness));
 }
 
 /// Cones and Rockwell's depths of one steel agree with its Brinell number as ISO 18265 has it, 240

@@ -56,6 +56,9 @@ class Identification:
     job: dict[str, Any] = field(repr=False)
     """The job with these parameters."""
     _scales: Floats = field(repr=False)
+    _noise_known: bool = field(repr=False)
+    _axes: tuple[str, str] = field(repr=False)
+    """What was measured, and over what."""
 
     @property
     def residuals(self) -> Floats:
@@ -75,6 +78,8 @@ class Identification:
         )
         count, free = len(off), len(self.measured) - len(off)
         distance = float(off @ np.linalg.pinv(self.covariance) @ off)
+        if self._noise_known:
+            return bool(distance <= stats.chi2.ppf(level, count))
         return bool(distance <= count * stats.f.ppf(level, count, free))
 
     def plot(self, ax: Axes | None = None) -> Axes:
@@ -85,7 +90,7 @@ class Identification:
         ax.plot(1e3 * self.measured, self.force, "o", label="measured")
         said = "\n".join(f"{name} {value:.4g}" for name, value in self.values.items())
         ax.plot(1e3 * self.computed, self.force, label=said)
-        ax.set(xlabel="approach [µm]", ylabel="force [N]")
+        ax.set(xlabel=f"{self._axes[0]} [µm]", ylabel=self._axes[1])
         ax.legend(frameon=False)
         return ax
 
@@ -96,7 +101,7 @@ class Identification:
         assert ax is not None
         ax.axhline(0, color="0.7")
         ax.plot(self.force, 1e3 * self.residuals, "o-")
-        ax.set(xlabel="force [N]", ylabel="computed − measured approach [µm]")
+        ax.set(xlabel=self._axes[1], ylabel=f"computed − measured {self._axes[0]} [µm]")
         return ax
 
     def __str__(self) -> str:
@@ -106,8 +111,8 @@ class Identification:
         ]
         if self.mesh_error > 0:
             lines.append(
-                f"the mesh leaves {100 * self.mesh_error:.1f} % of the approach open, which these "
-                "deviations lack"
+                f"the mesh leaves {100 * self.mesh_error:.1f} % of the {self._axes[0]} "
+                "open, which these deviations lack"
             )
         return "\n".join([*lines, *self.undetermined])
 
@@ -121,6 +126,7 @@ def identify(
     bounds: Mapping[str, tuple[float, float]] | None = None,
     scatter: Literal["absolute", "relative"] = "absolute",
     noise: float | None = None,
+    measured: Literal["approach", "diameter", "dent"] = "approach",
 ) -> Identification:
     """Finds parameters of a job whose approach under the forces of a curve is that of the curve.
 
@@ -139,22 +145,26 @@ def identify(
         scatter: whether the approach scatters by a length that is the same at every point, or in
             proportion to itself.
         noise: standard deviation of this scatter (a length [mm], or a part), if it is known;
-            otherwise it follows from the residuals.
+            otherwise it follows from the residuals. As many points as parameters need it.
+        measured: the first column of `curve`: the approach under a force; the diameter [mm] that
+            the test of the job, `load.hardness` with a ball, leaves under a force; or the height
+            [mm] of the lower body over its undeformed surface at a radius or place x [mm], the
+            second column, after the last load of the job.
 
     Raises:
         InvalidJob: the curve has holes or too few points, or a name is not in the job.
     """
     optimize = need("scipy.optimize", "identify")
     document = document_of(job)
-    approach, force = _points(curve)
+    approach, force = _points(curve, measured)
     if len(free) != len(set(free)) or not free:
         raise _fault("free", "has to name parameters, each once")
     places = {name: _places(document, name) for name in free if name != COMPLIANCE}
-    if len(force) <= len(free):
+    if len(force) < len(free) + (noise is None):
         raise _fault("curve", f"{len(force)} points tell no {len(free)} parameters")
-    document["load"] = _load(force)
-    if "history" in document["load"]:
-        document["solver"] = {**document.get("solver", {}), "theory": "flow"}
+    if measured != "approach" and COMPLIANCE in free:
+        raise _fault("free", f"has {COMPLIANCE}, which only an approach has")
+    trials = _TRIALS[measured](document, force)
     compliance_scale = float(np.ptp(approach) / np.ptp(force))
     starts = {name: _start(document, name, where) for name, where in places.items()}
     limits = {
@@ -169,12 +179,9 @@ def identify(
             for name, one in zip(free, point, strict=True)
         }
 
-    def document_at(point: Floats) -> dict[str, Any]:
+    def values_in(point: Floats) -> dict[str, float]:
         found = values_at(point)
-        return with_values(
-            document,
-            {pointer: found[name] for name, where in places.items() for pointer in where},
-        )
+        return {pointer: found[name] for name, where in places.items() for pointer in where}
 
     low = [0.0 if n == COMPLIANCE else math.log(limits[n][0] / starts[n]) for n in free]
     high = [1.0 if n == COMPLIANCE else math.log(limits[n][1] / starts[n]) for n in free]
@@ -185,6 +192,7 @@ def identify(
     solved = [k for k, name in enumerate(free) if name != COMPLIANCE]
     stiff = free.index(COMPLIANCE) if COMPLIANCE in free else None
     scale = approach if scatter == "relative" else np.full(len(approach), np.ptp(approach))
+    search_step = _STEP if measured == "approach" else _WIDE_STEP
     if not (scale > 0).all():
         raise _fault("curve", 'has an approach of 0, which has no scatter="relative"')
     sweeps, mesh_error = 0, 0.0
@@ -196,16 +204,20 @@ def identify(
         sweeps += 1
         mesh_error = 0.0
         found = []
-        for _, result in service.map([document_at(point) for point in points]):
+        each = len(trials)
+        jobs = [with_values(trial, values_in(point)) for point in points for trial in trials]
+        results = [result for _, result in service.map(jobs)]
+        for result in results:
             if result.error is not None:
                 raise result.error
-            if not result.converged or len(result.steps) != len(force):
+            if not result.converged:
                 raise BrinellError(
                     f"a trial is {result.status}: bounds=... keep the search where jobs converge"
                 )
-            found.append(np.array([step.approach for step in result.steps]))
-            known = [step.relative_error.get("approach", 0.0) for step in result.steps]
-            mesh_error = max(mesh_error, *known)
+        for first in range(0, len(results), each):
+            values, error = _SEEN[measured](results[first : first + each], force)
+            found.append(values)
+            mesh_error = max(mesh_error, error)
         return found
 
     def with_frame(bodies: Floats, point: Floats) -> Floats:
@@ -213,10 +225,10 @@ def identify(
 
     cache: dict[bytes, tuple[Floats, Floats]] = {}
 
-    def evaluated(point: Floats, step: float = _STEP) -> tuple[Floats, Floats]:
+    def evaluated(point: Floats, step: float = search_step) -> tuple[Floats, Floats]:
         """Residuals and their derivatives, whose jobs are solved side by side."""
         key = point.tobytes()
-        if key not in cache or step != _STEP:
+        if key not in cache or step != search_step:
             moves = [step * row for row in np.eye(len(point))[solved]]
             steps = [point, *(p for move in moves for p in (point + move, point - move))]
             middle, *around = approaches(steps)
@@ -270,8 +282,10 @@ def identify(
         computed=approach + scale * residuals,
         mesh_error=mesh_error,
         sweeps=sweeps,
-        job=document_at(best),
+        job=with_values(trials[0], values_in(best)),
         _scales=np.array([steps[name] for name in free]),
+        _noise_known=noise is not None,
+        _axes=_AXES[measured],
     )
 
 
@@ -279,8 +293,8 @@ def _fault(where: str, detail: str) -> InvalidJob:
     return InvalidJob([Fault(f"#/{where}", "invalid", f"{where} {detail}")], "nothing to identify")
 
 
-def _points(curve: Any) -> tuple[Floats, Floats]:
-    """Approach and force of a curve, as means of neighbours where it is long."""
+def _points(curve: Any, measured: str) -> tuple[Floats, Floats]:
+    """Both columns; approach and force as means of neighbours where the curve is long."""
     table = floats_of(curve, "#/curve")
     if table.ndim == 2 and table.shape[0] == 2 and table.shape[1] > 2:
         table = table.T
@@ -289,14 +303,74 @@ def _points(curve: Any) -> tuple[Floats, Floats]:
     holes = np.argwhere(~np.isfinite(table))
     if len(holes):
         raise _fault("curve", f"has {len(holes)} holes, the first at {holes[0].tolist()}")
+    if measured == "dent":
+        return table[:, 0], table[:, 1]
     if (table[:, 1] < 0).any() or not np.ptp(table[:, 1]) > 0:
         raise _fault("curve", "needs forces of at least 0 that differ")
     # A force of 0 at the start has no contact.
     while len(table) and table[0, 1] == 0:
         table = table[1:]
-    if len(table) > _LOADS:
+    if measured == "approach" and len(table) > _LOADS:
         table = np.array([part.mean(axis=0) for part in np.array_split(table, _LOADS)])
     return table[:, 0], table[:, 1]
+
+
+def _under_forces(document: dict[str, Any], force: Floats) -> list[dict[str, Any]]:
+    trial = {**document, "load": _load(force)}
+    if "history" in trial["load"]:
+        trial["solver"] = {**trial.get("solver", {}), "theory": "flow"}
+    return [trial]
+
+
+def _as_it_is(document: dict[str, Any], _: Floats) -> list[dict[str, Any]]:
+    return [document]
+
+
+def _tests(document: dict[str, Any], force: Floats) -> list[dict[str, Any]]:
+    """The test of a job, as a ball under each force."""
+    test = (document.get("load") or {}).get("hardness")
+    if not isinstance(test, dict) or not isinstance(test.get("ball"), (int, float)):
+        raise _fault("job", 'needs {"hardness": {"scale": ..., "ball": ...}} as its load')
+    ball = {k: v for k, v in test.items() if k not in ("force", "force_kgf")}
+    return [
+        {**document, "load": {"hardness": {**ball, "scale": "sphere", "force": float(one)}}}
+        for one in force
+    ]
+
+
+def _approaches(results: Sequence[Any], force: Floats) -> tuple[Floats, float]:
+    (result,) = results
+    if len(result.steps) != len(force):
+        raise BrinellError("a trial has not all loads")
+    known = [step.relative_error.get("approach", 0.0) for step in result.steps]
+    return np.array([step.approach for step in result.steps]), max(known)
+
+
+def _diameters(results: Sequence[Any], force: Floats) -> tuple[Floats, float]:
+    found = [result.hardness for result in results]
+    # The pressure has the square of the diameter.
+    known = [0.5 * (one["relative_error"] or 0.0) for one in found]
+    return np.array([one["diameter"] for one in found]), max(known)
+
+
+def _heights(results: Sequence[Any], place: Floats) -> tuple[Floats, float]:
+    (result,) = results
+    step = result.steps[-1]
+    surface = ((step.data.get("flow") or {}).get("surfaces") or {}).get("lower")
+    if not surface:
+        raise BrinellError('a dent needs theory="flow" and a lower body that yields')
+    answers = [one for one in step.answers if one.name == "dent_depth"]
+    known = [one.error for one in answers if math.isfinite(one.error)]
+    return np.interp(place, surface["x"], surface["height"]), max([0.0, *known])
+
+
+_TRIALS = {"approach": _under_forces, "diameter": _tests, "dent": _as_it_is}
+_SEEN = {"approach": _approaches, "diameter": _diameters, "dent": _heights}
+_AXES = {
+    "approach": ("approach", "force [N]"),
+    "diameter": ("diameter", "force [N]"),
+    "dent": ("height", "place [mm]"),
+}
 
 
 def _load(force: Floats) -> dict[str, Any]:

@@ -195,6 +195,34 @@ class Plot:
         )
         return ax
 
+    def hardness(self, ax: Axes | None = None) -> Axes:
+        """Load-displacement curve of a hardness test, with the number and Oliver and Pharr's
+        slope.
+        """
+        ax = _axes(ax)
+        found = self._result.hardness
+        curve = self._result.hardness_curve
+        if found["number"] is None:
+            said = f"{found['test']}: {found['mean_pressure']:.4g} {self._stress}"
+        else:
+            said = f"{found['test']}: {found['number']:.4g}"
+        if found["relative_error"] is not None:
+            said += f" ± {100 * found['relative_error']:.1f} %"
+        ax.plot(curve["displacement"], curve["force"], ".-", markersize=3, label=said)
+        pharr = found.get("oliver_pharr")
+        if pharr:
+            top = float(curve["displacement"].to_numpy()[curve["force"].to_numpy().argmax()])
+            foot = top - found["force"] / pharr["stiffness"]
+            words = "slope of unloading, Oliver and Pharr"
+            ax.plot([foot, top], [0.0, found["force"]], "k:", label=words)
+        ax.set(
+            xlabel=f"displacement [{self._length}]",
+            ylabel=f"force [{unit_of_force(self._result)}]",
+        )
+        ax.set_ylim(bottom=0.0)
+        ax.legend(frameon=False)
+        return ax
+
     def dent(self, step: int = -1, ax: Axes | None = None) -> Axes:
         """Both surfaces beside their undeformed shape (theory `flow`): dent and pile-up where the
         load is zero.

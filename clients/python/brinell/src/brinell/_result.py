@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from ._plot import Plot
 
 NAN = math.nan
+NO_HARDNESS = 'this result is of no hardness test: load={"hardness": "HBW 10/3000"}'
 
 
 class Remark(NamedTuple):
@@ -548,6 +549,29 @@ class Result:
         frame: pd.DataFrame = pandas.DataFrame(curve)
         return frame
 
+    @property
+    def hardness_curve(self) -> pd.DataFrame:
+        """Load-displacement curve of a hardness test, from rest on, as in `hardness.csv`.
+
+        A row for each increment: `step`, `displacement`, `force`, `diameter` of the contact, and
+        `mean_pressure`, which is nan without contact.
+        """
+        if not self.hardness:
+            raise BrinellError(NO_HARDNESS)
+        pandas = need("pandas", "pandas")
+        rows = [(1, 0.0, 0.0, 0.0)]
+        for number, step in enumerate(self.steps, start=1):
+            ends = step.data["flow"]["increments"]
+            columns = (ends["approach"], ends["force"], ends["half_width"])
+            rows += [(number, h, f, 2 * a) for h, f, a in zip(*columns, strict=True)]
+        frame: pd.DataFrame = pandas.DataFrame(
+            rows, columns=["step", "displacement", "force", "diameter"]
+        )
+        area = np.pi / 4 * frame["diameter"] ** 2
+        frame["mean_pressure"] = frame["force"] / area.where(area > 0)
+        frame.attrs["units"] = self.units
+        return frame
+
     def fields(self, step: int = -1) -> Fields:
         """Mesh and stresses of a step, counted from 0 as in `steps`.
 
@@ -568,7 +592,7 @@ class Result:
     @property
     def plot(self) -> Plot:
         """Pictures: `plot.pressure()`, `.depth()`, `.field()`, `.load_approach()`, `.dent()`,
-        `.residual_stress()`.
+        `.residual_stress()`, `.hardness()`.
         """
         from ._plot import Plot
 

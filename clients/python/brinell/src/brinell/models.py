@@ -778,7 +778,7 @@ class ErrorEstimate(BaseModel):
     force: Annotated[
         float | None,
         Field(
-            description='Of the contact force; 0 where it is prescribed; `null` where `target.relative_error` has it: of the force that leaves a permanent target, and of targets in three dimensions. Without unit.',
+            description='Of the contact force; 0 where it is prescribed. Without unit.',
             ge=0.0,
         ),
     ]
@@ -1556,6 +1556,9 @@ class Links(BaseModel):
     field_vtu: Annotated[
         str | None,
         Field(description='Mesh and fields for ParaView; where the job asks for them.'),
+    ] = None
+    hardness_csv: Annotated[
+        str | None, Field(description='The load-displacement curve of a hardness test.')
     ] = None
     increments_csv: Annotated[
         str | None,

@@ -30,8 +30,8 @@ impl Table {
     /// no further columns.
     ///
     /// # Errors
-    /// [`ExportError::NoSubsurface`] or [`ExportError::NoFlow`] if the first load step has no
-    /// rows.
+    /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`] or [`ExportError::NoHardness`] if
+    /// the first load step has no rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
             Export::SubsurfaceCsv if first.subsurface.is_none() => {
@@ -39,6 +39,9 @@ impl Table {
             }
             Export::IncrementsCsv | Export::SurfaceCsv if first.flow.is_none() => {
                 return Err(ExportError::NoFlow);
+            }
+            Export::HardnessCsv if job.load.hardness().is_none() || first.flow.is_none() => {
+                return Err(ExportError::NoHardness);
             }
             _ => {}
         }
@@ -99,6 +102,10 @@ impl Table {
                 "step,increment,force [{force}],approach [{length}],peak_pressure [{stress}],\
                  half_width [{length}],iterations\n"
             ),
+            Export::HardnessCsv => format!(
+                "step,displacement [{length}],force [{force}],diameter [{length}],mean_pressure \
+                 [{stress}]\n"
+            ),
             Export::SurfaceCsv => format!("step,body,x [{length}],height [{length}]\n"),
             _ => {
                 let ellipse = format!(
@@ -149,6 +156,7 @@ impl Table {
             },
             Export::SubsurfaceCsv => self.subsurface(&mut text, number, step),
             Export::IncrementsCsv => increments(&mut text, number, step),
+            Export::HardnessCsv => hardness(&mut text, number, step),
             Export::SurfaceCsv => surfaces(&mut text, number, step),
             _ => self.summary(&mut text, number, step),
         }
@@ -270,6 +278,21 @@ fn increments(text: &mut String, number: usize, step: &StepReport) {
             "{number},{},{force},{approach},{peak},{half_width},{iterations}",
             n + 1
         );
+    }
+}
+
+/// Writes `step, displacement, force, diameter, mean_pressure` of a hardness test from rest on. The
+/// pressure is empty without contact.
+fn hardness(text: &mut String, number: usize, step: &StepReport) {
+    let Some(ends) = step.flow.as_ref().map(|flow| &flow.increments) else { return };
+    if number == 1 {
+        text.push_str("1,0,0,0,\n");
+    }
+    let columns = ends.force.iter().zip(&ends.approach).zip(&ends.half_width);
+    for ((force, approach), half_width) in columns {
+        let area = std::f64::consts::PI * half_width * half_width;
+        let pressure = if area > 0.0 { (force / area).to_string() } else { String::new() };
+        let _ = writeln!(text, "{number},{approach},{force},{},{pressure}", 2.0 * half_width);
     }
 }
 

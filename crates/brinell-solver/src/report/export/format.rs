@@ -35,6 +35,9 @@ pub enum ExportError {
          {{\"theory\": \"flow\"}}"
     )]
     NoFlow,
+    /// The job is no hardness test.
+    #[error("the result is of no hardness test; its load is {{\"hardness\": \"HBW 10/3000\"}}")]
+    NoHardness,
     /// A single converged load gives no curve.
     #[error(
         "the result has no curve of force over approach; it takes two different loads that \
@@ -60,6 +63,8 @@ pub enum Export {
     SubsurfaceCsv,
     /// All increments of a history: force, approach, pressure.
     IncrementsCsv,
+    /// Load-displacement curve of a hardness test.
+    HardnessCsv,
     /// Surfaces of all load steps with dent and pile-up.
     SurfaceCsv,
     /// Fields of both bodies.
@@ -78,11 +83,12 @@ pub enum Export {
 
 impl Export {
     /// All forms.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::SummaryCsv,
         Self::PressureCsv,
         Self::SubsurfaceCsv,
         Self::IncrementsCsv,
+        Self::HardnessCsv,
         Self::SurfaceCsv,
         Self::FieldVtu,
         Self::FieldVtr,
@@ -99,6 +105,7 @@ impl Export {
             Self::PressureCsv => "pressure.csv",
             Self::SubsurfaceCsv => "subsurface.csv",
             Self::IncrementsCsv => "increments.csv",
+            Self::HardnessCsv => "hardness.csv",
             Self::SurfaceCsv => "surface.csv",
             Self::FieldVtu => "field.vtu",
             Self::FieldVtr => "field.vtr",
@@ -116,6 +123,7 @@ impl Export {
             | Self::PressureCsv
             | Self::SubsurfaceCsv
             | Self::IncrementsCsv
+            | Self::HardnessCsv
             | Self::SurfaceCsv => "text/csv; charset=utf-8; header=present",
             Self::FieldVtu | Self::FieldVtr => "application/xml",
             Self::PressureSvg | Self::DepthSvg | Self::LoadApproachSvg | Self::SurfaceSvg => {
@@ -132,6 +140,7 @@ impl Export {
                 | Self::PressureCsv
                 | Self::SubsurfaceCsv
                 | Self::IncrementsCsv
+                | Self::HardnessCsv
                 | Self::SurfaceCsv
         )
     }
@@ -158,6 +167,7 @@ impl Export {
             Self::SummaryCsv
             | Self::PressureCsv
             | Self::IncrementsCsv
+            | Self::HardnessCsv
             | Self::SurfaceCsv
             | Self::LoadApproachSvg
             | Self::SurfaceSvg => {}
@@ -180,6 +190,7 @@ impl Export {
             | Self::PressureCsv
             | Self::SubsurfaceCsv
             | Self::IncrementsCsv
+            | Self::HardnessCsv
             | Self::SurfaceCsv => table(self, job, report),
             Self::FieldVtu => field_vtu(report, step),
             Self::FieldVtr => layers_vtr(report, step),
