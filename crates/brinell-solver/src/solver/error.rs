@@ -204,6 +204,10 @@ pub(crate) fn track_text(fault: &TrackFault, write: UnitConverter) -> String {
             "the contact reaches the end of the {} in which the bodies may touch",
             write.length_about(width)
         ),
+        TrackFault::Edge { half_width } => format!(
+            "contact or yield reaches the edge of the track, {} from its axis",
+            write.length_about(half_width)
+        ),
         TrackFault::Depth { depth } => format!(
             "the material yields down to a depth of {}, where the layers end",
             write.length_about(depth)
