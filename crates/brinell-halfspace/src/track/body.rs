@@ -318,7 +318,10 @@ impl RollingBody {
             forward,
             groove_depth: self.groove_depth(),
             pile_up: 0.0,
-            residual: (0..layers.len()).map(|layer| self.residual(layer)).collect(),
+            residual: (0..layers.len())
+                .map(|layer| self.residual(layer))
+                .map(|[xx, yy]| [xx, yy, 0.0])
+                .collect(),
             plastic_work: work,
             stored_energy: self.stored_energy() - stored,
         }

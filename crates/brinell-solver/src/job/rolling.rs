@@ -24,9 +24,10 @@ record! {
         pub friction: f64 = Field::pure(-1.0..=1.0).label("Friction", "μ"),
         /// Whether every second pass goes back. The friction keeps its sense to the travel.
         pub alternating: bool = Field::flag().label("There and back", ""),
-        /// Length of the track over the elastic half-width, after which the material comes back.
-        /// It acts on the first pass alone.
-        pub track: f64 = Field::pure(8.0..=256.0).label("Length of the track", "Λ/a"),
+        /// Length of the track over the elastic half-width or the semi-axis along the travel, after
+        /// which the material comes back; 32 of a line and 12 in three dimensions, where it is
+        /// missing. It acts on the first pass alone.
+        pub track: Option<f64> = Field::pure(8.0..=256.0).label("Length of the track", "Λ/a"),
     }
 }
 
@@ -42,7 +43,7 @@ impl Rolling {
             until: Until::default(),
             friction: 0.0,
             alternating: false,
-            track: 32.0,
+            track: None,
         }
     }
 
@@ -92,8 +93,9 @@ impl Job {
                 detail: detail.to_owned(),
             });
         };
-        if self.analysis != Analysis::PlaneStrain {
-            let detail = "only line contacts roll: they need the analysis \"plane_strain\"";
+        if !matches!(self.analysis, Analysis::PlaneStrain | Analysis::ThreeDimensional) {
+            let detail = "lines roll with the analysis \"plane_strain\", and balls, crowned rollers \
+                          and raceways with \"three_dimensional\"";
             fault("/load/rolling", detail);
         }
         if self.solver.theory == Theory::Deformation {
