@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::marker::PhantomData;
 
-use brinell_halfspace::track::{Rolls as _, TrackFault};
+use brinell_halfspace::track::{Rolls, TrackFault};
 
 use super::course::Course;
 use super::problem::RollingProblem;
@@ -217,7 +217,7 @@ impl<C: Course> Engine for TrackEngine<'_, C> {
     ) -> Result<VerdictOf<Self>, SolveError> {
         let pressure = system.pressure(&outcome.state.response.contact.force);
         let bodies = system.bodies.borrow();
-        let held = bodies.iter().try_for_each(|body| body.holds());
+        let held = bodies.iter().try_for_each(Rolls::holds);
         drop(bodies);
         let fault = system.grid.holds(&pressure).and(held).err();
         let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;

@@ -1,7 +1,7 @@
 //! Solves the passes of a load: first on half the columns, then on all of them.
 
 use brinell_halfspace::raceway::RacewayGrid;
-use brinell_halfspace::track::{PassStrain, Rolls as _, TrackFault, TrackGrid, Verdict};
+use brinell_halfspace::track::{PassStrain, Rolls, TrackFault, TrackGrid, Verdict};
 
 use super::course::Course;
 use super::engine::{TrackDesign, TrackEngine};
@@ -195,7 +195,7 @@ fn sequence<C: Course>(
         done.x = grid.x();
         done.column = grid.column();
         done.cell = grid.area();
-        let layers = track.bodies.borrow().iter().map(|body| body.n_layers()).max();
+        let layers = track.bodies.borrow().iter().map(Rolls::n_layers).max();
         done.grid = [grid.n_columns(), layers.unwrap_or(0), grid.n_rows()];
         done.enlargements = track.design.enlargements;
         Ok(done)

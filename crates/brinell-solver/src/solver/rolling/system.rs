@@ -146,7 +146,7 @@ impl<C: Course> ContactSystem for Track<C> {
                 begun.push((n, first..body.n_flowed()));
             }
         }
-        bodies.iter().flat_map(|body| body.strains()).filter(|strain| **strain > 0.0).count()
+        bodies.iter().flat_map(Rolls::strains).filter(|strain| **strain > 0.0).count()
     }
 
     fn norm(&self, v: &BlockVector) -> f64 {
