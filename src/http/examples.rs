@@ -1,7 +1,7 @@
 //! Example jobs.
 
 /// Every file in `api/examples`.
-pub(super) const EXAMPLES: [(&str, &str); 14] = [
+pub(super) const EXAMPLES: [(&str, &str); 15] = [
     ("two_cylinders", include_str!("../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../api/examples/ramberg_osgood.json")),
@@ -15,5 +15,6 @@ pub(super) const EXAMPLES: [(&str, &str); 14] = [
     ("tilted_roller", include_str!("../../api/examples/tilted_roller.json")),
     ("rail_under_driven_wheel", include_str!("../../api/examples/rail_under_driven_wheel.json")),
     ("rolled_hardened_roller", include_str!("../../api/examples/rolled_hardened_roller.json")),
+    ("ball_runs_in", include_str!("../../api/examples/ball_runs_in.json")),
     ("brinell_test", include_str!("../../api/examples/brinell_test.json")),
 ];

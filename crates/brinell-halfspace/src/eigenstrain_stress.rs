@@ -122,8 +122,14 @@ impl EigenstrainStress {
     /// Turns the strains of one wave number q_y into stresses, in place.
     #[inline(always)]
     pub fn apply(&self, iy: usize, block: &mut [f64], work: &mut SweepWork) {
+        self.apply_from(0, iy, block, work);
+    }
+
+    /// The same from a wave number q_x on, a multiple of [`WIDTH`]; leaves those below it.
+    #[inline(always)]
+    pub fn apply_from(&self, first: usize, iy: usize, block: &mut [f64], work: &mut SweepWork) {
         let row_len = block.len() / (COMPONENTS * self.thickness.len());
-        for start in (0..self.filled).step_by(WIDTH) {
+        for start in (first..self.filled).step_by(WIDTH) {
             for plane in 0..row_len / self.filled {
                 self.pass(iy, start, plane, row_len, block, work);
             }

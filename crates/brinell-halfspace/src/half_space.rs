@@ -275,7 +275,7 @@ fn is_even(cells: [usize; 2]) -> bool {
 
 /// Deviators of the normal stresses xx and yy in place of them.
 #[inline(always)]
-fn subtract_mean(block: &mut [f64], row_len: usize) {
+pub(crate) fn subtract_mean(block: &mut [f64], row_len: usize) {
     for rows in block.chunks_exact_mut(COMPONENTS * row_len) {
         let (xx, rest) = rows.split_at_mut(row_len);
         let (yy, rest) = rest.split_at_mut(row_len);

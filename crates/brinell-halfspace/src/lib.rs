@@ -10,7 +10,7 @@
 //! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and
 //!   what its [`PlasticLaw`] answers;
 //! - [`EllipticContact`] is Hertz;
-//! - [`track`]: line contacts that roll and slide.
+//! - [`track`]: line contacts that roll and slide; [`raceway`]: elliptic ones.
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
 
@@ -23,10 +23,12 @@ mod hertz;
 mod images;
 mod offsets;
 mod pressure_stress;
+pub mod raceway;
 mod stop;
 mod surface;
 mod tensors;
 pub mod track;
+mod traction_stress;
 mod transform;
 mod waves;
 

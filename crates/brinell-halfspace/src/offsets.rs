@@ -16,7 +16,8 @@ pub(crate) struct Offsets {
 }
 
 impl Offsets {
-    /// Offsets in the padded box of a transform, at least twice as long as the grid either way.
+    /// Offsets in the padded box of a transform, at least twice as long as the grid either way; on a
+    /// ring along x the grid has the offsets up to half its length.
     pub fn new(transform: &Transform, grid: &SurfaceGrid) -> Self {
         let (mx, my) = (transform.mx, transform.my);
         let whole = Transform::new(mx, my, mx, my);
@@ -74,6 +75,8 @@ impl Offsets {
         for i in 0..nx {
             for (j, value) in kernel[i * ny..][..ny].iter().enumerate() {
                 let (mirror_i, mirror_j) = ((mx - i) % mx, (my - j) % my);
+                // Half a ring is its own mirror image.
+                let value = &if 2 * i == mx && sign_x < 0.0 { 0.0 } else { *value };
                 self.field[mirror_i * my + mirror_j] = sign_x * sign_y * value;
                 self.field[mirror_i * my + j] = sign_x * value;
                 self.field[i * my + mirror_j] = sign_y * value;

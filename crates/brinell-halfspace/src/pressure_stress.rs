@@ -39,7 +39,7 @@ use crate::offsets::Offsets;
 use crate::stop::{Stop, Stopped, ask};
 use crate::tensors::{COMPONENTS, WEIGHTS};
 use crate::transform::Transform;
-use crate::waves::{PARITIES, WIDTH};
+use crate::waves::{PARITIES, Parity, WIDTH};
 use crate::{Layers, SurfaceGrid};
 
 /// Spectra of the stresses of a cell under unit pressure.
@@ -59,6 +59,18 @@ impl PressureStress {
         poisson: f64,
         stop: &mut Stop<'_>,
     ) -> Result<Self, Stopped> {
+        let of_corner = |x: f64, y: f64, z: f64| corner(x, y, z, poisson);
+        Self::of_kernels(transform, (grid, layers), PARITIES, of_corner, stop)
+    }
+
+    /// Spectra of the stresses whose corner function, over 2π, is given.
+    pub fn of_kernels(
+        transform: &Transform,
+        (grid, layers): (&SurfaceGrid, &Layers),
+        parities: [Parity; COMPONENTS],
+        corner: impl Fn(f64, f64, f64) -> [f64; COMPONENTS],
+        stop: &mut Stop<'_>,
+    ) -> Result<Self, Stopped> {
         let (half, n_layers) = (transform.mx / 2 + 1, layers.len());
         let block = n_layers * COMPONENTS * half;
         let mut spectra = vec![0.0; transform.n_rows() * block];
@@ -73,9 +85,9 @@ impl PressureStress {
                 kernel.fill(0.0);
             }
             for z in [middle - reach, middle + reach] {
-                offsets.add_corners(&mut kernels, 0.25 / PI, |x, y| corner(x, y, z, poisson));
+                offsets.add_corners(&mut kernels, 0.25 / PI, |x, y| corner(x, y, z));
             }
-            for (component, (parity, kernel)) in PARITIES.into_iter().zip(&kernels).enumerate() {
+            for (component, (parity, kernel)) in parities.into_iter().zip(&kernels).enumerate() {
                 let place = (layer * COMPONENTS + component) * half;
                 for (row, to) in
                     offsets.spectrum(parity, kernel).zip(spectra.chunks_exact_mut(block))
@@ -85,6 +97,15 @@ impl PressureStress {
             }
         }
         Ok(Self { half, n_layers, spectra })
+    }
+
+    /// Multiplies the spectra of each component by a factor.
+    pub fn scale(&mut self, factors: [f64; COMPONENTS]) {
+        for (n, row) in self.spectra.chunks_exact_mut(self.half).enumerate() {
+            for value in row {
+                *value *= factors[n % COMPONENTS];
+            }
+        }
     }
 
     fn block(&self, iy: usize) -> &[f64] {
@@ -131,7 +152,7 @@ impl PressureStress {
 }
 
 /// `ρ + y` without cancellation, where `rest = ρ² - y²`.
-fn sum_with(rho: f64, y: f64, rest: f64) -> f64 {
+pub(crate) fn sum_with(rho: f64, y: f64, rest: f64) -> f64 {
     if y >= 0.0 { rho + y } else { rest / (rho - y) }
 }
 

@@ -96,7 +96,7 @@ pub(crate) struct WavesScratch {
 }
 
 /// cos or sin of `π k (n + 1/2) 2/m`.
-fn wave(k: usize, n: usize, m: usize, is_odd: bool) -> f64 {
+pub(crate) fn wave(k: usize, n: usize, m: usize, is_odd: bool) -> f64 {
     let phase = PI * (k * (2 * n + 1) % (2 * m)) as f64 / m as f64;
     if is_odd { phase.sin() } else { phase.cos() }
 }
@@ -459,7 +459,7 @@ fn from_planes<'a>(
 
 /// `out = Σ factor row` over the rows of a table.
 #[inline(always)]
-fn combine(factors: &[f64], table: &[f64], out: &mut [f64]) {
+pub(crate) fn combine(factors: &[f64], table: &[f64], out: &mut [f64]) {
     let width = out.len();
     let mut start = 0;
     while start + WIDE <= width {

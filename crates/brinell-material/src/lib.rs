@@ -7,7 +7,7 @@
 //! - [`ReturnMapping`] combines a curve with elasticity;
 //! - [`DeformationPlasticity`] is the model of the paper, without a memory;
 //! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening;
-//! - [`StreamLaw`] follows the layers of a body that passes under a load;
+//! - [`StreamLaw`] follows the rows of a body that passes under a load;
 //! - [`Inhomogeneous`] gives one of these models a strength that varies over depth, and a residual
 //!   stress of the unloaded body;
 //! - [`tensile`] makes a curve of a tensile test;
@@ -37,7 +37,7 @@ pub use inhomogeneous::{Inhomogeneous, scaled};
 pub use model::{ConstitutiveModel, PerPoint, PointOrigin, PointResponse};
 pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};
 pub use return_mapping::{ReturnMapping, flows, stress_of_yield};
-pub use stream::{Rows, StreamLaw, StreamOfLayers};
+pub use stream::{Deviators, Rows, StreamLaw, StreamOfLayers, TrackFrame};
 pub use strength::{Depth, DepthStrength, StrengthProfile, interpolate};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.

@@ -15,122 +15,178 @@ use std::sync::Arc;
 
 use crate::{FlowPlasticity, Flowing};
 
-/// Components of a deviator in plane strain: xx, yy, zz, xz.
+/// Components of a deviator that does not depend on y: xx, yy, zz, xz.
 const PLANE: usize = 4;
+/// Those of any deviator: xx, yy, zz, xy, xz, yz.
+const SPACE: usize = 6;
 
-/// Components of a deviator that are given: xx, zz, xz.
+/// Components of a deviator of a line that are given: xx, zz, xz.
 pub type Rows<'a> = [&'a [f64]; 3];
+
+/// Deviators of D components, of which R are given and determine the others.
+pub trait Deviators<const D: usize, const R: usize> {
+    /// The components that change their sign with x.
+    const ODD: &'static [usize];
+
+    /// The deviator of the components that are given.
+    fn whole(given: [f64; R]) -> [f64; D];
+
+    /// The components that are given.
+    fn given(whole: [f64; D]) -> [f64; R];
+}
+
+/// Coordinates x along the travel, y across it and z into the depth.
+#[derive(Debug, Clone, Copy)]
+pub struct TrackFrame;
+
+impl Deviators<PLANE, 3> for TrackFrame {
+    const ODD: &'static [usize] = &[3];
+
+    #[inline(always)]
+    fn whole([xx, zz, xz]: [f64; 3]) -> [f64; PLANE] {
+        [xx, -xx - zz, zz, xz]
+    }
+
+    #[inline(always)]
+    fn given([xx, _, zz, xz]: [f64; PLANE]) -> [f64; 3] {
+        [xx, zz, xz]
+    }
+}
+
+impl Deviators<SPACE, 5> for TrackFrame {
+    const ODD: &'static [usize] = &[3, 4];
+
+    #[inline(always)]
+    fn whole([xx, yy, xy, xz, yz]: [f64; 5]) -> [f64; SPACE] {
+        [xx, yy, -xx - yy, xy, xz, yz]
+    }
+
+    #[inline(always)]
+    fn given([xx, yy, _, xy, xz, yz]: [f64; SPACE]) -> [f64; 5] {
+        [xx, yy, xy, xz, yz]
+    }
+}
 
 /// Parts into which the path from one column to the next is divided. With 1, 2 and 6 parts the
 /// groove and the strains of a pass agree within 0.3 %.
 const PARTS: u32 = 2;
 
-/// The plastic law of the layers of a track, with what the layers remember. x is the direction of
+/// The plastic law of the rows of a track, with what the rows remember. x is the direction of
 /// travel, z the depth.
-pub trait StreamLaw: std::fmt::Debug + Send + Sync {
-    /// Number of layers.
-    fn n_layers(&self) -> usize;
+///
+/// A row is all columns at one depth, and in three dimensions at one y. Deviators have D components,
+/// of which R are given: `xx yy zz xz` by `xx zz xz` of a line, where the rows are its layers, and
+/// `xx yy zz xy xz yz` by `xx yy xy xz yz` in three dimensions.
+pub trait StreamLaw<const D: usize = PLANE, const R: usize = 3>:
+    std::fmt::Debug + Send + Sync
+{
+    /// Number of rows.
+    fn n_rows(&self) -> usize;
 
-    /// Follows a layer from the front, the last column, to the back.
+    /// Follows a row from the front, the last column, to the back.
     ///
-    /// `inlet` is the stress deviator `xx yy zz xz` before the front, `trial` the T of the columns
-    /// \[MPa\]. Writes `2G Δε` of each column \[MPa\] into `into`, and the accumulated plastic
-    /// strain that the column adds into `strain`. Returns whether any column flows. What the layer
-    /// will then remember is kept until [`accept`](Self::accept).
+    /// `inlet` is the stress deviator before the front, `trial` the T of the columns \[MPa\].
+    /// Writes `2G Δε` of each column \[MPa\] into `into`, and the accumulated plastic strain that
+    /// the column adds into `strain`. Returns whether any column flows. What the row will then
+    /// remember is kept until [`accept`](Self::accept).
     fn follow(
         &mut self,
-        layer: usize,
-        inlet: [f64; PLANE],
-        trial: Rows<'_>,
-        into: [&mut [f64]; 3],
+        row: usize,
+        inlet: [f64; D],
+        trial: [&[f64]; R],
+        into: [&mut [f64]; R],
         strain: &mut [f64],
     ) -> bool;
 
-    /// Takes all layers back to what they remember at the front, as if nothing flowed.
+    /// Takes all rows back to what they remember at the front, as if nothing flowed.
     fn rest(&mut self);
 
-    /// Accepts what the layers remember at the back: the inlet of the next pass.
+    /// Accepts what the rows remember at the back: the inlet of the next pass.
     fn accept(&mut self);
 
-    /// Changes the direction of x: components xz change their sign.
+    /// Changes the direction of x: components xy and xz change their sign.
     fn mirror(&mut self);
 
-    /// Accumulated plastic strain of a layer at the front.
-    fn accumulated(&self, layer: usize) -> f64;
+    /// Accumulated plastic strain of a row at the front.
+    fn accumulated(&self, row: usize) -> f64;
 
-    /// Yield stress of a layer at the front \[MPa\].
-    fn yield_stress(&self, layer: usize) -> f64;
+    /// Yield stress of a row at the front \[MPa\].
+    fn yield_stress(&self, row: usize) -> f64;
 
-    /// Backstress `xx yy zz xz` of a layer at the front, the sum of all terms \[MPa\].
-    fn backstress(&self, layer: usize) -> [f64; PLANE];
+    /// Backstress of a row at the front, the sum of all terms \[MPa\].
+    fn backstress(&self, row: usize) -> [f64; D];
 
     /// `∫σ:dε_p` of all passes accepted \[MPa\], and the part of it that the backstress stores.
-    fn plastic_work(&self, layer: usize) -> [f64; 2];
+    fn plastic_work(&self, row: usize) -> [f64; 2];
 
-    /// `∫σ:dε_p` of the last stream through a layer \[MPa\].
-    fn work_of_pass(&self, layer: usize) -> f64;
+    /// `∫σ:dε_p` of the last stream through a row \[MPa\].
+    fn work_of_pass(&self, row: usize) -> f64;
 
-    /// Yield stress that a layer can reach by hardening of all kinds \[MPa\]; infinite without a
+    /// Yield stress that a row can reach by hardening of all kinds \[MPa\]; infinite without a
     /// bound.
-    fn largest_stress(&self, layer: usize) -> f64;
+    fn largest_stress(&self, row: usize) -> f64;
 }
 
-/// Layers that yield by flow theory with N backstress terms.
+/// Rows that yield by flow theory with N backstress terms, with deviators of D components.
 #[derive(Debug, Clone)]
-pub struct StreamOfLayers<const N: usize> {
+pub struct StreamOfLayers<const N: usize, const D: usize = PLANE> {
     models: Vec<Arc<FlowPlasticity<N>>>,
-    inlet: Vec<Memory<N>>,
-    outlet: Vec<Memory<N>>,
+    inlet: Vec<Memory<N, D>>,
+    outlet: Vec<Memory<N, D>>,
 }
 
-/// The internal variables of a layer beside its plastic strain.
+/// The internal variables of a row beside its plastic strain.
 #[derive(Debug, Clone, Copy)]
-struct Memory<const N: usize> {
+struct Memory<const N: usize, const D: usize> {
     accumulated: f64,
-    backstress: [[f64; PLANE]; N],
+    backstress: [[f64; D]; N],
     plastic_work: f64,
 }
 
-impl<const N: usize> StreamOfLayers<N> {
-    /// Layers of these materials, at rest.
+impl<const N: usize, const D: usize> StreamOfLayers<N, D> {
+    /// Rows of these materials, at rest.
     pub fn new(models: Vec<Arc<FlowPlasticity<N>>>) -> Self {
-        let rest = Memory { accumulated: 0.0, backstress: [[0.0; PLANE]; N], plastic_work: 0.0 };
+        let rest = Memory { accumulated: 0.0, backstress: [[0.0; D]; N], plastic_work: 0.0 };
         let inlet = vec![rest; models.len()];
         Self { models, outlet: inlet.clone(), inlet }
     }
 }
 
-impl<const N: usize> StreamLaw for StreamOfLayers<N> {
-    fn n_layers(&self) -> usize {
+impl<const N: usize, const D: usize, const R: usize> StreamLaw<D, R> for StreamOfLayers<N, D>
+where
+    TrackFrame: Deviators<D, R>,
+{
+    fn n_rows(&self) -> usize {
         self.models.len()
     }
 
     fn follow(
         &mut self,
-        layer: usize,
-        inlet: [f64; PLANE],
-        [xx, zz, xz]: Rows<'_>,
-        into: [&mut [f64]; 3],
+        row: usize,
+        inlet: [f64; D],
+        given: [&[f64]; R],
+        mut into: [&mut [f64]; R],
         strain: &mut [f64],
     ) -> bool {
-        let Memory { accumulated, backstress, plastic_work } = self.inlet[layer];
+        let Memory { accumulated, backstress, plastic_work } = self.inlet[row];
         let start = Flowing { stress: inlet, accumulated, backstress, plastic_work };
-        let [into_xx, into_zz, into_xz] = into;
         let mut last = inlet;
-        let columns = (0..xx.len()).rev();
+        let columns = (0..strain.len()).rev();
         let steps = columns.map(|i| {
-            let trial = whole([xx[i], zz[i], xz[i]]);
+            let trial = TrackFrame::whole(given.map(|row| row[i]));
             let step = std::array::from_fn(|k| trial[k] - last[k]);
             last = trial;
             (i, step)
         });
         let mut flows = false;
-        let end = self.models[layer].stream(start, steps, PARTS, |i, initial, dp| {
+        let end = self.models[row].stream(start, steps, PARTS, |i, initial, dp| {
             flows = true;
-            [into_xx[i], into_zz[i], into_xz[i]] = [initial[0], initial[2], initial[3]];
+            for (row, value) in into.iter_mut().zip(TrackFrame::given(initial)) {
+                row[i] = value;
+            }
             strain[i] = dp;
         });
-        self.outlet[layer] = Memory {
+        self.outlet[row] = Memory {
             accumulated: end.accumulated,
             backstress: end.backstress,
             plastic_work: end.plastic_work,
@@ -149,34 +205,36 @@ impl<const N: usize> StreamLaw for StreamOfLayers<N> {
     fn mirror(&mut self) {
         for memory in self.inlet.iter_mut().chain(&mut self.outlet) {
             for term in &mut memory.backstress {
-                term[3] = -term[3];
+                for k in TrackFrame::ODD {
+                    term[*k] = -term[*k];
+                }
             }
         }
     }
 
-    fn accumulated(&self, layer: usize) -> f64 {
-        self.inlet[layer].accumulated
+    fn accumulated(&self, row: usize) -> f64 {
+        self.inlet[row].accumulated
     }
 
-    fn yield_stress(&self, layer: usize) -> f64 {
-        self.models[layer].mapping().law().stress(self.inlet[layer].accumulated)
+    fn yield_stress(&self, row: usize) -> f64 {
+        self.models[row].mapping().law().stress(self.inlet[row].accumulated)
     }
 
-    fn backstress(&self, layer: usize) -> [f64; PLANE] {
-        std::array::from_fn(|k| self.inlet[layer].backstress.iter().map(|term| term[k]).sum())
+    fn backstress(&self, row: usize) -> [f64; D] {
+        std::array::from_fn(|k| self.inlet[row].backstress.iter().map(|term| term[k]).sum())
     }
 
-    fn plastic_work(&self, layer: usize) -> [f64; 2] {
-        let Memory { plastic_work, backstress, .. } = &self.inlet[layer];
-        [*plastic_work, self.models[layer].backstress_energy(backstress)]
+    fn plastic_work(&self, row: usize) -> [f64; 2] {
+        let Memory { plastic_work, backstress, .. } = &self.inlet[row];
+        [*plastic_work, self.models[row].backstress_energy(backstress)]
     }
 
-    fn work_of_pass(&self, layer: usize) -> f64 {
-        self.outlet[layer].plastic_work - self.inlet[layer].plastic_work
+    fn work_of_pass(&self, row: usize) -> f64 {
+        self.outlet[row].plastic_work - self.inlet[row].plastic_work
     }
 
-    fn largest_stress(&self, layer: usize) -> f64 {
-        self.models[layer].largest_stress()
+    fn largest_stress(&self, row: usize) -> f64 {
+        self.models[row].largest_stress()
     }
 }
 
@@ -214,12 +272,6 @@ impl<const N: usize> FlowPlasticity<N> {
     }
 }
 
-/// A deviator of four components.
-#[inline(always)]
-fn whole([xx, zz, xz]: [f64; 3]) -> [f64; PLANE] {
-    [xx, -xx - zz, zz, xz]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -255,7 +307,7 @@ mod tests {
     fn a_perfectly_plastic_layer_flows_by_the_excess() {
         let law =
             Arc::new(StraightLine { yield_stress: 3f64.sqrt() * 100.0, plastic_modulus: 0.0 });
-        let mut layer = StreamOfLayers::new(vec![model(law, [])]);
+        let mut layer = StreamOfLayers::<0>::new(vec![model(law, [])]);
         let (flows, change, strain) = follow(&mut layer, 99.0);
         assert!(!flows && change.iter().chain(&strain).all(|x| *x == 0.0));
         let (flows, change, strain) = follow(&mut layer, 150.0);
@@ -278,7 +330,7 @@ mod tests {
     fn only_what_is_accepted_is_remembered() {
         let terms = [BackstressTerm { modulus: 40_000.0, rate: 200.0 }];
         for law in laws() {
-            let mut layer = StreamOfLayers::new(vec![model(law, terms)]);
+            let mut layer = StreamOfLayers::<1>::new(vec![model(law, terms)]);
             let first = follow(&mut layer, 900.0);
             let again = follow(&mut layer, 900.0);
             assert_eq!(first, again);

@@ -58,7 +58,7 @@ impl RollingBody {
         initial: Vec<[f64; 2]>,
     ) -> Self {
         let (n_layers, n) = (space.layers().len(), space.grid().n);
-        debug_assert_eq!((law.n_layers(), initial.len()), (n_layers, n_layers));
+        debug_assert_eq!((law.n_rows(), initial.len()), (n_layers, n_layers));
         let work = space.work();
         Self {
             law,
@@ -292,27 +292,36 @@ impl RollingBody {
         let stored = self.stored_energy();
         let work = self.work_of_pass();
         let compliance = 0.5 / self.space.elastic().shear();
-        let mut change = vec![[0.0; 3]; self.inlet.len()];
+        let mut change = vec![[0.0; 5]; self.inlet.len()];
         for (layer, rows) in increment.chunks_exact(ROWS * n).enumerate() {
-            for (k, row) in rows.chunks_exact(n).enumerate() {
-                let sum: f64 = row.iter().sum();
-                self.inlet[layer][k] += sum;
-                change[layer][k] = compliance * sum;
+            let mut sums = [0.0; ROWS];
+            for (sum, row) in sums.iter_mut().zip(rows.chunks_exact(n)) {
+                *sum = row.iter().sum();
             }
+            for (inlet, sum) in self.inlet[layer].iter_mut().zip(sums) {
+                *inlet += sum;
+            }
+            let [xx, zz, xz] = sums.map(|sum| compliance * sum);
+            change[layer] = [xx, -xx - zz, 0.0, xz, 0.0];
         }
         let accumulated = self.strain.chunks_exact(n).map(|row| row.iter().sum()).collect();
         self.law.accept();
         let layers = self.space.layers();
         let depths = (0..layers.len()).map(|layer| layers.middle(layer)).collect();
         let forward =
-            change.iter().enumerate().map(|(l, [.., xz])| -2.0 * xz * layers.thickness(l)).sum();
+            change.iter().enumerate().map(|(l, of)| -2.0 * of[3] * layers.thickness(l)).sum();
         Outlet {
             depths,
+            across: vec![0.0],
             change,
             accumulated,
             forward,
             groove_depth: self.groove_depth(),
-            residual: (0..layers.len()).map(|layer| self.residual(layer)).collect(),
+            pile_up: 0.0,
+            residual: (0..layers.len())
+                .map(|layer| self.residual(layer))
+                .map(|[xx, yy]| [xx, yy, 0.0])
+                .collect(),
             plastic_work: work,
             stored_energy: self.stored_energy() - stored,
         }

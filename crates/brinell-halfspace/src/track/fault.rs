@@ -25,6 +25,12 @@ pub enum TrackFault {
         /// Width of the window \[mm\].
         width: f64,
     },
+    /// The contact or the plastic zone is as wide as the track.
+    #[error("contact or yield reaches the edge of the track, {half_width} mm from its axis")]
+    Edge {
+        /// Half the width of the track \[mm\].
+        half_width: f64,
+    },
     /// Flow in the last layer.
     #[error("the material yields down to {depth} mm, where the layers end")]
     Depth {
@@ -35,7 +41,7 @@ pub enum TrackFault {
 
 /// Strain of the last layer over the largest one below which the layers go deep enough. A curve
 /// without an elastic limit flows everywhere.
-const NOTHING: f64 = 1e-3;
+pub(crate) const NOTHING: f64 = 1e-3;
 
 impl TrackGrid {
     /// Why the pressures of the window are cut off, if they are.

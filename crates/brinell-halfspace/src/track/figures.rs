@@ -3,35 +3,54 @@
 use super::grid::TrackGrid;
 
 /// What a body has at the back of a pass that it did not have at the front.
+///
+/// Fields have values in the rows of all layers, those of the first layer first. A line has one row
+/// in each layer; a track of finite width those at y > 0, from its axis outwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outlet {
     /// Middle of each layer \[mm\].
     pub depths: Vec<f64>,
-    /// Change of the plastic strain of each layer: xx, zz, xz; yy is `-xx - zz`.
-    pub change: Vec<[f64; 3]>,
-    /// Plastic strain that each layer has accumulated in this pass.
+    /// y of the rows of a layer \[mm\]; 0 of a line.
+    pub across: Vec<f64>,
+    /// Change of the plastic strain: xx, yy, xy, xz, yz; zz is `-xx - yy`.
+    pub change: Vec<[f64; 5]>,
+    /// Plastic strain that has been accumulated in this pass.
     pub accumulated: Vec<f64>,
-    /// How far this pass has moved the surface in the direction of travel, against the depth:
-    /// `-2 ∫Δε_xz dz` \[mm\].
+    /// How far this pass has moved the surface in the direction of travel, against the depth, on
+    /// the axis: `-2 ∫Δε_xz dz` of a line \[mm\].
     pub forward: f64,
-    /// How far the surface has sunk in all passes \[mm\].
+    /// How far the surface has sunk in all passes, on the axis \[mm\].
     pub groove_depth: f64,
-    /// Residual stress σxx, σyy of each layer \[MPa\].
-    pub residual: Vec<[f64; 2]>,
-    /// `∫∫σ:dε_p` of this pass, per length of travel and of contact \[N/mm\].
-    pub plastic_work: f64,
-    /// Change of the elastic energy of the residual stress, per length of travel and of contact
+    /// How far it has risen beside the groove \[mm\]; 0 of a line.
+    pub pile_up: f64,
+    /// Residual stress σxx, σyy, σzz \[MPa\].
+    pub residual: Vec<[f64; 3]>,
+    /// `∫∫σ:dε_p` of this pass, per length of travel \[N\]; of a line per length of contact too
     /// \[N/mm\].
+    pub plastic_work: f64,
+    /// Change of the elastic energy of the residual stress, per length as the plastic work.
     pub stored_energy: f64,
 }
 
-/// A figure and the depth where it is largest.
+impl Outlet {
+    /// Values on the axis of a field, layer by layer.
+    pub fn on_axis<'a, T>(
+        &self,
+        field: &'a [T],
+    ) -> impl Iterator<Item = &'a T> + Clone + use<'a, T> {
+        field.iter().step_by(self.across.len().max(1))
+    }
+}
+
+/// A figure and the place where it is largest.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct AtDepth {
     /// The figure.
     pub value: f64,
     /// Depth \[mm\].
     pub depth: f64,
+    /// Distance from the axis \[mm\]; 0 of a line.
+    pub across: f64,
     /// Layer.
     pub layer: usize,
 }
@@ -48,32 +67,40 @@ pub struct PassStrain {
 impl PassStrain {
     /// The strains of one pass.
     pub fn of(pass: &Outlet) -> Self {
-        Self::of_layers(&pass.depths, &pass.accumulated, pass.change.iter().copied())
+        Self::of_rows(pass, &pass.accumulated, pass.change.iter().copied())
     }
 
     /// The strains of a pass and of the next one, which went the other way. What one moves
     /// forward, the other may take back.
     pub fn of_pair(there: &Outlet, back: &Outlet) -> Self {
         let both = there.accumulated.iter().zip(&back.accumulated).map(|(a, b)| a + b);
-        let changes = there.change.iter().zip(&back.change);
         // x is the direction of travel in both.
-        let change = changes.map(|(a, b)| [a[0] + b[0], a[1] + b[1], a[2] - b[2]]);
-        Self::of_layers(&there.depths, &both.collect::<Vec<_>>(), change)
+        let signs = [1.0, 1.0, -1.0, -1.0, 1.0];
+        let changes = there.change.iter().zip(&back.change);
+        let change = changes.map(|(a, b)| std::array::from_fn(|k| a[k] + signs[k] * b[k]));
+        Self::of_rows(there, &both.collect::<Vec<_>>(), change)
     }
 
-    fn of_layers(
-        depths: &[f64],
+    fn of_rows(
+        pass: &Outlet,
         accumulated: &[f64],
-        change: impl Iterator<Item = [f64; 3]>,
+        change: impl Iterator<Item = [f64; 5]>,
     ) -> Self {
         let net: Vec<f64> = change
-            .map(|[xx, zz, xz]| (4.0 / 3.0 * (xx * xx + zz * zz + xx * zz + xz * xz)).sqrt())
+            .map(|[xx, yy, xy, xz, yz]| {
+                let normal = xx * xx + yy * yy + xx * yy;
+                (4.0 / 3.0 * (normal + xy * xy + xz * xz + yz * yz)).sqrt()
+            })
             .collect();
+        let rows = pass.across.len().max(1);
         let largest = |values: &[f64]| {
-            let places = values.iter().zip(depths).enumerate();
-            places.fold(AtDepth::default(), |most, (layer, (value, depth))| {
-                let here = AtDepth { value: *value, depth: *depth, layer };
-                if here.value > most.value { here } else { most }
+            values.iter().enumerate().fold(AtDepth::default(), |most, (row, value)| {
+                if *value <= most.value {
+                    return most;
+                }
+                let layer = row / rows;
+                let across = pass.across.get(row % rows).copied().unwrap_or(0.0);
+                AtDepth { value: *value, depth: pass.depths[layer], across, layer }
             })
         };
         Self { largest: largest(accumulated), net: largest(&net) }
@@ -92,7 +119,7 @@ pub fn rolling_force(grid: &TrackGrid, gap: &[f64], pressure: &[f64]) -> f64 {
 
 /// `Σ p ∂u/∂x h` by central differences, which is what the discrete energy is made of; pressures
 /// at both ends do not count.
-pub(super) fn work_along(pressure: &[f64], u: &[f64]) -> f64 {
+pub(crate) fn work_along(pressure: &[f64], u: &[f64]) -> f64 {
     let slopes = u.windows(3).map(|u| 0.5 * (u[2] - u[0]));
     pressure.iter().skip(1).zip(slopes).map(|(p, slope)| p * slope).sum()
 }

@@ -62,7 +62,8 @@ impl TrackLimits {
                 (&mut limits.kinematic, strength / radius),
             ] {
                 if value < limit.value {
-                    *limit = AtDepth { value, depth: space.layers().middle(layer), layer };
+                    *limit =
+                        AtDepth { value, depth: space.layers().middle(layer), across: 0.0, layer };
                 }
             }
         }

@@ -5,6 +5,7 @@
 //! - [`TrackSpace`]: S, S_t and G with `q_y = 0`, in plane strain;
 //! - [`RollingBody`]: plastic strain that is carried along the track, one pass as the fixed point
 //!   of `increment -> open -> (contact) -> trial -> flow`;
+//! - [`Rolls`]: what it has in common with a body under an elliptic contact;
 //! - [`Outlet`], [`PassStrain`], [`rolling_force`]: figures of a pass;
 //! - [`Verdict`]: shakedown, closed cycle or ratcheting;
 //! - [`TrackFault`]: why there is no answer;
@@ -17,15 +18,19 @@ mod fault;
 mod figures;
 mod grid;
 mod limits;
+mod rolls;
 mod space;
-mod strip;
+pub(crate) mod strip;
 mod sweep;
 mod verdict;
 
 pub use body::RollingBody;
+pub(crate) use fault::NOTHING;
 pub use fault::TrackFault;
+pub(crate) use figures::work_along;
 pub use figures::{AtDepth, Outlet, PassStrain, rolling_force};
 pub use grid::{LineFlexibility, TRACK_LENGTH, TrackGrid};
 pub use limits::TrackLimits;
+pub use rolls::Rolls;
 pub use space::{TrackSpace, TrackWork};
 pub use verdict::Verdict;

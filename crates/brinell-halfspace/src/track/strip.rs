@@ -29,7 +29,7 @@ fn at(x: f64, z: f64, h: f64) -> [[f64; 3]; 2] {
 }
 
 /// The same averaged over a layer between two depths.
-pub(super) fn average(x: f64, [top, bottom]: [f64; 2], h: f64) -> [[f64; 3]; 2] {
+pub(crate) fn average(x: f64, [top, bottom]: [f64; 2], h: f64) -> [[f64; 3]; 2] {
     let [upper, lower] = GAUSS.map(|g| at(x, top + g * (bottom - top), h));
     std::array::from_fn(|n| std::array::from_fn(|k| 0.5 * (upper[n][k] + lower[n][k])))
 }

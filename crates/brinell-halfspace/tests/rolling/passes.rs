@@ -143,7 +143,7 @@ fn a_pressure_that_does_not_give_way() {
     let last = passes.last().unwrap();
     println!("{} {}", evaluations(&passes), last.line());
     let strength = YIELD / 3f64.sqrt() / (0.5 * YOUNG / 1.3);
-    let shear = last.outlet.change.iter().map(|[.., xz]| 2.0 * xz.abs()).fold(0.0, f64::max);
+    let shear = last.outlet.change.iter().map(|of| 2.0 * of[3].abs()).fold(0.0, f64::max);
     close("shear", shear, 0.577 * strength, 0.04);
     close("forward", last.outlet.forward, -0.193 * strength, 0.04);
 }

@@ -244,9 +244,9 @@ impl Load {
                 None
             }
             "target" => object.required("target", |c| Target::read(c, units)).map(Self::Target),
-            Rolling::KEY => {
-                object.required(Rolling::KEY, |c| Rolling::read(c, units)).map(Self::Rolling)
-            }
+            Rolling::KEY => object
+                .required(Rolling::KEY, |c| Rolling::read(c, units, force))
+                .map(Self::Rolling),
             HardnessTest::KEY => object
                 .required(HardnessTest::KEY, |c| HardnessTest::read(c, units)?.history())
                 .map(Self::History),
@@ -296,9 +296,21 @@ impl InUnits<'_, Load> {
             },
             Load::Onset => WireValue::Yes(true),
             Load::Target(target) => WireValue::Target(InUnits(target, self.1)),
-            Load::Rolling(rolling) => WireValue::Rolling(InUnits(rolling, self.1)),
+            Load::Rolling(rolling) => {
+                let of_line = rolling.with_force(self.1, [force, Quantity::LineForce]);
+                WireValue::Rolling(OfLine(of_line, self.1))
+            }
         };
         WireLoad { kind: self.0.kind(), value }
+    }
+}
+
+/// A load that rolls whose force is written as that of a line.
+struct OfLine(Rolling, Units);
+
+impl Serialize for OfLine {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        InUnits(&self.0, self.1).serialize(serializer)
     }
 }
 
@@ -315,7 +327,7 @@ enum WireValue<'a> {
     History(Vec<WireHistoryLoad>),
     Yes(bool),
     Target(InUnits<'a, Target>),
-    Rolling(InUnits<'a, Rolling>),
+    Rolling(OfLine),
     Hardness(InUnits<'a, HardnessTest>),
 }
 

@@ -1,4 +1,4 @@
-//! A line contact that rolls or slides over its track.
+//! A contact that rolls or slides over its track.
 
 use super::fields::{Field, read_record, record};
 use super::reader::Cursor;
@@ -8,10 +8,11 @@ use super::{
 };
 
 record! {
-    /// A line contact that passes over its track again and again, in the direction of x.
+    /// A contact that passes over its track again and again, in the direction of x: a line in plane
+    /// strain, an ellipse in three dimensions.
     #[derive(Copy)]
     pub struct Rolling("", "Rolling") {
-        /// Force on unit thickness.
+        /// Force; on unit thickness in plane strain.
         pub force: PositiveF64 = Field::quantity(Quantity::LineForce).label("Force", "P").example(2000.0),
         /// Passes at most.
         pub passes: u32 = Field::whole(1..=100).label("Passes", "N"),
@@ -24,9 +25,10 @@ record! {
         pub friction: f64 = Field::pure(-1.0..=1.0).label("Friction", "μ"),
         /// Whether every second pass goes back. The friction keeps its sense to the travel.
         pub alternating: bool = Field::flag().label("There and back", ""),
-        /// Length of the track over the elastic half-width, after which the material comes back.
-        /// It acts on the first pass alone.
-        pub track: f64 = Field::pure(8.0..=256.0).label("Length of the track", "Λ/a"),
+        /// Length of the track over the elastic half-width or the semi-axis along the travel, after
+        /// which the material comes back; 32 of a line and 12 in three dimensions, where it is
+        /// missing. It acts on the first pass alone.
+        pub track: Option<f64> = Field::pure(8.0..=256.0).label("Length of the track", "Λ/a"),
     }
 }
 
@@ -42,19 +44,32 @@ impl Rolling {
             until: Until::default(),
             friction: 0.0,
             alternating: false,
-            track: 32.0,
+            track: None,
         }
     }
 
     /// Reads a load whose members but the force may be missing.
-    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
+    ///
+    /// The table has the force of a line; `force` is the quantity of a force in the analysis.
+    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>, force: Quantity) -> Option<Self> {
         let object = cursor.object()?;
         let is_given = object.has("force");
         if !is_given {
             object.fault("force", FaultCode::Required, format_args!("is required"));
         }
         let default = Self::new(PositiveF64::MICRO);
-        read_record(&object, None, units, Some(default), &[]).filter(|_| is_given)
+        let read: Option<Self> = read_record(&object, None, units, Some(default), &[]);
+        let in_units = |load: Self| match units {
+            Some(units) => load.with_force(units, [Quantity::LineForce, force]),
+            None => load,
+        };
+        read.filter(|_| is_given).map(in_units)
+    }
+
+    /// The load whose force is that of one quantity, with the number of another.
+    pub(super) fn with_force(self, units: Units, [from, to]: [Quantity; 2]) -> Self {
+        let force = to.to_core(units, from.to_wire(units, self.force.get()));
+        Self { force: PositiveF64::new(force).unwrap_or(self.force), ..self }
     }
 }
 
@@ -92,8 +107,9 @@ impl Job {
                 detail: detail.to_owned(),
             });
         };
-        if self.analysis != Analysis::PlaneStrain {
-            let detail = "only line contacts roll: they need the analysis \"plane_strain\"";
+        if !matches!(self.analysis, Analysis::PlaneStrain | Analysis::ThreeDimensional) {
+            let detail = "lines roll with the analysis \"plane_strain\", and balls, crowned rollers \
+                          and raceways with \"three_dimensional\"";
             fault("/load/rolling", detail);
         }
         if self.solver.theory == Theory::Deformation {

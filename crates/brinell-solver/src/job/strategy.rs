@@ -172,7 +172,7 @@ fn target() -> impl Strategy<Value = Target> {
 
 fn rolling() -> impl Strategy<Value = Rolling> {
     let ends = (1..=100_u32, any_of(Until::ALL), any::<bool>());
-    (near(2000.0), ends, -1.0..=1.0, 8.0..=256.0).prop_map(
+    (near(2000.0), ends, -1.0..=1.0, proptest::option::of(8.0..=256.0)).prop_map(
         |(force, (passes, until, alternating), friction, track)| Rolling {
             force,
             passes,

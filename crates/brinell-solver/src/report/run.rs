@@ -73,6 +73,7 @@ impl RunError {
                 vec!["/load/rolling/friction".to_owned()]
             }
             SolveError::NoTrack
+            | SolveError::NoRaceway(_)
             | SolveError::Conforming { .. }
             | SolveError::TouchesAtEnd { .. } => {
                 sides.map(|(side, _)| format!("/{side}/shape")).to_vec()
@@ -154,11 +155,11 @@ pub struct JobEstimate {
 /// # Errors
 /// The fields of the job that describe a contact outside the theory.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    if job.analysis == Analysis::ThreeDimensional {
-        return half_spaces::preflight(job);
-    }
     if let Load::Rolling(_) = job.load {
         return rolling::preflight(job);
+    }
+    if job.analysis == Analysis::ThreeDimensional {
+        return half_spaces::preflight(job);
     }
     match solver::estimate(job).map_err(|error| RunError::of(job, &error)) {
         Ok(estimate) => Ok(with_result(job, estimate)),
@@ -302,11 +303,11 @@ pub fn run_each(
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
     let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
-    if job.analysis == Analysis::ThreeDimensional {
-        return half_spaces::run_each(job, options, observer, on_step);
-    }
     if let Load::Rolling(_) = job.load {
         return rolling::run_each(job, observer, on_step);
+    }
+    if job.analysis == Analysis::ThreeDimensional {
+        return half_spaces::run_each(job, options, observer, on_step);
     }
     let mut reports = Reports { builder: ReportBuilder::new(job, options), number: 0, on_step };
     let solution = solver::run_each(job, options, observer, &mut reports)

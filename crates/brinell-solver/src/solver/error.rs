@@ -96,6 +96,8 @@ pub enum SolveError {
     },
     /// A load rolls over surfaces that do not open as one arc.
     NoTrack,
+    /// A load rolls in three dimensions over surfaces on which it cannot, and why.
+    NoRaceway(&'static str),
     /// A track has no equilibrium.
     Track(TrackFault),
     /// Stopped before there was anything to report.
@@ -185,6 +187,7 @@ impl SolveError {
                               touch: cylinders, blocks, grooves, parabolas and ellipses, of which \
                               at least one is round"
                 .to_owned(),
+            Self::NoRaceway(reason) => (*reason).to_owned(),
             Self::Track(fault) => track_text(fault, write),
             Self::Interrupted(_) => "stopped before the first iteration".to_owned(),
         }
@@ -203,6 +206,10 @@ pub(crate) fn track_text(fault: &TrackFault, write: UnitConverter) -> String {
         TrackFault::Window { width } => format!(
             "the contact reaches the end of the {} in which the bodies may touch",
             write.length_about(width)
+        ),
+        TrackFault::Edge { half_width } => format!(
+            "contact or yield reaches the edge of the track, {} from its axis",
+            write.length_about(half_width)
         ),
         TrackFault::Depth { depth } => format!(
             "the material yields down to a depth of {}, where the layers end",

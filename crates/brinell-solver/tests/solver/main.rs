@@ -41,6 +41,7 @@ mod problems;
 mod profiles;
 mod punch_ceiling;
 mod purity;
+mod raceway;
 mod random_jobs;
 mod results;
 mod rolling;

@@ -324,7 +324,7 @@ fn bars_hold_against_four_times_the_columns() {
 fn what_does_not_roll_is_refused() {
     let job = track(&perfect(), 0.9, &json!({}));
     let cases = [
-        ("/analysis", json!("axisymmetric"), "/load/rolling", "line contacts"),
+        ("/analysis", json!("axisymmetric"), "/load/rolling", "lines roll"),
         ("/solver/theory", json!("deformation"), "/solver/theory", "`flow`"),
         ("/solver/increments", json!(4), "/solver/increments", "no increments"),
         ("/solver/coupling", json!("secant_stiffness"), "/solver/coupling", "secant"),

@@ -92,7 +92,10 @@ impl Facts<'_> {
         );
         answers.extend(self.limits(rolling));
         let contact = self.of_contact().into_iter();
-        answers.extend(contact.filter(|answer| answer.name != Figure::Approach.name()));
+        let has_approach = self.step.approach.is_some();
+        answers.extend(
+            contact.filter(|answer| has_approach || answer.name != Figure::Approach.name()),
+        );
         answers
     }
 
@@ -126,7 +129,10 @@ impl Facts<'_> {
             let PerBody { upper, lower } = errors;
             if side == Side::Upper { upper } else { lower }.as_ref().and_then(figure)
         };
-        let below = |depth: f64| Some(AnswerPlace { body: of, x: 0.0, y: None, depth });
+        let below = |depth: f64, across: f64| {
+            let y = last.half_width_across.map(|_| across);
+            Some(AnswerPlace { body: of, x: 0.0, y, depth })
+        };
         let stress = AnswerQuantity::Stress;
         vec![
             self.answer(
@@ -137,7 +143,7 @@ impl Facts<'_> {
             )
             .error(error(|errors| errors.groove_depth))
             .of(of)
-            .text("how far all passes have sunk the surface"),
+            .text("how far all passes have sunk the surface, on the axis"),
             self.answer("forward", "Forward displacement", AnswerQuantity::Length, body.forward)
                 .error(error(|errors| errors.forward))
                 .of(of)
@@ -150,7 +156,10 @@ impl Facts<'_> {
             )
             .error(error(|errors| errors.largest_strain))
             .of(of)
-            .place(below(body.largest_strain_depth).filter(|_| body.largest_strain > 0.0))
+            .place(
+                below(body.largest_strain_depth, body.largest_strain_across)
+                    .filter(|_| body.largest_strain > 0.0),
+            )
             .text("accumulated, largest of all layers"),
             self.answer(
                 "net_strain",
@@ -160,7 +169,10 @@ impl Facts<'_> {
             )
             .error(error(|errors| errors.net_strain))
             .of(of)
-            .place(below(body.net_strain_depth).filter(|_| body.net_strain > 0.0))
+            .place(
+                below(body.net_strain_depth, body.net_strain_across)
+                    .filter(|_| body.net_strain > 0.0),
+            )
             .text("what the pass has not taken back, largest of all layers"),
             self.figure(Figure::MaxPlasticStrain, body.accumulated_strain)
                 .of(of)

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use crate::job::Named;
 use crate::report::{PerBody, Side};
 
-/// The passes of a load that rolls and what becomes of the track. x points along the travel, y
-/// into the depth. Works are those on unit thickness and per length of travel, which is a force.
+/// The passes of a load that rolls and what becomes of the track. x points along the travel, and z
+/// across it. Works are those per length of travel, of a line on unit thickness too: forces.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = RollingResult))]
 pub struct RollingReport {
@@ -34,6 +34,9 @@ pub struct RollingReport {
     pub columns: usize,
     /// Layers of each body.
     pub layers: usize,
+    /// Rows of cells in a layer on one side of the axis of the track, over which all fields are
+    /// symmetric; 1 of a line.
+    pub rows: usize,
 }
 
 /// What becomes of a track.
@@ -78,8 +81,14 @@ pub struct PassReport {
     pub iterations: usize,
     /// Peak pressure \[stress >= 0\].
     pub peak_pressure: f64,
-    /// Half-width of the contact \[length >= 0\].
+    /// Half-width of the contact along the travel \[length >= 0\].
     pub half_width: f64,
+    /// Half-width of the contact across the travel; `null` of a line \[length >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub half_width_across: Option<f64>,
+    /// Approach of the bodies; `null` of a line, which has none \[length\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub approach: Option<f64>,
     /// Force against which the load is pushed, without friction \[force\].
     pub rolling_force: f64,
     /// The same over the load: the coefficient of rolling resistance \[1\].
@@ -105,19 +114,25 @@ pub struct PassReport {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = BodyPass))]
 pub struct BodyPassReport {
-    /// How far the surface has sunk in all passes \[length\].
+    /// How far the surface has sunk in all passes, on the axis of the track \[length\].
     pub groove_depth: f64,
+    /// How far it has risen beside the groove; 0 of a line \[length >= 0\].
+    pub pile_up: f64,
     /// How far this pass has moved the surface along the travel, against the depth \[length\].
     pub forward: f64,
     /// Largest plastic strain that the pass has accumulated \[1 >= 0\].
     pub largest_strain: f64,
     /// Its depth \[length >= 0\].
     pub largest_strain_depth: f64,
+    /// Its distance from the axis of the track; 0 of a line \[length >= 0\].
+    pub largest_strain_across: f64,
     /// Largest change of the plastic strain by the pass, as an equivalent strain: what a cycle
     /// that closes takes back is not in it \[1 >= 0\].
     pub net_strain: f64,
     /// Its depth \[length >= 0\].
     pub net_strain_depth: f64,
+    /// Its distance from the axis of the track; 0 of a line \[length >= 0\].
+    pub net_strain_across: f64,
     /// Largest plastic strain that all passes so far have accumulated \[1 >= 0\].
     pub accumulated_strain: f64,
     /// Least residual stress along the travel \[stress\].
@@ -140,6 +155,9 @@ pub struct PassErrorReport {
     /// Of the half-width \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub half_width: Option<f64>,
+    /// Of the approach; `null` of a line \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub approach: Option<f64>,
     /// Of the plastic work, and of rolling force and loss \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub plastic_work: Option<f64>,
@@ -172,11 +190,11 @@ pub struct BodyPassErrorReport {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = TrackLimits))]
 pub struct TrackLimitsReport {
-    /// Of perfectly plastic bodies, in closed form; `null` where no body yields, and of a curve
-    /// without a yield point.
+    /// Of perfectly plastic bodies, in closed form; `null` where no body yields, of a curve without a
+    /// yield point, and of an ellipse that slides or is longer along the travel than across it.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub perfect: Option<TrackLimitReport>,
-    /// Of bodies with kinematic hardening without bound, on these layers.
+    /// Of bodies with kinematic hardening without bound, on these layers; `null` of an ellipse.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub kinematic: Option<TrackLimitReport>,
 }

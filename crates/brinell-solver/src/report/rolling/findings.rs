@@ -38,7 +38,8 @@ pub(super) fn findings(
     }
     let half_width = last.half_width();
     let reference = ElasticReference::of(job, problem.load.force.get());
-    let ratio = half_width / smallest_radius(job, reference.as_ref());
+    let ratio =
+        half_width / smallest_radius(job, reference.as_ref()).min(problem.smallest_radius());
     if ratio > WIDE_CONTACT {
         findings.push(Finding::Wide(Wide::OverRadius { ratio, in_groove: false }));
     }
@@ -56,7 +57,9 @@ pub(super) fn findings(
     findings.extend(by_hardness(job));
     findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
     if half_width > 0.0 {
-        findings.push(Finding::HalfSpaces { reach: REACH * half_width, across_roller: true });
+        let across_roller = problem.is_line();
+        let longest = last.half_width_across.map_or(half_width, |across| across.max(half_width));
+        findings.push(Finding::HalfSpaces { reach: REACH * longest, across_roller });
     }
     findings
 }

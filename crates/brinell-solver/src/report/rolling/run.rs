@@ -1,12 +1,13 @@
 //! Entry points of jobs whose load rolls: they estimate, solve and report a job.
 
 use super::step::StepWriter;
-use crate::job::{FieldError, Job, Named as _};
+use crate::job::{Analysis, FieldError, Job, Named as _};
 use crate::report::build::timings;
+use crate::report::half_spaces::problem_of;
 use crate::report::run::{RunError, SOLVER_BYTES, STEP_BYTES};
 use crate::report::{JobEstimate, MeshReport, Report, StepReport};
-use crate::solver::Observer;
 use crate::solver::rolling::{RollingProblem, RollingSolution, TrackEstimate, estimate, run};
+use crate::solver::{Observer, SolveError};
 use crate::units::UnitConverter;
 
 /// Bytes of the report of a pass, and of a column of the window or a layer.
@@ -15,12 +16,20 @@ const ROW_BYTES: u64 = 120;
 /// Cells of a track whose pass counts as one unit of work.
 const WORK_UNIT: u64 = 10_000;
 
+/// Returns the problem of a job.
+fn problem(job: &Job) -> Result<RollingProblem, SolveError> {
+    if job.analysis != Analysis::ThreeDimensional {
+        return RollingProblem::of(job);
+    }
+    RollingProblem::of_half_spaces(&problem_of(job).ok_or(SolveError::NoTrack)?)
+}
+
 /// Estimates the cost of a job.
 ///
 /// # Errors
 /// The fields of the job that describe a track without an answer.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    let problem = RollingProblem::of(job).and_then(|problem| Ok((estimate(&problem)?, problem)));
+    let problem = problem(job).and_then(|problem| Ok((estimate(&problem)?, problem)));
     match problem.map_err(|error| RunError::of(job, &error)) {
         Ok((track, problem)) => Ok(cost(&problem, track)),
         Err(RunError::Input(faults)) => Err(faults),
@@ -29,13 +38,14 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
 }
 
 fn cost(problem: &RollingProblem, track: TrackEstimate) -> JobEstimate {
-    let TrackEstimate { columns, window, layers, bytes } = track;
+    let TrackEstimate { columns, window, layers, rows, bytes } = track;
     let bodies = problem.yielding().count();
-    let cells = (columns * layers * bodies) as u64;
+    let cells = (columns * rows * layers * bodies) as u64;
+    let components = if rows > 1 { 5 } else { 3 };
     let passes = u64::from(problem.load.passes);
     let report = STEP_BYTES + PASS_BYTES * passes + ROW_BYTES * (window + 2 * layers) as u64;
     JobEstimate {
-        equations: window + 3 * columns * layers * bodies,
+        equations: window * rows + components * columns * rows * layers * bodies,
         bytes: SOLVER_BYTES + bytes + 8 * report,
         result_bytes: report,
         work: (cells / WORK_UNIT).max(1) * passes,
@@ -48,17 +58,19 @@ pub fn run_each(
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
-    let problem = RollingProblem::of(job).map_err(|error| RunError::of(job, &error))?;
+    let problem = problem(job).map_err(|error| RunError::of(job, &error))?;
     let solution = run(&problem, observer).map_err(|error| RunError::of(job, &error))?;
     let start = observer.elapsed();
     let write = UnitConverter::new(job.units, job.analysis);
     let RollingSolution { phases, tracks, enlargements, .. } = &solution;
+    let [columns, layers, rows] = solution.grid;
+    let components = if rows > 1 { 5 } else { 3 };
     let mesh = MeshReport {
         spacing: write.length(solution.column),
-        contact_pairs: solution.x.len(),
-        nodes: solution.grid[0],
-        elements: solution.grid[0] * solution.grid[1] * problem.yielding().count(),
-        equations: solution.x.len() + 3 * solution.grid[0] * solution.grid[1],
+        contact_pairs: solution.x.len() * rows,
+        nodes: columns * rows,
+        elements: columns * layers * rows * problem.yielding().count(),
+        equations: solution.x.len() * rows + components * columns * layers * rows,
         passes: *tracks,
         enlargements: *enlargements,
         ..MeshReport::NONE

@@ -1,6 +1,7 @@
 //! The report of a load that rolls.
 
 use std::cmp::Ordering;
+use std::f64::consts::PI;
 
 use brinell_halfspace::track::Verdict;
 
@@ -11,11 +12,11 @@ use super::document::{
 use super::findings::findings;
 use crate::job::{InitialStressProfile, Job};
 use crate::report::answers::Measured;
-use crate::report::build::{hertz, in_units, over_friction};
+use crate::report::build::{HALF_SPACE_DATUM, hertz, in_units, over_friction};
 use crate::report::validity;
 use crate::report::{
-    ContactNodes, ContactReport, ErrorEstimate, LoadReport, Patch, PerBody, Side, StepReport,
-    SubsurfaceReport,
+    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LoadReport, Patch, PerBody, Side,
+    StepReport, SubsurfaceReport,
 };
 use crate::solver::rolling::{
     BodyPass, BodyPassErrors, Limit, Pass, PassErrors, RollingProblem, RollingSolution,
@@ -24,7 +25,7 @@ use crate::solver::{ElasticReference, SolveStatus};
 use crate::units::UnitConverter;
 
 /// What an approach would be counted between, had a line contact that rolls one.
-const DATUM: &str = "none: how far half-planes approach under a line load depends on where that is \
+const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line load depends on where that is \
                      counted from";
 
 /// Writes the report of one job.
@@ -46,8 +47,9 @@ impl StepWriter<'_> {
             answers: Vec::new(),
             load: LoadReport::Force(write.force(self.problem.load.force.get())),
             status: solution.status,
-            approach: None,
-            approach_datum: DATUM.to_owned(),
+            approach: solution.last.approach.map(|approach| write.length(approach)),
+            approach_datum: if self.problem.is_line() { DATUM_OF_LINE } else { HALF_SPACE_DATUM }
+                .to_owned(),
             contact: self.contact(),
             contact_stiffness: None,
             flow: None,
@@ -56,7 +58,8 @@ impl StepWriter<'_> {
             plasticity: PerBody { upper: None, lower: None },
             hertz: reference
                 .as_ref()
-                .map(|reference| hertz(reference, &over_friction(job, reference, write), write)),
+                .map(|reference| hertz(reference, &over_friction(job, reference, write), write))
+                .or_else(|| self.ellipse()),
             yield_onset: None,
             validity: validity::remarks(&findings, write),
             estimated_error: self.estimated_error(),
@@ -71,13 +74,33 @@ impl StepWriter<'_> {
         report.answered(job, &measured, &findings, write)
     }
 
+    /// Returns the contact of elastic bodies, if it is an ellipse.
+    fn ellipse(&self) -> Option<HertzReport> {
+        let write = self.write;
+        let [along, across] = self.problem.semi_axes();
+        let limit = self.solution.limits[0];
+        (!self.problem.is_line()).then(|| HertzReport {
+            half_width: write.length(along.min(across)),
+            peak_pressure: write.stress(self.problem.elastic_peak()),
+            yield_onset_force: None,
+            yield_onset_depth: None,
+            shakedown_pressure: limit.map(|limit| write.stress(limit.peak_pressure)),
+            shakedown_depth: limit.map(|limit| write.length(limit.depth)),
+            shakedown_over_friction: Vec::new(),
+        })
+    }
+
     fn contact(&self) -> ContactReport {
         let (write, solution, last) = (self.write, self.solution, &self.solution.last);
-        let force: f64 = solution.pressure.iter().map(|p| p * solution.column).sum();
+        let force = match last.half_width_across {
+            Some(_) => self.problem.load.force.get(),
+            None => solution.pressure.iter().map(|p| p * solution.column).sum(),
+        };
         let [left, right] = last.ends.map(|x| write.length(x));
         let touches = last.half_width() > 0.0;
-        let mean = if touches { force / (2.0 * last.half_width()) } else { 0.0 };
-        let forces = solution.pressure.iter().map(|p| write.force(p * solution.column));
+        let across = last.half_width_across.map_or(2.0, |half_width| PI * half_width);
+        let mean = if touches { force / (across * last.half_width()) } else { 0.0 };
+        let forces = solution.pressure.iter().map(|p| write.force(p * solution.cell));
         ContactReport {
             force: write.force(force),
             half_width: write.length(last.half_width()),
@@ -115,6 +138,7 @@ impl StepWriter<'_> {
         Some(ErrorEstimate {
             peak_pressure: relative(errors.peak_pressure, last.peak_pressure),
             half_width: relative(errors.half_width, last.half_width()),
+            approach: last.approach.and_then(|approach| relative(errors.approach, approach)),
             force: Some(0.0),
             ..ErrorEstimate::default()
         })
@@ -155,6 +179,7 @@ impl StepWriter<'_> {
             },
             columns: solution.grid[0],
             layers: solution.grid[1],
+            rows: solution.grid[2],
         }
     }
 
@@ -207,6 +232,8 @@ impl StepWriter<'_> {
             iterations: pass.iterations,
             peak_pressure: write.stress(pass.peak_pressure),
             half_width: write.length(pass.half_width()),
+            half_width_across: pass.half_width_across.map(|width| write.length(width)),
+            approach: pass.approach.map(|approach| write.length(approach)),
             rolling_force: write.force(pass.rolling_force),
             loss: pass.rolling_force / self.problem.load.force.get(),
             plastic_work: write.force(pass.plastic_work()),
@@ -217,6 +244,7 @@ impl StepWriter<'_> {
             estimated_error: errors.map(|errors| PassErrorReport {
                 peak_pressure: relative(errors.peak_pressure, pass.peak_pressure),
                 half_width: relative(errors.half_width, pass.half_width()),
+                approach: pass.approach.and_then(|approach| relative(errors.approach, approach)),
                 plastic_work: relative(errors.work, pass.plastic_work()),
                 bodies: PerBody {
                     upper: errors_report(pass, errors.bodies, 0),
@@ -230,9 +258,9 @@ impl StepWriter<'_> {
     fn accumulated(&self, side: usize, passes: usize) -> f64 {
         let passes =
             || self.solution.passes[..passes].iter().filter_map(|p| p.bodies[side].as_ref());
-        let layers = 0..passes().next().map_or(0, |body| body.outlet.depths.len());
-        let of_layer = |layer: usize| passes().map(|body| body.outlet.accumulated[layer]).sum();
-        layers.map(of_layer).fold(0.0, f64::max)
+        let rows = 0..passes().next().map_or(0, |body| body.outlet.accumulated.len());
+        let of_row = |row: usize| passes().map(|body| body.outlet.accumulated[row]).sum();
+        rows.map(of_row).fold(0.0, f64::max)
     }
 
     /// Returns what the last pass has left over depth, far from the load.
@@ -246,11 +274,16 @@ impl StepWriter<'_> {
         let material = self.problem.materials[side].as_ref()?;
         let passes = || self.solution.passes.iter().filter_map(|pass| pass.bodies[side].as_ref());
         let outlet = &passes().next_back()?.outlet;
-        let layers = || outlet.residual.iter();
+        let layers = || outlet.on_axis(&outlet.residual);
         let stress =
-            |of: &dyn Fn(&[f64; 2]) -> f64| layers().map(|s| write.stress(of(s))).collect();
-        let von_mises = |s: &[f64; 2]| (s[0] * s[0] + s[1] * s[1] - s[0] * s[1]).sqrt();
-        let accumulated = |layer: usize| passes().map(|body| body.outlet.accumulated[layer]).sum();
+            |of: &dyn Fn(&[f64; 3]) -> f64| layers().map(|s| write.stress(of(s))).collect();
+        let von_mises = |[x, y, z]: &[f64; 3]| {
+            (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2))).sqrt()
+        };
+        let extreme = |s: &[f64; 3], of: fn(f64, f64) -> f64| of(of(s[0], s[1]), s[2]);
+        let rows = outlet.across.len();
+        let accumulated =
+            |layer: usize| passes().map(|body| body.outlet.accumulated[layer * rows]).sum();
         let initial = InitialStressProfile::new(material.initial_stress());
         let is_stressed = !material.initial_stress().is_empty();
         let before = |k: usize| {
@@ -265,9 +298,9 @@ impl StepWriter<'_> {
             position: Some(0.0),
             depth: outlet.depths.iter().map(|depth| write.length(*depth)).collect(),
             sigma_x: stress(&|s| s[0]),
-            sigma_y: stress(&|_| 0.0),
+            sigma_y: stress(&|s| s[2]),
             sigma_z: stress(&|s| s[1]),
-            tau_max: stress(&|s| 0.5 * (s[0].max(s[1]).max(0.0) - s[0].min(s[1]).min(0.0))),
+            tau_max: stress(&|s| 0.5 * (extreme(s, f64::max) - extreme(s, f64::min))),
             von_mises: stress(&von_mises),
             equivalent_plastic_strain: (0..outlet.depths.len()).map(accumulated).collect(),
             utilization: limits.as_ref().map(|limits| {
@@ -328,16 +361,20 @@ pub(super) const fn word(verdict: Verdict) -> TrackVerdict {
 }
 
 fn body_report(body: &BodyPass, accumulated: f64, write: UnitConverter) -> BodyPassReport {
-    let stresses = |k: usize| body.outlet.residual.iter().map(move |stress| stress[k]);
+    let outlet = &body.outlet;
+    let stresses = |k: usize| outlet.on_axis(&outlet.residual).map(move |stress| stress[k]);
     let least = |k: usize| write.stress(stresses(k).fold(f64::INFINITY, f64::min));
     let most = |k: usize| write.stress(stresses(k).fold(f64::NEG_INFINITY, f64::max));
     BodyPassReport {
         groove_depth: write.length(body.outlet.groove_depth),
+        pile_up: write.length(body.outlet.pile_up),
         forward: write.length(body.outlet.forward),
         largest_strain: body.strain.largest.value,
         largest_strain_depth: write.length(body.strain.largest.depth),
+        largest_strain_across: write.length(body.strain.largest.across),
         net_strain: body.strain.net.value,
         net_strain_depth: write.length(body.strain.net.depth),
+        net_strain_across: write.length(body.strain.net.across),
         accumulated_strain: accumulated,
         least_sigma_x: least(0),
         largest_sigma_x: most(0),
@@ -352,7 +389,7 @@ fn errors_report(
     side: usize,
 ) -> Option<BodyPassErrorReport> {
     let (body, errors) = (pass.bodies[side].as_ref()?, errors[side]?);
-    let stresses = body.outlet.residual.iter().flatten();
+    let stresses = body.outlet.on_axis(&body.outlet.residual).flatten();
     let largest = stresses.fold(0.0, |most: f64, stress| most.max(stress.abs()));
     Some(BodyPassErrorReport {
         groove_depth: relative(errors.groove_depth, body.outlet.groove_depth),

@@ -37,7 +37,7 @@ pub enum Relief {
 
 impl RollerGap {
     /// Returns the depth of the surface below the endless cylinder at a point in the job's axes.
-    fn fall(&self, [x, y]: [f64; 2]) -> f64 {
+    pub(in crate::solver) fn fall(&self, [x, y]: [f64; 2]) -> f64 {
         let (sine, cosine) = self.rotation.sin_cos();
         let along = cosine * y - sine * x;
         let part = (2.0 * along / self.length).abs();
@@ -62,7 +62,7 @@ impl RollerGap {
     }
 
     /// Whether the two halves of the roller are mirror images.
-    fn is_even(&self) -> bool {
+    pub(in crate::solver) fn is_even(&self) -> bool {
         !self.is_tilted()
             && match &self.relief {
                 Relief::Straight | Relief::Logarithmic(_) => true,

@@ -1,40 +1,41 @@
 //! A track as an engine of the method: which columns, and what becomes of a pass on them.
 
 use std::cell::RefCell;
-use std::sync::Arc;
+use std::marker::PhantomData;
 
-use brinell_halfspace::track::{LineFlexibility, RollingBody, TrackFault, TrackGrid, TrackSpace};
-use brinell_halfspace::{Elasticity, Layers};
+use brinell_halfspace::track::{Rolls, TrackFault};
 
-use super::estimate::bytes;
-use super::problem::{RollingProblem, initial_stress, law_of_layers};
+use super::course::Course;
+use super::problem::RollingProblem;
 use super::system::Track;
-use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
-use crate::job::{self, ContactMethod, Deformable};
+use crate::contact::{ConjugateGradientSolver, ContactLoad};
+use crate::job;
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::Held;
-use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
-use crate::solver::watch::watched;
 use crate::solver::{SolveError, strategy};
 
 /// Factor of the window, the depth and the length of a track that cuts off contact or yield.
 const ENLARGEMENT: f64 = 1.5;
 const MAX_ENLARGEMENTS: usize = 4;
 
+/// Largest violation of a contact condition that an iterative contact solver leaves: half of what
+/// the check lets pass.
+const CONTACT_TOLERANCE: f64 = 5e-9;
+
 /// Columns and extent of a track.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TrackDesign {
-    /// Elastic half-width a \[mm\].
-    pub contact: f64,
-    /// Columns over a.
+    /// Elastic semi-axes along and across the travel \[mm\]; the half-width of a line twice.
+    pub semi_axes: [f64; 2],
+    /// Columns over the first, and cells over the second.
     pub columns: usize,
-    /// Length of the track over a.
+    /// Length of the track over the first.
     pub length: f64,
     /// Friction that decides on the first layer.
     pub friction: f64,
@@ -45,16 +46,17 @@ impl TrackDesign {
     /// The track of a problem with so many columns over the half-width.
     pub fn new(problem: &RollingProblem, columns: usize) -> Self {
         Self {
-            contact: problem.hertz().half_width(),
+            semi_axes: problem.semi_axes(),
             columns,
-            length: problem.load.track,
+            length: problem.length(),
             friction: problem.load.friction,
             enlargements: 0,
         }
     }
 
-    /// Columns and layers. All extents follow the half-width that the grid is made for.
-    pub fn grid(&self) -> Result<(TrackGrid, Layers), SolveError> {
+    /// The factor on all extents, and the cells over what the semi-axes become by it: all follow
+    /// the contact that the grid is made for.
+    pub fn extent(&self) -> (f64, usize) {
         let factor = ENLARGEMENT.powi(i32::try_from(self.enlargements).unwrap_or(i32::MAX));
         #[expect(
             clippy::cast_possible_truncation,
@@ -62,27 +64,41 @@ impl TrackDesign {
             reason = "some thousands at most"
         )]
         let columns = (factor * self.columns as f64).round() as usize;
-        let half_width = self.contact * columns as f64 / self.columns as f64;
-        let grid = TrackGrid::of_contact(half_width, columns, self.length)?;
-        Ok((grid, grid.layers(half_width, self.friction)?))
+        (columns as f64 / self.columns as f64, columns)
+    }
+
+    /// The shorter semi-axis \[mm\].
+    pub const fn shorter(&self) -> f64 {
+        self.semi_axes[0].min(self.semi_axes[1])
     }
 }
 
 /// Two bodies on a track.
-pub(super) struct TrackEngine<'a> {
+pub(super) struct TrackEngine<'a, C> {
     pub problem: &'a RollingProblem,
     pub coupling: &'static dyn Coupling,
+    contact: ConjugateGradientSolver,
+    course: PhantomData<C>,
 }
 
-impl<'a> TrackEngine<'a> {
+impl<'a, C: Course> TrackEngine<'a, C> {
     /// Iterated as the job asks for.
     pub fn new(problem: &'a RollingProblem) -> Self {
-        Self { problem, coupling: strategy::coupling(problem.solver.coupling) }
+        Self::with(problem, problem.solver.coupling)
     }
 
     /// Iterated as is best for tracks that nothing is reported of.
     pub fn auxiliary(problem: &'a RollingProblem) -> Self {
-        Self { problem, coupling: strategy::coupling(job::Coupling::Accelerated) }
+        Self::with(problem, job::Coupling::Accelerated)
+    }
+
+    fn with(problem: &'a RollingProblem, coupling: job::Coupling) -> Self {
+        Self {
+            problem,
+            coupling: strategy::coupling(coupling),
+            contact: ConjugateGradientSolver::new(CONTACT_TOLERANCE),
+            course: PhantomData,
+        }
     }
 
     pub fn tolerance(&self) -> f64 {
@@ -91,12 +107,8 @@ impl<'a> TrackEngine<'a> {
 
     /// The increment is filled in.
     pub fn controls(&self) -> Controls<'_> {
-        let contact: &dyn ContactSolver = match self.problem.solver.contact {
-            ContactMethod::ActiveSet => &ActiveSetSolver,
-            ContactMethod::Simplex => &SimplexSolver,
-        };
         Controls {
-            contact,
+            contact: C::solver(self.problem, &self.contact),
             load: ContactLoad::Force(self.problem.load.force.get()),
             tolerance: self.tolerance(),
             max_iterations: self.problem.solver.max_iterations as usize,
@@ -106,23 +118,23 @@ impl<'a> TrackEngine<'a> {
         }
     }
 
-    fn track(&self, design: &TrackDesign, run: &mut Run<'_>) -> Result<Track, SolveError> {
-        let (grid, layers) = design.grid()?;
+    fn track(&self, design: &TrackDesign, run: &mut Run<'_>) -> Result<Track<C>, SolveError> {
+        let (grid, layers) = C::lay(design)?;
         let problem = self.problem;
-        run.hold(Held::Bodies, bytes(problem, &grid, layers.len()))?;
+        run.hold(Held::Bodies, grid.bytes(problem, layers.len()))?;
         let count = if problem.is_shared() { 2 } else { 1 };
         let frictions = problem.frictions();
-        let bodies = problem.yielding().map(|(side, material)| {
-            body(material, (&grid, &layers), (count, frictions[side]), run)
-        });
+        let bodies = problem
+            .yielding()
+            .map(|(side, material)| grid.body(&layers, material, (count, frictions[side]), run));
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-        let initial_gap = grid.sample(|x| x * x / (2.0 * problem.radius));
+        let initial_gap = grid.gap(problem);
         Ok(Track {
             design: *design,
-            flexibility: LineFlexibility::new(&grid, problem.effective_modulus()),
+            flexibility: grid.surface(problem.effective_modulus())?,
             closing: vec![1.0; initial_gap.len()],
             initial_gap,
-            accepted: bodies.iter().map(|body| vec![0.0; body.len()]).collect(),
+            accepted: bodies.iter().map(|body| vec![0.0; body.n_numbers()]).collect(),
             bodies: bodies.into(),
             outlets: Vec::new(),
             begun: RefCell::default(),
@@ -131,36 +143,18 @@ impl<'a> TrackEngine<'a> {
     }
 }
 
-/// A body that can yield.
-fn body(
-    material: &Deformable,
-    (grid, layers): (&TrackGrid, &Layers),
-    (count, friction): (u8, f64),
-    run: &mut Run<'_>,
-) -> Result<RollingBody, SolveError> {
-    let elastic = material.elastic();
-    let elastic = Elasticity::new(elastic.young_modulus.get(), elastic.poisson_ratio.get())?;
-    let depths: Vec<f64> = (0..layers.len()).map(|layer| layers.middle(layer)).collect();
-    let law = law_of_layers(material, &depths).ok_or(SolveError::NoTrack)?;
-    let space = watched(run, Phase::Flexibility, |stop| {
-        TrackSpace::new(*grid, layers.clone(), elastic, stop)
-    })?;
-    let initial = initial_stress(material, layers);
-    Ok(RollingBody::new(Arc::new(space), law, count, friction, initial))
-}
-
 /// A pass on its track.
-pub(super) struct Answer {
-    pub track: Track,
+pub(super) struct Answer<C: Course> {
+    pub track: Track<C>,
     pub outcome: Outcome,
     /// What the track cuts off.
     pub fault: Option<TrackFault>,
 }
 
-impl solve::Answer for Answer {
-    type System = Track;
+impl<C: Course> solve::Answer for Answer<C> {
+    type System = Track<C>;
 
-    fn system(&self) -> &Track {
+    fn system(&self) -> &Track<C> {
         &self.track
     }
 
@@ -172,14 +166,14 @@ impl solve::Answer for Answer {
         &mut self.outcome
     }
 
-    fn into_parts(self) -> (Track, Outcome) {
+    fn into_parts(self) -> (Track<C>, Outcome) {
         (self.track, self.outcome)
     }
 
     fn figures(&self) -> Figures {
         let contact = &self.outcome.state.response.contact;
-        let ContactFigures { force, peak_pressure, .. } = self.track.figures(contact);
-        Figures { force, peak_pressure, ..Figures::default() }
+        let ContactFigures { force, approach, peak_pressure, .. } = self.track.figures(contact);
+        Figures { force, approach, peak_pressure, ..Figures::default() }
     }
 
     fn has_collapsed(&self) -> bool {
@@ -190,40 +184,40 @@ impl solve::Answer for Answer {
     }
 }
 
-impl Engine for TrackEngine<'_> {
-    type System = Track;
+impl<C: Course> Engine for TrackEngine<'_, C> {
+    type System = Track<C>;
     type Design = TrackDesign;
-    type Answer = Answer;
+    type Answer = Answer<C>;
     type Error = SolveError;
 
     fn build(
         &self,
         design: &mut TrackDesign,
         run: &mut Run<'_>,
-    ) -> Result<(Track, Option<BlockVector>), SolveError> {
+    ) -> Result<(Track<C>, Option<BlockVector>), SolveError> {
         Ok((self.track(design, run)?, None))
     }
 
     fn resume(
         &self,
         _: &TrackDesign,
-        system: Track,
+        system: Track<C>,
         _: &mut Run<'_>,
-    ) -> Result<(Track, Option<BlockVector>), SolveError> {
+    ) -> Result<(Track<C>, Option<BlockVector>), SolveError> {
         Ok((system, None))
     }
 
     fn verdict(
         &self,
         design: &TrackDesign,
-        system: Track,
+        system: Track<C>,
         outcome: Outcome,
         _: Round,
         _: &mut Run<'_>,
     ) -> Result<VerdictOf<Self>, SolveError> {
         let pressure = system.pressure(&outcome.state.response.contact.force);
         let bodies = system.bodies.borrow();
-        let held = bodies.iter().try_for_each(RollingBody::holds);
+        let held = bodies.iter().try_for_each(Rolls::holds);
         drop(bodies);
         let fault = system.grid.holds(&pressure).and(held).err();
         let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;

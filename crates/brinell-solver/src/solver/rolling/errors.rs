@@ -15,6 +15,8 @@ const FLOOR: f64 = 0.5;
 const FLOOR_OF_FIRST: f64 = 0.3;
 /// Floor of the half-width over the width of a column, as in three dimensions.
 const SCATTER_OF_WIDTH: f64 = 0.1;
+/// Relative floor of an approach. A ring leaves out what lies beyond half its length.
+const FLOOR_OF_APPROACH: f64 = 5e-3;
 
 /// Estimated absolute errors, in the units of [`Pass`].
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +25,8 @@ pub struct PassErrors {
     pub peak_pressure: f64,
     /// Of the half-width.
     pub half_width: f64,
+    /// Of the approach; 0 where there is none.
+    pub approach: f64,
     /// Of the plastic work, and of rolling force and loss: what is missing in the balance of
     /// energy counts too.
     pub work: f64,
@@ -81,6 +85,11 @@ impl PassErrors {
         Self {
             peak_pressure: of_contact(&|pass| pass.peak_pressure) + floor * fine.peak_pressure,
             half_width: of_contact(&Pass::half_width) + SCATTER_OF_WIDTH * h,
+            approach: fine.approach.map_or(0.0, |approach| {
+                let of = |pass: &Pass| pass.approach.unwrap_or(0.0);
+                let track = lengths.map_or(0.0, |[one, two]| (of(one) - of(two)).abs());
+                of_contact(&of) + track + FLOOR_OF_APPROACH * approach
+            }),
             work: error(&Pass::plastic_work)
                 + floor_of_first * first.plastic_work()
                 + fine.energy_gap() * fine.plastic_work(),
@@ -92,7 +101,7 @@ impl PassErrors {
 /// Smallest and largest residual stress of a body along the travel and across it \[MPa\].
 fn residuals(pass: &Pass, side: usize) -> [f64; 4] {
     let Some(body) = &pass.bodies[side] else { return [0.0; 4] };
-    let layers = || body.outlet.residual.iter();
+    let layers = || body.outlet.on_axis(&body.outlet.residual);
     let least = |k: usize| layers().map(|stress| stress[k]).fold(0.0, f64::min);
     let most = |k: usize| layers().map(|stress| stress[k]).fold(0.0, f64::max);
     [least(0), most(0), least(1), most(1)]

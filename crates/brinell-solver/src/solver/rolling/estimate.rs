@@ -1,7 +1,9 @@
 //! What a load that rolls will take, before it is solved.
 
+use brinell_halfspace::raceway::{RacewayGrid, RacewaySpace};
 use brinell_halfspace::track::TrackGrid;
 
+use super::course::Course;
 use super::engine::TrackDesign;
 use super::problem::RollingProblem;
 use crate::solver::SolveError;
@@ -23,6 +25,8 @@ pub struct TrackEstimate {
     pub window: usize,
     /// Layers of each body.
     pub layers: usize,
+    /// Rows of cells in a layer, on one side of the axis; one of a line.
+    pub rows: usize,
     /// Largest memory \[bytes\].
     pub bytes: u64,
 }
@@ -33,18 +37,42 @@ pub struct TrackEstimate {
 /// Those of a grid, and [`SolveError::Track`] where the surfaces do not bear the friction.
 pub fn estimate(problem: &RollingProblem) -> Result<TrackEstimate, SolveError> {
     problem.bears()?;
-    let (grid, layers) = TrackDesign::new(problem, problem.columns).grid()?;
+    if problem.is_line() { of::<TrackGrid>(problem) } else { of::<RacewayGrid>(problem) }
+}
+
+fn of<C: Course>(problem: &RollingProblem) -> Result<TrackEstimate, SolveError> {
+    let (grid, layers) = C::lay(&TrackDesign::new(problem, problem.columns))?;
     Ok(TrackEstimate {
         columns: grid.n_columns(),
-        window: grid.window().len(),
+        window: grid.x().len(),
         layers: layers.len(),
-        bytes: bytes(problem, &grid, layers.len()) as u64,
+        rows: grid.n_rows(),
+        bytes: grid.bytes(problem, layers.len()) as u64,
     })
 }
 
-/// Bytes that a solve on a grid holds.
-pub(super) fn bytes(problem: &RollingProblem, grid: &TrackGrid, layers: usize) -> usize {
+/// Bytes that a solve on a line holds.
+pub(super) fn bytes_of_line(problem: &RollingProblem, grid: &TrackGrid, layers: usize) -> usize {
     let cells = grid.n_columns() * layers * problem.yielding().count();
     let contact = 3 * grid.window().len().pow(2);
     size_of::<f64>() * (cells * (NUMBERS_OF_CELL + NUMBERS_OF_FLOW / FLOWING) + contact)
+}
+
+/// Numbers that a body keeps of each cell and component on a track of finite width: increments,
+/// trials and their images.
+const FIELDS: usize = 8;
+
+/// Bytes that a solve on a track of finite width holds.
+pub(super) fn bytes_of_ellipse(
+    problem: &RollingProblem,
+    grid: &RacewayGrid,
+    layers: usize,
+) -> usize {
+    let field = 5 * grid.n_cells() * layers;
+    let vectors = field * (FIELDS + NUMBERS_OF_FLOW / 3 / FLOWING);
+    let operators = RacewaySpace::bytes(grid, layers);
+    // Spectra of the flexibility and its padded fields.
+    let surface = 32 * grid.window().len() * 2 * grid.n_rows();
+    problem.yielding().count() * (operators + size_of::<f64>() * vectors)
+        + size_of::<f64>() * surface
 }

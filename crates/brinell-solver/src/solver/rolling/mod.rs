@@ -1,9 +1,10 @@
-//! Line contacts that roll or slide over a track, as an engine of the method: one pass is one load.
+//! Contacts that roll or slide over a track, lines and ellipses, as an engine of the method: one pass is one load.
 //!
 //! A [`RollingProblem`] holds the input of a job, [`run`] solves its passes one after the other,
 //! each from what the one before has left, and returns a [`RollingSolution`]. Equations:
 //! `docs/theory_rolling.md`.
 
+mod course;
 mod engine;
 mod errors;
 mod estimate;
@@ -15,5 +16,5 @@ mod system;
 pub use errors::{BodyPassErrors, PassErrors};
 pub use estimate::{TrackEstimate, estimate};
 pub use pass::{BodyPass, Pass};
-pub use problem::{Limit, RollingProblem};
+pub use problem::{Footprint, Limit, RollingProblem};
 pub use run::{RollingSolution, run};

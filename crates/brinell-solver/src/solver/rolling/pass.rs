@@ -1,9 +1,10 @@
 //! One pass: its figures, and the evidence on which it is judged.
 
-use brinell_halfspace::track::{Outlet, PassStrain, RollingBody, rolling_force};
+use brinell_halfspace::track::{Outlet, PassStrain, Rolls as _};
 
 use brinell_contact::Flexibility as _;
 
+use super::course::Course;
 use super::engine::{Answer, TrackEngine};
 use super::system::Track;
 use crate::solver::SolveStatus;
@@ -14,8 +15,8 @@ use crate::solver::method::observer::IterationRecord;
 use crate::solver::method::solve::Answer as _;
 use crate::solver::watch::never;
 
-/// One pass of the load. Lengths in mm, forces in N/mm, stresses in MPa, work in N: on unit
-/// thickness, and per length of travel.
+/// One pass of the load. Lengths in mm, stresses in MPa, forces and works per length of travel in
+/// N; of a line contact forces and works on unit thickness in N/mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pass {
     /// How the iteration ended, including the final check.
@@ -28,8 +29,12 @@ pub struct Pass {
     pub peak_pressure: f64,
     /// Its x, in the direction of travel.
     pub peak_position: f64,
-    /// Ends of the contact.
+    /// Ends of the contact along the travel, on the axis.
     pub ends: [f64; 2],
+    /// Half the width of the contact across the travel; `None` of a line.
+    pub half_width_across: Option<f64>,
+    /// Approach of the bodies; `None` of a line, which has none.
+    pub approach: Option<f64>,
     /// Force against which the load is pushed, without friction.
     pub rolling_force: f64,
     /// Work of the traction on the plastic displacement of the surfaces.
@@ -48,7 +53,7 @@ pub struct BodyPass {
 }
 
 impl Pass {
-    /// Half the width of the contact \[mm\].
+    /// Half the width of the contact along the travel \[mm\].
     pub fn half_width(&self) -> f64 {
         0.5 * (self.ends[1] - self.ends[0])
     }
@@ -76,10 +81,10 @@ impl Pass {
     }
 }
 
-impl Answer {
+impl<C: Course> Answer<C> {
     /// The figures of the pass, and the track as it leaves it. A pass that has not converged
     /// leaves nothing.
-    pub fn pass(self, engine: &TrackEngine<'_>) -> (Pass, Track, Vec<IterationRecord>) {
+    pub fn pass(self, engine: &TrackEngine<'_, C>) -> (Pass, Track<C>, Vec<IterationRecord>) {
         let evidence = self.evidence();
         let load = engine.controls().load;
         let least = LeastScales::default().contact;
@@ -88,21 +93,28 @@ impl Answer {
         let Self { mut track, outcome, .. } = self;
         let contact = &outcome.state.response.contact;
         let pressure = track.pressure(&contact.force);
-        let work = |body: &mut RollingBody| {
+        let work = |body: &mut C::Body| {
             body.count() * body.work_of_traction(&pressure, &mut never).unwrap_or_default()
         };
         let work_of_traction = track.bodies.get_mut().iter_mut().map(work).sum();
         let ContactFigures { peak_pressure, .. } = track.figures(contact);
-        let largest = pressure.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
-        let first = track.grid.window().start;
+        let (x, along) = (track.grid.x(), track.grid.along(&pressure));
+        let largest = along.iter().zip(&x).max_by(|a, b| a.0.total_cmp(b.0));
+        let (y, across) = track.grid.across(&pressure);
+        let of_places = |places: &[f64]| places.get(1).zip(places.first()).map(|(b, a)| b - a);
         let mut pass = Pass {
             status,
             iterations: outcome.history.len(),
             residual: evidence.equilibrium_residual,
             peak_pressure,
-            peak_position: largest.map_or(0.0, |(i, _)| track.grid.x(first + i)),
-            ends: ends(&pressure, track.grid.x(first), track.grid.h()),
-            rolling_force: rolling_force(&track.grid, &track.initial_gap, &pressure),
+            peak_position: largest.map_or(0.0, |(_, x)| *x),
+            ends: ends(&along, x.first().copied().unwrap_or(0.0), track.grid.column()),
+            half_width_across: of_places(&y).map(|h| {
+                let [left, right] = ends(&across, y[0], h);
+                0.5 * (right - left)
+            }),
+            approach: C::approach(contact),
+            rolling_force: track.grid.rolling_force(&track.initial_gap, &pressure),
             work_of_traction,
             bodies: [None, None],
         };

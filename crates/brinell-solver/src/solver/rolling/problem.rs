@@ -1,29 +1,57 @@
-//! The input of a line contact that rolls.
+//! The input of a contact that rolls.
 
 use std::sync::Arc;
 
-use brinell_halfspace::Layers;
 use brinell_halfspace::track::TrackFault;
-use brinell_material::{StreamLaw, StreamOfLayers};
+use brinell_halfspace::{EllipticContact, Layers};
+use brinell_material::{Deviators, StreamLaw, StreamOfLayers, TrackFrame};
 
-use crate::analytical::{DepthLimit, HertzLine};
+use crate::analytical::{DepthLimit, HertzEllipse, HertzLine};
 use crate::job::{Deformable, InitialStressProfile, Job, Load, Rolling, SolverSettings};
 use crate::material::{
     BackstressTerm, ElasticModuli, FlowPlasticity, OutOfPlane, ReturnMapping, scaled,
 };
 use crate::solver::SolveError;
+use crate::solver::half_spaces::{HalfSpaceProblem, Relief, RollerGap};
 use crate::solver::problem::Problem;
 
-/// Two bodies, the radius of the gap between them, and the load that rolls.
+/// Length of a track over the elastic semi-axis along the travel, where the job says none.
+const LENGTH_OF_LINE: f64 = 32.0;
+const LENGTH_OF_ELLIPSE: f64 = 12.0;
+/// Curvature that couples both axes over the sum of the curvatures, and sine of a rotation, below
+/// which a contact lies along the travel.
+const ALIGNED: f64 = 1e-9;
+/// Curvature across the travel over that along it below which a contact is as good as a line, and
+/// the reverse.
+const LONGEST: f64 = 1e-3;
+
+/// The gap between the undeformed bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Footprint {
+    /// A line across the travel: the reciprocal of the sum of both curvatures \[mm\].
+    Line {
+        /// Radius of the gap.
+        radius: f64,
+    },
+    /// An ellipse whose axes lie along and across the travel.
+    Ellipse {
+        /// Sums of both curvatures along and across the travel \[1/mm\].
+        curvatures: [f64; 2],
+        /// Ends and relief of rollers whose axes lie across the travel.
+        rollers: Vec<RollerGap>,
+    },
+}
+
+/// Two bodies, the gap between them, and the load that rolls.
 #[derive(Debug, Clone)]
 pub struct RollingProblem {
     /// Upper and lower body; `None` for a rigid body. At least one body deforms.
     pub materials: [Option<Deformable>; 2],
-    /// Radius of the gap, the reciprocal of the sum of both curvatures \[mm\].
-    pub radius: f64,
+    /// The gap between the undeformed bodies.
+    pub footprint: Footprint,
     /// Force, friction and passes.
     pub load: Rolling,
-    /// Columns over the elastic half-width.
+    /// Columns over the elastic half-width, cells over each semi-axis.
     pub columns: usize,
     /// Coupling, tolerance and iteration limit.
     pub solver: SolverSettings,
@@ -53,7 +81,9 @@ impl RollingProblem {
         let radius = curvature.map(f64::recip).filter(|radius| *radius > 0.0);
         Ok(Self {
             materials: problem.bodies.map(|body| body.material),
-            radius: radius.filter(|radius| radius.is_finite()).ok_or(SolveError::NoTrack)?,
+            footprint: Footprint::Line {
+                radius: radius.filter(|radius| radius.is_finite()).ok_or(SolveError::NoTrack)?,
+            },
             load,
             columns: job.mesh.elements_per_half_width as usize,
             solver: job.solver,
@@ -69,9 +99,108 @@ impl RollingProblem {
         self.materials.iter().flatten().map(compliance).sum::<f64>().recip()
     }
 
+    /// The problem of half-spaces in three dimensions over which a load rolls along x.
+    ///
+    /// # Errors
+    /// [`SolveError::NoRaceway`]: the surfaces do not open as an ellipse whose axes lie along and
+    /// across the travel.
+    pub fn of_half_spaces(shapes: &HalfSpaceProblem) -> Result<Self, SolveError> {
+        let Load::Rolling(load) = shapes.load else { return Err(SolveError::NoTrack) };
+        let [along, across, mixed] = shapes.curvature;
+        let rollers = &shapes.rollers;
+        let refuse = |reason: &'static str| Err(SolveError::NoRaceway(reason));
+        if shapes.heights.is_some() {
+            return refuse("surfaces with heights of their own do not roll");
+        }
+        if mixed.abs() > ALIGNED * (along + across) {
+            return refuse(
+                "the axes of the contact have to lie along x, the direction of travel, and along y",
+            );
+        }
+        if rollers.iter().any(|roller| roller.rotation.sin().abs() > ALIGNED) {
+            return refuse("a roller rolls across its axis, which has to lie along y");
+        }
+        if !rollers.iter().all(RollerGap::is_even) {
+            return refuse("both sides of a track have to be alike: no roller tilts");
+        }
+        if across <= LONGEST * along || along <= LONGEST * across {
+            return refuse(
+                "both curvatures of the gap, along the travel and across it, have to be more than \
+                 a thousandth of each other; lines roll with the analysis \"plane_strain\"",
+            );
+        }
+        let problem = Self {
+            materials: shapes.materials.clone(),
+            footprint: Footprint::Ellipse {
+                curvatures: [along, across],
+                rollers: rollers.clone(),
+            },
+            load,
+            columns: shapes.cells_per_semi_axis as usize,
+            solver: shapes.solver,
+        };
+        let [_, b] = problem.semi_axes();
+        if rollers
+            .iter()
+            .any(|roller| 2.0 * b >= roller.length || !matches!(roller.relief, Relief::Straight))
+        {
+            return refuse(
+                "the ellipse has to end on the roller: it is longer than the roller, or a profile \
+                 other than an arc takes its place",
+            );
+        }
+        Ok(problem)
+    }
+
+    /// Whether the contact is a line.
+    pub const fn is_line(&self) -> bool {
+        matches!(self.footprint, Footprint::Line { .. })
+    }
+
+    /// The gap at a place \[mm\].
+    pub fn gap(&self, x: f64, y: f64) -> f64 {
+        match &self.footprint {
+            Footprint::Line { radius } => x * x / (2.0 * radius),
+            Footprint::Ellipse { curvatures: [kx, ky], rollers } => {
+                let falls: f64 = rollers.iter().map(|roller| roller.fall([x, y])).sum();
+                0.5 * (kx * x * x + ky * y * y) + falls
+            }
+        }
+    }
+
+    /// Length of the track over the elastic semi-axis along the travel.
+    pub fn length(&self) -> f64 {
+        let default = if self.is_line() { LENGTH_OF_LINE } else { LENGTH_OF_ELLIPSE };
+        self.load.track.unwrap_or(default)
+    }
+
+    /// Semi-axes of the contact of elastic bodies along and across the travel \[mm\]; of a line
+    /// its half-width twice.
+    pub fn semi_axes(&self) -> [f64; 2] {
+        match self.elastic() {
+            Elastic::Line(hertz) => [hertz.half_width(); 2],
+            Elastic::Ellipse(hertz) => [hertz.semi_axis_x, hertz.semi_axis_y],
+        }
+    }
+
+    /// Peak pressure of elastic bodies \[MPa\].
+    pub fn elastic_peak(&self) -> f64 {
+        match self.elastic() {
+            Elastic::Line(hertz) => hertz.peak_pressure(),
+            Elastic::Ellipse(hertz) => hertz.peak_pressure,
+        }
+    }
+
     /// The contact of elastic bodies.
-    pub fn hertz(&self) -> HertzLine {
-        HertzLine::new(self.load.force.get(), self.radius, self.effective_modulus())
+    fn elastic(&self) -> Elastic {
+        let (force, modulus) = (self.load.force.get(), self.effective_modulus());
+        match self.footprint {
+            Footprint::Line { radius } => Elastic::Line(HertzLine::new(force, radius, modulus)),
+            Footprint::Ellipse { curvatures: [kx, ky], .. } => {
+                let [rx, ry] = [kx.recip(), ky.recip()];
+                Elastic::Ellipse(EllipticContact::new(rx, ry, modulus, force))
+            }
+        }
     }
 
     /// Traction in the direction of travel over pressure, on the upper and on the lower body.
@@ -100,9 +229,10 @@ impl RollingProblem {
     /// # Errors
     /// [`SolveError::Track`].
     pub fn bears(&self) -> Result<(), SolveError> {
-        let traction = self.load.friction.abs() * self.hertz().peak_pressure();
+        let traction = self.load.friction.abs() * self.elastic_peak();
         for (_, material) in self.yielding() {
-            let Some(law) = law_of_layers(material, &[0.0]) else { continue };
+            let law: Option<Box<dyn StreamLaw>> = law_of_rows(material, &[0.0], 1);
+            let Some(law) = law else { continue };
             let strength = law.largest_stress(0) / 3f64.sqrt();
             if traction > strength {
                 return Err(SolveError::Track(TrackFault::Traction { traction, strength }));
@@ -112,20 +242,51 @@ impl RollingProblem {
     }
 
     /// The limit of shakedown of perfectly plastic bodies in closed form; `None` where no body
-    /// yields.
+    /// yields, and of an ellipse that slides or is longer along the travel than across it.
     pub fn perfect_limit(&self) -> Option<Limit> {
-        let half_width = 2.0 * self.radius / self.effective_modulus();
+        let friction = self.load.friction.abs();
         let of_body = |(side, material): (usize, &Deformable)| {
             let yield_stress =
                 Some(material.hardening_law()?.yield_stress()).filter(|limit| *limit > 0.0)?;
             let strength = material.strength();
-            let limit = DepthLimit::sliding(self.load.friction.abs(), half_width, |depth| {
+            let over_depth = |depth: f64| {
                 yield_stress * strength.as_ref().map_or(1.0, |strength| strength.factor(depth))
-            });
+            };
+            let limit = match self.elastic() {
+                Elastic::Line(_) => {
+                    let half_width = 2.0 * self.radius() / self.effective_modulus();
+                    DepthLimit::sliding(friction, half_width, over_depth)
+                }
+                Elastic::Ellipse(hertz) => {
+                    let axis_ratio = hertz.semi_axis_x / hertz.semi_axis_y;
+                    if friction > 0.0 || axis_ratio > 1.0 + ALIGNED {
+                        return None;
+                    }
+                    let half_width = hertz.semi_axis_x / hertz.peak_pressure;
+                    let ellipse = HertzEllipse { axis_ratio: axis_ratio.min(1.0) };
+                    DepthLimit::ellipse_rolling(ellipse, half_width, over_depth)
+                }
+            };
             Some(Limit { peak_pressure: limit.peak_pressure, depth: limit.depth, side })
         };
         let limits = self.yielding().filter_map(of_body);
         limits.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure))
+    }
+
+    /// The smaller radius of the gap \[mm\].
+    pub fn smallest_radius(&self) -> f64 {
+        match self.footprint {
+            Footprint::Line { radius } => radius,
+            Footprint::Ellipse { curvatures: [along, across], .. } => along.max(across).recip(),
+        }
+    }
+
+    /// Radius of the gap along the travel \[mm\].
+    fn radius(&self) -> f64 {
+        match self.footprint {
+            Footprint::Line { radius } => radius,
+            Footprint::Ellipse { curvatures: [along, _], .. } => along.recip(),
+        }
     }
 
     /// `σ_y/E` of a body; of a curve without a yield point by its nominal yield stress.
@@ -135,38 +296,59 @@ impl RollingProblem {
     }
 }
 
-/// The plastic law of layers at these depths, if the material can yield. Each has the strength at
-/// its depth.
-pub(super) fn law_of_layers(material: &Deformable, depths: &[f64]) -> Option<Box<dyn StreamLaw>> {
+/// The contact of elastic bodies.
+enum Elastic {
+    Line(HertzLine),
+    Ellipse(EllipticContact),
+}
+
+/// The plastic law of so many rows in each of the layers at these depths, if the material can
+/// yield. Each layer has the strength at its depth.
+pub(super) fn law_of_rows<const D: usize, const R: usize>(
+    material: &Deformable,
+    depths: &[f64],
+    rows: usize,
+) -> Option<Box<dyn StreamLaw<D, R>>>
+where
+    TrackFrame: Deviators<D, R>,
+{
     let curve = material.hardening_law()?;
+    let of = Making { material, curve, depths, rows };
     // The number of terms is a type parameter, as in the cells of three dimensions.
     Some(match *material.backstress() {
-        [] => of_terms(material, &curve, depths, []),
-        [a] => of_terms(material, &curve, depths, [a].each_ref().map(BackstressTerm::from)),
-        [a, b] => of_terms(material, &curve, depths, [a, b].each_ref().map(BackstressTerm::from)),
-        [a, b, c] => {
-            of_terms(material, &curve, depths, [a, b, c].each_ref().map(BackstressTerm::from))
-        }
-        [a, b, c, d, ..] => {
-            of_terms(material, &curve, depths, [a, b, c, d].each_ref().map(BackstressTerm::from))
-        }
+        [] => of.rows([]),
+        [a] => of.rows([a].each_ref().map(BackstressTerm::from)),
+        [a, b] => of.rows([a, b].each_ref().map(BackstressTerm::from)),
+        [a, b, c] => of.rows([a, b, c].each_ref().map(BackstressTerm::from)),
+        [a, b, c, d, ..] => of.rows([a, b, c, d].each_ref().map(BackstressTerm::from)),
     })
 }
 
-fn of_terms<const N: usize>(
-    material: &Deformable,
-    curve: &Arc<dyn crate::material::HardeningLaw>,
-    depths: &[f64],
-    backstress: [BackstressTerm; N],
-) -> Box<dyn StreamLaw> {
-    let elastic = ElasticModuli::from(material.elastic());
-    let strength = material.strength();
-    let of_layer = |depth: &f64| {
-        let factor = strength.as_ref().map_or(1.0, |strength| strength.factor(*depth));
-        let mapping = ReturnMapping::new(scaled(curve, factor), elastic.shear);
-        Arc::new(FlowPlasticity::new(elastic, mapping, backstress, OutOfPlane::Strained))
-    };
-    Box::new(StreamOfLayers::new(depths.iter().map(of_layer).collect()))
+struct Making<'a> {
+    material: &'a Deformable,
+    curve: Arc<dyn crate::material::HardeningLaw>,
+    depths: &'a [f64],
+    rows: usize,
+}
+
+impl Making<'_> {
+    fn rows<const N: usize, const D: usize, const R: usize>(
+        self,
+        backstress: [BackstressTerm; N],
+    ) -> Box<dyn StreamLaw<D, R>>
+    where
+        TrackFrame: Deviators<D, R>,
+    {
+        let elastic = ElasticModuli::from(self.material.elastic());
+        let strength = self.material.strength();
+        let of_layer = |depth: &f64| {
+            let factor = strength.as_ref().map_or(1.0, |strength| strength.factor(*depth));
+            let mapping = ReturnMapping::new(scaled(&self.curve, factor), elastic.shear);
+            let model = FlowPlasticity::new(elastic, mapping, backstress, OutOfPlane::Strained);
+            std::iter::repeat_n(Arc::new(model), self.rows)
+        };
+        Box::new(StreamOfLayers::<N, D>::new(self.depths.iter().flat_map(of_layer).collect()))
+    }
 }
 
 /// σxx along the travel and σyy across it in each layer before any load \[MPa\].

@@ -1,19 +1,19 @@
 //! Solves the passes of a load: first on half the columns, then on all of them.
 
-use brinell_halfspace::track::{PassStrain, TrackFault, TrackLimits, Verdict};
+use brinell_halfspace::raceway::RacewayGrid;
+use brinell_halfspace::track::{PassStrain, Rolls, TrackFault, TrackGrid, Verdict};
 
+use super::course::Course;
 use super::engine::{TrackDesign, TrackEngine};
 use super::errors::PassErrors;
 use super::pass::Pass;
 use super::problem::{Limit, RollingProblem};
-use super::system::Track;
-use crate::job::{Deformable, Until};
+use crate::job::Until;
 use crate::solver::method::couplings::iteration::Controls;
 use crate::solver::method::observer::{IncrementNumber, Interrupt, IterationRecord, Observer};
-use crate::solver::method::phases::{Phase, PhaseTimes};
+use crate::solver::method::phases::PhaseTimes;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{LeaveOf, solve};
-use crate::solver::watch::watched;
 use crate::solver::{SolveError, SolveStatus};
 
 /// The passes of a load and what becomes of the track.
@@ -38,9 +38,11 @@ pub struct RollingSolution {
     pub x: Vec<f64>,
     /// Their width \[mm\].
     pub column: f64,
-    /// Columns of the track, layers of each body.
-    pub grid: [usize; 2],
-    /// Pressure \[MPa\] and gap \[mm\] of the last pass.
+    /// Area of a cell \[mm²\]; of a line the width of a column.
+    pub cell: f64,
+    /// Columns of the track, layers of each body, rows of cells in a layer.
+    pub grid: [usize; 3],
+    /// Pressure of the last pass, on the axis of the track \[MPa\].
     pub pressure: Vec<f64>,
     /// Gap of the last pass \[mm\].
     pub gap: Vec<f64>,
@@ -68,11 +70,22 @@ pub fn run(
     observer: &mut dyn Observer,
 ) -> Result<RollingSolution, SolveError> {
     problem.bears()?;
+    if problem.is_line() {
+        run_on::<TrackGrid>(problem, observer)
+    } else {
+        run_on::<RacewayGrid>(problem, observer)
+    }
+}
+
+fn run_on<C: Course>(
+    problem: &RollingProblem,
+    observer: &mut dyn Observer,
+) -> Result<RollingSolution, SolveError> {
     let (mut phases, mut tracks) = (PhaseTimes::default(), 0);
     let mut run = Run { phases: &mut phases, passes: &mut tracks, observer };
     let half = (problem.columns / 2).max(2);
     let design = TrackDesign::new(problem, half);
-    let auxiliary = TrackEngine::auxiliary(problem);
+    let auxiliary = TrackEngine::<C>::auxiliary(problem);
     let passes = problem.load.passes as usize;
     let coarse =
         run.preliminarily(|run| sequence(&auxiliary, design, (passes, Until::Passes), run))?;
@@ -80,7 +93,7 @@ pub fn run(
     let long = TrackDesign { length: 2.0 * design.length, ..design };
     let long = run.preliminarily(|run| sequence(&auxiliary, long, (1, Until::Passes), run))?;
     interrupted(&long)?;
-    let engine = TrackEngine::new(problem);
+    let engine = TrackEngine::<C>::new(problem);
     let fine = TrackDesign::new(problem, problem.columns);
     let fine = sequence(&engine, fine, (passes, problem.load.until), &mut run)?;
     let lengths = coarse.passes.first().zip(long.passes.first());
@@ -101,6 +114,7 @@ pub fn run(
         passes: fine.passes,
         x: fine.x,
         column: fine.column,
+        cell: fine.cell,
         grid: fine.grid,
         pressure: fine.pressure,
         gap: fine.gap,
@@ -130,7 +144,8 @@ struct Sequence {
     kinematic: Option<Limit>,
     x: Vec<f64>,
     column: f64,
-    grid: [usize; 2],
+    cell: f64,
+    grid: [usize; 3],
     pressure: Vec<f64>,
     gap: Vec<f64>,
     history: Vec<IterationRecord>,
@@ -139,8 +154,8 @@ struct Sequence {
 }
 
 /// Solves at most so many passes, one after the other.
-fn sequence(
-    engine: &TrackEngine<'_>,
+fn sequence<C: Course>(
+    engine: &TrackEngine<'_, C>,
     design: TrackDesign,
     (passes, until): (usize, Until),
     run: &mut Run<'_>,
@@ -148,8 +163,8 @@ fn sequence(
     let (problem, load) = (engine.problem, engine.problem.load);
     solve(engine, design, None, run, |on, mut track, mut start, run| {
         let mut done = Sequence {
-            kinematic: kinematic(problem, &track, run)
-                .map_err(LeaveOf::<TrackEngine<'_>>::Failed)?,
+            kinematic: C::kinematic(problem, &track, run)
+                .map_err(LeaveOf::<TrackEngine<'_, C>>::Failed)?,
             ..Sequence::default()
         };
         for number in 1..=passes {
@@ -160,8 +175,9 @@ fn sequence(
             let controls = Controls { increment: Some(increment), ..engine.controls() };
             let answer = on.solve(track, start, engine.coupling, controls, run)?;
             done.fault = answer.fault;
-            done.pressure = answer.track.pressure(&answer.outcome.state.response.contact.force);
-            done.gap.clone_from(&answer.outcome.state.response.contact.gap);
+            let contact = &answer.outcome.state.response.contact;
+            done.pressure = answer.track.grid.along(&answer.track.pressure(&contact.force));
+            done.gap = answer.track.grid.along(&contact.gap);
             let (pass, next, history) = answer.pass(engine);
             done.history = history;
             let is_converged = pass.status == SolveStatus::Converged;
@@ -176,42 +192,14 @@ fn sequence(
             }
         }
         let grid = &track.grid;
-        done.x = grid.window().map(|i| grid.x(i)).collect();
-        done.column = grid.h();
-        let layers = track.bodies.borrow().iter().map(|body| body.space().layers().len()).max();
-        done.grid = [grid.n_columns(), layers.unwrap_or(0)];
+        done.x = grid.x();
+        done.column = grid.column();
+        done.cell = grid.area();
+        let layers = track.bodies.borrow().iter().map(Rolls::n_layers).max();
+        done.grid = [grid.n_columns(), layers.unwrap_or(0), grid.n_rows()];
         done.enlargements = track.design.enlargements;
         Ok(done)
     })
-}
-
-/// The limit of the layers of bodies that harden kinematically without bound.
-fn kinematic(
-    problem: &RollingProblem,
-    track: &Track,
-    run: &mut Run<'_>,
-) -> Result<Option<Limit>, SolveError> {
-    let hertz = problem.hertz();
-    let a = hertz.half_width();
-    let pressure = track.grid.sample(|x| (1.0 - (x / a).powi(2)).max(0.0).sqrt());
-    let mut least: Option<Limit> = None;
-    let bodies = track.bodies.borrow();
-    let has_yield_point = |material: &Deformable| {
-        material.hardening_law().is_some_and(|law| law.yield_stress() > 0.0)
-    };
-    let limited = problem.yielding().zip(bodies.iter());
-    for ((side, _), body) in limited.filter(|((_, material), _)| has_yield_point(material)) {
-        let limits = watched(run, Phase::Flexibility, |stop| {
-            let strength = |layer: usize| body.law().yield_stress(layer);
-            TrackLimits::new(body.space(), &pressure, body.friction(), strength, stop)
-        })?;
-        let of_body =
-            Limit { peak_pressure: limits.kinematic.value, depth: limits.kinematic.depth, side };
-        if least.is_none_or(|least| of_body.peak_pressure < least.peak_pressure) {
-            least = Some(of_body);
-        }
-    }
-    Ok(least.filter(|limit| limit.peak_pressure.is_finite()))
 }
 
 /// What becomes of each body after these passes. Passes there and back are judged by pairs.

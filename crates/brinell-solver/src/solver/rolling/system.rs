@@ -3,17 +3,18 @@
 //! An initial stress is `2μ Δε` in the columns that yield \[MPa\], and the "displacements" of the
 //! method are the trials T of the stream \[MPa\] (`brinell_halfspace::track`). Their norm is
 //! ```text
-//! ‖a‖ = h √(Σ h_l/a a:a)      h: width of a column, a: elastic half-width
+//! ‖a‖ = h √(Σ h_l/a a:a)      h: width of a column or area of a cell, a: shorter elastic semi-axis
 //! ```
-//! over the columns that have flowed in this pass. It is a force on unit thickness, comparable to
-//! the forces of the columns in contact, with which the method compares it.
+//! over the columns that have flowed in this pass. It is a force, on unit thickness of a line,
+//! comparable to the forces of the cells in contact, with which the method compares it.
 
 use std::cell::RefCell;
 use std::ops::Range;
 
 use brinell_halfspace::Stopped;
-use brinell_halfspace::track::{LineFlexibility, Outlet, RollingBody, TrackGrid};
+use brinell_halfspace::track::{Outlet, Rolls};
 
+use super::course::Course;
 use super::engine::TrackDesign;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::method;
@@ -25,16 +26,16 @@ use crate::solver::method::run::Run;
 use crate::solver::watch::{never, watched};
 
 /// Two bodies and the window of columns in which they touch.
-pub(super) struct Track {
+pub(super) struct Track<C: Course> {
     pub design: TrackDesign,
-    pub grid: TrackGrid,
-    pub flexibility: LineFlexibility,
+    pub grid: C,
+    pub flexibility: C::Surface,
     /// Initial gap δ0 \[mm\].
     pub initial_gap: Vec<f64>,
     /// Components of the normals along the approach, all 1.
     pub closing: Vec<f64>,
     /// The bodies that can yield; two equal bodies that roll freely are one.
-    pub bodies: RefCell<Vec<RollingBody>>,
+    pub bodies: RefCell<Vec<C::Body>>,
     /// Trials to start the next pass from.
     pub accepted: BlockVector,
     /// What the last pass has left, body by body.
@@ -44,20 +45,20 @@ pub(super) struct Track {
     pub begun: RefCell<Vec<(usize, Range<usize>)>>,
 }
 
-impl Track {
-    /// Pressures of contact forces on unit thickness \[MPa\].
+impl<C: Course> Track<C> {
+    /// Pressures of contact forces \[MPa\].
     pub fn pressure(&self, force: &[f64]) -> Vec<f64> {
-        force.iter().map(|force| force / self.grid.h()).collect()
+        force.iter().map(|force| force / self.grid.area()).collect()
     }
 
     /// Turns the track round, for a pass that goes back.
     pub fn turn(&mut self) {
-        self.bodies.get_mut().iter_mut().for_each(RollingBody::turn);
-        self.initial_gap.reverse();
+        self.bodies.get_mut().iter_mut().for_each(Rolls::turn);
+        self.initial_gap = self.grid.reversed(&self.initial_gap);
     }
 
     fn scale(&self) -> f64 {
-        self.grid.h() / self.design.contact.sqrt()
+        self.grid.area() / self.design.shorter().sqrt()
     }
 
     /// `h √(Σ h_l/a a:a)` of packed columns.
@@ -66,9 +67,9 @@ impl Track {
     }
 }
 
-impl ContactSystem for Track {
+impl<C: Course> ContactSystem for Track<C> {
     fn zeros(&self) -> BlockVector {
-        self.bodies.borrow().iter().map(|body| vec![0.0; body.len()]).collect()
+        self.bodies.borrow().iter().map(|body| vec![0.0; body.n_numbers()]).collect()
     }
 
     fn initial_gap(&self) -> &[f64] {
@@ -145,7 +146,7 @@ impl ContactSystem for Track {
                 begun.push((n, first..body.n_flowed()));
             }
         }
-        bodies.iter().flat_map(RollingBody::strains).filter(|strain| **strain > 0.0).count()
+        bodies.iter().flat_map(Rolls::strains).filter(|strain| **strain > 0.0).count()
     }
 
     fn norm(&self, v: &BlockVector) -> f64 {
@@ -161,24 +162,28 @@ impl ContactSystem for Track {
     /// earlier is the beginning of one packed later.
     fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
         let bodies = self.bodies.borrow();
-        let of_body = |(body, vector): (&RollingBody, &Vec<f64>)| {
-            let mut packed = Vec::with_capacity(COMPONENTS * body.n_flowed());
+        let of_body = |(body, vector): (&C::Body, &Vec<f64>)| {
+            let mut packed = Vec::with_capacity(C::Body::PACKED * body.n_flowed());
             body.pack(vector, &mut packed);
             packed
         };
         let parts: Vec<Vec<f64>> = bodies.iter().zip(vectors).map(of_body).collect();
         let begun = self.begun.borrow();
-        begun.iter().flat_map(|(n, numbers)| &parts[*n][components(numbers)]).copied().collect()
+        begun
+            .iter()
+            .flat_map(|(n, numbers)| &parts[*n][components::<C>(numbers)])
+            .copied()
+            .collect()
     }
 
     fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
         let bodies = self.bodies.borrow();
-        let empty = |body: &RollingBody| vec![0.0; COMPONENTS * body.n_flowed()];
+        let empty = |body: &C::Body| vec![0.0; C::Body::PACKED * body.n_flowed()];
         let mut parts: Vec<Vec<f64>> = bodies.iter().map(empty).collect();
         let mut rest = packed;
         for (n, numbers) in self.begun.borrow().iter() {
-            let (mine, next) = rest.split_at((COMPONENTS * numbers.len()).min(rest.len()));
-            parts[*n][components(numbers)][..mine.len()].copy_from_slice(mine);
+            let (mine, next) = rest.split_at((C::Body::PACKED * numbers.len()).min(rest.len()));
+            parts[*n][components::<C>(numbers)][..mine.len()].copy_from_slice(mine);
             rest = next;
         }
         for ((body, part), vector) in bodies.iter().zip(&parts).zip(vectors) {
@@ -186,13 +191,12 @@ impl ContactSystem for Track {
         }
     }
 
-    /// The approach of a line contact depends on how far away it is counted from: there is none.
     fn figures(&self, contact: &ContactSolution) -> ContactFigures {
         let largest = contact.force.iter().copied().fold(0.0, f64::max);
         ContactFigures {
             force: contact.total_force,
-            approach: 0.0,
-            peak_pressure: largest / self.grid.h(),
+            approach: C::approach(contact).unwrap_or(0.0),
+            peak_pressure: largest / self.grid.area(),
             pairs: contact.active_set.len(),
         }
     }
@@ -208,39 +212,16 @@ impl ContactSystem for Track {
         self.initial_stress(&displacement, &mut increment);
         self.accepted = displacement;
         self.outlets.clear();
-        let n = self.grid.n_columns();
         let bodies = self.bodies.get_mut().iter_mut();
         for (body, (increment, trial)) in bodies.zip(increment.iter().zip(&mut self.accepted)) {
-            let deviators = |body: &RollingBody| -> Vec<[f64; 2]> {
-                (0..body.space().layers().len()).map(|l| deviator(body.residual(l))).collect()
-            };
-            let before = deviators(body);
-            self.outlets.push(body.accept(increment));
-            let changes = before.iter().zip(deviators(body));
-            for (rows, ([xx, zz], after)) in trial.chunks_exact_mut(COMPONENTS * n).zip(changes) {
-                let (row, rest) = rows.split_at_mut(n);
-                for value in row {
-                    *value += after[0] - xx;
-                }
-                for value in &mut rest[..n] {
-                    *value += after[1] - zz;
-                }
-            }
-            body.begin(&vec![0.0; body.len()]);
+            self.outlets.push(body.accept(increment, trial));
+            body.begin(&vec![0.0; increment.len()]);
         }
         self.begun.get_mut().clear();
     }
 }
 
-/// Numbers that a column has in a packed vector.
-const COMPONENTS: usize = 3;
-
-fn components(columns: &Range<usize>) -> Range<usize> {
-    COMPONENTS * columns.start..COMPONENTS * columns.end
-}
-
-/// Components xx, zz of the deviator of σxx, σyy.
-fn deviator([xx, yy]: [f64; 2]) -> [f64; 2] {
-    let mean = (xx + yy) / 3.0;
-    [xx - mean, -mean]
+/// Numbers of columns in a packed vector.
+fn components<C: Course>(columns: &Range<usize>) -> Range<usize> {
+    C::Body::PACKED * columns.start..C::Body::PACKED * columns.end
 }

@@ -1,0 +1,185 @@
+//! Balls and ellipses that roll, as jobs: figures of `docs/theory_rolling.md`, symmetries, refusals.
+
+use brinell_solver::job::{Job, JobError};
+use brinell_solver::report::{
+    BodyPassReport, Report, RollingReport, StepReport, TrackVerdict, preflight, run,
+};
+use brinell_solver::solver::{SolveStatus, Unobserved};
+use serde_json::{Value, json};
+
+const YOUNG: f64 = 210_000.0;
+
+fn steel(tangent_modulus: f64) -> Value {
+    json!({
+        "young_modulus": YOUNG, "poisson_ratio": 0.3,
+        "plasticity": {
+            "law": "bilinear", "yield_stress": 500.0, "tangent_modulus": tangent_modulus,
+        },
+    })
+}
+
+/// A rigid ball of 10 mm on a flat track; members of `rolling` are those of the load.
+fn ball(tangent_modulus: f64, rolling: &Value) -> Value {
+    let mut load = json!({"force": 52.006_39, "passes": 1, "until": "passes"});
+    for (key, value) in rolling.as_object().unwrap() {
+        load[key] = value.clone();
+    }
+    json!({
+        "analysis": "three_dimensional",
+        "upper": {"shape": {"type": "sphere", "radius": 10.0}, "material": {"rigid": true}},
+        "lower": {
+            "shape": {"type": "flat"},
+            "material": steel(tangent_modulus),
+        },
+        "load": {"rolling": load},
+        "solver": {"theory": "flow"},
+    })
+}
+
+fn report(job: &Value) -> Report {
+    run(&Job::from_value(job).unwrap(), &mut Unobserved).unwrap()
+}
+
+fn step(job: &Value) -> StepReport {
+    report(job).steps.remove(0)
+}
+
+fn rolling(step: &StepReport) -> &RollingReport {
+    step.rolling.as_ref().unwrap()
+}
+
+fn body(step: &StepReport, pass: usize) -> BodyPassReport {
+    rolling(step).passes[pass - 1].bodies.lower.unwrap()
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64, relative: f64) {
+    assert!((found / expected - 1.0).abs() < relative, "{found} for {expected}");
+}
+
+/// The ball of the prototype at 3.5 times the yield stress, 10 cells a semi-axis. Its groove is 1.7 % deeper,
+/// because its ring ends: tests of `brinell-halfspace` sum as it does.
+#[test]
+fn a_ball_rolls_a_groove() {
+    let step = step(&ball(10_500.0, &json!({"passes": 3})));
+    assert_eq!(step.status, SolveStatus::Converged);
+    for (pass, groove) in [(1, 0.4069), (2, 0.4194), (3, 0.4239)] {
+        near(body(&step, pass).groove_depth, 1e-3 * 0.983 * groove, 0.005);
+    }
+    near(body(&step, 1).largest_strain, 8.61e-3, 0.01);
+    near(body(&step, 1).least_sigma_x, -350.3, 0.005);
+    near(body(&step, 1).least_sigma_z, -267.8, 0.005);
+    near(step.approach.unwrap(), 1.636e-3, 0.003);
+    let found = rolling(&step);
+    assert_eq!(found.verdict, TrackVerdict::Undecided);
+    let first = found.passes[0].plastic_work;
+    for pass in &found.passes {
+        assert!(pass.energy_gap * pass.plastic_work < 0.03 * first, "{pass:?}");
+    }
+    near(found.passes[0].loss, found.passes[0].rolling_force / step.contact.force, 1e-9);
+}
+
+/// A ball whose track the job turns round is the same ball, and units change no figure.
+#[test]
+fn units_of_the_job_are_those_of_the_passes() {
+    let one = step(&ball(10_500.0, &json!({"force": 20.0})));
+    let mut job = ball(10_500.0, &json!({"force": 20.0}));
+    job["units"] = json!("SI");
+    job["upper"]["shape"]["radius"] = json!(0.01);
+    job["lower"]["material"]["young_modulus"] = json!(2.1e11);
+    job["lower"]["material"]["plasticity"]["yield_stress"] = json!(5e8);
+    job["lower"]["material"]["plasticity"]["tangent_modulus"] = json!(1.05e10);
+    let job = Job::from_value(&job).unwrap();
+    let two = run(&job, &mut Unobserved).unwrap().steps.remove(0);
+    near(two.contact.force, one.contact.force, 1e-12);
+    near(body(&two, 1).groove_depth, 1e-3 * body(&one, 1).groove_depth, 1e-9);
+    near(body(&two, 1).least_sigma_x, 1e6 * body(&one, 1).least_sigma_x, 1e-9);
+    let found = [&one, &two].map(|step| rolling(step).passes[0].plastic_work);
+    near(found[1], found[0], 1e-9);
+    let written = serde_json::to_value(&job).unwrap();
+    near(written["load"]["rolling"]["force"].as_f64().unwrap(), 20.0, 1e-12);
+}
+
+#[test]
+fn below_yield_nothing_changes() {
+    let step = step(&ball(0.0, &json!({"force": 2.0, "passes": 5, "until": "verdict"})));
+    assert_eq!(rolling(&step).verdict, TrackVerdict::Elastic);
+    assert_eq!(rolling(&step).passes.len(), 1);
+    assert!(body(&step, 1).groove_depth.abs() < 1e-12);
+    assert!(rolling(&step).passes[0].loss.abs() < 1e-9);
+    let hertz = step.hertz.as_ref().unwrap();
+    near(step.contact.peak_pressure, hertz.peak_pressure, 0.01);
+    // 4.675 k of a circle.
+    near(hertz.shakedown_pressure.unwrap(), 4.675 * 500.0 / 3f64.sqrt(), 1e-3);
+}
+
+/// Friction of both signs shears the track to both sides, and drives or brakes the surface.
+#[test]
+fn friction_has_a_sense() {
+    let forward = |friction: f64| {
+        body(&step(&ball(10_500.0, &json!({"force": 30.0, "friction": friction}))), 1).forward
+    };
+    let [driven, free, braked] = [-0.2, 0.0, 0.2].map(forward);
+    assert!(driven < free && free < braked && braked > 0.0, "{driven} {free} {braked}");
+}
+
+/// Two equal balls roll on each other as one body that stands for both.
+#[test]
+fn equal_bodies_have_equal_grooves() {
+    let mut job = ball(10_500.0, &json!({"force": 30.0}));
+    job["upper"]["material"] = steel(10_500.0);
+    let found = step(&job);
+    let pass = &rolling(&found).passes[0];
+    let [upper, lower] = [pass.bodies.upper.unwrap(), pass.bodies.lower.unwrap()];
+    assert_eq!(upper, lower);
+    assert!(upper.groove_depth > 0.0 && pass.energy_gap < 0.05, "{pass:?}");
+    job["load"]["rolling"]["friction"] = json!(0.1);
+    let sliding = step(&job);
+    let pass = &rolling(&sliding).passes[0];
+    let [upper, lower] = [pass.bodies.upper.unwrap(), pass.bodies.lower.unwrap()];
+    assert!(upper.forward < lower.forward, "{upper:?} {lower:?}");
+    near(upper.groove_depth, lower.groove_depth, 0.05);
+}
+
+#[test]
+fn what_does_not_roll_in_three_dimensions_is_refused() {
+    let refused = |change: &dyn Fn(&mut Value), words: &str| {
+        let mut job = ball(10_500.0, &json!({}));
+        change(&mut job);
+        let faults = match Job::from_value(&job) {
+            Err(JobError::Fields(faults)) => faults,
+            Ok(job) => preflight(&job).unwrap_err(),
+            Err(other) => panic!("{words}: {other:?}"),
+        };
+        assert!(faults.iter().any(|fault| fault.detail.contains(words)), "{words}: {faults:?}");
+    };
+    refused(&|job| job["solver"]["theory"] = json!("deformation"), "deformation theory");
+    refused(&|job| job["load"]["rolling"]["track"] = json!(2), "between 8 and 256");
+    refused(
+        &|job| {
+            job["load"]["rolling"]["friction"] = json!(0.9);
+            job["lower"]["material"] = steel(0.0);
+        },
+        "friction asks for a shear stress",
+    );
+    refused(
+        &|job| {
+            job["upper"]["shape"] =
+                json!({"type": "curved", "radius_x": 10, "radius_y": 20, "rotation": 30});
+        },
+        "along x, the direction of travel",
+    );
+    refused(
+        &|job| job["upper"]["shape"] = json!({"type": "roller", "radius": 10, "length": 8}),
+        "a thousandth of each other",
+    );
+}
+
+/// Memory is that of a small track, and the numbers are those of its cells.
+#[test]
+fn an_estimate_covers_the_track() {
+    let job = Job::from_value(&ball(10_500.0, &json!({"passes": 4}))).unwrap();
+    let estimate = preflight(&job).unwrap();
+    assert!(estimate.bytes > 50 << 20 && estimate.bytes < 400 << 20, "{estimate:?}");
+    assert!(estimate.equations > 100_000, "{estimate:?}");
+}
