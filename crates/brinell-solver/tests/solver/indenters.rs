@@ -10,7 +10,7 @@ use brinell_solver::report::{StepReport, preflight};
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
-use crate::problems::{assert_approach, assert_peak, assert_within, parse, report};
+use crate::problems::{assert_peak, assert_within, parse, report};
 
 const MODULUS: f64 = 210_000.0 / 0.91;
 
@@ -68,7 +68,7 @@ fn cones_of_sneddon() {
             400.0,
             Value::Null,
         ));
-        assert_approach(&step, indenter.approach(1.0));
+        assert_within(step.approach.unwrap(), indenter.approach(1.0), 3e-3);
         assert_half_width(&step, 1.0);
         assert_within(step.contact.mean_pressure, 0.5 * MODULUS * angle.to_radians().tan(), 1e-2);
     }
@@ -119,7 +119,7 @@ fn power_law_punches() {
             "depth": 20.0});
         let load = json!({"force": indenter.force(1.0)});
         let round = step(&press("axisymmetric", shape.clone(), load, 400.0, Value::Null));
-        assert_approach(&round, indenter.approach(1.0));
+        assert_within(round.approach.unwrap(), indenter.approach(1.0), 3e-3);
         assert_half_width(&round, 1.0);
         let load = json!({"force": indenter.line_force(1.0)});
         let plane = step(&press("plane_strain", shape, load, 400.0, Value::Null));
@@ -234,7 +234,7 @@ fn a_sharp_flat_punch_ends_at_its_edge() {
     let round = step(&press("axisymmetric", punch, json!({"force": force}), 800.0, Value::Null));
     assert_eq!(round.contact.half_width, 1.0);
     assert_within(pressure_at(&round, 0.5), circular_punch_pressure(force, 1.0, 0.5), 1e-2);
-    assert_approach(&round, force / (2.0 * MODULUS));
+    assert_within(round.approach.unwrap(), force / (2.0 * MODULUS), 3e-3);
 }
 
 /// Rounded edges: Ciavarella, Hills & Monno's punch is the sharp one in the limit, and its contact

@@ -59,7 +59,8 @@ fn a_sphere_on_a_block_has_hertz_pressure() {
     let step = &report.steps[0];
     assert_eq!(step.status, SolveStatus::Converged);
     assert_peak(step, hertz.peak_pressure());
-    assert_approach(step, hertz.approach());
+    // The block is no half-space.
+    assert_within(step.approach.unwrap(), hertz.approach(), 2e-3);
 }
 
 /// Stresses on the axis, down to three contact radii, within 1 % of the peak pressure.

@@ -10,7 +10,7 @@ use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
-use crate::problems::{assert_approach, assert_within, parse, report};
+use crate::problems::{assert_within, parse, report};
 use crate::rough_traces::{self, TRACES};
 
 const MODULUS: f64 = 210_000.0 / 0.91;
@@ -79,13 +79,13 @@ fn cones_and_wedges_by_points() {
             assert_half_width(&sharp, 1.0);
             assert_within(sharp.contact.mean_pressure, 0.05 * blunt * MODULUS, 1e-2);
             if is_cone {
-                assert_approach(&sharp, indenter.approach(1.0));
+                assert_within(sharp.approach.unwrap(), indenter.approach(1.0), 3e-3);
             }
         }
     }
     let indenter = PowerIndenter::new(1.0, 0.1, MODULUS);
     let many = step(&case("cone_of_101_points"));
-    assert_approach(&many, indenter.approach(1.0));
+    assert_within(many.approach.unwrap(), indenter.approach(1.0), 3e-3);
     assert_half_width(&many, 1.0);
     assert_within(many.contact.mean_pressure, 0.05 * MODULUS, 1e-2);
 }
