@@ -25,8 +25,8 @@ use crate::solver::{ElasticReference, SolveStatus};
 use crate::units::UnitConverter;
 
 /// What an approach would be counted between, had a line contact that rolls one.
-const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line load depends on where that is \
-                     counted from";
+const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line load depends on where \
+                             that is counted from";
 
 /// Writes the report of one job.
 pub(super) struct StepWriter<'a> {
