@@ -47,11 +47,14 @@
  * @property {number} largest_sigma_x
  * @property {number} largest_sigma_z
  * @property {number} largest_strain
+ * @property {number} largest_strain_across
  * @property {number} largest_strain_depth
  * @property {number} least_sigma_x
  * @property {number} least_sigma_z
  * @property {number} net_strain
+ * @property {number} net_strain_across
  * @property {number} net_strain_depth
+ * @property {number} pile_up
  *
  * @typedef {object} BodyPassErrors
  * @property {number | null} forward
@@ -321,10 +324,12 @@
  * @property {number} true_reduced_modulus
  *
  * @typedef {object} Pass
+ * @property {number | null} approach
  * @property {BodyPassOfBodies} bodies
  * @property {number} energy_gap
  * @property {PassErrors | null} estimated_error
  * @property {number} half_width
+ * @property {number | null} half_width_across
  * @property {number} iterations
  * @property {number} loss
  * @property {number} number
@@ -335,6 +340,7 @@
  * @property {number} traction_work
  *
  * @typedef {object} PassErrors
+ * @property {number | null} approach
  * @property {BodyPassErrorsOfBodies} bodies
  * @property {number | null} half_width
  * @property {number | null} peak_pressure
@@ -415,6 +421,7 @@
  * @property {number | null} rate
  * @property {number | null} rate_error
  * @property {string | null} reason
+ * @property {number} rows
  * @property {TrackVerdict} verdict
  *
  * @typedef {object} RoughContact

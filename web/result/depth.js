@@ -231,7 +231,7 @@ export class DepthPanel {
       });
     const [stress, length] = [unit('stress', units), unit('length', units)];
     // Ellipses have no closed form here.
-    const isClosed = !step.three_dimensional && !this.#isBeside(step);
+    const isClosed = first.report.analysis !== 'three_dimensional' && !this.#isBeside(step);
     if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0 && isClosed)
       curves.push(...this.#elastic(first, at, profile.depth));
     this.chart.show({

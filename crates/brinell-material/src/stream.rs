@@ -74,9 +74,9 @@ const PARTS: u32 = 2;
 /// The plastic law of the rows of a track, with what the rows remember. x is the direction of
 /// travel, z the depth.
 ///
-/// A row is all columns at one depth, and in three dimensions at one y. Deviators have D components,
-/// of which R are given: `xx yy zz xz` by `xx zz xz` of a line, where the rows are its layers, and
-/// `xx yy zz xy xz yz` by `xx yy xy xz yz` in three dimensions.
+/// A row is all columns at one depth, and in three dimensions at one y. Deviators have D
+/// components, of which R are given: `xx yy zz xz` by `xx zz xz` of a line, where the rows are its
+/// layers, and `xx yy zz xy xz yz` by `xx yy xy xz yz` in three dimensions.
 pub trait StreamLaw<const D: usize = PLANE, const R: usize = 3>:
     std::fmt::Debug + Send + Sync
 {

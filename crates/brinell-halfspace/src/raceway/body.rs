@@ -383,7 +383,7 @@ impl Rolls for RacewayBody {
             forward: forward.unwrap_or(0.0),
             groove_depth: self.groove.first().copied().unwrap_or(0.0),
             pile_up: self.groove.iter().fold(0.0, |most, u| f64::max(most, -u)),
-            residual: self.residual.iter().map(|[xx, yy, zz, ..]| [*xx, *yy, *zz]).collect(),
+            residual: self.residual.clone(),
             plastic_work: work,
             stored_energy: self.stored_energy() - stored,
         }

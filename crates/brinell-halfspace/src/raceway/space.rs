@@ -13,8 +13,8 @@ use crate::waves::Wide;
 use crate::{Elasticity, Layers, SurfaceGrid};
 
 /// S and S_t (pressure and traction along x to stress), Sᵀ and S_tᵀ (plastic strain to
-/// displacement) and G (plastic strain to stress) of a body, for states that are symmetric about y =
-/// 0.
+/// displacement) and G (plastic strain to stress) of a body, for states that are symmetric about
+/// y = 0.
 ///
 /// The material is a ring along x: G has the period of the grid there, and a load acts once, on
 /// offsets up to half of it. Across the travel the track has no images but for those of waves along

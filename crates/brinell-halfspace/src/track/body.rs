@@ -320,7 +320,7 @@ impl RollingBody {
             pile_up: 0.0,
             residual: (0..layers.len())
                 .map(|layer| self.residual(layer))
-                .map(|[xx, yy]| [xx, yy, 0.0])
+                .map(|[xx, yy]| [xx, yy, 0.0, 0.0, 0.0, 0.0])
                 .collect(),
             plastic_work: work,
             stored_energy: self.stored_energy() - stored,

@@ -23,8 +23,8 @@ pub struct Outlet {
     pub groove_depth: f64,
     /// How far it has risen beside the groove \[mm\]; 0 of a line.
     pub pile_up: f64,
-    /// Residual stress σxx, σyy, σzz \[MPa\].
-    pub residual: Vec<[f64; 3]>,
+    /// Residual stress `xx yy zz xy xz yz` \[MPa\]; σxx and σyy of a line.
+    pub residual: Vec<[f64; 6]>,
     /// `∫∫σ:dε_p` of this pass, per length of travel \[N\]; of a line per length of contact too
     /// \[N/mm\].
     pub plastic_work: f64,

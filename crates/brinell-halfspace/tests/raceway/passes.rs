@@ -29,7 +29,8 @@ fn roll(setup: &Setup, passes: usize) -> Vec<Pass> {
         println!("{}", pass.line());
         assert!(pass.converged);
     }
-    // Without hardening, or with one that ends, strain concentrates, and a path within one column turns the stress.
+    // Without hardening, or with one that ends, strain concentrates, and a path within one column
+    // turns the stress.
     let bound = if setup.plastic_modulus > 0.0 { 0.03 } else { 0.06 };
     for gap in energy_gaps(&passes) {
         assert!(gap < bound, "energy {gap}");

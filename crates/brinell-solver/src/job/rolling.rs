@@ -108,8 +108,8 @@ impl Job {
             });
         };
         if !matches!(self.analysis, Analysis::PlaneStrain | Analysis::ThreeDimensional) {
-            let detail = "lines roll with the analysis \"plane_strain\", and balls, crowned rollers \
-                          and raceways with \"three_dimensional\"";
+            let detail = "lines roll with the analysis \"plane_strain\", and balls, crowned \
+                          rollers and raceways with \"three_dimensional\"";
             fault("/load/rolling", detail);
         }
         if self.solver.theory == Theory::Deformation {

@@ -449,26 +449,26 @@ fn the_estimate_covers_the_result() {
 }
 
 /// Numbers between 0 and 1, the same in every run.
-struct Dice(u64);
+pub struct Dice(pub u64);
 
 impl Dice {
-    fn roll(&mut self) -> f64 {
+    pub fn roll(&mut self) -> f64 {
         self.0 =
             self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.roll()
     }
 
-    fn pick<'a, T>(&mut self, all: &'a [T]) -> &'a T {
+    pub fn pick<'a, T>(&mut self, all: &'a [T]) -> &'a T {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index")]
         let index = (self.roll() * all.len() as f64) as usize;
         &all[index.min(all.len() - 1)]
     }
 
-    fn material(&mut self, yield_stress: f64) -> Value {
+    pub fn material(&mut self, yield_stress: f64) -> Value {
         let laws = [
             json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0}),
             json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 8000}),

@@ -273,7 +273,7 @@ class BodyPass(BaseModel):
     groove_depth: Annotated[
         float,
         Field(
-            description='How far the surface has sunk in all passes. Unit: mm (SI: m).'
+            description='How far the surface has sunk in all passes, on the axis of the track. Unit: mm (SI: m).'
         ),
     ]
     largest_sigma_x: Annotated[
@@ -292,6 +292,13 @@ class BodyPass(BaseModel):
         float,
         Field(
             description='Largest plastic strain that the pass has accumulated. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    largest_strain_across: Annotated[
+        float,
+        Field(
+            description='Its distance from the axis of the track; 0 of a line. Unit: mm (SI: m).',
             ge=0.0,
         ),
     ]
@@ -317,8 +324,22 @@ class BodyPass(BaseModel):
             ge=0.0,
         ),
     ]
+    net_strain_across: Annotated[
+        float,
+        Field(
+            description='Its distance from the axis of the track; 0 of a line. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
     net_strain_depth: Annotated[
         float, Field(description='Its depth. Unit: mm (SI: m).', ge=0.0)
+    ]
+    pile_up: Annotated[
+        float,
+        Field(
+            description='How far it has risen beside the groove; 0 of a line. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
     ]
 
 
@@ -1924,6 +1945,10 @@ class PassErrors(BaseModel):
     Estimated relative errors of a pass; `null` of a figure that is 0.
     """
 
+    approach: Annotated[
+        float | None,
+        Field(description='Of the approach; `null` of a line. Without unit.', ge=0.0),
+    ]
     bodies: Annotated[
         BodyPassErrorsOfBodies, Field(description='Of the figures of each body.')
     ]
@@ -3893,6 +3918,12 @@ class Pass(BaseModel):
     One pass of the load.
     """
 
+    approach: Annotated[
+        float | None,
+        Field(
+            description='Approach of the bodies; `null` of a line, which has none. Unit: mm (SI: m).'
+        ),
+    ]
     bodies: Annotated[
         BodyPassOfBodies,
         Field(
@@ -3908,7 +3939,18 @@ class Pass(BaseModel):
     ]
     estimated_error: PassErrors | None
     half_width: Annotated[
-        float, Field(description='Half-width of the contact. Unit: mm (SI: m).', ge=0.0)
+        float,
+        Field(
+            description='Half-width of the contact along the travel. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    half_width_across: Annotated[
+        float | None,
+        Field(
+            description='Half-width of the contact across the travel; `null` of a line. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
     ]
     iterations: Annotated[int, Field(description='Iterations made.', ge=0)]
     loss: Annotated[
@@ -4035,7 +4077,7 @@ class Roller(BaseModel):
 
 class Rolling(BaseModel):
     """
-    A line contact that passes over its track again and again, in the direction of x.
+    A contact that passes over its track again and again, in the direction of x: a line in plane strain, an ellipse in three dimensions.
     """
 
     model_config = ConfigDict(
@@ -4050,7 +4092,7 @@ class Rolling(BaseModel):
     force: Annotated[
         float,
         Field(
-            description='Force on unit thickness. Range: 1e-9 to 1e9 N/mm or 1e-6 to 1e12 N/m.',
+            description='Force; on unit thickness in plane strain. Range: 1e-9 to 1e9 N/mm or 1e-6 to 1e12 N/m.',
             examples=[2000.0],
             ge=1e-09,
             le=1000000000000.0,
@@ -4071,8 +4113,7 @@ class Rolling(BaseModel):
     track: Annotated[
         float | None,
         Field(
-            description='Length of the track over the elastic half-width, after which the material comes back. It acts on the first pass alone. Without unit. Default: `32.0`.',
-            examples=[32.0],
+            description='Length of the track over the elastic half-width or the semi-axis along the travel, after which the material comes back; 32 of a line and 12 in three dimensions, where it is missing. It acts on the first pass alone. Without unit.',
             ge=8.0,
             le=256.0,
         ),
@@ -4122,7 +4163,7 @@ class RollingLoad(BaseModel):
 
 class RollingResult(BaseModel):
     """
-    The passes of a load that rolls and what becomes of the track. x points along the travel, y into the depth. Works are those on unit thickness and per length of travel, which is a force.
+    The passes of a load that rolls and what becomes of the track. x points along the travel, and z across it. Works are those per length of travel, of a line on unit thickness too: forces.
     """
 
     body: Literal['upper', 'lower'] | None
@@ -4153,6 +4194,13 @@ class RollingResult(BaseModel):
         str | None,
         Field(
             description='Why the verdict is open or the passes end; `null` otherwise.'
+        ),
+    ]
+    rows: Annotated[
+        int,
+        Field(
+            description='Rows of cells in a layer on one side of the axis of the track, over which all fields are symmetric; 1 of a line.',
+            ge=0,
         ),
     ]
     verdict: Annotated[

@@ -25,8 +25,8 @@ use crate::solver::{ElasticReference, SolveStatus};
 use crate::units::UnitConverter;
 
 /// What an approach would be counted between, had a line contact that rolls one.
-const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line load depends on where that is \
-                     counted from";
+const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line load depends on where \
+                             that is counted from";
 
 /// Writes the report of one job.
 pub(super) struct StepWriter<'a> {
@@ -276,11 +276,17 @@ impl StepWriter<'_> {
         let outlet = &passes().next_back()?.outlet;
         let layers = || outlet.on_axis(&outlet.residual);
         let stress =
-            |of: &dyn Fn(&[f64; 3]) -> f64| layers().map(|s| write.stress(of(s))).collect();
-        let von_mises = |[x, y, z]: &[f64; 3]| {
-            (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2))).sqrt()
+            |of: &dyn Fn(&[f64; 6]) -> f64| layers().map(|s| write.stress(of(s))).collect();
+        // On the axis σxy and σyz are zero: σyy is principal.
+        let von_mises = |[x, y, z, _, xz, _]: &[f64; 6]| {
+            let normal = (x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2);
+            (0.5 * normal + 3.0 * xz * xz).sqrt()
         };
-        let extreme = |s: &[f64; 3], of: fn(f64, f64) -> f64| of(of(s[0], s[1]), s[2]);
+        let largest_shear = |[x, y, z, _, xz, _]: &[f64; 6]| {
+            let (mean, radius) = (0.5 * (x + z), f64::hypot(0.5 * (x - z), *xz));
+            0.5 * ((mean + radius).max(*y) - (mean - radius).min(*y))
+        };
+        let whole = |k: usize| (!self.problem.is_line()).then(|| stress(&|s| s[k]));
         let rows = outlet.across.len();
         let accumulated =
             |layer: usize| passes().map(|body| body.outlet.accumulated[layer * rows]).sum();
@@ -300,7 +306,7 @@ impl StepWriter<'_> {
             sigma_x: stress(&|s| s[0]),
             sigma_y: stress(&|s| s[2]),
             sigma_z: stress(&|s| s[1]),
-            tau_max: stress(&|s| 0.5 * (extreme(s, f64::max) - extreme(s, f64::min))),
+            tau_max: stress(&largest_shear),
             von_mises: stress(&von_mises),
             equivalent_plastic_strain: (0..outlet.depths.len()).map(accumulated).collect(),
             utilization: limits.as_ref().map(|limits| {
@@ -311,13 +317,13 @@ impl StepWriter<'_> {
             initial_sigma_x: before(0),
             initial_sigma_y: before(0).map(|stresses| vec![0.0; stresses.len()]),
             initial_sigma_z: before(1),
-            position_y: None,
-            sigma_xx: None,
-            sigma_yy: None,
-            sigma_zz: None,
-            sigma_xy: None,
-            sigma_xz: None,
-            sigma_yz: None,
+            position_y: (!self.problem.is_line()).then_some(0.0),
+            sigma_xx: whole(0),
+            sigma_yy: whole(1),
+            sigma_zz: whole(2),
+            sigma_xy: whole(3),
+            sigma_xz: whole(4),
+            sigma_yz: whole(5),
         })
     }
 }

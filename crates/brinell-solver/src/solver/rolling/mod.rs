@@ -1,4 +1,5 @@
-//! Contacts that roll or slide over a track, lines and ellipses, as an engine of the method: one pass is one load.
+//! Contacts that roll or slide over a track, lines and ellipses, as an engine of the method: one
+//! pass is one load.
 //!
 //! A [`RollingProblem`] holds the input of a job, [`run`] solves its passes one after the other,
 //! each from what the one before has left, and returns a [`RollingSolution`]. Equations:
