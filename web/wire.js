@@ -87,6 +87,7 @@
  * @property {number} [half_angle]
  * @property {number} half_width
  * @property {number} mean_pressure
+ * @property {number} middle_pressure
  * @property {ContactNodes} nodes
  * @property {(Patch)[]} patches
  * @property {number} peak_position
@@ -133,6 +134,7 @@
  * @property {number | null} contact_stiffness
  * @property {number | null} force
  * @property {number | null} half_width
+ * @property {number | null} middle_pressure
  * @property {number | null} peak_pressure
  *
  * @typedef {object} Estimate
