@@ -23,6 +23,7 @@ const TITLES = /** @type {Record<string, string>} */ ({
   tilted_roller: 'Tilted roller with a logarithmic profile, in three dimensions',
   rail_under_driven_wheel: 'Rail under a driven wheel',
   rolled_hardened_roller: 'Case-hardened roller that rolls',
+  ball_runs_in: 'Ball that runs in, in three dimensions',
 });
 
 const HARD = { name: 'Bearing steel, elastic', young_modulus: 207000, poisson_ratio: 0.3 };
