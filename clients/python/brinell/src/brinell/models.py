@@ -806,6 +806,13 @@ class ErrorEstimate(BaseModel):
     half_width: Annotated[
         float | None, Field(description='Of the half-width. Without unit.', ge=0.0)
     ]
+    middle_pressure: Annotated[
+        float | None,
+        Field(
+            description='Of the pressure in the middle of the contact. Without unit.',
+            ge=0.0,
+        ),
+    ]
     peak_pressure: Annotated[
         float | None, Field(description='Of the peak pressure. Without unit.', ge=0.0)
     ]
@@ -3572,6 +3579,13 @@ class Contact(BaseModel):
         float,
         Field(
             description='Force over width, or over the area of the contact circle; of a pin in a hole over those across the approach. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    middle_pressure: Annotated[
+        float,
+        Field(
+            description='Pressure in the middle of the contact; of a roller the largest across its middle, 0 of heights. Unit: MPa (SI: Pa).',
             ge=0.0,
         ),
     ]
