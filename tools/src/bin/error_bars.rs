@@ -7,7 +7,8 @@
 //! is kept under `target/error_bars`, in a folder of the program that solved it: a run that is
 //! stopped goes on where it was.
 //!
-//! `error_bars -- count 2` counts the bars of the first two parts of the second set, and fails
+//! `error_bars -- job Judge Flow 0 2` prints the job of that part and number; bars that do not hold are
+//! listed with theirs. `error_bars -- count 2` counts the bars of the first two parts of the second set, and fails
 //! where fewer than 95 of 100 hold. Jobs are given up after a minute on each mesh.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
@@ -28,7 +29,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
-use brinell_solver::report::{estimate_error, name_of, problem_of, scales_of_floors};
+use brinell_solver::report::{
+    estimate_error, name_of, problem_of, scales_of_floors, unknown_figures,
+};
 use brinell_solver::solver::floors::floors;
 use brinell_solver::solver::{
     self, Figure, FigureSet, Figures, Interrupt, Observer, SolveStatus, half_spaces,
@@ -165,11 +168,20 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
             && steps.iter().all(|step: &half_spaces::HalfSpaceStep| {
                 step.status == SolveStatus::Converged && step.missed.is_none()
             });
-        let solved = steps.iter().map(|step| {
-            let is_known = |figure| figure != Figure::LeastStress || step.figures.force <= 0.0;
+        let mut unknown = FigureSet::default();
+        let solved = steps.iter_mut().map(|step| {
+            step.unknown_before = unknown;
+            let [void, left] = unknown_figures(&job, &problem, step);
+            if !step.increments.is_empty() {
+                unknown = left;
+            }
+            let is_known = |figure, side| {
+                !void.has(figure, side)
+                    && (figure != Figure::LeastStress || step.figures.force <= 0.0)
+            };
             let bar = |(figure, side)| {
-                let error = step.errors.as_ref().filter(|_| is_known(figure))?.get(figure, side);
-                Some((error / step.figures.get(figure, side)).abs())
+                let errors = step.errors.as_ref().filter(|_| is_known(figure, side))?;
+                Some((errors.get(figure, side) / step.figures.get(figure, side)).abs())
             };
             Solved {
                 figures: step.figures,
@@ -272,14 +284,18 @@ fn load_of(job: &Value) -> &'static str {
     }
 }
 
-/// Solves a part.
-fn samples(part: Part) -> Vec<Sample> {
+/// The jobs of a part, all with given loads.
+fn jobs(part: Part) -> Vec<Value> {
     let mut hasher = DefaultHasher::new();
     part.hash(&mut hasher);
     let mut random = Random(hasher.finish());
+    (0..JOBS).map(|number| next(&mut random, part.kind, number)).collect()
+}
+
+/// Solves a part.
+fn samples(part: Part) -> Vec<Sample> {
     let mut all = Vec::new();
-    for number in 0..JOBS {
-        let mut job = next(&mut random, part.kind, number);
+    for (number, mut job) in jobs(part).into_iter().enumerate() {
         if number % 3 == 0
             && let Some(found) = solve(&job)
         {
@@ -613,6 +629,16 @@ fn main() -> Result<ExitCode, Fault> {
         ["fit"] => fit(),
         ["count"] => count(usize::MAX),
         ["count", most] => count(most.parse()?),
-        _ => Err("usage: error_bars fit | count [parts]".into()),
+        ["job", set, kind, part, number] => {
+            let is_part = |found: &Part| {
+                [format!("{:?}", found.set), format!("{:?}", found.kind)] == [set, kind]
+                    && found.number.to_string() == part
+            };
+            let all = [Set::Fit, Set::Judge].into_iter().flat_map(|set| parts(set, usize::MAX));
+            let part = all.into_iter().find(is_part).ok_or("no such part")?;
+            println!("{}", jobs(part).get(number.parse::<usize>()?).ok_or("no such job")?);
+            Ok(ExitCode::SUCCESS)
+        }
+        _ => Err("usage: error_bars fit | count [parts] | job set kind part number".into()),
     }
 }
