@@ -403,7 +403,12 @@ fn solved(parts: &[Part]) -> Result<Vec<Sample>, Fault> {
     })?;
     let mut all = Vec::new();
     for part in parts {
-        all.extend(serde_json::from_str::<Vec<Sample>>(&fs::read_to_string(file(part))?)?);
+        let file = file(part);
+        let samples: Vec<Sample> =
+            serde_json::from_str(&fs::read_to_string(&file)?).map_err(|error| {
+                format!("{}: {error}; without it, it is solved anew", file.display())
+            })?;
+        all.extend(samples);
     }
     Ok(all)
 }
@@ -549,10 +554,11 @@ fn replace(path: &Path, from: &str, to: &str, inner: &str) -> Result<(), Fault> 
     Ok(fs::write(path, format!("{}{inner}{}", &text[..begin], &text[end..]))?)
 }
 
-/// Writes floors to the solver and to the table of the document.
+/// Writes floors to the solver and to the table of the document; to neither where a row is missing.
 fn write_floors(floors: &Floors) -> Result<(), Fault> {
     let mut code = String::from("\n");
     let document = Path::new("docs/validity.md");
+    let mut text = fs::read_to_string(document)?;
     for figure in Figure::ALL {
         let row = name_of(*figure).and_then(|name| floors.get(name)).copied().unwrap_or_default();
         let cells = row.map(|floor| match floor {
@@ -562,17 +568,17 @@ fn write_floors(floors: &Floors) -> Result<(), Fault> {
         let _ = writeln!(code, "        Figure::{figure:?} => [{}],", cells.join(", "));
         let Some(name) = name_of(*figure) else { continue };
         let cells = row.map(|floor| floor.map_or_else(String::new, |floor| floor.to_string()));
-        let text = fs::read_to_string(document)?;
         let begin = format!("\n| {name} | ");
         let rows: Vec<&str> = text.split(&begin).collect();
         let [before, after] = rows[..] else {
             return Err(format!("{} rows of {name}", rows.len() - 1).into());
         };
         let rest = after.splitn(5, " | ").nth(4).ok_or("a row without cells")?;
-        fs::write(document, format!("{before}{begin}{} | {rest}", cells.join(" | ")))?;
+        text = format!("{before}{begin}{} | {rest}", cells.join(" | "));
     }
     let source = Path::new("crates/brinell-solver/src/solver/floors.rs");
-    replace(source, "match figure {", "    }\n}", &code)
+    replace(source, "match figure {", "    }\n}", &code)?;
+    Ok(fs::write(document, text)?)
 }
 
 fn fit() -> Result<ExitCode, Fault> {
