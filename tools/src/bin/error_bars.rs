@@ -9,7 +9,7 @@
 //!
 //! `error_bars -- job Judge Flow 0 2` prints the job of that part and number; bars that do not hold are
 //! listed with theirs. `error_bars -- count 2` counts the bars of the first two parts of the second set, and fails
-//! where fewer than 95 of 100 hold. Jobs are given up after a minute on each mesh.
+//! where fewer than 93 of 100 hold. Jobs are given up after a minute on each mesh.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
@@ -67,8 +67,8 @@ const COVERED_OF_THEORY: f64 = 0.95;
 const SMALLEST: f64 = 1e-3;
 /// Least errors from which a floor follows.
 const LEAST: usize = 40;
-/// Part of the bars that has to hold.
-const HOLDS: f64 = 0.95;
+/// Part of the bars of a count that has to hold: thirty jobs tell 95 % to within 2 %.
+const HOLDS: f64 = 0.93;
 
 const CLASSES: [&str; 4] = ["plane strain", "plane stress", "revolution", "three dimensions"];
 
