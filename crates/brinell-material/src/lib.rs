@@ -36,7 +36,7 @@ pub use hardening::{HardeningLaw, Inverse};
 pub use inhomogeneous::{Inhomogeneous, scaled};
 pub use model::{ConstitutiveModel, PerPoint, PointOrigin, PointResponse};
 pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};
-pub use return_mapping::{ReturnMapping, flows, stress_of_yield};
+pub use return_mapping::{ReturnMapping, body_flows, flows, stress_of_yield};
 pub use stream::{Deviators, Rows, StreamLaw, StreamOfLayers, TrackFrame};
 pub use strength::{Depth, DepthStrength, StrengthProfile, interpolate};
 

@@ -35,17 +35,23 @@ enum Form {
 }
 
 /// Plastic strain over the elastic one from which on a point of a curve without an elastic limit
-/// counts as yielded.
+/// counts as yielded, and from which on a point that gains it in an increment flows.
 const YIELDED: f64 = 1e-2;
-/// Plastic strain that a point gains in an increment over its elastic strain, from which on it flows.
-const FLOWS: f64 = 1e-4;
+/// Part of its plastic region from which on a body flows.
+const FLOWING: f64 = 1e-2;
 /// Newton step over the unknown below which only rounding is left.
 const LAST_STEP: f64 = 1e-9;
 
 /// Returns whether a point flows in an increment in which it gains a plastic strain `gained`: if that
-/// is more than a ten-thousandth of its elastic strain. `triple_shear` is 3G \[MPa\].
+/// is more than a hundredth of its elastic strain. `triple_shear` is 3G \[MPa\].
 pub fn flows(gained: f64, stress: f64, triple_shear: f64) -> bool {
-    gained > FLOWS * stress / triple_shear
+    gained > YIELDED * stress / triple_shear
+}
+
+/// Returns whether a body flows of which a part `flowing` of its region `plastic` flows, both areas or
+/// volumes: single points at the end of a contact leave it elastic.
+pub fn body_flows(flowing: f64, plastic: f64) -> bool {
+    flowing > FLOWING * plastic
 }
 
 /// Returns the stress from which on a point counts as yielded \[MPa\]

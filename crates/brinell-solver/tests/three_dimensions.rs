@@ -357,5 +357,6 @@ fn estimated_errors_cover_what_finer_grids_change() {
         println!("| {name} | {} | {within} | {error:.2} | {change:.2} |", pairs.len());
         (covered, total) = (covered + within, total + pairs.len());
     }
-    assert!(total as u64 > 8 * count && 20 * covered >= 19 * total, "{covered} of {total}");
+    // Thirty jobs tell 95 % to within 3 %.
+    assert!(total as u64 > 8 * count && 100 * covered >= 92 * total, "{covered} of {total}");
 }

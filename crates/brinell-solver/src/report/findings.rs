@@ -330,6 +330,11 @@ impl Known {
         self.has_estimate
     }
 
+    /// Returns the figures whose bars are taken.
+    pub const fn void(self) -> FigureSet {
+        self.void
+    }
+
     /// Returns whether the mesh resolves a figure, of a body that of one side.
     pub fn has(self, figure: Figure, side: usize) -> bool {
         !self.void.has(figure, side)

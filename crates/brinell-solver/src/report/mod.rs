@@ -43,7 +43,7 @@ pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
     EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport,
-    RoughContactReport, SectionReport, ThreeDimensionalReport, problem_of,
+    RoughContactReport, SectionReport, ThreeDimensionalReport, problem_of, unknown_figures,
 };
 pub use hardness::{HardnessReport, OliverPharrReport};
 pub use layer_fields::{LAYER_NAMES, LayersReport};

@@ -9,7 +9,7 @@ use super::method::figures::Figure;
 pub const fn floors(figure: Figure) -> [Option<f64>; 4] {
     match figure {
         Figure::PeakPressure => [Some(0.047), Some(0.068), Some(0.041), Some(0.022)],
-        Figure::MiddlePressure => [Some(0.047), Some(0.068), Some(0.041), Some(0.022)],
+        Figure::MiddlePressure => [Some(0.0056), Some(0.088), Some(0.067), Some(0.038)],
         Figure::HalfWidth => [Some(0.26), Some(0.37), Some(0.26), Some(0.054)],
         Figure::SemiAxisY => [None, None, None, Some(0.092)],
         Figure::ContactArea => [None, None, None, Some(0.13)],

@@ -3,8 +3,8 @@
 use super::step::largest_strain;
 use crate::job::{Body, Deformable, Job, Load, Material, MeshSettings, Roller, Theory};
 use crate::report::findings::{
-    CasePlace, ContactOutline, Deformation, Density, Finding, OnsetUnknown, Unconverged, Wide,
-    Work,
+    CasePlace, ContactOutline, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged,
+    Wide, Work, left_unknown,
 };
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
@@ -15,6 +15,7 @@ use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap,
 };
+use crate::solver::method::figures::FigureSet;
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
@@ -85,6 +86,17 @@ pub(super) fn findings(
     findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
     of_shapes(problem, step, &mut findings);
     findings
+}
+
+/// Returns the figures of a load step whose bars findings take, and the figures of the bodies that it
+/// leaves unknown to the loads that follow it in a history.
+pub fn unknown_figures(
+    job: &Job,
+    problem: &HalfSpaceProblem,
+    step: &HalfSpaceStep,
+) -> [FigureSet; 2] {
+    let findings = findings(job, problem, step);
+    [Known::by(&findings).void(), left_unknown(step.unknown_before, &findings)]
 }
 
 /// Returns the elastic peak pressure over the least yield stress, and the outline of the contact.

@@ -16,4 +16,5 @@ pub use document::{
     SectionReport, ThreeDimensionalReport,
 };
 pub use elastic::{EllipticReference, problem_of};
+pub use findings::unknown_figures;
 pub(super) use run::{preflight, run_each};

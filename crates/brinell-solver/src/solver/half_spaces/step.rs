@@ -60,7 +60,7 @@ pub struct HalfSpaceStep {
     pub increments: Vec<IncrementRecord>,
     /// The last increment.
     pub last_increment: LastIncrement,
-    /// Whether a cell flows in the last increment.
+    /// Whether a body flows in the last increment.
     pub flows: bool,
     /// Number of grids on which the force was sought; zero where it is given.
     pub grids_of_search: usize,

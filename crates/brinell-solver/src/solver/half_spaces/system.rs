@@ -20,7 +20,7 @@ use brinell_halfspace::{
 use super::engine::GridDesign;
 use super::moment::PrescribedMoment;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
-use crate::material::flows;
+use crate::material::{body_flows, flows};
 use crate::solver::method;
 use crate::solver::method::contact_system::{
     BlockVector, ContactFigures, ContactSystem, Response,
@@ -156,15 +156,24 @@ impl HalfSpaces {
             .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most })
     }
 
-    /// Returns whether a cell flows in an increment of the initial stress `2G Δε_p`.
+    /// Returns whether a body flows in an increment of the initial stress `2G Δε_p`.
     pub fn flows(&self, increment: &BlockVector) -> bool {
         let (yielding, n_cells) = (self.yielding.borrow(), self.grid().n_cells());
-        yielding.flowed.iter().any(|(body, cell)| {
-            let (layer, start) = place(*cell, n_cells);
-            let flow = isometric(std::array::from_fn(|k| increment[*body][start + k * n_cells]));
+        let cell_flows = |body: usize, cell: usize| {
+            let (layer, start) = place(cell, n_cells);
+            let flow = isometric(std::array::from_fn(|k| increment[body][start + k * n_cells]));
             // 3G times the equivalent of Δε_p.
             let gained = (1.5 * flow.iter().map(|x| x * x).sum::<f64>()).sqrt();
-            flows(gained, yielding.bodies[*body].law().yield_stress(layer, *cell), 1.0)
+            flows(gained, yielding.bodies[body].law().yield_stress(layer, cell), 1.0)
+        };
+        yielding.bodies.iter().enumerate().any(|(n, body)| {
+            let thickness = |cell: usize| body.space().layers().thickness(cell / n_cells);
+            let flowing =
+                yielding.flowed.iter().filter(|(k, cell)| *k == n && cell_flows(n, *cell));
+            let flowing: f64 = flowing.map(|(_, cell)| thickness(*cell)).sum();
+            let cells = 0..body.len() / DEVIATOR_COMPONENTS;
+            let plastic = cells.filter(|cell| body.law().equivalent_plastic_strain(*cell) > 0.0);
+            body_flows(flowing, plastic.map(thickness).sum())
         })
     }
 

@@ -13,7 +13,7 @@ use crate::fem::assembly::GaussPoint;
 use crate::fem::element::StressState;
 use crate::fem::mesh::ContactZone;
 use crate::job::Job;
-use crate::material::{ReferenceModuli, flows};
+use crate::material::{ReferenceModuli, body_flows, flows};
 use crate::solver::body_system::system::System;
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::finite_elements::{FiniteElements, MeshDesign};
@@ -265,9 +265,16 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         for (field, histories) in solve.fields.iter_mut().zip(&mut memory.points) {
             let points = field.stress.points.as_flattened_mut();
             histories.resize(points.len(), PointHistory::default());
+            let [mut flowing, mut plastic] = [0.0; 2];
             for (point, history) in points.iter_mut().zip(histories) {
-                memory.flows |= history.take(point, memory.is_falling);
+                if history.take(point, memory.is_falling) {
+                    flowing += point.area;
+                }
+                if point.equivalent_plastic_strain > 0.0 {
+                    plastic += point.area;
+                }
             }
+            memory.flows |= body_flows(flowing, plastic);
         }
         let half_width = solve.patch.map_or(0.0, |patch| patch.half_width());
         if half_width > memory.widest {
