@@ -24,10 +24,11 @@ import { outline } from '../setup/outline.js';
 export function frameOf(job, name, mesh) {
   const up = name === 'lower' ? 1 : -1;
   const [own, other] = name === 'lower' ? [job.lower, job.upper] : [job.upper, job.lower];
-  const [{ type, radius }, { type: beside }] = [own.shape, other.shape];
-  if (type === 'hole') return circle(-radius, up);
-  if (beside === 'hole') return circle(radius, up);
-  return level(name === 'lower' ? 0 : raised(own.shape, mesh), up);
+  // A hardness test has no upper body of its own.
+  const [shape, beside] = [own?.shape ?? {}, other?.shape ?? {}];
+  if (shape.type === 'hole') return circle(-shape.radius, up);
+  if (beside.type === 'hole') return circle(shape.radius, up);
+  return level(name === 'lower' ? 0 : raised(shape, mesh), up);
 }
 
 /** How far the upper body has been moved so that the bodies just touch: its base is where its shape ends. @param {Record<string, any>} shape @param {Mesh} mesh */
