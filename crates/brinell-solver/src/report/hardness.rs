@@ -52,7 +52,7 @@ pub struct HardnessReport {
     /// Name of the test, e.g. `HBW 10/3000`.
     pub test: String,
     /// Hardness number; `null` of `berkovich` and `sphere`, whose hardness is `mean_pressure`, and
-    /// where a load did not converge.
+    /// where a load did not converge \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub number: Option<f64>,
     /// Estimated bound of the relative error of the number, or of the mean pressure, by the mesh

@@ -253,12 +253,12 @@ def identify(
             ftol=1e-8,
             max_nfev=12 if len(free) <= 2 else 26,
         )
+        # Meshes change with the parameters by small leaps: the best point need not be the last.
+        best = np.frombuffer(min(cache, key=lambda key: float(cache[key][0] @ cache[key][0])))
+        residuals, slopes = evaluated(best, _WIDE_STEP)
     finally:
         if own:
             service.close()
-    # Meshes change with the parameters by small leaps: the best point need not be the last.
-    best = np.frombuffer(min(cache, key=lambda key: float(cache[key][0] @ cache[key][0])))
-    residuals, slopes = evaluated(best, _WIDE_STEP)
     variance = (
         (noise if scatter == "relative" else noise / float(scale[0])) ** 2
         if noise is not None

@@ -3780,7 +3780,8 @@ class HardnessResult(BaseModel):
     number: Annotated[
         float | None,
         Field(
-            description='Hardness number; `null` of `berkovich` and `sphere`, whose hardness is `mean_pressure`, and where a load did not converge.'
+            description='Hardness number; `null` of `berkovich` and `sphere`, whose hardness is `mean_pressure`, and where a load did not converge. Without unit.',
+            ge=0.0,
         ),
     ]
     oliver_pharr: OliverPharr | None
