@@ -49,6 +49,8 @@ service.test('by undo and by choices that build the form anew', async (page) => 
   assert.equal(await at(page), 'same as lower');
   await page.getByRole('button', { name: 'From hardness…' }).last().focus();
   await page.keyboard.press('Enter');
+  // It is loaded when it is opened.
+  await page.getByRole('dialog').waitFor();
   await page.keyboard.type('300');
   await page.keyboard.press('Enter');
   await page.getByRole('dialog').waitFor({ state: 'detached' });
