@@ -7,9 +7,10 @@
 //! is kept under `target/error_bars`, in a folder of the program that solved it: a run that is
 //! stopped goes on where it was.
 //!
-//! `error_bars -- job Judge Flow 0 2` prints the job of that part and number; bars that do not hold are
-//! listed with theirs. `error_bars -- count 2` counts the bars of the first two parts of the second set, and fails
-//! where fewer than 93 of 100 hold. Jobs are given up after a minute on each mesh.
+//! `error_bars -- job Judge Flow 0 2` prints the job of that part and number; bars that do not hold
+//! are listed with theirs. `error_bars -- count 2` counts the bars of the first two parts of the
+//! second set, and fails where fewer than 93 of 100 hold. Jobs are given up after a minute of the
+//! processor on each mesh.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
@@ -37,6 +38,7 @@ use brinell_solver::solver::{
     self, Figure, FigureSet, Figures, Interrupt, Observer, SolveStatus, half_spaces,
 };
 use random_job::Random;
+use rustix::time::{ClockId, clock_gettime};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -54,7 +56,7 @@ const MOST_OF_FLOW: u64 = 8;
 /// times as many.
 const CELLS: [u64; 4] = [4, 5, 6, 8];
 const FINER_CELLS: u64 = 3;
-/// Time that a job may take on a mesh.
+/// Processor time that a job may take on a mesh.
 const PATIENCE: Duration = Duration::from_mins(1);
 /// Radius of a hole, beyond which it is free, over that of its pin.
 const HOLE: f64 = 4.0;
@@ -129,12 +131,24 @@ impl Sample {
 /// Floors by figure, in the order of `CLASSES`.
 type Floors = BTreeMap<String, [Option<f64>; 4]>;
 
-/// Ends a job that takes too long.
-struct Patience(Instant);
+/// Ends a job that takes too long. The time is of the processor: a busy machine gives up no more
+/// jobs than an idle one.
+struct Patience(Duration);
+
+impl Patience {
+    fn new() -> Self {
+        Self(time_of_thread())
+    }
+}
+
+fn time_of_thread() -> Duration {
+    let time = clock_gettime(ClockId::ThreadCPUTime);
+    Duration::new(time.tv_sec.unsigned_abs(), u32::try_from(time.tv_nsec).unwrap_or_default())
+}
 
 impl Observer for Patience {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
-        if self.0.elapsed() > PATIENCE {
+        if time_of_thread().saturating_sub(self.0) > PATIENCE {
             return ControlFlow::Break(Interrupt::TimedOut);
         }
         ControlFlow::Continue(())
@@ -162,8 +176,7 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
     let job = Job::from_json(job.to_string().as_bytes()).ok()?;
     if let Some(problem) = problem_of(&job) {
         let mut steps = Vec::new();
-        let run =
-            half_spaces::run_each(&problem, &mut Patience(Instant::now()), &mut steps).ok()?;
+        let run = half_spaces::run_each(&problem, &mut Patience::new(), &mut steps).ok()?;
         let is_solved = run.interrupted.is_none()
             && steps.iter().all(|step: &half_spaces::HalfSpaceStep| {
                 step.status == SolveStatus::Converged && step.missed.is_none()
@@ -192,7 +205,7 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
         });
         return is_solved.then(|| solved.collect());
     }
-    let solution = solver::run(&job, &mut Patience(Instant::now())).ok()?;
+    let solution = solver::run(&job, &mut Patience::new()).ok()?;
     let is_solved = solution.interrupted.is_none()
         && solution.steps.iter().all(|step| step.status == SolveStatus::Converged);
     let mut unknown = FigureSet::default();

@@ -33,7 +33,8 @@ pub struct Answer {
     /// Symbol of its unit in the units of the job; empty of a strain, a ratio and a number.
     pub unit: String,
     /// Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is
-    /// prescribed, `null` where it is not known \[1 >= 0\].
+    /// prescribed, `null` where it is not known or as large as the figure, whose bound `text`
+    /// then says \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub error: Option<f64>,
     /// Relative difference to flow theory; positive where the figure is larger. `null` where it is
@@ -208,8 +209,8 @@ impl StepReport {
         write: UnitConverter,
     ) -> Self {
         let facts = Facts { job, step: &self, measured, findings, write };
-        let (answers, verdict) = (facts.answers(), facts.verdict());
-        (self.answers, self.verdict) = (answers, Some(verdict));
+        let answers = facts.answers().into_iter().map(|answer| facts.bounded(answer)).collect();
+        (self.answers, self.verdict) = (answers, Some(facts.verdict()));
         self
     }
 }
@@ -436,6 +437,22 @@ impl Facts<'_> {
         value: f64,
     ) -> String {
         format!("{} {}", digits(value), self.unit(quantity))
+    }
+
+    /// Returns the answer with its upper bound in place of an error as large as the figure itself.
+    fn bounded(&self, answer: Answer) -> Answer {
+        let (Some(value), Some(error)) = (answer.value, answer.error) else { return answer };
+        if error < 1.0 {
+            return answer;
+        }
+        let most = value * (1.0 + error);
+        let most = match answer.quantity {
+            AnswerQuantity::Strain | AnswerQuantity::Ratio => format!("{} %", about(100.0 * most)),
+            quantity => self.with_unit(about, quantity, most),
+        };
+        let note =
+            if answer.text.is_empty() { String::new() } else { format!("; {}", answer.text) };
+        answer.error(None).text(format!("at most {most}{note}"))
     }
 
     /// Returns the error estimate of a step that has converged.

@@ -277,7 +277,8 @@ pub struct PlasticityReport {
     /// harden, where it has no limit on smaller and smaller elements \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub max_equivalent_plastic_strain: Option<f64>,
-    /// Mean equivalent plastic strain over the area of the section that has any \[1 >= 0\].
+    /// Mean equivalent plastic strain over the area of the section that has yielded \[1
+    /// >= 0\].
     #[serde(default)]
     pub mean_equivalent_plastic_strain: f64,
     /// x of that point \[length\].

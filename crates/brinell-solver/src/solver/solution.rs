@@ -462,11 +462,11 @@ impl BodySolution {
         self.surface().iter().map(|[_, height]| *height).fold(0.0, f64::max)
     }
 
-    /// Mean equivalent plastic strain over the area that has it.
+    /// Mean equivalent plastic strain over the area that has yielded.
     pub fn mean_plastic_strain(&self) -> f64 {
         let points = self.stress.points.iter().flatten();
-        let strained = points.filter(|point| point.equivalent_plastic_strain > 0.0);
-        let sums = strained.fold([0.0; 2], |[area, sum], point| {
+        let yielded = points.filter(|point| has_yielded(point));
+        let sums = yielded.fold([0.0; 2], |[area, sum], point| {
             [area + point.area, sum + point.area * point.equivalent_plastic_strain]
         });
         if sums[0] > 0.0 { sums[1] / sums[0] } else { 0.0 }

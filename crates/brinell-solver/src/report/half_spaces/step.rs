@@ -251,28 +251,15 @@ impl StepWriter<'_> {
         let write = self.write;
         let most = body.largest_strain;
         let [x, y, depth] = most.map_or([0.0; 3], |most| most.position);
-        let layers = (0..body.layers.len()).filter(|_| most.is_some());
-        // Area of the yielded cells, and the integral of the strain over this area.
-        let (yielded_area, weighted) = layers.fold((0.0, 0.0), |(area, sum), layer| {
-            let cell = body.grid.hx() * body.layers.thickness(layer);
-            let strains = section_of_layer(body, layer);
-            let yielded = strains.iter().filter(|strain| **strain > 0.0).count();
-            (area + cell * yielded as f64, sum + cell * strains.iter().sum::<f64>())
-        });
-        let n_cells = body.grid.n_cells();
-        let at_surface = body.equivalent_plastic_strain.iter().take(n_cells);
+        let section = body.plastic_section;
         PlasticityReport {
             yielded: most.is_some(),
             max_equivalent_plastic_strain: largest_strain(self.job, body, side),
-            mean_equivalent_plastic_strain: if yielded_area > 0.0 {
-                weighted / yielded_area
-            } else {
-                0.0
-            },
+            mean_equivalent_plastic_strain: section.mean_strain,
             position: write.length(x),
             depth: write.length(depth),
-            area: write.area(yielded_area),
-            reached_surface: most.is_some() && at_surface.into_iter().any(|strain| *strain > 0.0),
+            area: write.area(section.area),
+            reached_surface: section.reaches_surface,
             outline: Vec::new(),
             position_y: Some(write.length(y)),
             volume: Some(write.length(write.area(body.plastic_volume))),
@@ -504,17 +491,6 @@ fn section_along_y(map: &SurfaceMap, values: &[f64]) -> Vec<f64> {
 
 const fn middle(count: usize) -> [usize; 2] {
     [(count - 1) / 2, count / 2]
-}
-
-/// Returns the equivalent plastic strain of the cells of a layer beside y = 0.
-fn section_of_layer(body: &HalfSpaceBody, layer: usize) -> Vec<f64> {
-    let (nx, ny) = (body.grid.nx(), body.grid.ny());
-    let first = layer * body.grid.n_cells();
-    let [row, _] = middle(ny);
-    let at = |i: usize| {
-        body.equivalent_plastic_strain.get(first + i * ny + row).copied().unwrap_or(0.0)
-    };
-    (0..nx).map(at).collect()
 }
 
 /// Returns the yield stresses at the depths of the points, or `None` for a constant strength.

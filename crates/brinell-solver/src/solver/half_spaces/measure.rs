@@ -6,7 +6,7 @@ use std::sync::Arc;
 use brinell_contact::Flexibility as _;
 use brinell_halfspace::{Stop, Stopped, SurfaceGrid, TensorField, YieldingBody};
 
-use super::step::{HalfSpaceBody, LargestStrain, SurfaceMap};
+use super::step::{HalfSpaceBody, LargestStrain, PlasticSection, SurfaceMap};
 use super::system::{ElasticBody, HalfSpaces};
 use crate::solver::Energy;
 use crate::solver::method::couplings::iteration::Outcome;
@@ -163,6 +163,7 @@ fn field(system: &HalfSpaces, body: &ElasticBody, stress: Option<TensorField>) -
         plastic_displacement: vec![0.0; n_cells],
         largest_strain: None,
         plastic_volume: 0.0,
+        plastic_section: PlasticSection::default(),
     };
     let yielding = system.yielding.borrow();
     let mut result = match body.yielding {
@@ -214,6 +215,17 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
         LargestStrain { value: strain[cell], position: [x, y, layers.middle(cell / n_cells)] }
     });
     let plastic_volume = cells.clone().filter(has_yielded).map(volume).sum();
+    let beside_axis = |cell: &usize| cell % grid.ny() == (grid.ny() - 1) / 2;
+    let section = cells.clone().filter(beside_axis).filter(has_yielded);
+    let [area, integral] = section.fold([0.0; 2], |[area, integral], cell| {
+        let part = layers.thickness(cell / n_cells) * grid.hx();
+        [area + part, integral + part * strain[cell]]
+    });
+    let plastic_section = PlasticSection {
+        area,
+        mean_strain: if area > 0.0 { integral / area } else { 0.0 },
+        reaches_surface: (0..n_cells).any(|cell| has_yielded(&cell)),
+    };
     let yield_stress = cells.map(|cell| law.yield_stress(cell / n_cells, cell)).collect();
     let (plastic_strain, displacement) = body.opened();
     HalfSpaceBody {
@@ -223,6 +235,7 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
         yield_stress,
         largest_strain,
         plastic_volume,
+        plastic_section,
         ..elastic
     }
 }

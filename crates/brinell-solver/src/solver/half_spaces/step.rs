@@ -116,6 +116,19 @@ pub struct HalfSpaceBody {
     pub largest_strain: Option<LargestStrain>,
     /// Volume of the plastic region \[mm³\].
     pub plastic_volume: f64,
+    /// The plastic region in the section of the cells beside y = 0.
+    pub plastic_section: PlasticSection,
+}
+
+/// The cells of a section that have yielded.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PlasticSection {
+    /// Their area \[mm²\].
+    pub area: f64,
+    /// Their mean equivalent plastic strain.
+    pub mean_strain: f64,
+    /// Whether the region includes a cell of the surface, in any section.
+    pub reaches_surface: bool,
 }
 
 /// The largest equivalent plastic strain of a body.
