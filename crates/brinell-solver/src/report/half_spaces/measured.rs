@@ -4,12 +4,13 @@ use std::f64::consts::FRAC_PI_3;
 
 use super::elastic::EllipticReference;
 use super::findings::reaches_rim;
-use super::step::von_mises;
 use crate::job::{Deformable, Job, Load, Material};
 use crate::report::answers::{Largest, Measured};
 use crate::report::findings::Finding;
 use crate::report::measured::case_depth;
-use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, SurfaceMap};
+use crate::solver::half_spaces::{
+    HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, SurfaceMap, von_mises,
+};
 
 /// Measures what the report of a load step does not have.
 pub(super) fn measured(

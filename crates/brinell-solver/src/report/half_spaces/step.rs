@@ -18,7 +18,7 @@ use crate::report::{
 };
 use crate::report::{contact_stiffness, validity};
 use crate::solver::half_spaces::{
-    ColumnPoint, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
+    ColumnPoint, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap, von_mises,
 };
 use crate::solver::method::figures::Figure;
 use crate::units::UnitConverter;
@@ -498,12 +498,6 @@ fn strengths(material: &Deformable, points: &[ColumnPoint]) -> Option<Vec<f64>> 
     let (strength, nominal) =
         (material.strength()?, material.hardening_law()?.nominal_yield_stress());
     Some(points.iter().map(|point| nominal * strength.factor(point.depth)).collect())
-}
-
-/// Returns the von Mises stress of the stress `[xx, yy, zz, xy, xz, yz]`.
-pub(super) fn von_mises([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> f64 {
-    let normal = 0.5 * ((xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2));
-    (normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
 }
 
 /// Returns half the difference of the extreme principal stresses, from the Lode angle.

@@ -403,13 +403,21 @@ pub(super) fn is_symmetric(
 
 /// `xx yy xy` of each layer before any load, in axes turned by an angle.
 fn initial_stress(material: &Deformable, angle: f64, layers: &Layers) -> Vec<[f64; 3]> {
+    let at = initial_stress_over_depth(material, angle);
+    (0..layers.len()).map(|layer| at(layers.middle(layer))).collect()
+}
+
+/// `xx yy xy` at a depth before any load, in axes turned by an angle.
+pub(super) fn initial_stress_over_depth(
+    material: &Deformable,
+    angle: f64,
+) -> impl Fn(f64) -> [f64; 3] {
     let profile = InitialStressProfile::new(material.initial_stress());
     let (sin, cos) = angle.sin_cos();
-    let of_layer = |layer: usize| {
-        let [x, y] = profile.at(layers.middle(layer));
+    move |depth| {
+        let [x, y] = profile.at(depth);
         [cos * cos * x + sin * sin * y, sin * sin * x + cos * cos * y, sin * cos * (y - x)]
-    };
-    (0..layers.len()).map(of_layer).collect()
+    }
 }
 
 /// Deviator of a plane stress `xx yy xy`.

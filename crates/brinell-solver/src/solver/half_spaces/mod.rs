@@ -28,4 +28,5 @@ pub use measure::Row;
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};
 pub use search::HighestUtilization;
+pub(crate) use step::von_mises;
 pub use step::{ColumnPoint, HalfSpaceBody, HalfSpaceStep, LargestStrain, SurfaceMap};

@@ -153,13 +153,16 @@ pub struct ColumnPoint {
     pub yield_stress: f64,
 }
 
+/// Returns the von Mises stress of the stress `[xx, yy, zz, xy, xz, yz]`.
+pub(crate) fn von_mises([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> f64 {
+    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+    (0.5 * normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
+}
+
 impl HalfSpaceBody {
     /// Returns the von Mises stress of a cell \[MPa\].
     pub fn von_mises(&self, layer: usize, cell: usize) -> f64 {
-        let [xx, yy, zz, xy, xz, yz]: [f64; 6] =
-            std::array::from_fn(|k| self.stress.component(layer, k)[cell]);
-        let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
-        (0.5 * normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
+        von_mises(std::array::from_fn(|k| self.stress.component(layer, k)[cell]))
     }
 
     /// Returns the column of the body below a point `[x, y]`, layer by layer, interpolated
