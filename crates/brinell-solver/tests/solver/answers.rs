@@ -265,3 +265,44 @@ fn a_near_support_has_no_shakedown_limit() {
     assert_eq!(step.verdict.as_ref().unwrap().level, VerdictLevel::Yields);
     assert!(!step.answers.iter().any(|answer| answer.name == "shakedown_pressure"));
 }
+
+/// Without a yield point all of a body has some plastic strain: only what has flowed by more than a
+/// hundredth of its elastic strain counts.
+#[test]
+fn the_mean_strain_is_over_what_has_yielded() {
+    let aluminium = json!({"young_modulus": 70_000, "poisson_ratio": 0.33, "plasticity":
+        {"law": "ramberg_osgood", "reference_stress": 250, "offset": 0.6, "exponent": 12}});
+    let rigid = json!({"rigid": true});
+    let of = |analysis: &str, lower: &str, force: f64| {
+        json!({"analysis": analysis, "load": {"force": force},
+            "upper": {"shape": {"type": "sphere", "radius": 20}, "material": rigid},
+            "lower": {"shape": {"type": lower}, "material": aluminium}})
+    };
+    let mut plane = of("plane_strain", "block", 300.0);
+    plane["upper"]["shape"]["type"] = json!("cylinder");
+    plane["lower"]["shape"] = json!({"type": "block", "width": 60, "depth": 30});
+    for job in [plane, of("three_dimensional", "flat", 20.0)] {
+        let step = solve(&job).steps.remove(0);
+        let zone = step.plasticity.lower.as_ref().unwrap();
+        let (mean, largest) =
+            (zone.mean_equivalent_plastic_strain, zone.max_equivalent_plastic_strain.unwrap());
+        assert!(mean > 0.1 * largest && mean < largest, "{mean} of {largest}");
+        if let Some(bodies) = step.estimated_error.unwrap().bodies {
+            let bar = bodies.lower.unwrap().mean_equivalent_plastic_strain.unwrap();
+            assert!(bar < 0.3, "{bar}");
+        }
+    }
+}
+
+/// At the verge of yield a mesh tells no more of the largest strain than its bound.
+#[test]
+fn an_error_as_large_as_its_figure_is_a_bound() {
+    let step = solve(&cylinders(&steel(350.0), &json!({"force": 230}), "deformation"));
+    let step = &step.steps[0];
+    let bar = step.estimated_error.unwrap().bodies.unwrap().lower.unwrap();
+    let bar = bar.max_equivalent_plastic_strain.unwrap();
+    let strain = answer(step, "max_plastic_strain");
+    assert!(bar >= 1.0 && strain.error.is_none(), "{bar} {strain:?}");
+    let bound: f64 = strain.text["at most ".len()..].split(' ').next().unwrap().parse().unwrap();
+    near(bound, 100.0 * strain.value.unwrap() * (1.0 + bar), 1e-2, &strain.text);
+}

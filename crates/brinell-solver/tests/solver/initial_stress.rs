@@ -319,3 +319,24 @@ fn rows_are_checked() {
     let job = parse(&pressed("plane_strain", &peened()));
     assert_eq!(Job::from_value(&serde_json::to_value(&job).unwrap()).unwrap(), job);
 }
+
+/// Layers of ten cells find the onset under a stress that changes within them.
+#[test]
+fn the_onset_under_an_initial_stress_does_not_hang_on_the_layers() {
+    let force = |elements: u32| {
+        let material = json!({"young_modulus": 207_000, "poisson_ratio": 0.3,
+            "plasticity": {"law": "bilinear", "yield_stress": 1000, "tangent_modulus": 0},
+            "initial_stress": [{"depth": 0.0, "sigma_x": -300, "sigma_z": -200},
+                {"depth": 0.05, "sigma_x": 60, "sigma_z": 20},
+                {"depth": 0.12, "sigma_x": 0, "sigma_z": 0}]});
+        let job = json!({"analysis": "three_dimensional", "load": {"onset": true},
+            "upper": {"shape": {"type": "curved", "radius_x": 8, "radius_y": 20},
+                "material": {"rigid": true}},
+            "lower": {"shape": {"type": "flat"}, "material": material},
+            "mesh": {"elements_per_half_width": elements}});
+        let step = report(&job).steps.remove(0);
+        (step.contact.force, step.estimated_error.unwrap().force.unwrap())
+    };
+    let ((coarse, bar), (fine, _)) = (force(10), force(20));
+    assert!((coarse / fine - 1.0).abs() < bar.min(0.01), "{coarse} {fine} {bar}");
+}

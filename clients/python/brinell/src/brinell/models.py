@@ -2078,7 +2078,7 @@ class PlasticZone(BaseModel):
     mean_equivalent_plastic_strain: Annotated[
         float | None,
         Field(
-            description='Mean equivalent plastic strain over the area of the section that has any. Without unit.',
+            description='Mean equivalent plastic strain over the area of the section that has yielded. Without unit.',
             ge=0.0,
         ),
     ] = None
@@ -3412,7 +3412,7 @@ class Answer(BaseModel):
     error: Annotated[
         float | None,
         Field(
-            description='Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is prescribed, `null` where it is not known. Without unit.',
+            description='Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is prescribed, `null` where it is not known or as large as the figure, whose bound `text` then says. Without unit.',
             ge=0.0,
         ),
     ]
