@@ -706,7 +706,7 @@ impl Facts<'_> {
                 .error(bars.and_then(|bars| bars.peak_pressure))
                 .elastic(hertz.map(|hertz| hertz.peak_pressure))
                 .place(of_surface(contact.peak_position, whole.map(|whole| whole.peak_position_y)))
-                .text(middle.as_ref().map_or_else(|| beside.to_owned(), |_| self.least_peak())),
+                .text(self.least_peak().unwrap_or_else(|| beside.to_owned())),
         });
         answers.extend(middle);
         let half_width = self
@@ -774,16 +774,17 @@ impl Facts<'_> {
         Some(self.figure(Figure::MiddlePressure, pressure).error(Some(bar)))
     }
 
-    /// Says what the peak is at least: the larger of the pressures in the middle and in the mean, less
-    /// their bars.
-    fn least_peak(&self) -> String {
+    /// Says what a peak without a bar is at least: the larger of the pressures in the middle and in
+    /// the mean, less their bars.
+    fn least_peak(&self) -> Option<String> {
+        let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
         let contact = &self.step.contact;
         let less =
             |pressure: f64, bar: Option<f64>| pressure * (1.0 - bar.unwrap_or(1.0)).max(0.0);
-        let middle = self.bars().and_then(|bars| bars.middle_pressure);
-        let least = less(contact.middle_pressure, middle)
+        let least = less(contact.middle_pressure, bars.middle_pressure)
             .max(less(contact.mean_pressure, self.mean_pressure_bar()));
-        format!("at least {} {}", about(least), self.unit(AnswerQuantity::Stress))
+        let unit = self.unit(AnswerQuantity::Stress);
+        (least > 0.0).then(|| format!("at least {} {unit}", about(least)))
     }
 
     /// Returns the bar of the mean pressure: under a given force that of the contact area.

@@ -32,7 +32,7 @@ pub(super) enum Finding {
     NoContact,
     /// A sharp corner carries pressure on elastic bodies.
     ElasticCorner { x: f64 },
-    /// The peak pressure is at a sharp corner and grows with the density of the mesh.
+    /// A sharp corner of bodies that yield carries pressure that grows with the density of the mesh.
     YieldingCorner { x: f64 },
     /// The points of a roller's profile make kinks.
     Kinks,

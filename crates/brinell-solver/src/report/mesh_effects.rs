@@ -48,26 +48,34 @@ pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
             && beside < half_width - PEAK_IN_MIDDLE * step.spacing
     };
     let is_wide = step.patch.is_some_and(|patch| patch.half_width() > WIDE * step.spacing);
-    let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    // In plane stress the pressure on yielding bodies has a limit.
-    let is_limited = yields && step.stress_state == StressState::PlaneStress;
+    let is_limited = pressure_has_limit(step) && step.stress_state == StressState::PlaneStress;
     let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some() || is_limited;
     !is_known && (is_wide || is_round) && step.parts.iter().any(is_next)
 }
 
-/// Returns whether the peak pressure grows without limit as the elements get smaller: on elastic
-/// bodies with a loaded sharp corner, and at a corner of yielding bodies whose pressure still
-/// grows with the density of the mesh.
+/// Returns whether the pressure has a limit: a body yields, and no curve of a body that yields
+/// rises without bound.
+fn pressure_has_limit(step: &StepSolution) -> bool {
+    let yielding = || step.bodies.iter().flatten().filter(|body| body.max_plastic_strain() > 0.0);
+    let is_bounded = |body: &Arc<BodySolution>| {
+        body.model.hardening().is_some_and(|law| law.largest_stress().is_finite())
+    };
+    yielding().next().is_some() && yielding().all(is_bounded)
+}
+
+/// Returns whether the peak pressure grows without limit as the elements get smaller: with a loaded
+/// sharp corner of elastic bodies and of bodies whose curve rises without bound, and at one of
+/// other bodies whose pressure still grows with the density of the mesh.
 pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
     if step.loaded_corners.is_empty() || step.rounded_edge.is_some() {
         return false;
     }
-    if !step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
+    if !pressure_has_limit(step) {
         return true;
     }
     let is_at_peak = |x: &f64| (x - step.peak_position).abs() <= step.spacing;
     let growth = step.coarse.map_or(0.0, |coarse| 1.0 - coarse.peak_pressure / step.peak_pressure);
-    step.loaded_corners.iter().any(is_at_peak) && growth > GROWTH
+    step.loaded_corners.iter().any(is_at_peak) && (growth > GROWTH || !pressure_has_limit(step))
 }
 
 /// Returns whether a clamped body of a plane analysis is deeper than wide. The clamp prevents the

@@ -59,9 +59,9 @@ impl Finding {
                 length(*x)
             ),
             Self::YieldingCorner { x } => format!(
-                "The largest pressure is at the sharp corner at x = {} and still grows with the \
-                 density of the mesh, although the bodies yield. Where what yields hardens it has \
-                 no bound: the peak pressure is that of the mesh.",
+                "The sharp corner at x = {} carries a pressure that grows with the density of the \
+                 mesh, although the bodies yield: where they harden it has no bound. The peak \
+                 pressure is that of the mesh.",
                 length(*x)
             ),
             Self::Kinks => {

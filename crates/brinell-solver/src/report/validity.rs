@@ -259,7 +259,7 @@ fn sharp_corner(step: &StepSolution, strain: f64) -> Option<Finding> {
     if strain == 0.0 {
         return Some(Finding::ElasticCorner { x });
     }
-    peak_is_unbounded(step).then_some(Finding::YieldingCorner { x: step.peak_position })
+    peak_is_unbounded(step).then_some(Finding::YieldingCorner { x })
 }
 
 /// Returns the finding on a contact that is wide compared with the radii or, for a pin in a hole,

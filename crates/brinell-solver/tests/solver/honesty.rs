@@ -381,3 +381,23 @@ fn what_an_unknown_peak_has_left_has_no_bars() {
             .is_some_and(|message| message.contains("an earlier load"))
     );
 }
+
+/// Flow spreads the pressure of a sharp tip to a plateau on any mesh that a job asks for; where the
+/// material hardens it grows nevertheless. A perfectly plastic body bounds it.
+#[test]
+fn a_sharp_tip_is_known_before_the_solve() {
+    for (tangent_modulus, is_bounded) in [(10_500, false), (0, true)] {
+        let material = json!({"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": {
+            "law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent_modulus}});
+        let job = json!({"analysis": "axisymmetric", "solver": {"theory": "flow"},
+            "upper": {"shape": {"type": "cone", "angle": 2, "width": 4, "depth": 3},
+                "material": {"rigid": true}},
+            "lower": {"shape": {"type": "block", "width": 20, "depth": 10},
+                "material": material},
+            "load": {"force": 100.5}, "mesh": {"elements_per_half_width": 10}});
+        let step = report(&job).steps.remove(0);
+        let bar = step.estimated_error.unwrap().peak_pressure;
+        assert_eq!(bar.is_some(), is_bounded, "{bar:?}");
+        assert_eq!(remark(&step, "sharp_corner").is_none(), is_bounded);
+    }
+}
