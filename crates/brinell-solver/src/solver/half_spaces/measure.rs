@@ -330,19 +330,28 @@ impl Row {
     }
 }
 
-/// Returns the semi-axes along the middle rows, where the squared pressure falls to zero on the
-/// straight line through the outermost two cells.
+/// Returns the semi-axes of the ellipse that has the area of the contact, over all rows and over all
+/// columns of cells, and the ratio of the second moments of the pressure, `a²/b² = ∫p x²/∫p y²`. On
+/// the rows of flat pressures, which end within a cell, one row alone is off by half a cell.
 fn ellipse(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
-    let (nx, ny) = (grid.nx(), grid.ny());
-    let middle = |n: usize| [(n - 1) / 2, n / 2];
-    let along_x = |i: usize| 0.5 * middle(ny).map(|j| pressure[i * ny + j]).iter().sum::<f64>();
-    let along_y = |j: usize| 0.5 * middle(nx).map(|i| pressure[i * ny + j]).iter().sum::<f64>();
-    [
-        half_width(&(0..nx).map(along_x).collect::<Vec<_>>(), grid.hx()),
-        half_width(&(0..ny).map(along_y).collect::<Vec<_>>(), grid.hy()),
-    ]
+    let (ny, hx, hy) = (grid.ny(), grid.hx(), grid.hy());
+    let along_y: f64 = pressure.chunks_exact(ny).map(|row| half_width(row, hy)).sum();
+    let row = |j: usize| pressure.iter().skip(j).step_by(ny).copied().collect::<Vec<_>>();
+    let along_x: f64 = (0..ny).map(|j| half_width(&row(j), hx)).sum();
+    let product = (along_y * hx + along_x * hy) / PI;
+    let [of_x, of_y] = pressure.iter().enumerate().fold([0.0; 2], |[of_x, of_y], (cell, p)| {
+        let [x, y] = place(grid, cell);
+        [of_x + p * (x * x + hx * hx / 12.0), of_y + p * (y * y + hy * hy / 12.0)]
+    });
+    if product == 0.0 {
+        return [0.0; 2];
+    }
+    let ratio = (of_x / of_y).sqrt();
+    [(product * ratio).sqrt(), (product / ratio).sqrt()]
 }
 
+/// Returns half the width of a row in contact, at whose ends the squared pressure falls to zero on
+/// the straight line through the outermost two cells.
 fn half_width(row: &[f64], side: f64) -> f64 {
     let in_contact = |k: &usize| row[*k] > 0.0;
     let (Some(first), Some(last)) =
