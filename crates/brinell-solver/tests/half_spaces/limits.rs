@@ -48,7 +48,7 @@ fn the_middle_of_a_long_ellipse_is_in_plane_strain() {
 #[test]
 fn one_increment_from_rest_is_deformation_theory() {
     let mut problem = on_flat(3.0 * RADIUS, steel(Some(0.05)), 4);
-    let force = force_of(&problem, 4.0);
+    let force = force_of(&problem, 6.0);
     problem.solver.tolerance = positive(1e-11);
     problem.load = Load::Forces(positive(force).into());
     let whole = solved(&problem).remove(0);
