@@ -137,7 +137,11 @@ impl<'a> ReportBuilder<'a> {
         let over_friction = over_friction.unwrap_or_default();
         let judged = Judged { reference, over_friction, bars, findings: &findings };
         let report = step_report(self.job, step, judged, fields, self.write);
-        let report = report.answered(self.job, &measured, &findings, self.write);
+        let report = report.answered(self.job, &measured, &findings, self.write).with_hardness(
+            self.job,
+            &self.hardness,
+            self.write,
+        );
         self.time += observer.elapsed().saturating_sub(start);
         report
     }

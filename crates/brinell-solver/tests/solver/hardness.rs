@@ -189,6 +189,12 @@ fn a_thin_specimen() {
     let hardness = report.hardness.unwrap();
     assert!(hardness.least_thickness.unwrap() > 0.5);
     assert!(hardness.remarks.iter().any(|remark| remark.code == "thin_specimen"));
+    for step in &report.steps {
+        let answer = &step.answers[0];
+        assert_eq!((answer.value, answer.error), (hardness.number, hardness.relative_error));
+        let verdict = &step.verdict.as_ref().unwrap().text;
+        assert!(verdict.starts_with("HBW 2.5/187.5: "), "{verdict}");
+    }
 }
 
 #[test]
