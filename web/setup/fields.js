@@ -326,6 +326,10 @@ export const LOADS = {
       { key: 'rolling/alternating', label: 'There and back', kind: 'flag' },
     ],
   },
+  hardness: {
+    label: 'Hardness test',
+    fields: [{ key: 'hardness', label: 'Test', kind: 'text', hint: 'HBW 10/3000, HV 30, HRC.' }],
+  },
 };
 
 /** Figures of the contact for which a force can be looked for. @type {Record<string, Field & {example: number}>} */

@@ -162,6 +162,10 @@ export class Form {
       if (field.columns)
         entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
     }
+    // The indenter of a hardness test is no part of the job.
+    const isTest = loadOf(job.load) === 'hardness';
+    for (const part of [this.parts.general, this.parts.upper.fields.parentElement])
+      if (part) part.hidden = isTest;
     const alike = pointer.same(job.upper, job.lower);
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
       this.materials[body].show();

@@ -1,5 +1,6 @@
 /** Which fields the form has for a job, in their order: a function of the job alone. */
 
+import { isObject } from '../lib/kept.js';
 import {
   ANALYSES,
   BACKSTRESS,
@@ -157,9 +158,12 @@ function ofLoad(job) {
     ...labels(TARGETS),
     ...(ratedApproach(job) && { [ISO_76.key]: ISO_76.label }),
   };
+  // A dialogue asks for hardness tests; their members by name are beyond the form.
+  const { hardness, ...usual } = labels(LOADS);
+  const isTest = kind === 'hardness';
   return [
-    choice('load', '/load/kind', 'Given', labels(LOADS)),
-    ...fields('load', '/load', LOADS[kind].fields),
+    choice('load', '/load/kind', 'Given', isTest ? { ...usual, hardness } : usual),
+    ...fields('load', '/load', isTest && isObject(job.load.hardness) ? [] : LOADS[kind].fields),
     ...(kind === 'target'
       ? [
           choice('load', '/load/target_kind', 'Figure', figures),

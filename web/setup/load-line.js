@@ -26,6 +26,7 @@ export function loadLine(job) {
     const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
     return `P = ? (${kind === 'onset' ? 'first yield' : wanted})`;
   }
+  if (kind === 'hardness') return value.scale ?? value;
   const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
   if (kind === 'rolling') return `P = ${rollingWords(value, force)}`;
   if (kind === 'history') {

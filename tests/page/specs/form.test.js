@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { draft, follow, sent, unfold } from '../jobs.js';
+import { draft, follow, sent, solved, steel, unfold } from '../jobs.js';
 
 const service = suite();
 
@@ -382,6 +382,29 @@ service.test('a material has a hardness test, with number, bar and curve', async
   await dialog.locator('.plot svg').waitFor();
   await dialog.getByRole('button', { name: 'Close' }).click();
   await dialog.waitFor({ state: 'detached' });
+});
+
+service.test('a hardness test that is served shows its number and its specimen', async (page) => {
+  const lower = {
+    shape: { type: 'block', width: 20, depth: 10 },
+    material: steel(500, 2000),
+  };
+  const none = { analysis: undefined, upper: undefined, solver: undefined, mesh: undefined };
+  const id = await solved(page, { ...none, lower, load: { hardness: 'HBW 2.5/187.5' } });
+  await follow(page, `#job=${id}`);
+  await page
+    .locator('#headline')
+    .getByText(/HBW 2.5\/187.5: \d+/)
+    .waitFor();
+  assert.equal(await page.locator('legend', { hasText: 'Upper body' }).isVisible(), false);
+  assert.equal(
+    await page.locator('[data-place="/load/hardness"] input').inputValue(),
+    'HBW 2.5/187.5',
+  );
+  assert.equal(
+    await page.locator('[data-place="/lower/shape/width"] input').first().inputValue(),
+    '20',
+  );
 });
 
 service.test(
