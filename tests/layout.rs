@@ -1,0 +1,182 @@
+//! Imports run one way inside each crate: no file imports, over others, from a file that imports
+//! from it.
+//!
+//! An import is a path that begins with `crate`, `super`, `self` or a module below. It leads to
+//! the file that has the item; a `pub use` passes the name on and is none. Items under `cfg(test)`
+//! do not count.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+/// Circles that are not opened yet: their first files and the numbers of files.
+const OPEN: &[(&str, usize)] = &[
+    ("crates/brinell-fem/src/assembly/plastic_points.rs", 2),
+    ("crates/brinell-fem/src/mesh/outline.rs", 2),
+    ("crates/brinell-method/src/contact_system.rs", 6),
+    ("crates/brinell-solver/src/job/body.rs", 18),
+    ("crates/brinell-solver/src/job/error.rs", 4),
+    ("crates/brinell-solver/src/report/answers.rs", 10),
+    ("crates/brinell-solver/src/report/export/chart.rs", 8),
+    ("crates/brinell-solver/src/report/findings.rs", 3),
+    ("crates/brinell-solver/src/report/rolling/findings.rs", 2),
+    ("crates/brinell-solver/src/solver/body_system/secant_bodies.rs", 2),
+    ("crates/brinell-solver/src/solver/final_check/mod.rs", 9),
+    ("crates/brinell-solver/src/solver/half_spaces/engine.rs", 10),
+    ("crates/brinell-solver/src/solver/rolling/course.rs", 4),
+    ("crates/sparse-cholesky/src/cholesky.rs", 4),
+    ("src/http/access.rs", 6),
+    ("src/jobs/attended.rs", 2),
+];
+
+type Module = Vec<String>;
+
+/// Lines of code, without comments and items under `cfg(test)`; modules among those.
+fn code(text: &str) -> (String, Vec<&str>) {
+    let (mut kept, mut modules, mut lines) = (String::new(), Vec::new(), text.lines());
+    while let Some(line) = lines.next() {
+        if line.trim() == "#[cfg(test)]" {
+            let depth = line.len() - line.trim_start().len();
+            let is_of_item = |line: &&str| line.len() > depth && !line[depth..].starts_with(' ');
+            for line in lines.by_ref().filter(is_of_item) {
+                let module = line.trim().strip_prefix("mod ");
+                modules.extend(module.map(|name| name.trim_end_matches([';', '{', ' '])));
+                if line.ends_with([';', '}']) {
+                    break;
+                }
+            }
+        } else if !line.trim_start().starts_with("//") {
+            kept.extend([line, "\n"]);
+        }
+    }
+    (kept, modules)
+}
+
+/// Reads a path or a tree such as `a::{b, c::d}` at the front of the words.
+fn tree(words: &mut &[&str], before: &str, paths: &mut Vec<String>) {
+    let path = [before, words[0]].concat();
+    *words = &words[1..];
+    if path.ends_with("::") && words[0] == "{" {
+        *words = &words[1..];
+        while words[0] != "}" {
+            tree(words, &path, paths);
+            let beside = if words[0] == "as" { 2 } else { 0 };
+            *words = &words[beside + usize::from(words[beside] == ",")..];
+        }
+        *words = &words[1..];
+    } else {
+        paths.push(path);
+    }
+}
+
+/// The texts of a crate by module.
+fn sources(folder: &Path, module: &[String], files: &mut BTreeMap<Module, (String, String)>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        let inner = [module, &[name.to_owned()]].concat();
+        if path.is_dir() {
+            sources(&path, &inner, files);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let module = if matches!(name, "mod" | "lib") { module.to_vec() } else { inner };
+            files.insert(module, (path.display().to_string(), fs::read_to_string(path).unwrap()));
+        }
+    }
+}
+
+/// The files of a crate and the files that each imports from.
+fn imports(folder: &Path) -> BTreeMap<String, BTreeSet<String>> {
+    let mut files = BTreeMap::new();
+    sources(folder, &[], &mut files);
+    let (mut paths, mut passed_on, mut tests) = (Vec::new(), BTreeMap::new(), Vec::new());
+    for (module, (_, text)) in &files {
+        let below = |name: &str| [&module[..], &[name.to_owned()]].concat();
+        let (code, of_tests) = code(text);
+        tests.extend(of_tests.into_iter().map(below));
+        let is_apart = |sign: char| !sign.is_alphanumeric() && !"_:".contains(sign);
+        let apart = |sign| if is_apart(sign) { format!(" {sign} ") } else { sign.to_string() };
+        let code: String = code.chars().map(apart).collect();
+        let words: Vec<&str> = code.split_whitespace().collect();
+        for at in (1..words.len()).filter(|at| words[*at].contains("::")) {
+            let (is_use, mut found) = (words[at - 1] == "use", Vec::new());
+            tree(&mut &words[at..], "", &mut found);
+            for path in found {
+                let mut target = module.clone();
+                let names: Vec<&str> = path.split("::").filter(|name| !name.is_empty()).collect();
+                if !["super", "self", "crate"].contains(&names[0])
+                    && !files.contains_key(&below(names[0]))
+                {
+                    continue;
+                }
+                for name in names {
+                    match name {
+                        "crate" => target.clear(),
+                        "super" => drop(target.pop()),
+                        "self" => {}
+                        name => target.push(name.to_owned()),
+                    }
+                }
+                if is_use && matches!(words[at.saturating_sub(2)], "pub" | ")") {
+                    passed_on.insert(below(target.last().map_or("", String::as_str)), target);
+                } else {
+                    paths.push((module, target));
+                }
+            }
+        }
+    }
+    let mut graph = BTreeMap::<String, BTreeSet<String>>::new();
+    for (module, mut target) in paths {
+        for _ in 0..6 {
+            let passed = |end: usize| Some((passed_on.get(&target[..end])?, end));
+            let known = (1..=target.len()).rev().find_map(passed);
+            let Some((to, end)) = known.filter(|_| !files.contains_key(&target)) else { break };
+            target = [&to[..], &target[end..]].concat();
+        }
+        while !files.contains_key(&target) {
+            target.pop();
+        }
+        let is_test = tests.iter().any(|test| module.starts_with(test));
+        if !is_test && !module.starts_with(&target) {
+            let imported = graph.entry(files[module].0.clone()).or_default();
+            imported.insert(files[&target].0.clone());
+        }
+    }
+    graph
+}
+
+fn reached(graph: &BTreeMap<String, BTreeSet<String>>, from: &String) -> BTreeSet<String> {
+    let (mut seen, mut next) = (BTreeSet::new(), vec![from]);
+    while let Some(file) = next.pop() {
+        let imported = graph.get(file).into_iter().flatten();
+        next.extend(imported.filter(|file| seen.insert((*file).clone())));
+    }
+    seen
+}
+
+#[test]
+fn no_files_import_each_other() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let crates = fs::read_dir(root.join("crates")).unwrap().map(|entry| entry.unwrap().path());
+    let (mut circles, mut count) = (BTreeMap::new(), 0);
+    for folder in crates.chain([root.to_owned(), root.join("tools")]) {
+        let graph = imports(&folder.join("src"));
+        count += graph.len();
+        let mut done = BTreeSet::new();
+        for file in graph.keys() {
+            let mut circle = reached(&graph, file);
+            circle.retain(|other| reached(&graph, other).contains(file));
+            if circle.is_empty() || done.contains(file) {
+                continue;
+            }
+            for from in &circle {
+                println!("{from} imports {:#?}", graph[from].intersection(&circle));
+            }
+            let name = Path::new(file).strip_prefix(root).unwrap().display().to_string();
+            circles.insert(name, circle.len());
+            done.extend(circle);
+        }
+    }
+    assert!(count > 300, "the imports of {count} files only have been found");
+    let open = OPEN.iter().map(|(file, count)| ((*file).to_owned(), *count)).collect();
+    assert_eq!(circles, open, "circles of files by the first, and the files of each");
+}
