@@ -79,7 +79,7 @@ pub(super) enum Finding {
     /// The bodies are half-spaces; they must reach this far beyond the contact.
     HalfSpaces { reach: f64, across_roller: bool },
     /// The contact runs to an end of a roller.
-    RollerEnd { pressure: f64, is_sharp: bool },
+    RollerEnd { pressure: f64, is_sharp: bool, is_all: bool },
     /// The contact runs to the rim of the heights.
     SurfaceEnd,
     /// On half the columns something else becomes of the track.
@@ -276,10 +276,16 @@ impl Finding {
             | Self::Kinks
             | Self::PeakNextToEnd { .. }
             | Self::RoundedTip { .. }
-            | Self::RollerEnd { .. }
             | Self::SurfaceEnd => {
                 let peak = FigureSet::of(&[Figure::PeakPressure]);
                 Voids::Figures(peak.with(FigureSet::of(&BELOW)))
+            }
+            // The surface is deepest at the end too.
+            Self::RollerEnd { is_all, .. } => {
+                let peak = [Figure::PeakPressure, Figure::Dent, Figure::PileUp];
+                let width: &[Figure] = if *is_all { &[Figure::HalfWidth] } else { &[] };
+                let taken = FigureSet::of(&peak).with(FigureSet::of(width));
+                Voids::Figures(taken.with(FigureSet::of(&BELOW)))
             }
             Self::EarlierLoads { unknown } => Voids::Figures(*unknown),
             Self::ClampedColumn => of(&[Figure::Approach, Figure::Force, Figure::Dent]),
@@ -382,7 +388,14 @@ mod tests {
             (Finding::ElasticCorner { x: 0.0 }, "pressure without bound"),
             (Finding::YieldingCorner { x: 0.0 }, "pressure without bound"),
             (Finding::Kinks, "pressure without bound"),
-            (Finding::RollerEnd { pressure: 0.0, is_sharp: false }, "the end of a roller"),
+            (
+                Finding::RollerEnd { pressure: 0.0, is_sharp: false, is_all: false },
+                "the end of a roller",
+            ),
+            (
+                Finding::RollerEnd { pressure: 0.0, is_sharp: false, is_all: true },
+                "the end of a roller alone",
+            ),
             (Finding::SurfaceEnd, "the rim of heights"),
             (
                 Finding::CoarseCase {

@@ -204,7 +204,7 @@ impl Finding {
                  turning must not yield."
                     .to_owned()
             }
-            Self::RollerEnd { pressure, is_sharp } => format!(
+            Self::RollerEnd { pressure, is_sharp, .. } => format!(
                 "The contact runs to an end of the roller, with a pressure of {} in the outermost \
                  cells.{} A half-space goes on beyond the end and bears a part of the load there; \
                  a roller ends, gives way more and is pressed less at the end than is said here. \

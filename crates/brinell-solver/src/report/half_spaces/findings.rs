@@ -13,7 +13,7 @@ use crate::report::validity::{
 };
 use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
-    HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap,
+    HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, Row, SurfaceMap,
 };
 use crate::solver::method::figures::FigureSet;
 
@@ -246,5 +246,8 @@ fn roller_end(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Findin
         (0..map.pressure.len()).filter(|cell| is_at_end(*cell)).map(|cell| map.pressure[cell]);
     let pressure = most.fold(0.0, f64::max);
     let is_sharp = problem.rollers.iter().any(|roller| roller.relief == Relief::Straight);
-    (pressure > 0.0).then_some(Finding::RollerEnd { pressure, is_sharp })
+    let rows = Row::all(&map.grid, &map.pressure);
+    let clear = &rows[Row::clear_of_ends(&map.grid, &rows, half_length)];
+    let is_all = clear.iter().all(|row| row.half_width == 0.0);
+    (pressure > 0.0).then_some(Finding::RollerEnd { pressure, is_sharp, is_all })
 }

@@ -1,6 +1,7 @@
 //! Figures and fields of an answer.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 use std::sync::Arc;
 
 use brinell_contact::Flexibility as _;
@@ -241,7 +242,7 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
 }
 
 /// Returns half the width and half the length of the contact; with a roller, the largest
-/// half-width of its rows.
+/// half-width of its [rows clear of its ends](Row::clear_of_ends), of all rows where none is.
 pub(super) fn semi_axes(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     let grid = system.grid();
     if system.design.is_patch() {
@@ -250,8 +251,10 @@ pub(super) fn semi_axes(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     let Some(half_length) = system.design.half_length else { return ellipse(grid, pressure) };
     let rows = Row::all(grid, pressure);
     let largest: Vec<f64> = rows.iter().map(|row| row.largest_pressure).collect();
-    let widest = rows.iter().map(|row| row.half_width).fold(0.0, f64::max);
-    [widest, half_width(&largest, grid.hy()).min(half_length)]
+    let widest = |rows: &[Row]| rows.iter().map(|row| row.half_width).fold(0.0, f64::max);
+    let clear = widest(&rows[Row::clear_of_ends(grid, &rows, half_length)]);
+    let width = if clear > 0.0 { clear } else { widest(&rows) };
+    [width, half_width(&largest, grid.hy()).min(half_length)]
 }
 
 /// Returns the largest distances from the origin to cells in contact, along x and along y.
@@ -327,6 +330,16 @@ impl Row {
             }
         };
         (0..grid.ny()).map(of_row).collect()
+    }
+
+    /// Returns the rows that are further from the ends of a roller than the widest row is wide: the
+    /// pressure that an end concentrates widens the rows beside it, the more the smaller the cells.
+    pub fn clear_of_ends(grid: &SurfaceGrid, rows: &[Self], half_length: f64) -> Range<usize> {
+        let widest = rows.iter().map(|row| row.half_width).fold(0.0, f64::max);
+        let is_clear = |j: &usize| grid.y(*j).abs() < half_length - widest;
+        let first = (0..rows.len()).find(is_clear).unwrap_or_default();
+        let count = (first..rows.len()).take_while(is_clear).count();
+        first..first + count
     }
 }
 
