@@ -124,7 +124,7 @@ const OWN = [
 /** @param {{name: string, job: Job}[]} served @returns {Example[]} with the stress field */
 export const examplesOf = (served) =>
   [
-    // The form knows no hardness test.
+    // A dialogue asks for hardness tests.
     ...served
       .filter(({ job }) => job.upper)
       .map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })),

@@ -4,7 +4,7 @@
 
 use super::rolling::TrackVerdict;
 use super::surface_stress::UncertainStress;
-use crate::job::Suspicion;
+use crate::job::{Job, Load, Suspicion, TargetFigure};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::{Figure, FigureSet};
 
@@ -329,6 +329,25 @@ impl Known {
             Voids::Estimate => Self { has_estimate: false, void: FigureSet::ALL },
             Voids::Figures(figures) => Self { void: known.void.with(figures), ..known },
         })
+    }
+
+    /// As [`by`](Self::by), and no estimate where the figure by which a force was sought has no bar:
+    /// the error of the force is in all bars.
+    pub fn of_job(job: &Job, findings: &[Finding]) -> Self {
+        let known = Self::by(findings);
+        let Load::Target(target) = &job.load else { return known };
+        let figure = match target.figure {
+            TargetFigure::PermanentApproach => Figure::Approach,
+            TargetFigure::DentDepth => Figure::Dent,
+            TargetFigure::PeakPressure => Figure::PeakPressure,
+            TargetFigure::MeanPressure => Figure::ContactArea,
+            TargetFigure::HalfWidth => Figure::HalfWidth,
+            TargetFigure::MaxPlasticStrain => Figure::MaxPlasticStrain,
+        };
+        if [0, 1].iter().any(|side| known.has(figure, *side)) {
+            return known;
+        }
+        Self { has_estimate: false, void: FigureSet::ALL }
     }
 
     /// Returns whether the step has an error estimate.

@@ -96,7 +96,7 @@ pub fn unknown_figures(
     step: &HalfSpaceStep,
 ) -> [FigureSet; 2] {
     let findings = findings(job, problem, step);
-    [Known::by(&findings).void(), left_unknown(step.unknown_before, &findings)]
+    [Known::of_job(job, &findings).void(), left_unknown(step.unknown_before, &findings)]
 }
 
 /// Returns the elastic peak pressure over the least yield stress, and the outline of the contact.

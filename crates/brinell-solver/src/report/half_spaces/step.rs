@@ -47,7 +47,7 @@ impl StepWriter<'_> {
         flow: Option<FlowReport>,
         findings: &[Finding],
     ) -> StepReport {
-        let (write, known) = (self.write, Known::by(findings));
+        let (write, known) = (self.write, Known::of_job(self.job, findings));
         let is_stopped = step.status.is_stopped();
         let [subsurface, below_peak] = self.subsurface(step);
         StepReport {
