@@ -44,6 +44,7 @@ fn unavailable(error: &ExportError) -> Problem {
         | ExportError::NoFields
         | ExportError::NoLayers
         | ExportError::NoFlow
+        | ExportError::Rolling
         | ExportError::NoHardness
         | ExportError::NoCurve => ProblemType::NotInResult,
         ExportError::Drawing(_) | ExportError::Fields(_) => ProblemType::Internal,

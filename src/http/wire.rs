@@ -129,7 +129,10 @@ impl Links {
         let over_depth = |name| with_result(name).filter(|_| has(|job| job.output.subsurface));
         let of_flow = |name| {
             with_result(name).filter(|_| {
-                has(|job| job.solver.theory == Theory::Flow && !matches!(job.load, Load::Onset))
+                has(|job| {
+                    let has_increments = !matches!(job.load, Load::Onset | Load::Rolling(_));
+                    job.solver.theory == Theory::Flow && has_increments
+                })
             })
         };
         Self {

@@ -354,3 +354,52 @@ fn a_loop_says_where_nothing_is_solved() {
         assert_eq!(svg.matches("this contact").count(), 1);
     }
 }
+
+/// A load that rolls has the columns of its steps, in plane strain and under a ball.
+#[test]
+fn each_row_has_the_fields_of_its_heading() {
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
+        {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500}});
+    let rigid = json!({"rigid": true});
+    let of = |analysis: &str, upper: Value, lower: Value, load: Value| {
+        json!({"analysis": analysis, "solver": {"theory": "flow"}, "load": load,
+            "upper": {"shape": upper, "material": rigid},
+            "lower": {"shape": lower, "material": steel},
+            "mesh": {"elements_per_half_width": 5}})
+    };
+    let ball = || json!({"type": "sphere", "radius": 10});
+    let flat = || json!({"type": "flat"});
+    let cylinder = || json!({"type": "cylinder", "radius": 10});
+    let block = || json!({"type": "block", "width": 40, "depth": 20});
+    let rolling = |force: f64| json!({"rolling": {"force": force, "passes": 2}});
+    let turn = |force: f64| json!({"history": [{"force": force}, {"force": 0.0}]});
+    for asked in [
+        of("three_dimensional", ball(), flat(), rolling(40.0)),
+        of("three_dimensional", ball(), flat(), turn(40.0)),
+        of("plane_strain", cylinder(), block(), rolling(400.0)),
+        of("plane_strain", cylinder(), block(), turn(400.0)),
+    ] {
+        let (job, report) = solve(&asked);
+        let is_rolling = report.steps[0].rolling.is_some();
+        for form in [
+            Export::SummaryCsv,
+            Export::PressureCsv,
+            Export::SubsurfaceCsv,
+            Export::IncrementsCsv,
+            Export::SurfaceCsv,
+        ] {
+            let table = match form.write(&job, &report, None) {
+                Ok(table) => table,
+                Err(error) => {
+                    assert!(is_rolling && error == ExportError::Rolling, "{form:?}: {error}");
+                    continue;
+                }
+            };
+            let fields: Vec<usize> = table.lines().map(|line| line.split(',').count()).collect();
+            assert!(
+                fields.len() > 1 && fields.iter().all(|n| *n == fields[0]),
+                "{form:?} {asked}"
+            );
+        }
+    }
+}

@@ -18,8 +18,9 @@ pub struct Table {
     /// Names of the directions along the surface, along the normal and across the section.
     /// Stresses use all three names; positions along the surface use the first name.
     directions: [&'static str; 3],
-    /// Whether the table has columns of flow theory, of strength over depth, and of initial
-    /// stress.
+    /// Whether the table has the columns of an ellipse, of flow theory, of strength over depth, and
+    /// of initial stress.
+    has_ellipse: bool,
     has_flow: bool,
     is_graded: bool,
     is_stressed: bool,
@@ -30,7 +31,8 @@ impl Table {
     /// no further columns.
     ///
     /// # Errors
-    /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`] or [`ExportError::NoHardness`] if
+    /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`], [`ExportError::Rolling`] or
+    /// [`ExportError::NoHardness`] if
     /// the first load step has no rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
@@ -38,7 +40,7 @@ impl Table {
                 return Err(ExportError::NoSubsurface);
             }
             Export::IncrementsCsv | Export::SurfaceCsv if first.flow.is_none() => {
-                return Err(ExportError::NoFlow);
+                return Err(ExportError::without_flow(first));
             }
             Export::HardnessCsv if job.load.hardness().is_none() || first.flow.is_none() => {
                 return Err(ExportError::NoHardness);
@@ -55,6 +57,7 @@ impl Table {
                 Analysis::ThreeDimensional => ["xx", "zz", "yy"],
                 Analysis::PlaneStrain | Analysis::PlaneStress => ["x", "y", "z"],
             },
+            has_ellipse: first.three_dimensional.is_some(),
             has_flow: first.flow.is_some(),
             is_graded: profiles().any(|body| body.yield_stress.is_some()),
             is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
@@ -71,7 +74,7 @@ impl Table {
         let (force, length, stress) =
             (symbol(self.force), symbol(Quantity::Length), symbol(Quantity::Stress));
         match self.form {
-            Export::PressureCsv if self.is_three_dimensional() => {
+            Export::PressureCsv if self.has_ellipse => {
                 format!("step,x [{length}],y [{length}],pressure [{stress}],gap [{length}]\n")
             }
             Export::PressureCsv => {
@@ -123,7 +126,7 @@ impl Table {
                      [{force}/{length}],\
                      max_equivalent_plastic_strain{}{}{}\n",
                     if self.has_flow { flow.as_str() } else { "" },
-                    if self.is_three_dimensional() { ellipse.as_str() } else { "" },
+                    if self.has_ellipse { ellipse.as_str() } else { "" },
                     self.answers_alone(),
                 )
             }

@@ -260,10 +260,11 @@ fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
 /// Without force it shows the dent and the pile-up. Load steps are counted from 0.
 ///
 /// # Errors
-/// [`ExportError::NoStep`]; [`ExportError::NoFlow`] under deformation theory.
+/// [`ExportError::NoStep`]; [`ExportError::NoFlow`] under deformation theory and
+/// [`ExportError::Rolling`] of a load that rolls.
 pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
     let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
-    let surfaces = &step.flow.as_ref().ok_or(ExportError::NoFlow)?.surfaces;
+    let surfaces = &step.flow.as_ref().ok_or_else(|| ExportError::without_flow(step))?.surfaces;
     let curves: Vec<Curve> =
         [("upper body", &surfaces.upper, VERMILION), ("lower body", &surfaces.lower, BLUE)]
             .into_iter()

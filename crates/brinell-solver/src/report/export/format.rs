@@ -6,7 +6,7 @@ use super::csv::table;
 use super::layers_vtr::layers_vtr;
 use super::{depth_svg, field_vtu, load_approach_svg, pressure_svg, surface_svg};
 use crate::job::{Analysis, Job};
-use crate::report::Report;
+use crate::report::{Report, StepReport};
 
 /// Reasons why a report cannot be written in a form.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -25,7 +25,7 @@ pub enum ExportError {
     NoFields,
     /// The job did not ask for layers, or is not in three dimensions.
     #[error(
-        "the result has no layers; solve a job in three dimensions with \"output\": {{\"fields\": \
+        "the result has no layers; solve a job in three dimensions, of a load that does not roll, with \"output\": {{\"fields\": \
          true}}"
     )]
     NoLayers,
@@ -35,6 +35,9 @@ pub enum ExportError {
          {{\"theory\": \"flow\"}}"
     )]
     NoFlow,
+    /// A load that rolls has passes in place of increments and surfaces.
+    #[error("the result of a load that rolls has passes, and no increments and no surfaces")]
+    Rolling,
     /// The job is no hardness test.
     #[error("the result is of no hardness test; its load is {{\"hardness\": \"HBW 10/3000\"}}")]
     NoHardness,
@@ -50,6 +53,13 @@ pub enum ExportError {
     /// The drawing library failed.
     #[error("the figure could not be drawn: {0}")]
     Drawing(String),
+}
+
+impl ExportError {
+    /// Returns why a step has no increments and no surfaces.
+    pub(super) const fn without_flow(step: &StepReport) -> Self {
+        if step.rolling.is_some() { Self::Rolling } else { Self::NoFlow }
+    }
 }
 
 /// Forms of a report.
