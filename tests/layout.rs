@@ -21,7 +21,6 @@ const OPEN: &[(&str, usize)] = &[
     ("crates/brinell-solver/src/report/answers.rs", 10),
     ("crates/brinell-solver/src/report/export/chart.rs", 8),
     ("crates/brinell-solver/src/report/findings.rs", 3),
-    ("crates/brinell-solver/src/report/rolling/findings.rs", 2),
     ("crates/brinell-solver/src/solver/body_system/secant_bodies.rs", 2),
     ("crates/brinell-solver/src/solver/final_check/mod.rs", 9),
     ("crates/brinell-solver/src/solver/half_spaces/engine.rs", 10),

@@ -439,10 +439,10 @@ impl Facts<'_> {
         format!("{} {}", digits(value), self.unit(quantity))
     }
 
-    /// Returns the answer with its upper bound in place of an error as large as the figure itself.
+    /// Returns a positive answer with its upper bound in place of an error as large as itself.
     fn bounded(&self, answer: Answer) -> Answer {
         let (Some(value), Some(error)) = (answer.value, answer.error) else { return answer };
-        if error < 1.0 {
+        if error < 1.0 || value <= 0.0 {
             return answer;
         }
         let most = value * (1.0 + error);

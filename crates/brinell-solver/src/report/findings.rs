@@ -4,8 +4,9 @@
 
 use super::rolling::TrackVerdict;
 use super::surface_stress::UncertainStress;
-use crate::job::{Job, Load, Suspicion, TargetFigure};
+use crate::job::{Job, Load, Suspicion};
 use crate::solver::SolveStatus;
+use crate::solver::half_spaces::figure_of;
 use crate::solver::method::figures::{Figure, FigureSet};
 
 /// One limit of the answer to a load step. Lengths in mm, stresses in MPa, forces in N/mm or N.
@@ -331,23 +332,18 @@ impl Known {
         })
     }
 
-    /// As [`by`](Self::by), and no estimate where the figure by which a force was sought has no bar:
-    /// the error of the force is in all bars.
+    /// As [`by`](Self::by), of half-spaces. All bars are taken where the figure by which a force was
+    /// sought has none: the error of the force is in all of them.
     pub fn of_job(job: &Job, findings: &[Finding]) -> Self {
         let known = Self::by(findings);
-        let Load::Target(target) = &job.load else { return known };
-        let figure = match target.figure {
-            TargetFigure::PermanentApproach => Figure::Approach,
-            TargetFigure::DentDepth => Figure::Dent,
-            TargetFigure::PeakPressure => Figure::PeakPressure,
-            TargetFigure::MeanPressure => Figure::ContactArea,
-            TargetFigure::HalfWidth => Figure::HalfWidth,
-            TargetFigure::MaxPlasticStrain => Figure::MaxPlasticStrain,
-        };
-        if [0, 1].iter().any(|side| known.has(figure, *side)) {
-            return known;
+        match &job.load {
+            Load::Target(target)
+                if ![0, 1].iter().any(|side| known.has(figure_of(target.figure), *side)) =>
+            {
+                Self { has_estimate: false, void: FigureSet::ALL }
+            }
+            _ => known,
         }
-        Self { has_estimate: false, void: FigureSet::ALL }
     }
 
     /// Returns whether the step has an error estimate.

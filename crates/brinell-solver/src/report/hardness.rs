@@ -12,12 +12,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::ValidityNote;
 use super::error_bars::under_its_force;
 use super::findings::Finding;
-use super::{Answer, AnswerQuantity, StepReport, ValidityNote};
-use crate::job::{Block, HardnessTest, Job, Material, Named, Quantity, Shape, TestScale};
+use crate::job::{Block, HardnessTest, Job, Material, Named, Shape, TestScale};
 use crate::solver::{SolveStatus, StepSolution};
-use crate::units::{UnitConverter, about, percent};
+use crate::units::UnitConverter;
 
 /// Part of the force from which on Meyer's law is fitted.
 const FITTED_FROM: f64 = 0.25;
@@ -261,55 +261,6 @@ impl HardnessSeen {
             least_thickness: least_thickness.map(|least| write.length(least)),
             remarks,
         })
-    }
-}
-
-impl StepReport {
-    /// Adds the hardness that the loads so far have found: the first answer, and the first sentence
-    /// of the verdict.
-    pub(super) fn with_hardness(
-        mut self,
-        job: &Job,
-        seen: &HardnessSeen,
-        write: UnitConverter,
-    ) -> Self {
-        let Some(test) = job.load.hardness() else { return self };
-        let Some(found) = seen.clone().finish(job, write) else { return self };
-        let (value, quantity, unit) = match (found.number, test.scale) {
-            (Some(number), _) => (number, AnswerQuantity::Number, ""),
-            (None, TestScale::Berkovich | TestScale::Sphere) => {
-                let unit = Quantity::Stress.symbol(job.units);
-                (found.mean_pressure, AnswerQuantity::Stress, unit)
-            }
-            (None, _) => return self,
-        };
-        if let Some(verdict) = &mut self.verdict {
-            let space = if unit.is_empty() { "" } else { " " };
-            let bar = found.relative_error.map(|part| format!(" ± {}", percent(part)));
-            let (value, bar) = (about(value), bar.unwrap_or_default());
-            verdict.text = format!("{}: {value}{space}{unit}{bar}. {}", found.test, verdict.text);
-        }
-        let beside = |bias: f64| {
-            let side = if bias < 0.0 { "below" } else { "above" };
-            format!("its mean pressure is {} {side} that with large strains", percent(bias.abs()))
-        };
-        self.answers.insert(
-            0,
-            Answer {
-                name: "hardness".to_owned(),
-                label: found.test,
-                body: None,
-                value: Some(value),
-                quantity,
-                unit: unit.to_owned(),
-                error: found.relative_error,
-                bias: None,
-                elastic: None,
-                place: None,
-                text: found.bias.map_or_else(String::new, beside),
-            },
-        );
-        self
     }
 }
 

@@ -1,7 +1,7 @@
 //! Findings on a load that rolls.
 
 use super::document::TrackVerdict;
-use super::step::{word, worst};
+use super::verdicts::{word, worst};
 use crate::job::Job;
 use crate::report::findings::{Advice, Finding, Unconverged, Wide};
 use crate::report::strength::by_hardness;

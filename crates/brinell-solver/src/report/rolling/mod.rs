@@ -5,6 +5,7 @@ mod document;
 mod findings;
 mod run;
 mod step;
+mod verdicts;
 
 pub use document::{
     BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, RollingReport,

@@ -25,6 +25,18 @@ const OF_INCREMENTS: f64 = 0.5;
 /// at six yield stresses, 10 and 15 cells give 4.6 % and 3 % too much.
 const OF_RING: f64 = 2.0;
 
+/// Returns the figure whose relative error is that of the target: of a mean pressure, its area.
+pub(crate) const fn figure_of(target: TargetFigure) -> Figure {
+    match target {
+        TargetFigure::PermanentApproach => Figure::Approach,
+        TargetFigure::DentDepth => Figure::Dent,
+        TargetFigure::PeakPressure => Figure::PeakPressure,
+        TargetFigure::MeanPressure => Figure::ContactArea,
+        TargetFigure::HalfWidth => Figure::HalfWidth,
+        TargetFigure::MaxPlasticStrain => Figure::MaxPlasticStrain,
+    }
+}
+
 impl HalfSpaceStep {
     /// Returns the errors by comparison with the figures on half the cells; `None` if the step has
     /// no answer.
@@ -49,19 +61,10 @@ impl HalfSpaceStep {
     /// Returns the estimated relative error of the target figure.
     pub fn target_error(&self, figure: TargetFigure) -> Option<f64> {
         let errors = self.errors.as_ref()?;
-        let of_body = |figure: Figure| {
-            [errors, &self.figures].map(|set| set.get(figure, 0).max(set.get(figure, 1)))
-        };
-        let of_contact = |figure: Figure| [errors, &self.figures].map(|set| set.get(figure, 0));
-        let [error, value] = match figure {
-            TargetFigure::PermanentApproach => of_contact(Figure::Approach),
-            TargetFigure::DentDepth => of_body(Figure::Dent),
-            TargetFigure::PeakPressure => of_contact(Figure::PeakPressure),
-            // The error of a mean pressure is the error of its area.
-            TargetFigure::MeanPressure => of_contact(Figure::ContactArea),
-            TargetFigure::HalfWidth => of_contact(Figure::HalfWidth),
-            TargetFigure::MaxPlasticStrain => of_body(Figure::MaxPlasticStrain),
-        };
+        let figure = figure_of(figure);
+        let larger = |set: &Figures| set.get(figure, 0).max(set.get(figure, 1));
+        let [error, value] = [errors, &self.figures]
+            .map(|set| if figure.is_of_body() { larger(set) } else { set.get(figure, 0) });
         Some((error / value.abs().max(f64::MIN_POSITIVE)).abs())
     }
 

@@ -22,6 +22,7 @@ mod search;
 mod step;
 mod system;
 
+pub(crate) use errors::figure_of;
 pub use estimate::{HalfSpaceEstimate, estimate};
 pub use gap::{HeightMap, Relief, RollerGap};
 pub use measure::Row;

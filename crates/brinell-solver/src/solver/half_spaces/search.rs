@@ -29,6 +29,8 @@ const ONSET_SLOPE: f64 = 1.0 / 3.0;
 /// and the largest ratio in the first trial for a pressure.
 const PLASTIC_START: f64 = 2.5;
 const HIGHEST_START: f64 = 4.0;
+/// Parts of the depth from the middle of the layer above to that of the layer below.
+const PARTS: usize = 16;
 
 /// Searches for the force. Returns the steps at this force, the unloading included, and the
 /// relative change of the figure over the relative change of the force.
@@ -202,9 +204,6 @@ impl HalfSpaceProblem {
     }
 }
 
-/// Samples of depth between the middles of two layers.
-const SAMPLES: usize = 8;
-
 /// The highest utilization of a body: the most stressed column of each layer is followed over the
 /// depth, from the middle of the layer above or the surface to that of the layer below. There the
 /// stress of the pressure is the parabola that has the means of three layers, and initial stress
@@ -238,7 +237,7 @@ fn highest_in(
         let above = layer.checked_sub(1).map_or(0.0, |above| layers.middle(above));
         let below = layers.middle((layer + 1).min(layers.len() - 1));
         let at = |sample: usize| {
-            let depth = above + (below - above) * sample as f64 / (2 * SAMPLES) as f64;
+            let depth = above + (below - above) * sample as f64 / PARTS as f64;
             let [xx, yy, xy] = initial(depth);
             let before = [xx, yy, 0.0, xy, 0.0, 0.0];
             let of_pressure = parabola.at(depth);
@@ -249,7 +248,7 @@ fn highest_in(
                 position: [body.grid.x(cell / ny), body.grid.y(cell % ny), depth],
             }
         };
-        (0..=2 * SAMPLES).map(at).max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+        (0..=PARTS).map(at).max_by(|a, b| a.ratio.total_cmp(&b.ratio))
     };
     (0..layers.len()).filter_map(of_layer).max_by(|a, b| a.ratio.total_cmp(&b.ratio))
 }

@@ -1,0 +1,55 @@
+//! The number of a hardness test among the answers of its steps.
+
+use super::hardness::HardnessSeen;
+use super::{Answer, AnswerQuantity, StepReport};
+use crate::job::{Job, Quantity, TestScale};
+use crate::units::{UnitConverter, about, percent};
+
+impl StepReport {
+    /// Adds the hardness that the loads so far have found: the first answer, and the first sentence
+    /// of the verdict.
+    pub(super) fn with_hardness(
+        mut self,
+        job: &Job,
+        seen: &HardnessSeen,
+        write: UnitConverter,
+    ) -> Self {
+        let Some(test) = job.load.hardness() else { return self };
+        let Some(found) = seen.clone().finish(job, write) else { return self };
+        let (value, quantity, unit) = match (found.number, test.scale) {
+            (Some(number), _) => (number, AnswerQuantity::Number, ""),
+            (None, TestScale::Berkovich | TestScale::Sphere) => {
+                let unit = Quantity::Stress.symbol(job.units);
+                (found.mean_pressure, AnswerQuantity::Stress, unit)
+            }
+            (None, _) => return self,
+        };
+        if let Some(verdict) = &mut self.verdict {
+            let space = if unit.is_empty() { "" } else { " " };
+            let bar = found.relative_error.map(|part| format!(" ± {}", percent(part)));
+            let (value, bar) = (about(value), bar.unwrap_or_default());
+            verdict.text = format!("{}: {value}{space}{unit}{bar}. {}", found.test, verdict.text);
+        }
+        let beside = |bias: f64| {
+            let side = if bias < 0.0 { "below" } else { "above" };
+            format!("its mean pressure is {} {side} that with large strains", percent(bias.abs()))
+        };
+        self.answers.insert(
+            0,
+            Answer {
+                name: "hardness".to_owned(),
+                label: found.test,
+                body: None,
+                value: Some(value),
+                quantity,
+                unit: unit.to_owned(),
+                error: found.relative_error,
+                bias: None,
+                elastic: None,
+                place: None,
+                text: found.bias.map_or_else(String::new, beside),
+            },
+        );
+        self
+    }
+}
