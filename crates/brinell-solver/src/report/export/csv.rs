@@ -18,11 +18,18 @@ pub struct Table {
     /// Names of the directions along the surface, along the normal and across the section.
     /// Stresses use all three names; positions along the surface use the first name.
     directions: [&'static str; 3],
-    /// Whether the table has the columns of an ellipse, of flow theory, of strength over depth, and
-    /// of initial stress.
+    /// Whether the table has the columns of an ellipse and of flow theory.
     has_ellipse: bool,
     has_flow: bool,
+    of_depth: ColumnsOfDepth,
+}
+
+/// Columns that a table over depth has where a body needs them.
+#[derive(Debug, Clone, Copy)]
+struct ColumnsOfDepth {
+    /// Those of a strength over depth.
     is_graded: bool,
+    /// Those of an initial stress.
     is_stressed: bool,
 }
 
@@ -59,8 +66,10 @@ impl Table {
             },
             has_ellipse: first.three_dimensional.is_some(),
             has_flow: first.flow.is_some(),
-            is_graded: profiles().any(|body| body.yield_stress.is_some()),
-            is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
+            of_depth: ColumnsOfDepth {
+                is_graded: profiles().any(|body| body.yield_stress.is_some()),
+                is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
+            },
         })
     }
 
@@ -95,8 +104,8 @@ impl Table {
                     "step,body,depth [{length}]{},tau_max [{stress}],von_mises [{stress}],\
                      equivalent_plastic_strain{}{},{} [{length}]{}\n",
                     of(""),
-                    if self.is_graded { strength.as_str() } else { "" },
-                    if self.is_stressed { initial.as_str() } else { "" },
+                    if self.of_depth.is_graded { strength.as_str() } else { "" },
+                    if self.of_depth.is_stressed { initial.as_str() } else { "" },
                     if self.directions[0] == "r" { "r" } else { "x" },
                     if self.is_three_dimensional() { across.as_str() } else { "" },
                 )
@@ -204,12 +213,7 @@ impl Table {
     /// below the peak pressure, with the position of the normal at the end of each row.
     fn subsurface(&self, text: &mut String, number: usize, step: &StepReport) {
         for (name, body) in step.profiles() {
-            write_profile(
-                text,
-                (number, name, step.place_of(body)),
-                body,
-                (self.is_graded, self.is_stressed),
-            );
+            write_profile(text, (number, name, step.place_of(body)), body, self.of_depth);
         }
     }
 }
@@ -336,7 +340,7 @@ fn write_profile(
     text: &mut String,
     (step, name, place): (usize, &str, f64),
     body: &SubsurfaceReport,
-    (graded, stressed): (bool, bool),
+    ColumnsOfDepth { is_graded, is_stressed }: ColumnsOfDepth,
 ) {
     for (k, depth) in body.depth.iter().enumerate() {
         let columns = [
@@ -351,9 +355,10 @@ fn write_profile(
         for column in columns {
             let _ = write!(text, ",{}", column.get(k).copied().unwrap_or(0.0));
         }
-        let of_strength = [&body.yield_stress, &body.utilization].into_iter().filter(|_| graded);
+        let of_strength =
+            [&body.yield_stress, &body.utilization].into_iter().filter(|_| is_graded);
         let initial = [&body.initial_sigma_x, &body.initial_sigma_y, &body.initial_sigma_z];
-        for column in of_strength.chain(initial.into_iter().filter(|_| stressed)) {
+        for column in of_strength.chain(initial.into_iter().filter(|_| is_stressed)) {
             let value = column.as_ref().and_then(|column| column.get(k));
             let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
         }
