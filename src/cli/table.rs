@@ -246,7 +246,8 @@ impl Page {
         let label: String = label.into_iter().collect();
         // A prescribed figure has no error.
         let error = answer.error.filter(|error| *error > 0.0);
-        let error = error.map_or_else(String::new, |error| {
+        let bound = answer.bound().map_or_else(String::new, |bound| format!("  {bound}"));
+        let error = error.map_or(bound, |error| {
             let bias = answer.bias.map_or(0.0, f64::abs);
             format!("  ± {} %", significant(100.0 * (error + bias), 2))
         });

@@ -87,7 +87,8 @@ function answered(report) {
   const { hardness: found, load_approach: curve } = report;
   if (!found || found.number === null)
     return [
-      'The loads did not converge, so that there is no number: with small strains the body may not bear this force.',
+      found?.remarks.find(({ code }) => code === 'no_dent')?.message ??
+        'The loads did not converge, so that there is no number: with small strains the body may not bear this force.',
     ];
   const percent = (/** @type {number | null} */ part) => figure(part && 100 * part, 2);
   const of = (/** @type {number | null} */ value, /** @type {'length' | 'stress'} */ kind) =>
@@ -103,7 +104,8 @@ function answered(report) {
       found.bias === null ? 'not known' : `${found.bias < 0 ? '' : '+'}${percent(found.bias)} %`,
     ],
   ];
-  const bar = found.relative_error === null ? '' : ` ± ${percent(found.relative_error)} %`;
+  const points = found.number_error === null ? '' : ` ± ${figure(found.number_error, 2)}`;
+  const bar = found.relative_error === null ? points : ` ± ${percent(found.relative_error)} %`;
   const chart = new Chart(220);
   chart.show({
     x: `displacement  [${unit('length', report.units)}]`,

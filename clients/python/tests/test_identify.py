@@ -162,3 +162,62 @@ def test_what_cannot_be_identified_is_refused(measured: Any, free: list[str], sa
     with pytest.raises(brinell.InvalidJob, match="nothing to identify") as caught:
         brinell.identify(measured, indented(300, 0.1), free)
     assert said in caught.value.errors[0].detail
+
+
+@pytest.mark.parametrize(
+    ("given", "where", "said"),
+    [
+        ({"noise": -1e-3}, "noise", "above 0"),
+        ({"noise": 0.0}, "noise", "above 0"),
+        ({"measured": "depth"}, "measured", "approach, diameter, dent"),
+        ({"scatter": "both"}, "scatter", "absolute, relative"),
+        ({"bounds": {"yield_stress": (-1, 500)}}, "bounds", "two numbers above 0"),
+        ({"bounds": {"yield_stress": (500, 100)}}, "bounds", "the larger one last"),
+        ({"bounds": {"yield_stress": 500}}, "bounds", "two numbers"),
+        ({"bounds": {"yield_stress": (400, 500)}}, "bounds", "contain its start"),
+        ({"bounds": {"yield": (100, 500)}}, "bounds", "not in free"),
+        ({"free": "yield_stress"}, "free", "has to name parameters"),
+    ],
+)
+def test_what_is_no_search_is_refused(given: Any, where: str, said: str) -> None:
+    measured = [[0.01, 100], [0.02, 200], [0.03, 300]]
+    given = {"free": FREE, **given}
+    with pytest.raises(brinell.InvalidJob) as caught:
+        brinell.identify(measured, indented(300, 0.1), **given)
+    (fault,) = caught.value.errors
+    assert fault.pointer == f"#/{where}" and said in fault.detail
+
+
+@pytest.mark.parametrize(
+    ("rows", "measured", "said"),
+    [
+        ([[100, 0.01], [200, 0.02], [300, 0.03]], "approach", "more than the 40 mm of the bodies"),
+        ([[-0.01, 100], [0.02, 200], [0.03, 300]], "approach", "all are above 0"),
+        ([[750, 2.5], [3000, 4.0]], "diameter", "more than the 10 mm of the ball"),
+        ([[-2.5, 750], [4.0, 3000]], "diameter", "all are above 0"),
+    ],
+)
+def test_a_curve_that_no_such_bodies_have_is_refused(rows: Any, measured: Any, said: str) -> None:
+    job = indented(300, 0.1).model_dump(exclude_none=True, mode="json")
+    if measured == "diameter":
+        job["load"] = {"hardness": {"scale": "HBW", "ball": 10, "force_kgf": 3000}}
+    with pytest.raises(brinell.InvalidJob) as caught:
+        brinell.identify(rows, job, ["yield_stress"], measured=measured)
+    assert said in caught.value.errors[0].detail
+
+
+def test_a_search_that_ends_at_its_bound_says_so(client: brinell.Client) -> None:
+    measured = curve(client, np.geomspace(60, 1000, 4))
+    found = brinell.identify(
+        measured,
+        indented(300, 0.17),
+        ["yield_stress"],
+        client=client,
+        bounds={"yield_stress": (250, 400)},
+    )
+    assert "yield_stress ends at its bound, 400" in found.undetermined
+    # A curve in metres is a thousandth of any that these bodies have.
+    metres = measured * [1e-3, 1]
+    found = brinell.identify(metres, indented(300, 0.17), ["yield_stress"], client=client)
+    assert any("the curve is not met" in one for one in found.undetermined), str(found)
+    assert "the curve is not met" in str(found)

@@ -14,7 +14,9 @@ pub(super) fn hardness(
     style: Style,
 ) -> String {
     let percent = |part: f64| significant(100.0 * part, 2);
-    let bar = found.relative_error.map_or_else(String::new, |e| format!(" ± {} %", percent(e)));
+    let points = || found.number_error.map(|error| format!(" ± {}", significant(error, 2)));
+    let bar = found.relative_error.map(|error| format!(" ± {} %", percent(error)));
+    let bar = bar.or_else(points).unwrap_or_default();
     let (value, unit) = match found.number {
         Some(number) => (number, String::new()),
         None => (found.mean_pressure, format!(" {stress}")),

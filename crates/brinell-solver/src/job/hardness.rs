@@ -31,8 +31,12 @@ const TOTAL_B: f64 = 980.7;
 /// Balls of ISO 6506-1 \[mm\] and its force over the square of the ball \[kgf/mm²\].
 const BALLS: [f64; 4] = [10.0, 5.0, 2.5, 1.0];
 const RATIOS: [f64; 6] = [30.0, 15.0, 10.0, 5.0, 2.5, 1.0];
-/// Increments of each load: the diameter follows from those of the second half.
+/// Increments of each load unless given, and the least: the diameter follows from those of the last
+/// three quarters of the force.
 const INCREMENTS: u32 = 32;
+const LEAST_INCREMENTS: u32 = 8;
+/// Why a hold is refused.
+const NO_HOLD: &str = "no law here knows of time, so that nothing creeps in a hold: leave it out";
 
 /// Elements over the radius of the contact, which leave some 5 % of error in a number.
 const ELEMENTS: u32 = 24;
@@ -176,10 +180,17 @@ impl HardnessTest {
     /// Reads a test, or its name: `"HBW 10/3000"`, `"HV 10"`, `"HRC"`.
     pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
         if !cursor.is_object() {
-            let text = cursor.text()?;
+            let text = cursor.text_or("a hardness test, by its name or as an object")?;
             let Some(test) = Self::named(text) else {
-                let detail = "must name a test: HBW 10/3000, HV 10, HRC or HRB";
-                cursor.fault(FaultCode::UnknownWord, format_args!("{detail}"));
+                let is_held = text.rsplit_once('/').is_some_and(|(name, hold)| {
+                    hold.parse::<f64>().is_ok() && Self::named(name).is_some()
+                });
+                if is_held {
+                    cursor.fault(FaultCode::Inconsistent, format_args!("{NO_HOLD}"));
+                } else {
+                    let detail = "must name a test: HBW 10/3000, HV 10, HRC or HRB";
+                    cursor.fault(FaultCode::UnknownWord, format_args!("{detail}"));
+                }
                 return None;
             };
             let faults = super::fields::faults_of(&test, &[]);
@@ -195,11 +206,7 @@ impl HardnessTest {
         let object = cursor.object()?;
         let hold: &[&'static str] = if object.has(Self::HOLD) { &[Self::HOLD] } else { &[] };
         if !hold.is_empty() {
-            object.fault(
-                Self::HOLD,
-                FaultCode::Inconsistent,
-                format_args!("no law here knows of time, so that nothing creeps in a hold"),
-            );
+            object.fault(Self::HOLD, FaultCode::Inconsistent, format_args!("{NO_HOLD}"));
         }
         read_record_of(&object, None, hold, units, None, &[])
     }
@@ -401,6 +408,11 @@ impl Job {
             let detail = "a hardness test unloads, which deformation theory does not know; it \
                           needs the theory `flow`";
             fault("/solver/theory", detail);
+        }
+        if self.solver.increments.is_some_and(|increments| increments < LEAST_INCREMENTS) {
+            let detail = "a hardness test has at least 8 increments for each load: its diameter \
+                          follows from them";
+            fault("/solver/increments", detail);
         }
         if self.lower.material == Material::Rigid {
             fault("/lower/material", "a rigid specimen takes no indentation");

@@ -216,6 +216,15 @@ impl StepReport {
 }
 
 impl Answer {
+    /// Returns the bound of a figure without a relative error, with which its text begins.
+    pub fn bound(&self) -> Option<&str> {
+        let clause = self.text.split(';').next().filter(|_| self.error.is_none())?;
+        ["at least ", "at most ", "± "]
+            .iter()
+            .any(|word| clause.starts_with(word))
+            .then_some(clause)
+    }
+
     pub(super) fn error(self, error: Option<f64>) -> Self {
         Self { error, ..self }
     }

@@ -13,7 +13,6 @@ mod findings;
 mod flow;
 mod half_spaces;
 mod hardness;
-mod hardness_answer;
 mod layer_fields;
 mod load_approach;
 mod measured;

@@ -68,7 +68,10 @@ pub const VALIDITY_CODES: &[&str] = &[
     "near_limit",
     "full_sliding",
     "bias_unknown",
+    "blunt_tip",
     "equal_cone",
+    "narrow_specimen",
+    "no_dent",
     "outside_scale",
     "thin_specimen",
 ];

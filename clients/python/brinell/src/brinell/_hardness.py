@@ -31,7 +31,8 @@ def brinell_test(
         elements_per_half_width: elements over the radius of the contact; 24 unless given.
     """
     test = {"scale": "HBW", "ball": ball, "force_kgf": force_kgf}
-    return _job(test, material, 8 * ball, thickness or 4 * ball, elements_per_half_width)
+    thickness = 4 * ball if thickness is None else thickness
+    return _job(test, material, 8 * ball, thickness, elements_per_half_width)
 
 
 def vickers(
@@ -49,9 +50,10 @@ def vickers(
         thickness: of the specimen [mm]; 2 mm times the root of the force unless given.
         elements_per_half_width: elements over the radius of the contact; 24 unless given.
     """
-    size = 2.0 * float(force_kgf) ** 0.5
+    size = 2.0 * max(float(force_kgf), 0.0) ** 0.5
     test = {"scale": "HV", "force_kgf": force_kgf}
-    return _job(test, material, 2 * size, thickness or size, elements_per_half_width)
+    thickness = size if thickness is None else thickness
+    return _job(test, material, 2 * size, thickness, elements_per_half_width)
 
 
 def rockwell_c(

@@ -25,6 +25,8 @@ _LOADS = 24
 # Relative steps of differences: of the search, and of the slopes that tell deviations. Meshes
 # change with the parameters by small leaps, which the shorter step takes for slopes.
 _STEP, _WIDE_STEP = 0.02, 0.08
+# A parameter is at a bound within this part of its range; a curve is missed by this part of it.
+_AT_BOUND, _MISSED = 0.002, 0.2
 # A direction of the parameters is told by the data if they fix it within this factor.
 _TOLD = 0.5
 
@@ -42,7 +44,8 @@ class Identification:
     covariance: Floats
     """Covariance of the relative parameters: of ln p, and of compliance over its scale."""
     undetermined: list[str]
-    """Directions of the parameters that the curve does not tell, in words."""
+    """What the curve does not tell, in words: directions of the parameters, parameters that end at a
+    bound, a curve that is not met."""
     force: Floats
     """Forces of the compared points [N]."""
     measured: Floats
@@ -156,9 +159,20 @@ def identify(
     """
     optimize = need("scipy.optimize", "identify")
     document = document_of(job)
+    for name, word, words in (
+        ("measured", measured, _SEEN),
+        ("scatter", scatter, ("absolute", "relative")),
+    ):
+        if word not in words:
+            raise _fault(name, f"is one of {', '.join(words)}, not {word!r}")
+    if noise is not None and not 0 < noise < math.inf:
+        raise _fault("noise", f"is a standard deviation above 0, not {noise!r}")
     approach, force = _points(curve, measured)
-    if len(free) != len(set(free)) or not free:
+    _plausible(document, approach, measured)
+    if isinstance(free, str) or len(free) != len(set(free)) or not free:
         raise _fault("free", "has to name parameters, each once")
+    if unknown := set(bounds or {}) - set(free):
+        raise _fault("bounds", f"have {', '.join(sorted(unknown))}, which is not in free")
     places = {name: _places(document, name) for name in free if name != COMPLIANCE}
     if len(force) < len(free) + (noise is None):
         raise _fault("curve", f"{len(force)} points tell no {len(free)} parameters")
@@ -167,9 +181,11 @@ def identify(
     trials = _TRIALS[measured](document, force)
     compliance_scale = float(np.ptp(approach) / np.ptp(force))
     starts = {name: _start(document, name, where) for name, where in places.items()}
-    limits = {
-        name: (bounds or {}).get(name, (0.1 * one, 10 * one)) for name, one in starts.items()
-    }
+    limits = {name: (0.1 * one, 10 * one) for name, one in starts.items()}
+    limits = {COMPLIANCE: (0.0, compliance_scale), **limits, **(bounds or {})}
+    for name in free:
+        if not _is_range(limits[name], 0 if name == COMPLIANCE else math.ulp(0.0)):
+            raise _fault("bounds", f"of {name} are two numbers above 0, the larger one last")
 
     def values_at(point: Floats) -> dict[str, float]:
         return {
@@ -183,10 +199,12 @@ def identify(
         found = values_at(point)
         return {pointer: found[name] for name, where in places.items() for pointer in where}
 
-    low = [0.0 if n == COMPLIANCE else math.log(limits[n][0] / starts[n]) for n in free]
-    high = [1.0 if n == COMPLIANCE else math.log(limits[n][1] / starts[n]) for n in free]
+    def relative(name: str, value: float) -> float:
+        return value / compliance_scale if name == COMPLIANCE else math.log(value / starts[name])
+
+    low, high = ([relative(name, limits[name][side]) for name in free] for side in (0, 1))
     for name, a, b in zip(free, low, high, strict=True):
-        if not a <= 0 <= b or a == b:
+        if name != COMPLIANCE and not a <= 0 <= b:
             raise _fault("bounds", f"of {name} have to contain its start")
     # The compliance enters in proportion; it needs no job of its own.
     solved = [k for k, name in enumerate(free) if name != COMPLIANCE]
@@ -268,6 +286,14 @@ def identify(
     relative = np.sqrt(np.diag(covariance))
     found = values_at(best)
     blind = _blind(slopes, max(math.sqrt(variance), 1e-6), free)
+    for name, one, a, b in zip(free, best, low, high, strict=True):
+        if min(one - a, b - one) < _AT_BOUND * (b - a) and name != COMPLIANCE:
+            blind.append(f"{name} ends at its bound, {limits[name][int(b - one < one - a)]:.5g}")
+    if (worst := float(np.abs(residuals).max())) > _MISSED:
+        blind.append(
+            f"the curve is not met: {100 * worst:.0f} % of its "
+            f"{'value' if scatter == 'relative' else 'range'} are missed at one point"
+        )
     steps = {name: compliance_scale if name == COMPLIANCE else found[name] for name in free}
     with np.errstate(invalid="ignore", divide="ignore"):
         correlation = covariance / np.outer(relative, relative)
@@ -313,6 +339,46 @@ def _points(curve: Any, measured: str) -> tuple[Floats, Floats]:
     if measured == "approach" and len(table) > _LOADS:
         table = np.array([part.mean(axis=0) for part in np.array_split(table, _LOADS)])
     return table[:, 0], table[:, 1]
+
+
+def _plausible(document: Mapping[str, Any], column: Floats, measured: str) -> None:
+    """Refuses a first column that no such bodies have: columns in another order, other units."""
+    if measured == "dent":
+        return
+    if not (column > 0).all():
+        raise _fault("curve", f"has {float(column.min()):.4g} as {measured}; all are above 0")
+    size = _ball(document) if measured == "diameter" else _depth(document)
+    if size is not None and column.max() > size:
+        raise _fault(
+            "curve",
+            f"has {float(column.max()):.4g} mm as {measured}, more than the {size:.4g} mm of the "
+            f"{'ball' if measured == 'diameter' else 'bodies'}: its columns are {measured} [mm], "
+            "force [N], in this order",
+        )
+
+
+def _ball(document: Mapping[str, Any]) -> float | None:
+    test = (document.get("load") or {}).get("hardness")
+    ball = test.get("ball") if isinstance(test, Mapping) else None
+    return float(ball) if isinstance(ball, (int, float)) else None
+
+
+def _depth(document: Mapping[str, Any]) -> float | None:
+    """Largest length of the shapes of both bodies, in mm."""
+    shapes = [(document.get(body) or {}).get("shape") or {} for body in ("upper", "lower")]
+    lengths = [
+        value for shape in shapes for value in shape.values() if isinstance(value, (int, float))
+    ]
+    scale = 1000.0 if document.get("units") == "SI" else 1.0
+    return scale * max(lengths) if lengths else None
+
+
+def _is_range(given: Any, least: float) -> bool:
+    try:
+        low, high = (float(one) for one in given)
+    except (TypeError, ValueError):
+        return False
+    return least <= low < high < math.inf
 
 
 def _under_forces(document: dict[str, Any], force: Floats) -> list[dict[str, Any]]:

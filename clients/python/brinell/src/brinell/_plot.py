@@ -208,6 +208,8 @@ class Plot:
             said = f"{found['test']}: {found['number']:.4g}"
         if found["relative_error"] is not None:
             said += f" ± {100 * found['relative_error']:.1f} %"
+        elif found["number_error"] is not None:
+            said += f" ± {found['number_error']:.2g}"
         ax.plot(curve["displacement"], curve["force"], ".-", markersize=3, label=said)
         pharr = found.get("oliver_pharr")
         if pharr:

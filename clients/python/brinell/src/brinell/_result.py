@@ -496,7 +496,7 @@ class Result:
 
     @property
     def hardness(self) -> dict[str, Any]:
-        """Of a hardness test: `number`, `relative_error`, `bias` and what was measured; else
+        """Of a hardness test: `number`, `number_error`, `bias` and what was measured; else
         empty.
         """
         return self.data.get("hardness") or {}

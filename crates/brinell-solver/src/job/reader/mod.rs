@@ -194,7 +194,12 @@ impl<'a> Cursor<'a> {
 
     /// Returns a string.
     pub fn text(&self) -> Option<&'a str> {
-        let Node::Text(value) = self.node else { return self.not("a string") };
+        self.text_or("a string")
+    }
+
+    /// Returns a string; all else is called not what is expected here.
+    pub fn text_or(&self, expected: &str) -> Option<&'a str> {
+        let Node::Text(value) = self.node else { return self.not(expected) };
         Some(value)
     }
 

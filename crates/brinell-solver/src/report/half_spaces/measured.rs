@@ -38,7 +38,7 @@ pub(super) fn measured(
     }
     let is_sought = job.load == Load::Onset;
     let closed = || {
-        let used = reference.utilization(force).filter(|_| is_smooth && !is_sought)?;
+        let used = reference.utilization(force).filter(|_| is_smooth)?;
         let (value, depth, side) = used;
         Some(Largest { value, side, place: [0.0, 0.0, depth] })
     };

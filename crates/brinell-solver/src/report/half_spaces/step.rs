@@ -23,9 +23,9 @@ use crate::solver::half_spaces::{
 use crate::solver::method::figures::Figure;
 use crate::units::UnitConverter;
 
-/// Fractions of the contact area for which the quantile of the pressure is reported.
 /// Relative error of an onset of yield in closed form, which is sought over some hundred depths.
 const CLOSED_FORM: f64 = 1e-3;
+/// Fractions of the contact area for which the quantile of the pressure is reported.
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
 /// Writes the reports of the load steps of one job.
@@ -397,13 +397,14 @@ impl StepWriter<'_> {
                 let bar = relative(errors.get(figure, side), figures.get(figure, side));
                 known.bar(figure, side, Some(bar))
             };
+            let without_load = |figure: Figure| part(figure).filter(|_| figures.force <= 0.0);
             step.bodies[side].as_ref().map(|_| BodyErrors {
                 max_equivalent_plastic_strain: part(Figure::MaxPlasticStrain),
                 mean_equivalent_plastic_strain: None,
                 area: None,
-                depth: part(Figure::Dent),
-                pile_up: part(Figure::PileUp),
-                least_stress: part(Figure::LeastStress).filter(|_| figures.force <= 0.0),
+                depth: without_load(Figure::Dent),
+                pile_up: without_load(Figure::PileUp),
+                least_stress: without_load(Figure::LeastStress),
                 utilization: None,
             })
         };

@@ -1,14 +1,14 @@
 //! The number of a hardness test among the answers of its steps.
 
-use super::hardness::HardnessSeen;
-use super::{Answer, AnswerQuantity, StepReport};
+use super::HardnessSeen;
 use crate::job::{Job, Quantity, TestScale};
+use crate::report::{Answer, AnswerQuantity, StepReport};
 use crate::units::{UnitConverter, about, percent};
 
 impl StepReport {
     /// Adds the hardness that the loads so far have found: the first answer, and the first sentence
     /// of the verdict.
-    pub(super) fn with_hardness(
+    pub(in crate::report) fn with_hardness(
         mut self,
         job: &Job,
         seen: &HardnessSeen,
@@ -26,7 +26,9 @@ impl StepReport {
         };
         if let Some(verdict) = &mut self.verdict {
             let space = if unit.is_empty() { "" } else { " " };
+            let points = || found.number_error.map(|points| format!(" ± {}", about(points)));
             let bar = found.relative_error.map(|part| format!(" ± {}", percent(part)));
+            let bar = bar.or_else(points);
             let (value, bar) = (about(value), bar.unwrap_or_default());
             verdict.text = format!("{}: {value}{space}{unit}{bar}. {}", found.test, verdict.text);
         }
@@ -47,7 +49,12 @@ impl StepReport {
                 bias: None,
                 elastic: None,
                 place: None,
-                text: found.bias.map_or_else(String::new, beside),
+                text: {
+                    let points = found.number_error.filter(|_| found.relative_error.is_none());
+                    let points = points.map(|points| format!("± {} points", about(points)));
+                    let clauses = points.into_iter().chain(found.bias.map(beside));
+                    clauses.collect::<Vec<_>>().join("; ")
+                },
             },
         );
         self
