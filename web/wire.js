@@ -169,6 +169,12 @@
  * @property {SurfaceOfBodies} surfaces
  * @property {number} unloading_stiffness
  *
+ * @typedef {object} FrictionLimits
+ * @property {number} elastic_pressure
+ * @property {number} friction
+ * @property {number} kinematic_pressure
+ * @property {number | null} perfect_pressure
+ *
  * @typedef {object} HardnessResult
  * @property {number | null} bias
  * @property {string | null} bias_source
@@ -285,6 +291,7 @@
  * @property {string} [hardness_csv]
  * @property {string} [increments_csv]
  * @property {string} [load_approach_svg]
+ * @property {string} [passes_csv]
  * @property {string} [pressure_csv]
  * @property {string} [pressure_svg]
  * @property {string} request
@@ -417,6 +424,7 @@
  * @typedef {object} RollingResult
  * @property {Side | null} body
  * @property {number} columns
+ * @property {number} [friction]
  * @property {number} layers
  * @property {TrackLimits} limits
  * @property {(Pass)[]} passes
@@ -549,7 +557,9 @@
  *
  * @typedef {object} TrackLimits
  * @property {TrackLimit | null} kinematic
+ * @property {(FrictionLimits)[]} [over_friction]
  * @property {TrackLimit | null} perfect
+ * @property {number | null} shear_yield_stress
  *
  * @typedef {'elastic' | 'shakes_down' | 'closed_cycle' | 'undecided' | 'ratchets'} TrackVerdict
  *

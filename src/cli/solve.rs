@@ -66,6 +66,8 @@ enum ResultFormat {
     IncrementsCsv,
     /// Load-displacement curve of a hardness test
     HardnessCsv,
+    /// Passes of a load that rolls
+    PassesCsv,
     /// Surfaces of all steps, the dent among them
     SurfaceCsv,
     /// Mesh, displacements and stresses, for ParaView
@@ -91,6 +93,7 @@ impl ResultFormat {
             Self::SubsurfaceCsv => Some(Export::SubsurfaceCsv),
             Self::IncrementsCsv => Some(Export::IncrementsCsv),
             Self::HardnessCsv => Some(Export::HardnessCsv),
+            Self::PassesCsv => Some(Export::PassesCsv),
             Self::SurfaceCsv => Some(Export::SurfaceCsv),
             Self::Vtu => Some(Export::FieldVtu),
             Self::Vtr => Some(Export::FieldVtr),

@@ -45,6 +45,7 @@ fn unavailable(error: &ExportError) -> Problem {
         | ExportError::NoLayers
         | ExportError::NoFlow
         | ExportError::Rolling
+        | ExportError::NotRolling
         | ExportError::NoHardness
         | ExportError::NoCurve => ProblemType::NotInResult,
         ExportError::Drawing(_) | ExportError::Fields(_) => ProblemType::Internal,

@@ -146,8 +146,13 @@ fn folder() -> u128 {
     })
 }
 
-/// A module without the comments that stand on lines of their own. The formatter puts every
-/// comment at the beginning of a line, and no text of the page has a line that begins like one.
+/// Beginning of a type within a line, and the end of every comment.
+const TYPE: &[u8] = b"/** @";
+const END: &[u8] = b"*/";
+
+/// A module without the comments that stand on lines of their own, and without types within a line.
+/// The formatter puts every other comment at the beginning of a line, and no text of the page has a
+/// line that begins like one, or holds the beginning of a type.
 fn bare(module: &[u8]) -> Vec<u8> {
     let mut sent = Vec::with_capacity(module.len());
     let mut within = false;
@@ -158,15 +163,30 @@ fn bare(module: &[u8]) -> Vec<u8> {
         let plain = !within && !text.starts_with(b"//") && !(begins && (ends || !has_end(text)));
         within = (within || (begins && !has_end(text))) && !ends;
         if plain {
-            sent.extend_from_slice(line);
+            extend_without_types(&mut sent, line);
         }
         sent.push(b'\n');
     }
     sent
 }
 
+/// Appends a line without its types: `/** @type {any} */ (a)` is sent as `(a)`.
+fn extend_without_types(sent: &mut Vec<u8>, mut line: &[u8]) {
+    while let Some(begin) = place_of(line, TYPE) {
+        let Some(length) = place_of(&line[begin..], END) else { break };
+        sent.extend_from_slice(&line[..begin]);
+        let rest = &line[begin + length + END.len()..];
+        line = rest.strip_prefix(b" ").unwrap_or(rest);
+    }
+    sent.extend_from_slice(line);
+}
+
 fn has_end(text: &[u8]) -> bool {
-    text.windows(2).any(|two| two == b"*/")
+    place_of(text, END).is_some()
+}
+
+fn place_of(text: &[u8], part: &[u8]) -> Option<usize> {
+    text.windows(part.len()).position(|one| one == part)
 }
 
 fn compressed(file: &Sent) -> io::Result<Bytes> {
@@ -189,7 +209,7 @@ mod tests {
     fn comments_of_modules_are_empty_lines() {
         let module =
             "/** A. */\nconst a = /** @type {any} */ (1); // b\n  // c\n/**\n * d\n */\nf();";
-        let sent = "\nconst a = /** @type {any} */ (1); // b\n\n\n\n\nf();\n";
+        let sent = "\nconst a = (1); // b\n\n\n\n\nf();\n";
         assert_eq!(String::from_utf8(bare(module.as_bytes())).unwrap(), sent);
     }
 }

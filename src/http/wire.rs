@@ -98,7 +98,8 @@ pub struct Links {
     /// Mesh and fields for ParaView; where the job asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_vtu: Option<String>,
-    /// Layers of half-spaces for ParaView; where a job in three dimensions asks for fields.
+    /// Layers of half-spaces for ParaView, of a track its section; where a job in three dimensions
+    /// asks for fields.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_vtr: Option<String>,
     /// The increments of all loads; by flow theory. So are the following.
@@ -107,6 +108,9 @@ pub struct Links {
     /// The load-displacement curve of a hardness test.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hardness_csv: Option<String>,
+    /// The passes of a load that rolls.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub passes_csv: Option<String>,
     /// The surfaces of both bodies after every load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface_csv: Option<String>,
@@ -145,13 +149,15 @@ impl Links {
             pressure_svg: with_result("pressure.svg"),
             subsurface_csv: over_depth("subsurface.csv"),
             depth_svg: over_depth("depth.svg"),
-            field_vtu: with_result("field.vtu").filter(|_| has(|job| job.output.fields)),
+            field_vtu: with_result("field.vtu")
+                .filter(|_| has(|job| job.output.fields && !rolls(job))),
             field_vtr: with_result("field.vtr").filter(|_| {
                 has(|job| job.output.fields && job.analysis == Analysis::ThreeDimensional)
             }),
             increments_csv: of_flow("increments.csv"),
             hardness_csv: of_flow("hardness.csv")
                 .filter(|_| has(|job| job.load.hardness().is_some())),
+            passes_csv: with_result("passes.csv").filter(|_| has(rolls)),
             surface_csv: of_flow("surface.csv"),
             surface_svg: of_flow("surface.svg"),
             load_approach_svg: with_result("load_approach.svg")
@@ -159,6 +165,11 @@ impl Links {
             job,
         }
     }
+}
+
+/// Returns whether the load of a job rolls.
+const fn rolls(job: &Job) -> bool {
+    matches!(job.load, Load::Rolling(_))
 }
 
 /// Returns whether the converged loads give more than one point of force over approach. Flow

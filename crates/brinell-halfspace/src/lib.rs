@@ -14,6 +14,7 @@
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
 
+mod ball;
 mod body;
 mod eigenstrain_stress;
 mod elasticity;
@@ -24,6 +25,7 @@ mod images;
 mod offsets;
 mod pressure_stress;
 pub mod raceway;
+mod sliding;
 mod stop;
 mod surface;
 mod tensors;
@@ -37,6 +39,7 @@ pub use elasticity::{Elasticity, ElasticityError};
 pub use grid::{GridError, Layers, SurfaceGrid};
 pub use half_space::{HalfSpace, HalfSpaceWork};
 pub use hertz::EllipticContact;
+pub use sliding::{SlidingContact, SlidingLimit};
 pub use stop::{Stop, Stopped};
 pub use surface::SurfaceFlexibility;
 pub use tensors::{COMPONENTS, DEVIATOR_COMPONENTS, TensorField, from_isometric, isometric};

@@ -157,7 +157,7 @@ pub(crate) fn sum_with(rho: f64, y: f64, rest: f64) -> f64 {
 }
 
 /// 2π times the stresses of one corner of a cell under unit pressure.
-fn corner(x: f64, y: f64, z: f64, poisson: f64) -> [f64; COMPONENTS] {
+pub(crate) fn corner(x: f64, y: f64, z: f64, poisson: f64) -> [f64; COMPONENTS] {
     let rho = (x * x + y * y + z * z).sqrt();
     let (rho_y, rho_x) = (sum_with(rho, y, x * x + z * z), sum_with(rho, x, y * y + z * z));
     let (compressible, v_z) = (1.0 - 2.0 * poisson, -(x * y).atan2(z * rho));

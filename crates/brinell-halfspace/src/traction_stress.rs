@@ -47,7 +47,7 @@ pub(crate) fn traction_stress(
 }
 
 /// 2π times the stresses of one corner of a cell under unit traction in +x.
-fn corner(x: f64, y: f64, z: f64, poisson: f64) -> [f64; COMPONENTS] {
+pub(crate) fn corner(x: f64, y: f64, z: f64, poisson: f64) -> [f64; COMPONENTS] {
     let rho = (x * x + y * y + z * z).sqrt();
     let (rho_y, rho_x) = (sum_with(rho, y, x * x + z * z), sum_with(rho, x, y * y + z * z));
     let (v_x, v_y, v_z) = (rho_y.ln(), rho_x.ln(), -(x * y).atan2(z * rho));

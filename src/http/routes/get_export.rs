@@ -51,6 +51,7 @@ fn operation(form: Export) -> Operation {
         Export::HardnessCsv => {
             ("Load-displacement curve of a hardness test, as a table", Some("not-in-result"))
         }
+        Export::PassesCsv => ("Passes of a load that rolls, as a table", Some("not-in-result")),
         Export::SurfaceCsv => {
             ("Surfaces of all steps, the dent among them, as a table", Some("not-in-result"))
         }
@@ -58,7 +59,8 @@ fn operation(form: Export) -> Operation {
             ("Mesh and fields of both bodies, for ParaView", Some("not-in-result"))
         }
         Export::FieldVtr => (
-            "Stress and plastic strain in layers, in three dimensions, for ParaView",
+            "Stress and plastic strain in layers, in three dimensions, of a track in its section, for \
+             ParaView",
             Some("not-in-result"),
         ),
         Export::PressureSvg => ("Contact pressure with Hertz's beside it, drawn", None),

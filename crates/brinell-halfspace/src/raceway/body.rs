@@ -377,8 +377,10 @@ impl Rolls for RacewayBody {
         let forward = self.space.uniform().forward(&change).first().copied();
         Outlet {
             depths: (0..layers.len()).map(|layer| layers.middle(layer)).collect(),
+            faces: layers.faces().to_vec(),
             across: (0..rows).map(|j| self.grid().y(j)).collect(),
             change,
+            strain: self.inlet(),
             accumulated,
             forward: forward.unwrap_or(0.0),
             groove_depth: self.groove.first().copied().unwrap_or(0.0),

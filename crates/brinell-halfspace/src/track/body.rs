@@ -304,6 +304,11 @@ impl RollingBody {
             let [xx, zz, xz] = sums.map(|sum| compliance * sum);
             change[layer] = [xx, -xx - zz, 0.0, xz, 0.0];
         }
+        let strain = self.inlet.iter().map(|inlet| {
+            let [xx, zz, xz] = inlet.map(|tau| compliance * tau);
+            [xx, -xx - zz, 0.0, xz, 0.0]
+        });
+        let strain = strain.collect();
         let accumulated = self.strain.chunks_exact(n).map(|row| row.iter().sum()).collect();
         self.law.accept();
         let layers = self.space.layers();
@@ -312,8 +317,10 @@ impl RollingBody {
             change.iter().enumerate().map(|(l, of)| -2.0 * of[3] * layers.thickness(l)).sum();
         Outlet {
             depths,
+            faces: layers.faces().to_vec(),
             across: vec![0.0],
             change,
+            strain,
             accumulated,
             forward,
             groove_depth: self.groove_depth(),

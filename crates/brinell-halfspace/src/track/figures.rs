@@ -10,10 +10,14 @@ use super::grid::TrackGrid;
 pub struct Outlet {
     /// Middle of each layer \[mm\].
     pub depths: Vec<f64>,
+    /// Faces of the layers, from the surface down \[mm\].
+    pub faces: Vec<f64>,
     /// y of the rows of a layer \[mm\]; 0 of a line.
     pub across: Vec<f64>,
     /// Change of the plastic strain: xx, yy, xy, xz, yz; zz is `-xx - yy`.
     pub change: Vec<[f64; 5]>,
+    /// Plastic strain that all passes have left: xx, yy, xy, xz, yz.
+    pub strain: Vec<[f64; 5]>,
     /// Plastic strain that has been accumulated in this pass.
     pub accumulated: Vec<f64>,
     /// How far this pass has moved the surface in the direction of travel, against the depth, on

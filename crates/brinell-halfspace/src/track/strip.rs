@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
 
 /// `σxx σzz σxz` of unit pressure and of unit traction in +x, at a place.
-fn at(x: f64, z: f64, h: f64) -> [[f64; 3]; 2] {
+pub(crate) fn at(x: f64, z: f64, h: f64) -> [[f64; 3]; 2] {
     let (a, b) = (x + 0.5 * h, x - 0.5 * h);
     let (ra, rb) = (a * a + z * z, b * b + z * z);
     let t = a.atan2(z) - b.atan2(z);

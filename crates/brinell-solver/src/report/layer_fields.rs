@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 /// Cells of the layers of one body. The cell at `x[i]`, `y[j]`, `z[k]` stands at the place `(k *
 /// x.length + i) * y.length + j` of an array, counted from 0. Axes are those of the contact: x
-/// along its shorter semi-axis, y along the longer one, z into the body.
+/// along its shorter semi-axis, y along the longer one, z into the body. Of a load that rolls they
+/// are the section of the track behind it: x, of one cell, along the travel, y across it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Layers))]
 pub struct LayersReport {

@@ -50,8 +50,8 @@ pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};
 pub use rolling::{
-    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, RollingReport,
-    ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+    BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
+    RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
 };
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
 pub use target::TargetReport;

@@ -2,7 +2,8 @@
 
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::{
-    BodyPassReport, Report, RollingReport, StepReport, TrackVerdict, preflight, run,
+    BodyPassReport, Export, ExportError, Report, RollingReport, StepReport, TrackVerdict,
+    preflight, run,
 };
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
@@ -211,6 +212,97 @@ fn random_job(dice: &mut Dice) -> Value {
         "mesh": {"elements_per_half_width": dice.pick(&[5, 6, 8]).clone()},
         "solver": {"theory": "flow", "max_iterations": 200},
     })
+}
+
+/// The table has a row for each pass and the section of the track both sides of its axis.
+#[test]
+fn a_track_is_written_as_a_table_and_as_its_section() {
+    let mut asked = ball(10_500.0, &json!({"passes": 2, "friction": 0.1}));
+    asked["mesh"] = json!({"elements_per_half_width": 6});
+    asked["output"] = json!({"fields": true});
+    let job = Job::from_value(&asked).unwrap();
+    let report = run(&job, &mut Unobserved).unwrap();
+    let step = &report.steps[0];
+    let table = Export::PassesCsv.write(&job, &report, None).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|heading| *heading == name).unwrap();
+    assert_eq!(rows.len(), 3, "{table}");
+    for (pass, row) in rolling(step).passes.iter().zip(&rows[1..]) {
+        let found = |name: &str| row[column(name)].parse::<f64>().unwrap();
+        let left = pass.bodies.lower.unwrap();
+        assert_eq!(row[2], "lower");
+        assert_eq!(found("pass") as usize, pass.number);
+        assert_eq!(found("groove_depth [mm]"), left.groove_depth);
+        assert_eq!(found("pile_up [mm]"), left.pile_up);
+        assert_eq!(found("net_strain"), left.net_strain);
+        assert_eq!(found("least_sigma_z [MPa]"), left.least_sigma_z);
+        assert_eq!(found("rolling_force [N]"), pass.rolling_force);
+    }
+
+    let section = step.layers.as_ref().unwrap().lower.as_ref().unwrap();
+    let (across, deep) = (section.y.len(), section.z.len());
+    assert_eq!([section.x.len(), across], [1, 2 * rolling(step).rows]);
+    assert_eq!(section.z_faces.len(), deep + 1);
+    let cell = |layer: usize, j: usize| layer * across + j;
+    let on_axis = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
+    for layer in 0..deep {
+        let beside = cell(layer, across / 2);
+        assert_eq!(section.sigma_xx[beside], on_axis.sigma_x[layer]);
+        near(
+            section.equivalent_plastic_strain[beside] + 1.0,
+            on_axis.equivalent_plastic_strain[layer] + 1.0,
+            1e-12,
+        );
+        for j in 0..across {
+            let (one, other) = (cell(layer, j), cell(layer, across - 1 - j));
+            assert_eq!(section.sigma_yz[one], -section.sigma_yz[other]);
+            assert_eq!(section.plastic_strain_zz[one], section.plastic_strain_zz[other]);
+        }
+    }
+    let file = Export::FieldVtr.write(&job, &report, None).unwrap();
+    assert!(
+        file.contains(&format!("Piece Extent=\"0 1 0 {across} 0 {deep}\"")),
+        "{}",
+        &file[..500]
+    );
+    assert_eq!(Export::FieldVtu.write(&job, &report, None), Err(ExportError::NoFields));
+}
+
+/// The job's own limit lies on the curve over friction.
+#[test]
+fn limits_over_friction_begin_with_that_of_free_rolling() {
+    let mut asked = ball(0.0, &json!({"force": 20.0}));
+    asked["mesh"] = json!({"elements_per_half_width": 5});
+    let step = step(&asked);
+    let limits = &rolling(&step).limits;
+    let curve = &limits.over_friction;
+    assert_eq!(curve.len(), 10);
+    assert_eq!(curve[0].perfect_pressure, limits.perfect.map(|limit| limit.peak_pressure));
+    let k = limits.shear_yield_stress.unwrap();
+    near(curve[0].elastic_pressure / k, 2.77, 0.02);
+    for pair in curve.windows(2) {
+        assert!(pair[1].elastic_pressure <= pair[0].elastic_pressure, "{curve:?}");
+        assert!(pair[1].kinematic_pressure < 1.001 * pair[0].kinematic_pressure, "{curve:?}");
+        assert_eq!(pair[1].perfect_pressure, None);
+    }
+}
+
+/// A curve without an elastic limit yields wherever there is stress: the track grows until its
+/// window would be longer than its ring, and says so.
+#[test]
+fn a_track_that_outgrows_its_ring_has_a_reason() {
+    let mut asked = ball(0.0, &json!({"force": 13.2, "friction": 0.3, "passes": 2}));
+    asked["lower"]["material"]["plasticity"] = json!({
+        "law": "ramberg_osgood", "reference_stress": 200, "offset": 0.4, "exponent": 3,
+        "backstress": [{"modulus": 5000, "rate": 200}],
+    });
+    asked["mesh"] = json!({"elements_per_half_width": 6});
+    let step = step(&asked);
+    let found = rolling(&step);
+    assert_eq!(
+        found.reason.is_some(),
+        step.status != SolveStatus::Converged || found.verdict == TrackVerdict::Undecided
+    );
 }
 
 /// 100 jobs with all laws, both senses of friction, strength over depth, initial stress, one or

@@ -1063,6 +1063,41 @@ class ForcesLoad(BaseModel):
     ] = None
 
 
+class FrictionLimits(BaseModel):
+    """
+    Elastic peak pressures that a track bears under a friction.
+    """
+
+    elastic_pressure: Annotated[
+        float,
+        Field(
+            description="Hertz's peak pressure up to which nothing yields. Unit: MPa (SI: Pa).",
+            ge=0.0,
+        ),
+    ]
+    friction: Annotated[
+        float,
+        Field(
+            description='Traction over pressure in the whole contact. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    kinematic_pressure: Annotated[
+        float,
+        Field(
+            description='The same up to which bodies with kinematic hardening without bound shake down. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    perfect_pressure: Annotated[
+        float | None,
+        Field(
+            description='The same up to which perfectly plastic bodies shake down; `null` of an ellipse that slides. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+
+
 class Groove(BaseModel):
     """
     A block with a concave circular trough across its whole upper face.
@@ -1427,7 +1462,7 @@ class Iteration1(BaseModel):
 
 class Layers(BaseModel):
     """
-    Cells of the layers of one body. The cell at `x[i]`, `y[j]`, `z[k]` stands at the place `(k * x.length + i) * y.length + j` of an array, counted from 0. Axes are those of the contact: x along its shorter semi-axis, y along the longer one, z into the body.
+    Cells of the layers of one body. The cell at `x[i]`, `y[j]`, `z[k]` stands at the place `(k * x.length + i) * y.length + j` of an array, counted from 0. Axes are those of the contact: x along its shorter semi-axis, y along the longer one, z into the body. Of a load that rolls they are the section of the track behind it: x, of one cell, along the travel, y across it.
     """
 
     equivalent_plastic_strain: Annotated[
@@ -1578,7 +1613,7 @@ class Links(BaseModel):
     field_vtr: Annotated[
         str | None,
         Field(
-            description='Layers of half-spaces for ParaView; where a job in three dimensions asks for fields.'
+            description='Layers of half-spaces for ParaView, of a track its section; where a job in three dimensions asks for fields.'
         ),
     ] = None
     field_vtu: Annotated[
@@ -1599,6 +1634,9 @@ class Links(BaseModel):
         Field(
             description='Force over approach, drawn; where all of several loads have converged.'
         ),
+    ] = None
+    passes_csv: Annotated[
+        str | None, Field(description='The passes of a load that rolls.')
     ] = None
     pressure_csv: Annotated[
         str | None, Field(description='Contact pressure of all steps.')
@@ -3279,7 +3317,20 @@ class TrackLimits(BaseModel):
     """
 
     kinematic: TrackLimit | None
+    over_friction: Annotated[
+        list[FrictionLimits] | None,
+        Field(
+            description='Limits over friction, for strength and initial stress at the depths of this contact; empty where no body has a yield point.'
+        ),
+    ] = None
     perfect: TrackLimit | None
+    shear_yield_stress: Annotated[
+        float | None,
+        Field(
+            description='Yield stress in shear, of both bodies the lower, where strength does not vary; `null` where none yields. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
 
 
 class Validation(BaseModel):
@@ -4183,6 +4234,12 @@ class RollingResult(BaseModel):
 
     body: Literal['upper', 'lower'] | None
     columns: Annotated[int, Field(description='Columns of the track.', ge=0)]
+    friction: Annotated[
+        float | None,
+        Field(
+            description='Traction over pressure in the whole contact, positive along the travel on the lower body. Without unit.'
+        ),
+    ] = None
     layers: Annotated[int, Field(description='Layers of each body.', ge=0)]
     limits: Annotated[
         TrackLimits,

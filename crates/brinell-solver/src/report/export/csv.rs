@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use super::{Export, ExportError};
 use crate::job::{Analysis, Job, Named, Quantity, Units};
 use crate::report::{
-    AnswerBody, FlowReport, Report, StepReport, SubsurfaceReport, ThreeDimensionalReport,
+    AnswerBody, BodyPassReport, FlowReport, PassReport, Report, StepReport, SubsurfaceReport,
+    ThreeDimensionalReport,
 };
 use crate::solver::method::figures::{Figure, Measure};
 
@@ -38,9 +39,9 @@ impl Table {
     /// no further columns.
     ///
     /// # Errors
-    /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`], [`ExportError::Rolling`] or
-    /// [`ExportError::NoHardness`] if
-    /// the first load step has no rows.
+    /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`], [`ExportError::Rolling`],
+    /// [`ExportError::NotRolling`] or [`ExportError::NoHardness`] if the first load step has no
+    /// rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
             Export::SubsurfaceCsv if first.subsurface.is_none() => {
@@ -52,6 +53,7 @@ impl Table {
             Export::HardnessCsv if job.load.hardness().is_none() || first.flow.is_none() => {
                 return Err(ExportError::NoHardness);
             }
+            Export::PassesCsv if first.rolling.is_none() => return Err(ExportError::NotRolling),
             _ => {}
         }
         let profiles = || first.profiles().map(|(_, body)| body);
@@ -118,6 +120,7 @@ impl Table {
                 "step,displacement [{length}],force [{force}],diameter [{length}],mean_pressure \
                  [{stress}]\n"
             ),
+            Export::PassesCsv => self.heading_of_passes(),
             Export::SurfaceCsv => format!("step,body,x [{length}],height [{length}]\n"),
             _ => {
                 let ellipse = format!(
@@ -142,17 +145,34 @@ impl Table {
         }
     }
 
+    /// Returns the heading of a table of passes.
+    fn heading_of_passes(&self) -> String {
+        let column = |(name, measure): (&str, Option<Measure>)| {
+            let unit = measure.map(|measure| format!(" [{}]", self.unit(measure)));
+            format!(",{name}{}", unit.unwrap_or_default())
+        };
+        let columns = OF_PASS.iter().map(|(name, measure, _)| (*name, *measure));
+        let columns = columns.chain(OF_BODY.iter().map(|(name, measure, _)| (*name, *measure)));
+        format!("step,pass,body{}\n", columns.map(column).collect::<String>())
+    }
+
+    /// Returns the unit of a measure; nothing of a strain.
+    fn unit(&self, measure: Measure) -> String {
+        let symbol = |quantity: Quantity| quantity.symbol(self.units);
+        match measure {
+            Measure::Length => symbol(Quantity::Length).to_owned(),
+            Measure::Area => format!("{}2", symbol(Quantity::Length)),
+            Measure::Stress => symbol(Quantity::Stress).to_owned(),
+            Measure::Force => symbol(self.force).to_owned(),
+            Measure::Strain => String::new(),
+        }
+    }
+
     /// Returns the columns of the figures that are answers and have no member.
     fn answers_alone(&self) -> String {
         let column = |(body, figure): (&str, Figure)| {
-            let length = Quantity::Length.symbol(self.units);
-            let unit = match figure.measure() {
-                Measure::Length => format!(" [{length}]"),
-                Measure::Area => format!(" [{length}2]"),
-                Measure::Stress => format!(" [{}]", Quantity::Stress.symbol(self.units)),
-                Measure::Force => format!(" [{}]", self.force.symbol(self.units)),
-                Measure::Strain => String::new(),
-            };
+            let unit = Some(self.unit(figure.measure())).filter(|unit| !unit.is_empty());
+            let unit = unit.map(|unit| format!(" [{unit}]")).unwrap_or_default();
             format!(",{body}{}{unit}", figure.name())
         };
         answers_alone().map(|(body, figure, _)| column((body, figure))).collect()
@@ -169,6 +189,7 @@ impl Table {
             Export::SubsurfaceCsv => self.subsurface(&mut text, number, step),
             Export::IncrementsCsv => increments(&mut text, number, step),
             Export::HardnessCsv => hardness(&mut text, number, step),
+            Export::PassesCsv => passes(&mut text, number, step),
             Export::SurfaceCsv => surfaces(&mut text, number, step),
             _ => self.summary(&mut text, number, step),
         }
@@ -300,6 +321,67 @@ fn hardness(text: &mut String, number: usize, step: &StepReport) {
         let area = std::f64::consts::PI * half_width * half_width;
         let pressure = if area > 0.0 { (force / area).to_string() } else { String::new() };
         let _ = writeln!(text, "{number},{approach},{force},{},{pressure}", 2.0 * half_width);
+    }
+}
+
+/// A column: its name, its measure if it has a unit, and the figure; `None` of one that is empty.
+type Column<T> = (&'static str, Option<Measure>, fn(&T) -> Option<f64>);
+
+/// Columns of a pass.
+const OF_PASS: [Column<PassReport>; 11] = [
+    ("iterations", None, |pass| Some(pass.iterations as f64)),
+    ("peak_pressure", Some(Measure::Stress), |pass| Some(pass.peak_pressure)),
+    ("half_width", Some(Measure::Length), |pass| Some(pass.half_width)),
+    ("half_width_across", Some(Measure::Length), |pass| pass.half_width_across),
+    ("approach", Some(Measure::Length), |pass| pass.approach),
+    ("rolling_force", Some(Measure::Force), |pass| Some(pass.rolling_force)),
+    ("loss", None, |pass| Some(pass.loss)),
+    ("plastic_work", Some(Measure::Force), |pass| Some(pass.plastic_work)),
+    ("stored_energy", Some(Measure::Force), |pass| Some(pass.stored_energy)),
+    ("traction_work", Some(Measure::Force), |pass| Some(pass.traction_work)),
+    ("energy_gap", None, |pass| Some(pass.energy_gap)),
+];
+
+/// Columns of what a pass leaves in a body.
+const OF_BODY: [Column<BodyPassReport>; 14] = [
+    ("groove_depth", Some(Measure::Length), |body| Some(body.groove_depth)),
+    ("pile_up", Some(Measure::Length), |body| Some(body.pile_up)),
+    ("forward", Some(Measure::Length), |body| Some(body.forward)),
+    ("largest_strain", None, |body| Some(body.largest_strain)),
+    ("largest_strain_depth", Some(Measure::Length), |body| Some(body.largest_strain_depth)),
+    ("largest_strain_across", Some(Measure::Length), |body| Some(body.largest_strain_across)),
+    ("net_strain", None, |body| Some(body.net_strain)),
+    ("net_strain_depth", Some(Measure::Length), |body| Some(body.net_strain_depth)),
+    ("net_strain_across", Some(Measure::Length), |body| Some(body.net_strain_across)),
+    ("accumulated_strain", None, |body| Some(body.accumulated_strain)),
+    ("least_sigma_x", Some(Measure::Stress), |body| Some(body.least_sigma_x)),
+    ("largest_sigma_x", Some(Measure::Stress), |body| Some(body.largest_sigma_x)),
+    ("least_sigma_z", Some(Measure::Stress), |body| Some(body.least_sigma_z)),
+    ("largest_sigma_z", Some(Measure::Stress), |body| Some(body.largest_sigma_z)),
+];
+
+/// Writes a row for each pass and each body that can yield; one without a body where none can.
+fn passes(text: &mut String, number: usize, step: &StepReport) {
+    let value = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+    for pass in step.rolling.iter().flat_map(|rolling| &rolling.passes) {
+        let sides = [("upper", &pass.bodies.upper), ("lower", &pass.bodies.lower)];
+        let mut bodies: Vec<(&str, Option<&BodyPassReport>)> = sides
+            .into_iter()
+            .filter_map(|(name, body)| Some((name, Some(body.as_ref()?))))
+            .collect();
+        if bodies.is_empty() {
+            bodies.push(("", None));
+        }
+        for (name, body) in bodies {
+            let _ = write!(text, "{number},{},{name}", pass.number);
+            for (_, _, of) in &OF_PASS {
+                let _ = write!(text, ",{}", value(of(pass)));
+            }
+            for (_, _, of) in &OF_BODY {
+                let _ = write!(text, ",{}", value(body.and_then(of)));
+            }
+            text.push('\n');
+        }
     }
 }
 

@@ -25,7 +25,7 @@ pub enum ExportError {
     NoFields,
     /// The job did not ask for layers, or is not in three dimensions.
     #[error(
-        "the result has no layers; solve a job in three dimensions, of a load that does not roll, with \"output\": {{\"fields\": \
+        "the result has no layers; solve a job in three dimensions with \"output\": {{\"fields\": \
          true}}"
     )]
     NoLayers,
@@ -38,6 +38,9 @@ pub enum ExportError {
     /// A load that rolls has passes in place of increments and surfaces.
     #[error("the result of a load that rolls has passes, and no increments and no surfaces")]
     Rolling,
+    /// The load does not roll.
+    #[error("the result has no passes; its load is {{\"rolling\": {{\"force\": 2000}}}}")]
+    NotRolling,
     /// The job is no hardness test.
     #[error("the result is of no hardness test; its load is {{\"hardness\": \"HBW 10/3000\"}}")]
     NoHardness,
@@ -75,11 +78,14 @@ pub enum Export {
     IncrementsCsv,
     /// Load-displacement curve of a hardness test.
     HardnessCsv,
+    /// Passes of a load that rolls.
+    PassesCsv,
     /// Surfaces of all load steps with dent and pile-up.
     SurfaceCsv,
     /// Fields of both bodies.
     FieldVtu,
-    /// Stress and plastic strain in the layers of half-spaces in three dimensions.
+    /// Stress and plastic strain in the layers of half-spaces in three dimensions, or in the section
+    /// of a track.
     FieldVtr,
     /// Chart of the contact pressure and Hertz's pressure.
     PressureSvg,
@@ -93,12 +99,13 @@ pub enum Export {
 
 impl Export {
     /// All forms.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::SummaryCsv,
         Self::PressureCsv,
         Self::SubsurfaceCsv,
         Self::IncrementsCsv,
         Self::HardnessCsv,
+        Self::PassesCsv,
         Self::SurfaceCsv,
         Self::FieldVtu,
         Self::FieldVtr,
@@ -116,6 +123,7 @@ impl Export {
             Self::SubsurfaceCsv => "subsurface.csv",
             Self::IncrementsCsv => "increments.csv",
             Self::HardnessCsv => "hardness.csv",
+            Self::PassesCsv => "passes.csv",
             Self::SurfaceCsv => "surface.csv",
             Self::FieldVtu => "field.vtu",
             Self::FieldVtr => "field.vtr",
@@ -134,6 +142,7 @@ impl Export {
             | Self::SubsurfaceCsv
             | Self::IncrementsCsv
             | Self::HardnessCsv
+            | Self::PassesCsv
             | Self::SurfaceCsv => "text/csv; charset=utf-8; header=present",
             Self::FieldVtu | Self::FieldVtr => "application/xml",
             Self::PressureSvg | Self::DepthSvg | Self::LoadApproachSvg | Self::SurfaceSvg => {
@@ -151,6 +160,7 @@ impl Export {
                 | Self::SubsurfaceCsv
                 | Self::IncrementsCsv
                 | Self::HardnessCsv
+                | Self::PassesCsv
                 | Self::SurfaceCsv
         )
     }
@@ -178,6 +188,7 @@ impl Export {
             | Self::PressureCsv
             | Self::IncrementsCsv
             | Self::HardnessCsv
+            | Self::PassesCsv
             | Self::SurfaceCsv
             | Self::LoadApproachSvg
             | Self::SurfaceSvg => {}
@@ -201,6 +212,7 @@ impl Export {
             | Self::SubsurfaceCsv
             | Self::IncrementsCsv
             | Self::HardnessCsv
+            | Self::PassesCsv
             | Self::SurfaceCsv => table(self, job, report),
             Self::FieldVtu => field_vtu(report, step),
             Self::FieldVtr => layers_vtr(report, step),

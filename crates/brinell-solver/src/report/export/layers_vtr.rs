@@ -99,7 +99,8 @@ enum What {
     Body {
         number: u8,
     },
-    /// Faces of cells along x or y, from the middles of the cells.
+    /// Faces of cells along x or y, from the middles of the cells; the section of a track is as
+    /// thick as its cells are wide.
     Faces,
     /// Faces of the layers. The flags say whether there are layers above and below the surface.
     LayerFaces([bool; 2]),
@@ -246,9 +247,10 @@ impl FieldsFile for VtrFile {
         let of_layers = What::LayerFaces([has(true), has(false)]);
         let along =
             [("x", What::Faces, nx), ("y", What::Faces, ny), ("z", of_layers, self.layers())];
-        for ((name, what, cells), source) in along.into_iter().zip(&self.coordinates) {
+        for ((name, what, cells), source) in along.into_iter().zip(self.coordinates.clone()) {
+            let across = self.coordinates[1].clone();
             pieces.push(text(What::Begin(["Float64", name, ""], size_of::<f64>() * (cells + 1))));
-            pieces.push(VtrPiece { what, sources: vec![source.clone()] });
+            pieces.push(VtrPiece { what, sources: vec![source, across] });
             pieces.push(text(What::End));
         }
         pieces.push(text(What::Foot));
@@ -278,7 +280,10 @@ impl FieldsFile for VtrFile {
                 self.pending.resize(self.pending.len() + n_cells, number);
             }
             What::Faces => {
-                self.pending.extend(faces(&coordinates()).into_iter().flat_map(f64::to_le_bytes));
+                let across =
+                    sources.get(1).map_or_else(Vec::new, |source| numbers(source.as_ref()));
+                let faces = faces(&coordinates(), &across);
+                self.pending.extend(faces.into_iter().flat_map(f64::to_le_bytes));
             }
             What::LayerFaces([above, below]) => {
                 let depths = coordinates();

@@ -37,7 +37,7 @@ pub fn surface_vtu(
     [step, steps]: [usize; 2],
     maps: MapsReport,
 ) -> impl Iterator<Item = String> + Send + use<> {
-    let surface = Surface { along_x: faces(&maps.x), along_y: faces(&maps.y), maps };
+    let surface = Surface { along_x: faces(&maps.x, &[]), along_y: faces(&maps.y, &[]), maps };
     let columns = surface.maps.x.len();
     let head = format!(
         "<?xml version=\"1.0\"?>\n<!-- brinell {}, {}, units {}, step {} of {steps} -->\n\
@@ -107,8 +107,9 @@ fn spaced(values: impl IntoIterator<Item: Display>) -> String {
 }
 
 /// Returns the faces of cells of equal width with these middles.
-pub(super) fn faces(middles: &[f64]) -> Vec<f64> {
-    let width = if let [first, second, ..] = middles { second - first } else { 1.0 };
+pub(super) fn faces(middles: &[f64], across: &[f64]) -> Vec<f64> {
+    let width = |places: &[f64]| Some(places.get(1)? - places.first()?);
+    let width = width(middles).or_else(|| width(across)).unwrap_or(1.0);
     let first = middles.first().map(|first| first - 0.5 * width);
     first.into_iter().chain(middles.iter().map(|middle| middle + 0.5 * width)).collect()
 }

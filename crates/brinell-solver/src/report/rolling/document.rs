@@ -26,6 +26,10 @@ pub struct RollingReport {
     /// Why the verdict is open or the passes end; `null` otherwise.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub reason: Option<String>,
+    /// Traction over pressure in the whole contact, positive along the travel on the lower body
+    /// \[1\].
+    #[serde(default)]
+    pub friction: f64,
     /// The passes that have converged.
     pub passes: Vec<PassReport>,
     /// Elastic peak pressures up to which the track shakes down under this friction.
@@ -187,7 +191,7 @@ pub struct BodyPassErrorReport {
 }
 
 /// Elastic peak pressures up to which a track shakes down.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = TrackLimits))]
 pub struct TrackLimitsReport {
     /// Of perfectly plastic bodies, in closed form; `null` where no body yields, of a curve without a
@@ -197,6 +201,32 @@ pub struct TrackLimitsReport {
     /// Of bodies with kinematic hardening without bound, on these layers; `null` of an ellipse.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub kinematic: Option<TrackLimitReport>,
+    /// Yield stress in shear, of both bodies the lower, where strength does not vary; `null` where
+    /// none yields \[stress >= 0\].
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub shear_yield_stress: Option<f64>,
+    /// Limits over friction, for strength and initial stress at the depths of this contact; empty
+    /// where no body has a yield point.
+    #[serde(default)]
+    pub over_friction: Vec<FrictionLimits>,
+}
+
+/// Elastic peak pressures that a track bears under a friction.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct FrictionLimits {
+    /// Traction over pressure in the whole contact \[1 >= 0\].
+    pub friction: f64,
+    /// Hertz's peak pressure up to which nothing yields \[stress >= 0\].
+    pub elastic_pressure: f64,
+    /// The same up to which perfectly plastic bodies shake down; `null` of an
+    /// ellipse that slides \[stress >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub perfect_pressure: Option<f64>,
+    /// The same up to which bodies with kinematic hardening without bound shake down
+    /// \[stress >= 0\].
+    pub kinematic_pressure: f64,
 }
 
 /// A limit of shakedown.

@@ -4,11 +4,12 @@ mod answers;
 mod document;
 mod findings;
 mod run;
+mod section;
 mod step;
 mod verdicts;
 
 pub use document::{
-    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, RollingReport,
-    ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+    BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
+    RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
 };
 pub(super) use run::{preflight, run_each};

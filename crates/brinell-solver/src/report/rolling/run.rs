@@ -13,6 +13,8 @@ use crate::units::UnitConverter;
 /// Bytes of the report of a pass, and of a column of the window or a layer.
 const PASS_BYTES: u64 = 900;
 const ROW_BYTES: u64 = 120;
+/// Numbers of a cell of the section of a track.
+const SECTION_NUMBERS: u64 = 14;
 /// Cells of a track whose pass counts as one unit of work.
 const WORK_UNIT: u64 = 10_000;
 
@@ -31,19 +33,23 @@ fn problem(job: &Job) -> Result<RollingProblem, SolveError> {
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     let problem = problem(job).and_then(|problem| Ok((estimate(&problem)?, problem)));
     match problem.map_err(|error| RunError::of(job, &error)) {
-        Ok((track, problem)) => Ok(cost(&problem, track)),
+        Ok((track, problem)) => Ok(cost(job, &problem, track)),
         Err(RunError::Input(faults)) => Err(faults),
         Err(other) => Err(vec![FieldError::not_solvable("/load/rolling", other.to_string())]),
     }
 }
 
-fn cost(problem: &RollingProblem, track: TrackEstimate) -> JobEstimate {
+fn cost(job: &Job, problem: &RollingProblem, track: TrackEstimate) -> JobEstimate {
     let TrackEstimate { columns, window, layers, rows, bytes } = track;
     let bodies = problem.yielding().count();
     let cells = (columns * rows * layers * bodies) as u64;
     let components = if rows > 1 { 5 } else { 3 };
     let passes = u64::from(problem.load.passes);
-    let report = STEP_BYTES + PASS_BYTES * passes + ROW_BYTES * (window + 2 * layers) as u64;
+    let section = if job.output.fields && rows > 1 { 2 * (2 * rows * layers) as u64 } else { 0 };
+    let report = STEP_BYTES
+        + PASS_BYTES * passes
+        + ROW_BYTES * (window + 2 * layers) as u64
+        + 8 * SECTION_NUMBERS * section;
     JobEstimate {
         equations: window * rows + components * columns * rows * layers * bodies,
         bytes: SOLVER_BYTES + bytes + 8 * report,

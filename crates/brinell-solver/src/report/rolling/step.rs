@@ -5,21 +5,23 @@ use std::f64::consts::PI;
 use brinell_halfspace::track::Verdict;
 
 use super::document::{
-    BodyPassErrorReport, BodyPassReport, PassErrorReport, PassReport, RollingReport,
-    TrackLimitReport, TrackLimitsReport,
+    BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
+    RollingReport, TrackLimitReport, TrackLimitsReport,
 };
 use super::findings::findings;
+use super::section::section;
 use super::verdicts::{word, worst};
 use crate::job::{InitialStressProfile, Job};
 use crate::report::answers::Measured;
 use crate::report::build::{HALF_SPACE_DATUM, hertz, in_units, over_friction};
 use crate::report::validity;
 use crate::report::{
-    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LoadReport, Patch, PerBody, Side,
-    StepReport, SubsurfaceReport,
+    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LayersReport, LoadReport, Patch,
+    PerBody, Side, StepReport, SubsurfaceReport,
 };
 use crate::solver::rolling::{
-    BodyPass, BodyPassErrors, Limit, Pass, PassErrors, RollingProblem, RollingSolution,
+    BodyPass, BodyPassErrors, FrictionLimit, Limit, Pass, PassErrors, RollingProblem,
+    RollingSolution,
 };
 use crate::solver::{ElasticReference, SolveStatus};
 use crate::units::UnitConverter;
@@ -27,6 +29,9 @@ use crate::units::UnitConverter;
 /// What an approach would be counted between, had a line contact that rolls one.
 const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line load depends on where \
                              that is counted from";
+
+/// Difference below which two frictions are one.
+const SAME_FRICTION: f64 = 1e-9;
 
 /// Writes the report of one job.
 pub(super) struct StepWriter<'a> {
@@ -41,6 +46,10 @@ impl StepWriter<'_> {
     pub fn report(&self) -> StepReport {
         let (job, write, solution) = (self.job, self.write, self.solution);
         let reference = ElasticReference::of(job, self.problem.load.force.get());
+        let hertz = reference
+            .as_ref()
+            .map(|reference| hertz(reference, &over_friction(job, reference, write), write))
+            .or_else(|| self.ellipse());
         let findings = findings(job, self.problem, solution);
         let report = StepReport {
             verdict: None,
@@ -56,17 +65,14 @@ impl StepWriter<'_> {
             subsurface: self.subsurface(),
             subsurface_below_peak: None,
             plasticity: PerBody { upper: None, lower: None },
-            hertz: reference
-                .as_ref()
-                .map(|reference| hertz(reference, &over_friction(job, reference, write), write))
-                .or_else(|| self.ellipse()),
+            rolling: Some(self.rolling(hertz.as_ref())),
+            hertz,
             yield_onset: None,
             validity: validity::remarks(&findings, write),
             estimated_error: self.estimated_error(),
             fields: None,
-            layers: None,
+            layers: self.layers(),
             three_dimensional: None,
-            rolling: Some(self.rolling()),
             history: solution.history.iter().map(|record| in_units(record, write)).collect(),
         };
         let first_yield = reference.and_then(|reference| reference.yield_onset_force);
@@ -144,7 +150,7 @@ impl StepWriter<'_> {
         })
     }
 
-    fn rolling(&self) -> RollingReport {
+    fn rolling(&self, hertz: Option<&HertzReport>) -> RollingReport {
         let (write, solution) = (self.write, self.solution);
         let (side, verdict) = self.verdict();
         let (rate, change) = match verdict {
@@ -172,15 +178,38 @@ impl StepWriter<'_> {
             rate,
             rate_error: change.zip(of_columns).map(|(change, columns)| change + columns),
             reason: self.reason(verdict),
+            friction: self.problem.load.friction,
             passes: self.passes(),
             limits: TrackLimitsReport {
                 perfect: perfect.as_ref().filter(|limit| limit.peak_pressure > 0.0).map(limit),
                 kinematic: kinematic.as_ref().filter(|limit| limit.peak_pressure > 0.0).map(limit),
+                shear_yield_stress: self.problem.shear_yield_stress().map(|k| write.stress(k)),
+                over_friction: self.over_friction(hertz),
             },
             columns: solution.grid[0],
             layers: solution.grid[1],
             rows: solution.grid[2],
         }
+    }
+
+    /// Returns the limits over friction.
+    fn over_friction(&self, hertz: Option<&HertzReport>) -> Vec<FrictionLimits> {
+        let write = self.write;
+        let perfect = |friction: f64| {
+            let mut limits = hertz?.shakedown_over_friction.iter();
+            let of_line = limits.find(|limit| (limit.friction - friction).abs() < SAME_FRICTION);
+            // Of an ellipse the limit of free rolling alone is known.
+            let of_ellipse = || hertz?.shakedown_pressure.filter(|_| friction <= 0.0);
+            of_line.map(|limit| limit.pressure).or_else(of_ellipse)
+        };
+        let limits = self.problem.limits_over_friction().into_iter();
+        let of_friction = |limit: FrictionLimit| FrictionLimits {
+            friction: limit.friction,
+            elastic_pressure: write.stress(limit.elastic),
+            perfect_pressure: perfect(limit.friction),
+            kinematic_pressure: write.stress(limit.kinematic),
+        };
+        limits.map(of_friction).collect()
     }
 
     /// Returns the worse of both verdicts and the body that has it.
@@ -261,6 +290,19 @@ impl StepWriter<'_> {
         let rows = 0..passes().next().map_or(0, |body| body.outlet.accumulated.len());
         let of_row = |row: usize| passes().map(|body| body.outlet.accumulated[row]).sum();
         rows.map(of_row).fold(0.0, f64::max)
+    }
+
+    /// Returns what the last pass has left in the section of a track of finite width.
+    fn layers(&self) -> Option<PerBody<Option<LayersReport>>> {
+        let of_side = |side: usize| {
+            let passes = self.solution.passes.iter();
+            let passes: Vec<_> = passes.filter_map(|pass| pass.bodies[side].as_ref()).collect();
+            section(&passes, self.write)
+        };
+        let is_asked = self.job.output.fields && !self.solution.status.is_stopped();
+        let layers = PerBody { upper: of_side(0), lower: of_side(1) };
+        Some(layers)
+            .filter(|layers| is_asked && (layers.upper.is_some() || layers.lower.is_some()))
     }
 
     /// Returns what the last pass has left over depth, far from the load.

@@ -221,10 +221,10 @@ impl<C: Course> Engine for TrackEngine<'_, C> {
         drop(bodies);
         let fault = system.grid.holds(&pressure).and(held).err();
         let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;
+        let larger = TrackDesign { enlargements: design.enlargements + 1, ..*design };
         Ok(match fault {
-            Some(_) if may_enlarge => {
-                Verdict::Again(TrackDesign { enlargements: design.enlargements + 1, ..*design })
-            }
+            // The window of a larger track may outgrow its ring.
+            Some(_) if may_enlarge && C::lay(&larger).is_ok() => Verdict::Again(larger),
             fault => Verdict::Accept(Answer { track: system, outcome, fault }),
         })
     }

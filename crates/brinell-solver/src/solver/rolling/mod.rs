@@ -9,6 +9,7 @@ mod course;
 mod engine;
 mod errors;
 mod estimate;
+mod limits;
 mod pass;
 mod problem;
 mod run;
@@ -16,6 +17,7 @@ mod system;
 
 pub use errors::{BodyPassErrors, PassErrors};
 pub use estimate::{TrackEstimate, estimate};
+pub use limits::FrictionLimit;
 pub use pass::{BodyPass, Pass};
 pub use problem::{Footprint, Limit, RollingProblem};
 pub use run::{RollingSolution, run};
