@@ -11,7 +11,7 @@ import { symbol } from '../setup/entry.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
 import { abscissaOf } from './extent.js';
-import { beside, isDented, isUnloaded } from './loads.js';
+import { beside, isDented, isResidual } from './loads.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -196,7 +196,7 @@ export class DepthPanel {
       ),
     );
     if (!this.#touched)
-      this.#chosen = new Set(USUAL[isUnloaded(step) ? 'unloaded' : graded ? 'graded' : 'loaded']);
+      this.#chosen = new Set(USUAL[isResidual(step) ? 'unloaded' : graded ? 'graded' : 'loaded']);
     if (!graded && this.#chosen.delete('utilization'))
       this.#chosen.add('equivalent_plastic_strain');
     this.#offer(first.report.analysis, graded);
@@ -220,19 +220,31 @@ export class DepthPanel {
         y: graded.yield_stress,
       });
     }
-    if (profile?.initial_sigma_x && shown.length === 1)
-      curves.push({
-        label: `${nameOf('sigma_x', first.report.analysis)} before the load`,
-        colour: COMPONENTS.sigma_x.colour,
-        dash: [8, 3, 2, 3],
-        dashed: true,
-        x: profile.depth,
-        y: profile.initial_sigma_x,
-      });
+    for (const component of /** @type {const} */ (['sigma_x', 'sigma_z'])) {
+      const before = profile?.[`initial_${component}`];
+      // Under a load σ_z is seldom what one looks at.
+      const isSeen = component === 'sigma_x' || isResidual(step);
+      if (profile && before && isSeen && shown.length === 1)
+        curves.push({
+          label: `${nameOf(component, first.report.analysis)} before the load`,
+          colour: COMPONENTS[component].colour,
+          dash: [8, 3, 2, 3],
+          dashed: true,
+          x: profile.depth,
+          y: before,
+        });
+    }
     const [stress, length] = [unit('stress', units), unit('length', units)];
     // Ellipses have no closed form here.
     const isClosed = first.report.analysis !== 'three_dimensional' && !this.#isBeside(step);
-    if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0 && isClosed)
+    if (
+      shown.length === 1 &&
+      profile &&
+      step.hertz &&
+      step.hertz.half_width > 0 &&
+      isClosed &&
+      !step.rolling
+    )
       curves.push(...this.#elastic(first, at, profile.depth));
     this.chart.show({
       x: `depth ${alike ? below : 'at places of their own'}  [${length}]`,

@@ -16,7 +16,7 @@ export function save(blob, name) {
 
 /**
  * @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' |
- *   'layers' | 'flow' | 'curve'][]}
+ *   'layers' | 'flow' | 'curve' | 'rolling'][]}
  */
 const FILES = [
   ['Result, JSON', 'result', 'result.json', 'nothing'],
@@ -24,6 +24,7 @@ const FILES = [
   ['Pressure, CSV', 'pressure.csv', 'pressure.csv', 'nothing'],
   ['Depth profiles, CSV', 'subsurface.csv', 'subsurface.csv', 'subsurface'],
   ['Increments, CSV', 'increments.csv', 'increments.csv', 'flow'],
+  ['Passes, CSV', 'passes.csv', 'passes.csv', 'rolling'],
   ['Surfaces, CSV', 'surface.csv', 'surface.csv', 'flow'],
   ['Field, VTU', 'field.vtu', 'field.vtu', 'fields'],
   ['Layers, VTR', 'field.vtr', 'field.vtr', 'layers'],
@@ -48,10 +49,11 @@ export function downloads(id, job, report, shown) {
   const items = FILES.map(([name, path, file, needs]) => {
     const there = {
       nothing: true,
-      fields,
-      layers: fields && step?.three_dimensional !== undefined,
+      fields: fields && step?.rolling === undefined,
+      layers: fields && report.analysis === 'three_dimensional',
       subsurface: step?.subsurface !== undefined,
       flow: step?.flow !== undefined,
+      rolling: step?.rolling !== undefined,
       curve: Boolean(report.load_approach),
     }[needs];
     const missing = {
@@ -60,6 +62,7 @@ export function downloads(id, job, report, shown) {
       layers: 'fields in three dimensions',
       subsurface: 'stresses over depth',
       flow: 'flow theory',
+      rolling: 'a load that rolls',
       curve: 'several loads',
     };
     const title = there ? '' : `The job did not ask for ${missing[needs]}`;

@@ -51,6 +51,9 @@ export const endedEarly = (job, report) =>
     ? `The job ended before its last load: ${solvedWords(job, report)}.`
     : '';
 
+/** Whether the stresses over depth are those that a load has left. @param {import('../types.js').Step} step */
+export const isResidual = (step) => isUnloaded(step) || step.rolling !== undefined;
+
 /** Whether the load is taken away. @param {import('../types.js').Step} step */
 export const isUnloaded = ({ contact, flow }) => contact.force === 0 && flow !== undefined;
 

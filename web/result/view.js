@@ -24,7 +24,7 @@ import { HistoryPanel } from './history.js';
 import { beside, isUnloaded, loadWords } from './loads.js';
 import { MapPanel } from './map.js';
 import { segments } from './panel.js';
-import { PassesPanel } from './passes.js';
+import { passesPanels } from './passes.js';
 import { PressurePanel } from './pressure.js';
 import { progressWords } from './progress.js';
 import { SpreadPanel } from './spread.js';
@@ -80,7 +80,7 @@ export class View {
     this.convergence = new ConvergencePanel();
     this.sweep = new SweepPanel();
     this.dent = new DentPanel();
-    this.passes = new PassesPanel();
+    this.passes = passesPanels();
     this.vary = new VaryPanel(on);
     this.figures = new FiguresPanel((step) => this.#go(step));
     this.differences = new DifferencesPanel();
@@ -130,7 +130,7 @@ export class View {
 
   get #charts() {
     const { pressure, spread, map, depth, sweep, dent, passes } = this;
-    return [pressure, spread, map, depth, sweep, dent, passes];
+    return [pressure, spread, map, depth, sweep, dent, ...passes];
   }
 
   /**
@@ -145,7 +145,7 @@ export class View {
       ...(vary.hasCurve ? [vary] : []),
       ...(left ? [dent] : []),
       ...(step && !step.flow ? [sweep] : []),
-      passes,
+      ...passes,
       map,
       pressure,
       field,
@@ -191,7 +191,7 @@ export class View {
     this.steps.stop();
     for (const { panel } of [
       this.sweep,
-      this.passes,
+      ...this.passes,
       this.dent,
       this.pressure,
       this.spread,
@@ -281,7 +281,7 @@ export class View {
       shown: this.#shown,
       at: this.#at,
       drawings: [
-        this.passes,
+        ...this.passes,
         this.pressure,
         this.spread,
         this.dent,
@@ -335,7 +335,7 @@ export class View {
       this.pressure,
       this.spread,
       this.map,
-      this.passes,
+      ...this.passes,
       this.dent,
       this.depth,
       this.field,
@@ -360,7 +360,7 @@ export class View {
     this.spread.show(shown, this.#at);
     this.map.show(shown, this.#at);
     this.dent.show(shown, this.#at);
-    this.passes.show(shown, this.#at);
+    for (const panel of this.passes) panel.show(shown, this.#at);
     this.depth.show(shown, this.#at);
     this.vary.show(shown, this.#at);
     this.figures.show(shown, this.#at);

@@ -1,5 +1,6 @@
 /** The load as one line of a sketch. */
 
+import { svg } from '../lib/dom.js';
 import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from './fields.js';
 import { historyWords } from './history.js';
@@ -17,6 +18,18 @@ export function rollingWords(rolling, unit) {
   const friction = rolling?.friction ? `, μ ${exact(Number(rolling.friction))}` : '';
   return `${exact(Number(rolling?.force))} ${unit} rolling${friction}`;
 }
+
+/** The way of a load that rolls, beside the arrow of its force; there and back it has two heads. @param {import('../types.js').Job} job @param {number} x @param {number} y of that arrow @returns {SVGElement[]} */
+export const travel = ({ load }, x, y) =>
+  load?.rolling
+    ? [
+        svg('path', {
+          class: 'arrow',
+          'data-travel': '',
+          d: `M${x - 38} ${y}h26m-5 -3.5l5 3.5l-5 3.5${load.rolling.alternating ? 'm-16 -7l-5 3.5l5 3.5' : ''}`,
+        }),
+      ]
+    : [];
 
 /** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
 export function loadLine(job) {

@@ -5,7 +5,7 @@ import { numberOf } from '../lib/number.js';
 import { exact, unit, unitsOf } from '../lib/units.js';
 import { hasSurface, shapeLabel } from './fields.js';
 import { roundStep } from '../field/palette.js';
-import { WIDTH, loadLine } from './load-line.js';
+import { WIDTH, loadLine, travel } from './load-line.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {'upper' | 'lower'} Body */
@@ -184,6 +184,7 @@ export function sections(job) {
   const text = loadLine(job);
   root.append(
     svg('path', { class: 'arrow', d: `M${WIDTH / 4} 5v16m-3.500 -5l3.500 5l3.500 -5` }),
+    ...travel(job, WIDTH / 4, 13),
     svg('text', { x: WIDTH / 4 + 8, y: 16, class: 'load' }, text),
     svg('text', { x: WIDTH - 6, y: 16, class: 'note' }, name(job, 'upper')),
     svg('text', { x: WIDTH - 6, y: HEIGHT - 22, class: 'note' }, name(job, 'lower')),

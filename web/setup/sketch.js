@@ -6,7 +6,7 @@ import { byId, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
 import { exact, figure, unit, unitsOf } from '../lib/units.js';
 import { cutOut, outline, pin } from './outline.js';
-import { BOLD, LETTER, WIDTH, loadLine } from './load-line.js';
+import { BOLD, LETTER, WIDTH, loadLine, travel } from './load-line.js';
 import { sections } from './sections.js';
 import { counted, touching } from './touching.js';
 
@@ -203,6 +203,7 @@ function load(job, upper, scale, middle) {
   const text = loadLine(job);
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
+    ...travel(job, x, y - 12),
     svg(
       'text',
       { x: Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length)), y: y - 9, class: 'load' },

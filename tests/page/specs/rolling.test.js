@@ -41,3 +41,33 @@ service.test('figures stay when the load rolls no more', async (page) => {
   const { load, solver } = await draft(page);
   assert.deepEqual([load, solver.theory], [{ force: 612.6106 }, 'deformation']);
 });
+
+service.test(
+  'a ball that rolls shows its way, its groove, what is left and the map of shakedown',
+  async (page) => {
+    await page.getByText('1500.0 MPa').waitFor();
+    assert.equal(await page.locator('#sketch [data-travel]').count(), 0);
+    await page.locator('#example').selectOption('Ball runs in on a raceway');
+    await page.locator('#sketch [data-travel]').waitFor();
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.locator('#panel-groove svg').first().waitFor();
+    const words = (/** @type {string} */ panel) =>
+      page.locator(`#panel-${panel} .plot`).getAttribute('aria-label');
+    assert.match((await words('groove')) ?? '', /^\d+ passes: .* mm \(lower, groove\)/);
+    assert.match((await words('groove')) ?? '', /\(lower, pile-up\)/);
+    assert.match((await words('shakedown')) ?? '', /This job is at μ 0 and \d\.\d+ k\./);
+    const legend = page.locator('#panel-shakedown .legend');
+    for (const name of ['first yield', 'perfectly plastic', 'kinematic hardening', 'this job'])
+      await legend.getByText(name).waitFor();
+    // Residual stress is what one looks at.
+    const chosen = page.locator('#panel-depth [data-component]:has(input:checked)');
+    assert.deepEqual(
+      await chosen.evaluateAll((all) => all.map((one) => one.getAttribute('data-component'))),
+      ['sigma_x', 'sigma_z', 'equivalent_plastic_strain'],
+    );
+    await page.getByRole('button', { name: 'Report' }).click();
+    const drawings = page.locator('.sheet-drawings');
+    for (const title of ['Passes', 'Groove', 'Shakedown map'])
+      await drawings.getByText(title).first().waitFor();
+  },
+);
