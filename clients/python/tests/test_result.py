@@ -217,3 +217,57 @@ def test_passes_of_a_load_that_rolls_are_a_table(client: Client) -> None:
     assert (
         client.solve(brinell.job(wheel, rail, analysis="plane_strain", force=10)).rolling is None
     )
+
+
+@pytest.fixture(scope="module")
+def rolled(client: Client) -> Result:
+    """A ball that runs in, with friction and initial stress."""
+    job = json.loads((EXAMPLES / "ball_runs_in.json").read_text())
+    job["load"]["rolling"].update(passes=3, friction=-0.1)
+    job["mesh"] = {"elements_per_half_width": 5}
+    job["lower"]["material"]["initial_stress"] = [
+        {"depth": 0, "sigma_x": -100, "sigma_z": -150},
+        {"depth": 5, "sigma_x": 0, "sigma_z": 0},
+    ]
+    return client.solve(job)
+
+
+def test_passes_are_drawn(rolled: Result) -> None:
+    for quantity, label in [
+        ("net_strain", "net strain"),
+        ("groove_depth", "groove depth [mm]"),
+        ("least_sigma_x", "least sigma x [MPa]"),
+    ]:
+        ax = rolled.plot.passes(quantity)
+        assert ax.get_ylabel() == label
+        (line,) = ax.get_lines()
+        assert list(line.get_xdata()) == [1, 2, 3]
+        ax.figure.canvas.draw()
+        plt.close(ax.get_figure())
+    with pytest.raises(brinell.BrinellError, match=r"there are .*groove_depth"):
+        rolled.plot.passes("groove")
+
+
+def test_residual_stress_of_a_track_is_drawn_beside_that_before(rolled: Result) -> None:
+    ax = rolled.plot.residual_stress()
+    labels = [line.get_label() for line in ax.get_lines()]
+    assert "stress along the travel" in labels
+    assert "stress across the travel, before" in labels
+    plt.close(ax.get_figure())
+
+
+def test_the_map_of_shakedown_is_drawn(rolled: Result, sweep: Result) -> None:
+    ax = rolled.plot.shakedown_map()
+    lines = {line.get_label(): line for line in ax.get_lines()}
+    (here,) = lines["this job"].get_xdata()
+    assert here == pytest.approx(0.1)
+    assert len(lines["shakedown, perfectly plastic"].get_xdata()) == 1
+    first, kinematic = (
+        np.asarray(lines[name].get_ydata(), dtype=float)
+        for name in ("first yield", "shakedown, kinematic hardening")
+    )
+    assert (first < kinematic).all()
+    ax.figure.canvas.draw()
+    plt.close(ax.get_figure())
+    with pytest.raises(brinell.BrinellError, match="does not roll"):
+        sweep.plot.shakedown_map()

@@ -11,6 +11,7 @@ from ._fields import BodyFields, Fields
 from ._html import unit_of_force
 from ._plain import need
 from ._result import Result, Step
+from ._rolling import Rolling
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,6 +32,14 @@ TITLES = {
     "equivalent_plastic_strain": "equivalent plastic strain",
     "yield_stress": "yield stress",
     "utilization": "utilization",
+}
+# Of a track, where x is the direction of travel.
+ROLLED = {"sigma_x": "stress along the travel", "sigma_z": "stress across the travel"}
+# Limits over friction: words and line.
+LIMITS = {
+    "elastic_pressure": ("first yield", ":"),
+    "perfect_pressure": ("shakedown, perfectly plastic", "-"),
+    "kinematic_pressure": ("shakedown, kinematic hardening", "--"),
 }
 WITHOUT_UNIT = ("equivalent_plastic_strain", "utilization")
 COLOURS = {"upper": "C0", "lower": "C1"}
@@ -132,7 +141,8 @@ class Plot:
         return f"depth [{self._length}] at {self._along} = {place:.3g} {self._length}"
 
     def residual_stress(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
-        """Stresses along the surface over depth, as they are left when the load is zero.
+        """Stresses along the surface over depth, as they are left when the load is zero or has
+        rolled by; dotted those before it.
 
         The line runs below the middle of the contact; the axis of depths says where that is.
         """
@@ -141,16 +151,80 @@ class Plot:
         values = (one.data.get("subsurface") or {}).get(body)
         if not values:
             raise BrinellError(f"this step has no stresses over depth in the {body} body")
-        if not (one.unloaded and one.data.get("flow")):
+        rolls = one.rolling is not None
+        if not (rolls or (one.unloaded and one.data.get("flow"))):
             raise BrinellError(f"this step is under load, or does not know unloading: {UNLOAD}")
         for name in ("sigma_x", "sigma_z"):
-            ax.plot(values["depth"], values[name], label=self._titles[name])
+            title = ROLLED[name] if rolls else self._titles[name]
+            (line,) = ax.plot(values["depth"], values[name], label=title)
+            before = values.get(f"initial_{name}")
+            if before:
+                style: dict[str, Any] = {"color": line.get_color(), "label": f"{title}, before"}
+                ax.plot(values["depth"], before, ":", **style)
         widest = max(step.half_width for step in self._result.steps)
         ax.axhline(0.0, color="0.7", linewidth=0.8)
         ax.set_xlim(0.0, 5.0 * widest if widest > 0.0 else None)
         ax.set(xlabel=self._depth_at(one, values), ylabel=f"stress left [{self._stress}]")
         ax.legend(frameon=False)
         return ax
+
+    def passes(self, quantity: str = "net_strain", step: int = -1, ax: Axes | None = None) -> Axes:
+        """A figure of both bodies over the passes of a load that rolls: `net_strain`,
+        `largest_strain`, `groove_depth`, `least_sigma_x`, or another of `rolling.passes`.
+        """
+        ax = _axes(ax)
+        passes = self._rolling(step).passes
+        names = [side for side in COLOURS if f"{side}_{quantity}" in passes]
+        if not names:
+            parts = [
+                name.split("_", 1) for name in map(str, passes) if not name.endswith("_error")
+            ]
+            known = sorted({name for side, *rest in parts if side in COLOURS for name in rest})
+            raise BrinellError(f"no {quantity!r} of a body; there are {', '.join(known)}")
+        # Where both bodies are alike one line hides the other, so that the second is dashed.
+        for name, line in zip(names, ("o-", "s--"), strict=False):
+            values = passes[f"{name}_{quantity}"]
+            style: dict[str, Any] = {"color": COLOURS[name], "markersize": 3}
+            ax.plot(values.index, values, line, label=f"{name} body", **style)
+        if quantity in ("net_strain", "largest_strain") and (ax.get_ylim()[1] > 0.0):
+            ax.set_yscale("log", nonpositive="mask")
+        unit = ""
+        if "sigma" in quantity:
+            unit = f" [{self._stress}]"
+        elif "strain" not in quantity or quantity.endswith(("_depth", "_across")):
+            unit = f" [{self._length}]"
+        ax.set(xlabel="pass", ylabel=quantity.replace("_", " ") + unit)
+        ax.legend(frameon=False)
+        return ax
+
+    def shakedown_map(self, step: int = -1, ax: Axes | None = None) -> Axes:
+        """Limits of first yield and of shakedown over friction, and where this job is.
+
+        The ordinate is Hertz's peak pressure over the yield stress in shear.
+        """
+        ax = _axes(ax)
+        rolling = self._rolling(step)
+        limits = rolling.limits
+        k = limits.get("shear_yield_stress")
+        curve = limits.get("over_friction")
+        if not (k and curve):
+            raise BrinellError("no body of this job has a yield point, which limits are over")
+        for name, (words, line) in LIMITS.items():
+            known = [(one["friction"], one[name] / k) for one in curve if one[name]]
+            # Of ellipses the limit of perfect plasticity is known in free rolling alone.
+            ax.plot(*zip(*known, strict=True), line if len(known) > 1 else "s", label=words)
+        here = self._result.steps[step].hertz["peak_pressure"] / k
+        ax.plot(abs(rolling.friction), here, "ko", label="this job")
+        ax.set(xlabel="friction |μ|", ylabel="Hertz's peak over k")
+        ax.set_ylim(bottom=0.0)
+        ax.legend(frameon=False)
+        return ax
+
+    def _rolling(self, step: int) -> Rolling:
+        rolling = self._result.steps[step].rolling
+        if rolling is None:
+            raise BrinellError('the load of this step does not roll: rolling={"force": 2000}')
+        return rolling
 
     def field(
         self,

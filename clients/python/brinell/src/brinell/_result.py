@@ -592,7 +592,7 @@ class Result:
     @property
     def plot(self) -> Plot:
         """Pictures: `plot.pressure()`, `.depth()`, `.field()`, `.load_approach()`, `.dent()`,
-        `.residual_stress()`, `.hardness()`.
+        `.residual_stress()`, `.passes()`, `.shakedown_map()`, `.hardness()`.
         """
         from ._plot import Plot
 

@@ -46,8 +46,15 @@ class Rolling:
         return self.data.get("reason")
 
     @property
+    def friction(self) -> float:
+        """Traction over pressure, positive along the travel on the lower body."""
+        return _number(self.data.get("friction"))
+
+    @property
     def limits(self) -> dict[str, Any]:
-        """Elastic peak pressures up to which the track shakes down: `perfect`, `kinematic`."""
+        """Elastic peak pressures up to which the track shakes down: `perfect`, `kinematic`, and
+        the same `over_friction`, beside the yield stress in shear.
+        """
         return self.data["limits"] or {}
 
     @property
