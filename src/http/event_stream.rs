@@ -10,7 +10,8 @@ use tokio::sync::mpsc::Sender;
 use tokio::time::sleep;
 
 use super::HttpState;
-use super::wire::{JobDocument, Prefix};
+use super::prefix::Prefix;
+use super::wire::JobDocument;
 use crate::jobs::{IterationRecord, JobId, JobRecord, JobState, StoreError, Subscription};
 
 /// Longest time between two queries of the store, in case an announcement is lost.

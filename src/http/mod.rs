@@ -21,6 +21,7 @@ mod negotiation;
 pub mod openapi;
 mod page;
 mod preference;
+mod prefix;
 mod problem;
 mod problem_type;
 mod query;

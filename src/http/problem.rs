@@ -13,8 +13,8 @@ use brinell_solver::job::FaultCode;
 use serde::Serialize;
 use utoipa::ToSchema;
 
+use super::prefix::Prefix;
 use super::problem_type::ProblemType;
-use super::wire::Prefix;
 use crate::jobs::{
     FailureKind, FieldError, JobError, JobEstimate, JobFailure, Rejection, StoreError, SubmitError,
 };

@@ -1,12 +1,8 @@
 //! Documents of the HTTP interface besides results and problems.
 
 use std::collections::BTreeMap;
-use std::convert::Infallible;
 
-use axum::extract::FromRequestParts;
-use axum::http::HeaderMap;
 use axum::http::header::RETRY_AFTER;
-use axum::http::request::Parts;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use brinell_solver::job::{Analysis, Job, Load, Theory};
@@ -16,6 +12,7 @@ use utoipa::ToSchema;
 
 use super::HttpState;
 use super::openapi;
+use super::prefix::Prefix;
 use super::problem::{Problem, ProblemDocument};
 use super::request_log::JobIdExtension;
 use crate::jobs::{
@@ -24,42 +21,6 @@ use crate::jobs::{
 
 /// Seconds after which to ask again for a job that is not done.
 const POLL_SECONDS: u16 = 1;
-
-/// The path under which a proxy serves this service, from `X-Forwarded-Prefix`.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Prefix(String);
-
-impl Prefix {
-    /// The prefix, if there is one.
-    pub(super) fn server(&self) -> Option<&str> {
-        Some(self.0.as_str()).filter(|path| !path.is_empty())
-    }
-
-    /// Parses the header, `/press` for `/press/`; ignores a value that is no plain path.
-    pub(super) fn of(headers: &HeaderMap) -> Self {
-        let text = headers
-            .get("x-forwarded-prefix")
-            .and_then(|prefix| prefix.to_str().ok())
-            .unwrap_or_default();
-        let path = text.trim_end_matches('/');
-        let is_plain =
-            path.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte));
-        // Browsers read `//` as the start of a host name and resolve dot segments.
-        let mut segments = path.split('/');
-        let is_path = segments.next() == Some("")
-            && segments.all(|segment| !["", ".", ".."].contains(&segment))
-            && path.len() <= 200;
-        Self(if is_plain && is_path { path.to_owned() } else { String::new() })
-    }
-}
-
-impl<S: Sync> FromRequestParts<S> for Prefix {
-    type Rejection = Infallible;
-
-    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Infallible> {
-        Ok(Self::of(&parts.headers))
-    }
-}
 
 /// Addresses that belong to a job: those that answer in its present state.
 #[derive(Debug, Clone, Serialize, ToSchema)]
@@ -124,7 +85,7 @@ pub struct Links {
 
 impl Links {
     fn of(record: &JobRecord, submitted: Option<&Job>, prefix: &Prefix) -> Self {
-        let job = format!("{}/v1/jobs/{}", prefix.0, record.id);
+        let job = format!("{}/v1/jobs/{}", prefix.path(), record.id);
         let below = |name: &str| format!("{job}/{name}");
         let with_result = |name| record.has_report.then(|| below(name));
         // A stopped job has neither stresses nor fields.
@@ -391,40 +352,4 @@ pub struct Health {
     /// In a word.
     #[schema(example = "ready")]
     pub status: &'static str,
-}
-
-#[cfg(test)]
-mod tests {
-    use axum::http::{HeaderName, HeaderValue};
-
-    use super::*;
-
-    #[test]
-    fn a_prefix_is_a_plain_path() {
-        let prefix = |text: &'static str| {
-            Prefix::of(&HeaderMap::from_iter([(
-                HeaderName::from_static("x-forwarded-prefix"),
-                HeaderValue::from_static(text),
-            )]))
-            .0
-        };
-        assert_eq!(prefix("/press"), "/press");
-        assert_eq!(prefix("/a/b/"), "/a/b");
-        for bad in [
-            "",
-            "/",
-            "press",
-            "//elsewhere.example",
-            "/a b",
-            "/a\"b",
-            "/a?b",
-            "/..",
-            "/a/../b",
-            "/.",
-            "/a//b",
-            "/%2e",
-        ] {
-            assert_eq!(prefix(bad), "", "{bad}");
-        }
-    }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use tokio::runtime::Handle;
 
-use super::{JobId, JobService, KeyId};
+use super::{Enqueued, JobId, JobService, KeyId, Submission, SubmitError};
 
 /// Cancels its job when it is dropped, as it is when the client hangs up.
 pub struct AttendedJob {
@@ -14,11 +14,6 @@ pub struct AttendedJob {
 }
 
 impl AttendedJob {
-    /// Guards a job, to be cancelled in the name of `key`; without a job, dropping does nothing.
-    pub(super) fn new(jobs: Arc<JobService>, job: Option<JobId>, key: Option<KeyId>) -> Self {
-        Self { jobs, job, key }
-    }
-
     /// Disarms the guard: the client has its answer.
     pub fn release(mut self) {
         self.job = None;
@@ -35,5 +30,26 @@ impl Drop for AttendedJob {
                                                    up");
             }
         });
+    }
+}
+
+impl JobService {
+    /// Checks a job and queues it for a client that waits for its result. Dropping the returned
+    /// guard, or this future, cancels the job, unless it has an idempotency key: its client may
+    /// repeat the request.
+    ///
+    /// # Errors
+    /// [`SubmitError`]; nothing is queued then.
+    pub async fn submit_attended(
+        self: &Arc<Self>,
+        submission: Submission,
+    ) -> Result<(Enqueued, AttendedJob), SubmitError> {
+        let (jobs, key) = (Arc::clone(self), submission.submitter);
+        let may_come_again = submission.idempotency_key.is_some();
+        let attend = move |enqueued: &Enqueued| {
+            let job = Some(enqueued.job.id).filter(|_| !may_come_again);
+            AttendedJob { jobs, job, key }
+        };
+        self.submit_with(submission, attend).await
     }
 }

@@ -18,9 +18,9 @@ use tracing::Instrument;
 use uuid::Uuid;
 
 use super::{
-    ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader,
-    Idempotency, JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob,
-    ResultHead, StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
+    ApiKey, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader, Idempotency,
+    JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
+    StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::tensile::{TensileTest, TestedCurve};
@@ -314,27 +314,9 @@ impl JobService {
         Ok(self.submit_with(submission, |_| ()).await?.0)
     }
 
-    /// Checks a job and queues it for a client that waits for its result. Dropping the returned
-    /// guard, or this future, cancels the job, unless it has an idempotency key: its client may
-    /// repeat the request.
-    ///
-    /// # Errors
-    /// [`SubmitError`]; nothing is queued then.
-    pub async fn submit_attended(
-        self: &Arc<Self>,
-        submission: Submission,
-    ) -> Result<(Enqueued, AttendedJob), SubmitError> {
-        let (jobs, key) = (Arc::clone(self), submission.submitter);
-        let may_come_again = submission.idempotency_key.is_some();
-        let attend = move |enqueued: &Enqueued| {
-            AttendedJob::new(jobs, Some(enqueued.job.id).filter(|_| !may_come_again), key)
-        };
-        self.submit_with(submission, attend).await
-    }
-
     /// Submits a job as [`Self::submit`] does. The value that `attend` makes of the queued job is
     /// dropped if the caller's future was dropped.
-    async fn submit_with<T: Send + 'static>(
+    pub(super) async fn submit_with<T: Send + 'static>(
         &self,
         submission: Submission,
         attend: impl FnOnce(&Enqueued) -> T + Send + 'static,

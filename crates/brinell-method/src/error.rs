@@ -3,7 +3,6 @@
 use brinell_contact::ContactError;
 use sparse_cholesky::FactorizationError;
 
-use crate::force_search::Unreachable;
 use crate::observer::Interrupt;
 
 /// Why the alternation has no answer. The error type of each engine converts from this one.
@@ -42,4 +41,31 @@ impl Interrupted for Error {
             _ => None,
         }
     }
+}
+
+/// Why the search has failed: no force gives the figure its wanted value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unreachable {
+    /// The nearest figure over its wanted value; for the onset of yield, the highest von Mises
+    /// stress over the yield stress. Not a number where no force was solved.
+    pub nearest: f64,
+    /// The force of this nearest figure \[N/mm or N\].
+    pub force: f64,
+    /// The largest force that was solved \[N/mm or N\].
+    pub largest_force: f64,
+    /// The reason.
+    pub reason: UnreachableReason,
+}
+
+/// Why no force gives the figure its wanted value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum UnreachableReason {
+    /// Larger forces cannot be solved; the text gives the reason.
+    Limit(String),
+    /// The figure is too small under the largest force.
+    LargestForce,
+    /// The figure is too large under the smallest force.
+    SmallestForce,
+    /// The figure is the same under all forces nearby.
+    Insensitive,
 }

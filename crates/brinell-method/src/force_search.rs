@@ -12,7 +12,7 @@ use super::bracket::{Bracket, Next};
 use super::observer::SolveStatus;
 use super::run::Run;
 use super::steps::Step;
-use crate::Error;
+use crate::{Error, Unreachable, UnreachableReason};
 
 /// Deviation of the figure that ends the search at the lower density, whose own error is as large.
 const NEAR: f64 = 0.01;
@@ -93,33 +93,6 @@ pub struct ForceFound<S> {
     pub sensitivity: f64,
     /// The same quotient between the last fine solves.
     pub slope: f64,
-}
-
-/// Why the search has failed: no force gives the figure its wanted value.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Unreachable {
-    /// The nearest figure over its wanted value; for the onset of yield, the highest von Mises
-    /// stress over the yield stress. Not a number where no force was solved.
-    pub nearest: f64,
-    /// The force of this nearest figure \[N/mm or N\].
-    pub force: f64,
-    /// The largest force that was solved \[N/mm or N\].
-    pub largest_force: f64,
-    /// The reason.
-    pub reason: UnreachableReason,
-}
-
-/// Why no force gives the figure its wanted value.
-#[derive(Debug, Clone, PartialEq)]
-pub enum UnreachableReason {
-    /// Larger forces cannot be solved; the text gives the reason.
-    Limit(String),
-    /// The figure is too small under the largest force.
-    LargestForce,
-    /// The figure is too large under the smallest force.
-    SmallestForce,
-    /// The figure is the same under all forces nearby.
-    Insensitive,
 }
 
 /// Looks for the force.

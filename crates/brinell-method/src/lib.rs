@@ -20,7 +20,8 @@ pub mod observer;
 pub mod phases;
 pub mod progress;
 pub mod run;
+pub mod slope;
 pub mod solve;
 pub mod steps;
 
-pub use error::{Error, Interrupted};
+pub use error::{Error, Interrupted, Unreachable, UnreachableReason};

@@ -15,6 +15,7 @@
 
 mod cholesky;
 mod elimination;
+mod error;
 mod factorization;
 mod graph;
 mod nested_dissection;
@@ -22,8 +23,9 @@ mod panel;
 mod pattern;
 mod symbolic;
 
-pub use cholesky::{Cholesky, FactorizationError};
+pub use cholesky::Cholesky;
 pub use elimination::EliminationOrder;
+pub use error::FactorizationError;
 pub use graph::Graph;
 pub use nested_dissection::LatticePoint;
 pub use pattern::SymmetricPattern;

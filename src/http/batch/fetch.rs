@@ -9,10 +9,11 @@ use super::BatchItem;
 use crate::http::HttpState;
 use crate::http::access::Caller;
 use crate::http::job_path::check_seen;
+use crate::http::prefix::Prefix;
 use crate::http::problem::Problem;
 use crate::http::query::Selection;
 use crate::http::result_body::SentResult;
-use crate::http::wire::{JobDocument, Prefix};
+use crate::http::wire::JobDocument;
 use crate::http::written_body::written;
 use crate::jobs::{JobId, StoreError};
 

@@ -5,9 +5,10 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 
 use crate::http::access::Caller;
+use crate::http::prefix::Prefix;
 use crate::http::query::{Granted, Selection};
 use crate::http::result_body::{SentResult, no_result};
-use crate::http::wire::{JobDocument, Prefix};
+use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem, ProblemType};
 use crate::jobs::JobRecord;
 

@@ -8,7 +8,8 @@ use crate::http::access::Caller;
 use crate::http::batch::{BatchAnswer, BatchItem, BatchOfIds, read_ids};
 use crate::http::body::JobBody;
 use crate::http::job_path::check_seen;
-use crate::http::wire::{JobDocument, Prefix};
+use crate::http::prefix::Prefix;
+use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
 

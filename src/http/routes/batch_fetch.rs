@@ -6,8 +6,8 @@ use axum::response::Response;
 use crate::http::access::Caller;
 use crate::http::batch::{BatchAnswer, BatchOfIds, fetched, read_ids};
 use crate::http::body::JobBody;
+use crate::http::prefix::Prefix;
 use crate::http::query::{Selection, SelectionQuery};
-use crate::http::wire::Prefix;
 use crate::http::{HttpState, Problem};
 
 /// Several jobs with their results

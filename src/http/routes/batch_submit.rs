@@ -7,8 +7,9 @@ use crate::http::access::Caller;
 use crate::http::batch::{BatchAnswer, BatchItem, BatchOfJobs, read_jobs};
 use crate::http::body::JobBody;
 use crate::http::preference::IdempotencyKey;
+use crate::http::prefix::Prefix;
 use crate::http::request_log::Trace;
-use crate::http::wire::{JobDocument, Prefix};
+use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
 use crate::jobs::Submission;
 

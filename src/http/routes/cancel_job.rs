@@ -4,7 +4,8 @@ use axum::extract::State;
 
 use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
-use crate::http::wire::{JobDocument, Prefix};
+use crate::http::prefix::Prefix;
+use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
 

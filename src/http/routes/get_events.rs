@@ -21,7 +21,7 @@ use axum::response::{IntoResponse, Response};
 use crate::http::access::Caller;
 use crate::http::event_stream::{EventPosition, Follower};
 use crate::http::job_path::JobPath;
-use crate::http::wire::Prefix;
+use crate::http::prefix::Prefix;
 use crate::http::written_body::written;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;

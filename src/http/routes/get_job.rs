@@ -8,8 +8,9 @@ use super::answer::{apply_preference, with_result};
 use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
 use crate::http::preference::PreferHeader;
+use crate::http::prefix::Prefix;
 use crate::http::query::{Wait, WaitQuery};
-use crate::http::wire::{JobDocument, Prefix};
+use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
 

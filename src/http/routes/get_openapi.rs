@@ -12,8 +12,8 @@ use serde_json::json;
 
 use crate::http::negotiation::takes_gzip;
 use crate::http::openapi;
+use crate::http::prefix::Prefix;
 use crate::http::result_body::CodingChosen;
-use crate::http::wire::Prefix;
 use crate::jobs::{Deflated, GzipStream};
 
 /// This interface as an OpenAPI 3.1 document

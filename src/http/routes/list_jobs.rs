@@ -4,8 +4,9 @@ use axum::Json;
 use axum::extract::State;
 
 use crate::http::access::Caller;
+use crate::http::prefix::Prefix;
 use crate::http::query::{ListFilter, ListQuery};
-use crate::http::wire::{JobDocument, JobList, Prefix};
+use crate::http::wire::{JobDocument, JobList};
 use crate::http::{HttpState, Problem};
 
 /// Jobs, page by page

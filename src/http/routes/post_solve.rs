@@ -17,9 +17,10 @@ use super::answer::{apply_preference, finished, mark_replayed};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::preference::{IdempotencyHeader, IdempotencyKey, PreferHeader};
+use crate::http::prefix::Prefix;
 use crate::http::query::{Wait, WaitQuery};
 use crate::http::request_log::Trace;
-use crate::http::wire::{JobDocument, Prefix};
+use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
 use crate::jobs::Submission;
 

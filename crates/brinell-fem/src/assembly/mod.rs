@@ -6,15 +6,17 @@ mod plastic_points;
 mod relaxation;
 mod stiffness;
 mod stress;
+mod unloaded;
 
 use crate::element::StressState;
 use brinell_material::OutOfPlane;
 
 pub use equations::{Equations, Restraint, Support};
-pub use plastic_points::{MaterialModel, PlasticPoints, PointStresses, Unloaded};
+pub use plastic_points::{MaterialModel, PlasticPoints};
 pub use relaxation::{given_stress, initial_force, relaxed_stress};
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
+pub use unloaded::{PointStresses, Unloaded};
 
 /// Returns the out-of-plane condition of a stress state.
 pub fn out_of_plane(stress_state: StressState) -> OutOfPlane {

@@ -16,6 +16,7 @@
 //!     +-----------------+---------+   support
 //! ```
 
+mod corner;
 mod frame;
 mod half_o_grid;
 mod interpolation;
@@ -27,13 +28,14 @@ mod quality;
 mod smoothing;
 mod zone;
 
+pub use corner::Corner;
 pub use frame::SurfaceFrame;
 pub use half_o_grid::Refinement;
 pub use locator::{Locator, Place};
 pub use outline::MESHED_SLOPE;
 pub use outline::{FarBoundary, Outline, Ring};
 pub use quality::Quality;
-pub use zone::{ContactZone, Corner};
+pub use zone::ContactZone;
 
 use thiserror::Error;
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::Corner;
 use super::interpolation::{MonotoneCubic, Polyline};
-use super::zone::Corner;
 use super::{MeshError, ROUNDING};
 use brinell_material::Depth;
 

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
+use super::fields::InUnits;
 use super::reader::Cursor;
-use super::wire::InUnits;
 use super::{Analysis, Material, Named, Shape, Surface, Units, name};
 
 /// One body of the contact: its shape, its material and the support of its far boundary.

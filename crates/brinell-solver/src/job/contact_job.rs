@@ -2,15 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
 use serde::de::Deserialize;
-use serde::ser::{SerializeMap, Serializer};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::fields::{read_settings, read_settings_from};
+use super::fields::{InUnits, read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
-use super::wire::InUnits;
 use super::{
-    Body, FaultCode, FieldError, HardnessTest, JobError, Load, Material, MeshSettings, Named,
+    Analysis, Body, FaultCode, FieldError, HardnessTest, JobError, Load, Material, MeshSettings,
     OutputSettings, Quantity, SolverSettings, Units, hardness, name, tags,
 };
 
@@ -38,45 +36,6 @@ pub struct Job {
     pub output: OutputSettings,
     /// Free labels, repeated in the result and searchable.
     pub tags: BTreeMap<String, String>,
-}
-
-/// Kinematic assumption.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Analysis {
-    /// `ε_zz` = 0: long bodies.
-    PlaneStrain,
-    /// `σ_zz` = 0: thin discs.
-    PlaneStress,
-    /// Bodies of revolution about the line of approach.
-    Axisymmetric,
-    /// Half-spaces whose surfaces are curved in two directions.
-    ThreeDimensional,
-}
-
-impl Named for Analysis {
-    const ALL: &'static [Self] =
-        &[Self::PlaneStrain, Self::PlaneStress, Self::Axisymmetric, Self::ThreeDimensional];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::PlaneStrain => "plane_strain",
-            Self::PlaneStress => "plane_stress",
-            Self::Axisymmetric => "axisymmetric",
-            Self::ThreeDimensional => "three_dimensional",
-        }
-    }
-}
-
-impl Analysis {
-    /// Returns the quantity of a force: per thickness in plane analyses, the total force in
-    /// axisymmetry and three dimensions.
-    pub const fn force(self) -> Quantity {
-        match self {
-            Self::PlaneStrain | Self::PlaneStress => Quantity::LineForce,
-            Self::Axisymmetric | Self::ThreeDimensional => Quantity::Force,
-        }
-    }
 }
 
 impl Job {

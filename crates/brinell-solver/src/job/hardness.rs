@@ -7,9 +7,8 @@
 use super::fields::{Field, Known, read_record_of, record};
 use super::reader::Cursor;
 use super::{
-    Analysis, Body, Cone, Deformable, Elastic, FaultCode, FieldError, History, HistoryLoad, Job,
-    Material, MeshSettings, Named, NonNegativeF64, PoissonRatio, PositiveF64, Profile, Quantity,
-    Shape, SolverSettings, Support, Theory, Units,
+    Body, Cone, Deformable, Elastic, FaultCode, FieldError, Material, MeshSettings, Named,
+    PoissonRatio, PositiveF64, Profile, Quantity, Shape, SolverSettings, Support, Theory, Units,
 };
 
 /// Standard gravity \[N/kgf\].
@@ -34,7 +33,7 @@ const RATIOS: [f64; 6] = [30.0, 15.0, 10.0, 5.0, 2.5, 1.0];
 /// Increments of each load unless given, and the least: the diameter follows from those of the last
 /// three quarters of the force.
 const INCREMENTS: u32 = 32;
-const LEAST_INCREMENTS: u32 = 8;
+pub(super) const LEAST_INCREMENTS: u32 = 8;
 /// Why a hold is refused.
 const NO_HOLD: &str = "no law here knows of time, so that nothing creeps in a hold: leave it out";
 
@@ -295,15 +294,12 @@ impl HardnessTest {
     }
 
     /// Returns the forces of the test, one after the other.
-    pub(super) fn history(&self) -> Option<History> {
-        let force = |force: f64| NonNegativeF64::new(force).ok().map(HistoryLoad::Force);
-        let forces = if self.scale.is_rockwell() {
+    pub(super) fn forces(&self) -> Vec<f64> {
+        if self.scale.is_rockwell() {
             vec![PRELIMINARY, self.force(), PRELIMINARY, 0.0]
         } else {
             vec![self.force(), 0.0]
-        };
-        let loads: Option<Vec<_>> = forces.into_iter().map(force).collect();
-        History::of_test(loads?, *self)
+        }
     }
 
     /// Returns the indenter for a specimen of this material.
@@ -386,40 +382,4 @@ pub(super) fn settings() -> SolverSettings {
 /// Mesh of a test that gives none.
 pub(super) fn mesh() -> MeshSettings {
     MeshSettings { elements_per_half_width: ELEMENTS }
-}
-
-impl Job {
-    /// Returns the faults of a hardness test that is no contact of revolution under flow theory
-    /// with a block that deforms.
-    pub(super) fn faults_of_hardness(&self) -> Vec<FieldError> {
-        if self.load.hardness().is_none() {
-            return Vec::new();
-        }
-        let mut faults = Vec::new();
-        let mut fault = |pointer: &str, detail: &str| {
-            let (pointer, detail) = (pointer.to_owned(), detail.to_owned());
-            faults.push(FieldError { pointer, code: FaultCode::Inconsistent, detail });
-        };
-        if self.analysis != Analysis::Axisymmetric {
-            let detail = "a hardness test is a contact of revolution: \"axisymmetric\"";
-            fault("/analysis", detail);
-        }
-        if self.solver.theory == Theory::Deformation {
-            let detail = "a hardness test unloads, which deformation theory does not know; it \
-                          needs the theory `flow`";
-            fault("/solver/theory", detail);
-        }
-        if self.solver.increments.is_some_and(|increments| increments < LEAST_INCREMENTS) {
-            let detail = "a hardness test has at least 8 increments for each load: its diameter \
-                          follows from them";
-            fault("/solver/increments", detail);
-        }
-        if self.lower.material == Material::Rigid {
-            fault("/lower/material", "a rigid specimen takes no indentation");
-        }
-        if !matches!(self.lower.shape, Shape::Block(_)) {
-            fault("/lower/shape/type", "the specimen of a hardness test is a \"block\"");
-        }
-        faults
-    }
 }

@@ -4,8 +4,8 @@ use std::ops::Deref;
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
+use super::fields::InUnits;
 use super::reader::Cursor;
-use super::wire::InUnits;
 use super::{
     FaultCode, FieldError, HardnessTest, NonNegativeF64, PositiveF64, Quantity, Rolling, Target,
     Units,
@@ -146,8 +146,10 @@ impl History {
     }
 
     /// Builds the history of a hardness test.
-    pub(super) fn of_test(loads: Vec<HistoryLoad>, test: HardnessTest) -> Option<Self> {
-        Some(Self { test: Some(test), ..Self::new(loads).ok()? })
+    fn of_test(test: HardnessTest) -> Option<Self> {
+        let load = |force| NonNegativeF64::new(force).ok().map(HistoryLoad::Force);
+        let loads: Option<Vec<_>> = test.forces().into_iter().map(load).collect();
+        Some(Self { test: Some(test), ..Self::new(loads?).ok()? })
     }
 }
 
@@ -248,7 +250,7 @@ impl Load {
                 .required(Rolling::KEY, |c| Rolling::read(c, units, force))
                 .map(Self::Rolling),
             HardnessTest::KEY => object
-                .required(HardnessTest::KEY, |c| HardnessTest::read(c, units)?.history())
+                .required(HardnessTest::KEY, |c| History::of_test(HardnessTest::read(c, units)?))
                 .map(Self::History),
             _ => many("approaches", Quantity::Approach).map(Self::Approaches),
         };

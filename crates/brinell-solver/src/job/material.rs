@@ -5,9 +5,8 @@ use std::sync::Arc;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use super::fields::{Field, Known, Record, record, write_record};
+use super::fields::{Field, InUnits, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
-use super::wire::InUnits;
 use super::{
     BackstressTerm, FaultCode, FieldError, Hardening, InitialStress, OverDepth, PoissonRatio,
     PositiveF64, Quantity, Units,

@@ -10,6 +10,7 @@
 //! The core works in one consistent system, N–mm–MPa. [`Units`] are the units of the wire format:
 //! parsing converts the figures to the core's units, and the results convert back.
 
+pub mod analysis;
 pub mod body;
 pub mod contact_job;
 pub mod error;
@@ -20,6 +21,7 @@ pub mod initial_stress;
 pub mod load;
 mod material;
 pub mod name;
+mod named;
 mod no_data;
 mod npy;
 pub mod number;
@@ -43,10 +45,10 @@ pub mod tensile;
 mod theory;
 mod three_dimensions;
 pub mod units;
-mod wire;
 
+pub use analysis::Analysis;
 pub use body::{Body, Support};
-pub use contact_job::{Analysis, Job};
+pub use contact_job::Job;
 pub use error::{FaultCode, FieldError, JobError};
 pub use fields::{Field, FieldTable};
 pub use hardening::{
@@ -56,12 +58,12 @@ pub use hardness::{HardnessTest, TestScale};
 pub use initial_stress::{InitialStress, InitialStressProfile};
 pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
+pub use named::Named;
 pub use no_data::NoData;
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
 pub(crate) use over_depth::YIELD_OVER_HARDNESS;
 pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, HardnessScale, OverDepth};
 pub use quantity::Quantity;
-pub use reader::Named;
 pub use rolling::{Rolling, Until};
 pub use settings::{
     ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory,

@@ -9,10 +9,9 @@ use std::ops::RangeInclusive;
 
 use serde::{Serialize, Serializer};
 
-use super::fields::{Field, Figure, Known, Member, Record, read_record, record};
-use super::reader::{Cursor, Named};
-use super::wire::InUnits;
-use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
+use super::fields::{Field, Figure, InUnits, Known, Member, Record, read_record, record};
+use super::reader::Cursor;
+use super::{FaultCode, FieldError, Named, PositiveF64, Quantity, Units};
 use crate::material::{StrengthProfile, hardness};
 
 /// Variation of the strength with the depth below the surface.

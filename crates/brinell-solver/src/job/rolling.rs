@@ -2,10 +2,7 @@
 
 use super::fields::{Field, read_record, record};
 use super::reader::Cursor;
-use super::{
-    Analysis, Coupling, FaultCode, FieldError, Job, Load, Named, PositiveF64, Quantity, Theory,
-    Units,
-};
+use super::{FaultCode, Named, PositiveF64, Quantity, Units};
 
 record! {
     /// A contact that passes over its track again and again, in the direction of x: a line in plane
@@ -91,40 +88,5 @@ impl Named for Until {
             Self::Verdict => "verdict",
             Self::Passes => "passes",
         }
-    }
-}
-
-impl Job {
-    /// Returns the faults of a load that rolls where nothing rolls, or by which this program does
-    /// not roll.
-    pub(super) fn faults_of_rolling(&self) -> Vec<FieldError> {
-        let Load::Rolling(_) = self.load else { return Vec::new() };
-        let mut faults = Vec::new();
-        let mut fault = |pointer: &str, detail: &str| {
-            faults.push(FieldError {
-                pointer: pointer.to_owned(),
-                code: FaultCode::Inconsistent,
-                detail: detail.to_owned(),
-            });
-        };
-        if !matches!(self.analysis, Analysis::PlaneStrain | Analysis::ThreeDimensional) {
-            let detail = "lines roll with the analysis \"plane_strain\", and balls, crowned \
-                          rollers and raceways with \"three_dimensional\"";
-            fault("/load/rolling", detail);
-        }
-        if self.solver.theory == Theory::Deformation {
-            let detail = "a load that rolls takes the stress off what it has passed, which \
-                          deformation theory does not know; it needs the theory `flow`";
-            fault("/solver/theory", detail);
-        }
-        if self.solver.increments.is_some() {
-            fault("/solver/increments", "a pass is solved as a whole and has no increments");
-        }
-        if self.solver.coupling == Coupling::SecantStiffness {
-            let detail = "a track has no stiffness that could take secant moduli; take \
-                          `accelerated`, `strong` or `weak`";
-            fault("/solver/coupling", detail);
-        }
-        faults
     }
 }

@@ -10,10 +10,10 @@ use proptest::prelude::*;
 use serde::Deserialize;
 
 use super::fields::{Example, FieldKind};
-use super::reader::{Cursor, Faults, Named, Node};
+use super::reader::{Cursor, Faults, Node};
 use super::{
     Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field,
-    FieldTable, Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings,
+    FieldTable, Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings, Named,
     NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape, SolverSettings,
     Support, Sweep, Target, TargetFigure, Theory, Units, Until,
 };

@@ -4,8 +4,8 @@
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
+use super::fields::InUnits;
 use super::reader::Cursor;
-use super::wire::InUnits;
 use super::{FaultCode, Named, NoData, Quantity, Units, no_data, npy};
 
 /// Heights over the shape of a body at the middles of equal cells, along the outward normal.

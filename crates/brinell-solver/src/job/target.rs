@@ -3,8 +3,8 @@
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::fields::Figure;
+use super::fields::InUnits;
 use super::reader::Cursor;
-use super::wire::InUnits;
 use super::{FaultCode, Named, PositiveF64, Quantity, Units};
 
 /// A figure of the contact that determines the force.

@@ -1,8 +1,9 @@
-//! The limits of the two theories of plasticity.
+//! The limits of the two theories of plasticity, and the loads that need one of them.
 
+use super::hardness::LEAST_INCREMENTS;
 use super::{
-    Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material, Named, Target,
-    TargetFigure, Theory,
+    Analysis, Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material,
+    Named, Shape, Target, TargetFigure, Theory,
 };
 
 impl Job {
@@ -76,6 +77,73 @@ impl Job {
                           limit on smaller and smaller elements, so that it tells no force; ask \
                           for a dent or a permanent approach, or give a curve that rises";
             fault(format!("/load/target/{}", figure.name()), detail);
+        }
+        faults
+    }
+
+    /// Returns the faults of a load that rolls where nothing rolls, or by which this program does
+    /// not roll.
+    pub(super) fn faults_of_rolling(&self) -> Vec<FieldError> {
+        let Load::Rolling(_) = self.load else { return Vec::new() };
+        let mut faults = Vec::new();
+        let mut fault = |pointer: &str, detail: &str| {
+            faults.push(FieldError {
+                pointer: pointer.to_owned(),
+                code: FaultCode::Inconsistent,
+                detail: detail.to_owned(),
+            });
+        };
+        if !matches!(self.analysis, Analysis::PlaneStrain | Analysis::ThreeDimensional) {
+            let detail = "lines roll with the analysis \"plane_strain\", and balls, crowned \
+                          rollers and raceways with \"three_dimensional\"";
+            fault("/load/rolling", detail);
+        }
+        if self.solver.theory == Theory::Deformation {
+            let detail = "a load that rolls takes the stress off what it has passed, which \
+                          deformation theory does not know; it needs the theory `flow`";
+            fault("/solver/theory", detail);
+        }
+        if self.solver.increments.is_some() {
+            fault("/solver/increments", "a pass is solved as a whole and has no increments");
+        }
+        if self.solver.coupling == Coupling::SecantStiffness {
+            let detail = "a track has no stiffness that could take secant moduli; take \
+                          `accelerated`, `strong` or `weak`";
+            fault("/solver/coupling", detail);
+        }
+        faults
+    }
+
+    /// Returns the faults of a hardness test that is no contact of revolution under flow theory
+    /// with a block that deforms.
+    pub(super) fn faults_of_hardness(&self) -> Vec<FieldError> {
+        if self.load.hardness().is_none() {
+            return Vec::new();
+        }
+        let mut faults = Vec::new();
+        let mut fault = |pointer: &str, detail: &str| {
+            let (pointer, detail) = (pointer.to_owned(), detail.to_owned());
+            faults.push(FieldError { pointer, code: FaultCode::Inconsistent, detail });
+        };
+        if self.analysis != Analysis::Axisymmetric {
+            let detail = "a hardness test is a contact of revolution: \"axisymmetric\"";
+            fault("/analysis", detail);
+        }
+        if self.solver.theory == Theory::Deformation {
+            let detail = "a hardness test unloads, which deformation theory does not know; it \
+                          needs the theory `flow`";
+            fault("/solver/theory", detail);
+        }
+        if self.solver.increments.is_some_and(|increments| increments < LEAST_INCREMENTS) {
+            let detail = "a hardness test has at least 8 increments for each load: its diameter \
+                          follows from them";
+            fault("/solver/increments", detail);
+        }
+        if self.lower.material == Material::Rigid {
+            fault("/lower/material", "a rigid specimen takes no indentation");
+        }
+        if !matches!(self.lower.shape, Shape::Block(_)) {
+            fault("/lower/shape/type", "the specimen of a hardness test is a \"block\"");
         }
         faults
     }

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use super::answers::{Measured, is_dented};
-use super::contact_stiffness::{LoadDifferences, Seen};
 use super::findings::{Finding, left_unknown};
 use super::hardness::HardnessSeen;
 use super::load_approach::CurvePoint;
@@ -12,7 +11,7 @@ use super::target::TargetSeen;
 use super::{
     ErrorEstimate, FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport,
     Report, ShakedownLimit, StepReport, SubsurfaceReport, Timings, contact, error_bars, fields,
-    flow, load_approach, onset, plastic_strain, plastic_zone, subsurface, validity,
+    flow, load_approach, onset, plastic_zone, subsurface, validity,
 };
 use crate::analytical::DepthLimit;
 use crate::contact::ContactLoad;
@@ -20,8 +19,8 @@ use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::method::figures::FigureSet;
 use crate::solver::method::observer::ask;
 use crate::solver::{
-    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Options, Phase,
-    PhaseTimes, Solution, SolveStatus, StepSolution, has_yielded,
+    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes,
+    Solution, SolveStatus, StepSolution, has_yielded,
 };
 use crate::units::UnitConverter;
 
@@ -32,7 +31,6 @@ pub(super) struct ReportBuilder<'a> {
     status: Option<SolveStatus>,
     /// Points of the converged load steps.
     curve: Vec<CurvePoint>,
-    differences: LoadDifferences<'a>,
     /// Whether the load steps form a history; otherwise they are independent points of a curve.
     is_history: bool,
     /// Largest force so far that has left plastic strain in a history.
@@ -50,14 +48,13 @@ pub(super) struct ReportBuilder<'a> {
 }
 
 impl<'a> ReportBuilder<'a> {
-    pub(super) fn new(job: &'a Job, options: Options<'a>) -> Self {
+    pub(super) fn new(job: &'a Job) -> Self {
         let write = UnitConverter::new(job.units, job.analysis);
         Self {
             job,
             write,
             status: None,
             curve: Vec::new(),
-            differences: LoadDifferences::new(job, options),
             is_history: false,
             dented_under: 0.0,
             unknown: FigureSet::default(),
@@ -71,8 +68,7 @@ impl<'a> ReportBuilder<'a> {
 
     /// Discards all load steps so far and keeps the time that their reports took.
     pub(super) fn begin_anew(&mut self) {
-        let options = self.differences.options;
-        *self = Self { time: self.time, ..Self::new(self.job, options) };
+        *self = Self { time: self.time, ..Self::new(self.job) };
     }
 
     /// Returns the report of the next load step. If the observer interrupts the report, the load
@@ -84,11 +80,7 @@ impl<'a> ReportBuilder<'a> {
     ) -> StepReport {
         let start = observer.elapsed();
         step.unknown_before = self.unknown;
-        let slope = self.differences.next(Seen::of(&step), observer);
-        let fields = slope.and_then(|slope| {
-            step.contact_stiffness = step.contact_stiffness.or(slope);
-            FieldReports::of(self.job, &step, self.write, observer)
-        });
+        let fields = FieldReports::of(self.job, &step, self.write, observer);
         let fields = fields.unwrap_or_else(|interrupt| {
             step.status = interrupt.into();
             step.contact_stiffness = None;
@@ -324,7 +316,7 @@ fn plasticity_report(
         |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
         yielded: points().any(has_yielded),
-        max_equivalent_plastic_strain: plastic_strain::largest(solution),
+        max_equivalent_plastic_strain: solution.bounded_plastic_strain(),
         mean_equivalent_plastic_strain: solution.mean_plastic_strain(),
         position: write.length(place),
         depth: write.length(depth),

@@ -22,13 +22,13 @@ use serde::{Deserialize, Serialize};
 
 use super::findings::{Finding, Known, left_unknown};
 use super::surface_stress::UncertainStress;
-use super::{PerBody, contact_stiffness, target, validity};
+use super::{PerBody, validity};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, TargetFigure};
 use crate::solver::bars::Bars;
 use crate::solver::method::figures::{Figure, FigureSet, Figures};
-use crate::solver::{ElasticReference, StepSolution};
+use crate::solver::{ElasticReference, SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, StepSolution};
 
 /// Returns the name in `docs/validity.md` of a figure that has a bar.
 pub const fn name_of(figure: Figure) -> Option<&'static str> {
@@ -141,10 +141,7 @@ pub(super) fn estimate(
             bars.with_force_error(step.force_error.unwrap_or(0.0), None)
         }
         (ContactLoad::Force(force), Load::Target(target)) if force > 0.0 => {
-            match step
-                .force_error
-                .filter(|_| target::error_of(target.figure, &bars, false).is_some())
-            {
+            match step.force_error.filter(|_| of_target(target.figure, &bars, false).is_some()) {
                 Some(error) => bars.with_force_error(error, Some(target.figure)),
                 None => bars.without_force(target.figure),
             }
@@ -311,8 +308,34 @@ fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
         state if !yields || !step.flows && step.approach < step.reached[0] => {
             STIFFNESS_FLOORS[usize::from(state == StressState::Axisymmetric)] * size
         }
-        StressState::PlaneStress => contact_stiffness::PLANE_STRESS_ERROR,
-        StressState::PlaneStrain | StressState::Axisymmetric => contact_stiffness::ERROR,
+        StressState::PlaneStress => SLOPE_ERROR_IN_PLANE_STRESS,
+        StressState::PlaneStrain | StressState::Axisymmetric => SLOPE_ERROR,
+    }
+}
+
+/// Returns the error bar of a figure, if it has one. A figure of both bodies has the larger of two
+/// bars.
+pub(super) fn of_target(
+    figure: TargetFigure,
+    bars: &ErrorEstimate,
+    of_revolution: bool,
+) -> Option<f64> {
+    let of_bodies = |bar: fn(&BodyErrors) -> Option<f64>| {
+        let PerBody { upper, lower } = bars.bodies?;
+        [upper, lower]
+            .iter()
+            .flatten()
+            .try_fold(0.0, |most, body| Some(f64::max(most, bar(body)?)))
+    };
+    match figure {
+        TargetFigure::PeakPressure => bars.peak_pressure,
+        TargetFigure::HalfWidth => bars.half_width,
+        TargetFigure::MeanPressure => {
+            bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar)
+        }
+        TargetFigure::PermanentApproach => bars.approach,
+        TargetFigure::DentDepth => of_bodies(|body| body.depth),
+        TargetFigure::MaxPlasticStrain => of_bodies(|body| body.max_equivalent_plastic_strain),
     }
 }
 

@@ -9,6 +9,9 @@ use crate::solver::SolveStatus;
 use crate::solver::half_spaces::figure_of;
 use crate::solver::method::figures::{Figure, FigureSet};
 
+/// Number of meshes above which a search for a force is called long.
+pub(super) const MANY_MESHES: usize = 40;
+
 /// One limit of the answer to a load step. Lengths in mm, stresses in MPa, forces in N/mm or N.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Finding {

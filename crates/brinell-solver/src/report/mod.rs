@@ -3,7 +3,6 @@
 mod answers;
 mod build;
 mod contact;
-mod contact_stiffness;
 mod document;
 mod error_bars;
 pub mod export;
@@ -23,6 +22,7 @@ mod plastic_zone;
 mod rolling;
 mod run;
 mod sentences;
+mod side;
 mod strength;
 mod subsurface;
 mod surface_stress;
@@ -48,12 +48,13 @@ pub use half_spaces::{
 pub use hardness::{HardnessReport, OliverPharrReport};
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;
-pub use onset::{Side, YieldOnsetReport};
+pub use onset::YieldOnsetReport;
 pub use rolling::{
     BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
     RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
 };
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
+pub use side::Side;
 pub use target::TargetReport;
 pub use validity::{VALIDITY_CODES, ValidityNote};
 pub use verdict::{Verdict, VerdictLevel};

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Side;
 use super::findings::{Finding, OnsetUnknown};
 use super::mesh_effects::{peak_is_next_to_end, peak_is_unbounded};
 use crate::contact::ContactLoad;
@@ -28,24 +29,6 @@ pub struct YieldOnsetReport {
     pub position: f64,
     /// Depth of that middle \[length\].
     pub depth: f64,
-}
-
-/// One of the two bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Side {
-    /// The upper body.
-    Upper,
-    /// The lower body.
-    Lower,
-}
-
-impl Side {
-    /// Returns the side of a body, 0 for the upper one.
-    pub(super) const fn of(body: usize) -> Self {
-        if body == 0 { Self::Upper } else { Self::Lower }
-    }
 }
 
 /// Largest relative error at which the closed form gives the onset at a rounded edge.

@@ -3,29 +3,16 @@
 
 use super::findings::Finding;
 use crate::job::{Deformable, Hardening, Job, Load, Material, TargetFigure};
-use crate::material::HardeningLaw;
-use crate::solver::{BodySolution, StepSolution};
+use crate::solver::StepSolution;
 
 /// Plastic strain below which a bilinear curve represents a real material badly.
 const SMALL_STRAIN: f64 = 0.01;
 
-/// Returns the largest equivalent plastic strain of a body, or `None` if its material no longer
-/// hardens at this strain. Plastic flow then gathers in bands of the width of one element, and the
-/// strain grows with the density of the mesh.
-pub(super) fn largest(body: &BodySolution) -> Option<f64> {
-    let strain = body.max_plastic_strain();
-    bounded(strain, body.model.hardening())
-}
-
-/// Returns the largest plastic strain, or `None` if the hardening curve no longer rises there.
-pub(super) fn bounded(strain: f64, law: Option<&dyn HardeningLaw>) -> Option<f64> {
-    (strain == 0.0 || law.is_none_or(|law| law.slope(strain) > 0.0)).then_some(strain)
-}
-
 /// Returns the findings on plastic strain.
 pub(super) fn findings(job: &Job, step: &StepSolution) -> Vec<Finding> {
-    let bodies = [0, 1]
-        .map(|side| step.bodies[side].as_deref().is_some_and(|body| largest(body).is_none()));
+    let bodies = [0, 1].map(|side| {
+        step.bodies[side].as_deref().is_some_and(|body| body.bounded_plastic_strain().is_none())
+    });
     let unbounded = bodies.contains(&true).then_some(Finding::UnboundedStrain { bodies });
     let strain =
         step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);

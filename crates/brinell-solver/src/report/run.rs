@@ -7,7 +7,8 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::build::{ReportBuilder, in_units};
-use super::contact_stiffness::{of_small_mesh, small_solves};
+use super::sentences::CONFORMING_ADVICE;
+use super::validity::lies_in_groove;
 use super::{Report, StepReport, half_spaces, rolling, target};
 use brinell_halfspace::track::TrackFault;
 
@@ -16,7 +17,7 @@ use crate::fem::mesh::MeshError;
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
     self, Estimate, Held, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver,
-    StepSolution,
+    StepSolution, of_small_mesh, small_solves,
 };
 use crate::units::UnitConverter;
 
@@ -120,19 +121,6 @@ impl RunError {
                 .collect(),
         )
     }
-}
-
-/// Advice for a round body that nearly fills its groove.
-pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is \
-                                            solved as a `cylinder` in a `hole`, up to 80° to each \
-                                            side";
-
-/// Returns whether a cylinder or ball lies in a groove.
-pub(super) fn lies_in_groove(job: &Job) -> bool {
-    matches!(
-        (&job.upper.shape, &job.lower.shape),
-        (Shape::Cylinder(_), Shape::Groove(_)) | (Shape::Groove(_), Shape::Cylinder(_))
-    )
 }
 
 /// What a job will cost.
@@ -307,9 +295,9 @@ pub fn run_each(
         return rolling::run_each(job, observer, on_step);
     }
     if job.analysis == Analysis::ThreeDimensional {
-        return half_spaces::run_each(job, options, observer, on_step);
+        return half_spaces::run_each(job, observer, on_step);
     }
-    let mut reports = Reports { builder: ReportBuilder::new(job, options), number: 0, on_step };
+    let mut reports = Reports { builder: ReportBuilder::new(job), number: 0, on_step };
     let solution = solver::run_each(job, options, observer, &mut reports)
         .map_err(|error| RunError::of(job, &error))?;
     Ok(reports.builder.finish(&solution, observer))
@@ -349,11 +337,8 @@ mod tests {
         let step = solver::run(&job, &mut Unobserved).unwrap().steps.remove(0);
         let mut numbers = Vec::new();
         let mut on_step = |number, _| numbers.push(number);
-        let mut reports = Reports {
-            builder: ReportBuilder::new(&job, Options::default()),
-            number: 0,
-            on_step: &mut on_step,
-        };
+        let mut reports =
+            Reports { builder: ReportBuilder::new(&job), number: 0, on_step: &mut on_step };
         for anew in [false, false, true, false] {
             if anew {
                 reports.begin_anew();

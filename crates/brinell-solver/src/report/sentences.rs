@@ -2,18 +2,19 @@
 
 use super::error_bars::name_of;
 use super::findings::{
-    Advice, CasePlace, ContactOutline, Deformation, Density, Finding, OnsetUnknown, Unconverged,
-    Wide, Work,
+    Advice, CasePlace, ContactOutline, Deformation, Density, Finding, MANY_MESHES, OnsetUnknown,
+    Unconverged, Wide, Work,
 };
-use super::run::CONFORMING_ADVICE;
 use super::suspicions;
 use crate::job::{MeshSettings, Named as _, YIELD_OVER_HARDNESS};
 use crate::solver::method::figures::Figure;
 use crate::solver::{MAX_HALF_ANGLE, SolveStatus};
 use crate::units::{UnitConverter, about, percent, rounded};
 
-/// Number of meshes above which a search for a force is called long.
-pub(super) const MANY_MESHES: usize = 40;
+/// Advice for a round body that nearly fills its groove.
+pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is \
+                                            solved as a `cylinder` in a `hole`, up to 80° to each \
+                                            side";
 
 /// Elastic peak over yield stress, and by how many per cent the peak pressure of deformation
 /// theory is then above that of flow theory, for steel cylinders and for steel spheres

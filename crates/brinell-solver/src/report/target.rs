@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::error_bars;
 use super::findings::Finding;
-use super::{BodyErrors, ErrorEstimate, PerBody, error_bars};
 use crate::fem::element::StressState;
-use crate::job::{Job, Load, Named as _, Target, TargetFigure};
+use crate::job::{Job, Load, Named as _, Target};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 use crate::units::UnitConverter;
 
@@ -48,7 +48,8 @@ impl TargetSeen {
         let Load::Target(target) = &job.load else { return };
         let of_revolution = step.stress_state == StressState::Axisymmetric;
         let bars = error_bars::under_its_force(step, findings);
-        let error = bars.and_then(|bars| error_of(target.figure, &bars, of_revolution));
+        let error =
+            bars.and_then(|bars| error_bars::of_target(target.figure, &bars, of_revolution));
         self.take(step.force(), target_figure(step, target.figure), error);
     }
 
@@ -78,32 +79,6 @@ impl TargetSeen {
             sensitivity,
             relative_error: self.figure_error.map(|error| (error + missed) / sensitivity),
         })
-    }
-}
-
-/// Returns the error bar of a figure, if it has one. A figure of both bodies has the larger of two
-/// bars.
-pub(super) fn error_of(
-    figure: TargetFigure,
-    bars: &ErrorEstimate,
-    of_revolution: bool,
-) -> Option<f64> {
-    let of_bodies = |bar: fn(&BodyErrors) -> Option<f64>| {
-        let PerBody { upper, lower } = bars.bodies?;
-        [upper, lower]
-            .iter()
-            .flatten()
-            .try_fold(0.0, |most, body| Some(f64::max(most, bar(body)?)))
-    };
-    match figure {
-        TargetFigure::PeakPressure => bars.peak_pressure,
-        TargetFigure::HalfWidth => bars.half_width,
-        TargetFigure::MeanPressure => {
-            bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar)
-        }
-        TargetFigure::PermanentApproach => bars.approach,
-        TargetFigure::DentDepth => of_bodies(|body| body.depth),
-        TargetFigure::MaxPlasticStrain => of_bodies(|body| body.max_equivalent_plastic_strain),
     }
 }
 
@@ -166,7 +141,7 @@ pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::{Analysis, PositiveF64, Units};
+    use crate::job::{Analysis, PositiveF64, TargetFigure, Units};
 
     /// A figure that falls beyond its largest value, and a limit to the force that can be solved,
     /// get different messages.

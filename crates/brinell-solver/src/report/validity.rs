@@ -3,21 +3,19 @@
 use serde::{Deserialize, Serialize};
 
 use super::findings::{
-    Advice, ContactOutline, Deformation, Density, Finding, Unconverged, Wide, Work,
+    Advice, ContactOutline, Deformation, Density, Finding, MANY_MESHES, Unconverged, Wide, Work,
 };
 use super::mesh_effects::{
     COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
     peak_is_unbounded,
 };
-use super::run::lies_in_groove;
-use super::sentences::MANY_MESHES;
 use super::surface_stress::UncertainStress;
 use super::{onset, plastic_strain, strength};
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
 use crate::job::{
-    Coupling, HistoryLoad, Job, Load, Material, PositiveF64, SolverSettings, Theory,
+    Coupling, HistoryLoad, Job, Load, Material, PositiveF64, Shape, SolverSettings, Theory,
 };
 use crate::solver::outline_of;
 use crate::solver::{
@@ -451,6 +449,14 @@ impl<'a> Unfinished<'a> {
             Unconverged::Iteration { iterations, residual, advice }
         }
     }
+}
+
+/// Returns whether a cylinder or ball lies in a groove.
+pub(super) fn lies_in_groove(job: &Job) -> bool {
+    matches!(
+        (&job.upper.shape, &job.lower.shape),
+        (Shape::Cylinder(_), Shape::Groove(_)) | (Shape::Groove(_), Shape::Cylinder(_))
+    )
 }
 
 #[cfg(test)]

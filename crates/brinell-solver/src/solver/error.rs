@@ -9,7 +9,7 @@ use crate::contact::ContactError;
 use crate::fem::mesh::{MESHED_SLOPE, MeshError};
 use crate::job::{Analysis, Units};
 use crate::solver::conforming::MAX_HALF_ANGLE;
-use crate::solver::method::force_search::Unreachable;
+use crate::solver::method::Unreachable;
 use crate::solver::method::observer::Interrupt;
 use crate::solver::method::{self, Interrupted};
 use crate::units::{UnitConverter, about};

@@ -12,7 +12,7 @@ use crate::solver::method::contact_system::{BlockVector, Linearize as _};
 use crate::solver::method::couplings::iteration::Outcome;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf};
+use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf, solve};
 use crate::solver::problem::Problem;
 use crate::solver::strategy::coupling;
 
@@ -181,4 +181,22 @@ impl Engine for FiniteElements<'_> {
             None => Verdict::Accept(solve),
         })
     }
+}
+
+/// Solves one load, on `known` bodies if there are any.
+///
+/// # Errors
+/// Those of a mesh, a factorization or a contact solve.
+pub(crate) fn run(
+    problem: &Problem,
+    request: &MeshSolveRequest<'_>,
+    known: Option<System>,
+    run: &mut Run<'_>,
+) -> Result<MeshSolve, SolveError> {
+    let engine = FiniteElements { problem, request, is_history: false };
+    let coupling = coupling(request.solver.coupling);
+    let design = MeshDesign::new(request.zone.clone(), request.search_region);
+    solve(&engine, design, known, run, |mesh, system, start, run| {
+        mesh.solve(system, start, coupling, request.controls(), run)
+    })
 }

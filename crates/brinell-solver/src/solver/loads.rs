@@ -1,7 +1,7 @@
 //! The loads of a job.
 
 use crate::contact::ContactLoad;
-use crate::job::{HistoryLoad, Load, Target};
+use crate::job::{History, HistoryLoad, Load, NonNegativeF64, Target};
 
 /// Factor by which a mesh is finer than requested if a smaller load follows.
 const FALLING_RESERVE: f64 = 1.2;
@@ -44,6 +44,16 @@ pub(crate) fn loads(load: &Load) -> Loads {
         Load::Onset => Loads::Sought(Sought::Onset),
         Load::Target(target) => Loads::Sought(Sought::Target(*target)),
     }
+}
+
+/// Returns loads one after the other as the load of a job; `None` without a load above zero.
+pub(crate) fn history_of(loads: &[ContactLoad]) -> Option<Load> {
+    let load = |load: &ContactLoad| match *load {
+        ContactLoad::Force(force) => NonNegativeF64::new(force).map(HistoryLoad::Force),
+        ContactLoad::Approach(by) => NonNegativeF64::new(by).map(HistoryLoad::Approach),
+    };
+    let loads: Result<_, _> = loads.iter().map(load).collect();
+    Some(Load::History(History::new(loads.ok()?).ok()?))
 }
 
 /// Returns the largest force and the largest approach, if they are above zero.

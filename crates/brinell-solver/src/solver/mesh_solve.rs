@@ -12,23 +12,22 @@ use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::StressField;
 use crate::fem::mesh::{ContactZone, ROUNDING, Refinement};
 use crate::job::SolverSettings;
+use crate::solver::body_solution::BodySolution;
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
 use crate::solver::body_system::system::System;
 use crate::solver::body_system::transfer::NodalField;
-use crate::solver::finite_elements::{FiniteElements, MeshDesign};
 use crate::solver::method::contact_system::{ContactFigures, ContactSystem as _};
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::figures::{BodyFigures, Figures};
+use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::ask;
-use crate::solver::method::run::Run;
-use crate::solver::method::solve::{Answer, solve};
+use crate::solver::method::solve::Answer;
 use crate::solver::problem::Problem;
-use crate::solver::solution::{BodySolution, pressure_in_middle};
-use crate::solver::strategy::coupling;
-use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, final_check};
+use crate::solver::solution::pressure_in_middle;
+use crate::solver::{IncrementNumber, Interrupt, Observer};
 
 /// The request for a mesh solve.
 #[derive(Clone)]
@@ -224,9 +223,22 @@ impl Answer for MeshSolve {
     }
 
     fn has_collapsed(&self) -> bool {
-        final_check::has_collapsed(self)
+        if !self.outcome.is_conclusive {
+            return false;
+        }
+        let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
+        self.system.bodies.iter().zip(&self.fields).any(|(body, field)| {
+            let accumulates = body.model.has_memory();
+            let points = field.stress.points.iter().flatten();
+            let strained = points.filter(|point| point.strain(accumulates) > COLLAPSE_STRAIN);
+            strained.map(|point| point.area).sum::<f64>() > COLLAPSE_AREA * half_width * half_width
+        })
     }
 }
+
+/// Area of the section that strains so much, over the square of the half-width: beside a sharp
+/// edge strains grow without bound under any load.
+const COLLAPSE_AREA: f64 = 1.0 / 400.0;
 
 /// Growth of a zone whose edge the contact reaches.
 pub(crate) const ENLARGEMENT: f64 = 1.5;
@@ -238,24 +250,6 @@ const MOST_COLUMNS: usize = 6;
 const BEYOND_MEETING: f64 = 0.1;
 /// Factor of the width of a zone when the rings around it cannot be meshed.
 const NARROWING: f64 = 0.9;
-/// Solves one load, on `known` bodies if there are any.
-///
-/// # Errors
-/// Those of a mesh, a factorization or a contact solve.
-pub(crate) fn run(
-    problem: &Problem,
-    request: &MeshSolveRequest<'_>,
-    known: Option<System>,
-    run: &mut Run<'_>,
-) -> Result<MeshSolve, SolveError> {
-    let engine = FiniteElements { problem, request, is_history: false };
-    let coupling = coupling(request.solver.coupling);
-    let design = MeshDesign::new(request.zone.clone(), request.search_region);
-    solve(&engine, design, known, run, |mesh, system, start, run| {
-        mesh.solve(system, start, coupling, request.controls(), run)
-    })
-}
-
 /// Computes the full displacement field of each model and evaluates the material law everywhere;
 /// returns nothing if the observer stops the solve.
 pub(crate) fn fields(

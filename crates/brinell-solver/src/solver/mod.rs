@@ -10,6 +10,8 @@
 //! ```
 
 pub mod bars;
+mod body_figures;
+mod body_solution;
 mod body_system;
 mod conforming;
 mod error;
@@ -26,6 +28,7 @@ mod problem;
 pub(crate) mod recovery;
 mod reference;
 pub mod rolling;
+mod slopes;
 mod solution;
 mod strategy;
 mod surface_recovery;
@@ -33,6 +36,8 @@ pub(crate) mod watch;
 
 pub(crate) use brinell_method as method;
 
+pub use body_solution::BodySolution;
+pub(crate) use body_solution::{bounded_strain, has_yielded};
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use conforming::ConformingPair;
@@ -47,22 +52,22 @@ pub(crate) use load_stepping::utilization::{
 };
 pub use mesh_sizing::estimate::{Estimate, estimate};
 pub use method::figures::{BodyFigures, Figure, FigureSet, Figures};
-pub use method::force_search::{Unreachable, UnreachableReason};
 pub use method::increments::LastIncrement;
 pub use method::observer::{
     Held, IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 pub use method::phases::{Phase, PhaseTimes};
 pub use method::steps::{IncrementRecord, StepReceiver};
+pub use method::{Unreachable, UnreachableReason};
 pub use outline::outline_of;
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
 pub(crate) use reference::{elastic_utilization, factor_of_onset};
-pub(crate) use solution::has_yielded;
-pub use solution::{
-    BodySolution, Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution,
+pub(crate) use slopes::{
+    SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, of_small_mesh, small, small_solves,
 };
+pub use solution::{Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution};
 pub use surface_recovery::{SurfaceStress, surface_stresses};
 pub(crate) use surface_recovery::{
     recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,

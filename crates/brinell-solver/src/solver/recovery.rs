@@ -17,7 +17,7 @@ use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 use crate::fem::assembly::GaussPoint;
 use crate::fem::element::{QUADRATURE_POINTS, natural_coordinates, shape_functions};
 use crate::fem::mesh::Mesh;
-use crate::solver::BodySolution;
+use crate::solver::body_solution::BodySolution;
 
 /// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p, q]` at a point, q the largest von Mises stress so far \[MPa,
 /// MPa, MPa, MPa, 1, MPa\].

@@ -21,9 +21,10 @@
 
 use crate::fem::element::{Quad, StressState};
 use crate::material::von_mises;
+use crate::solver::body_solution::BodySolution;
 use crate::solver::load_stepping::surface_stress::{Segment, from_surface, principal};
 use crate::solver::recovery::Recovery;
-use crate::solver::solution::{BodySolution, StepSolution};
+use crate::solver::solution::StepSolution;
 
 /// Elements below the surface whose means are extended to it.
 const ROWS: usize = 3;

@@ -44,6 +44,7 @@ fn steel(tangent: Option<f64>) -> Deformable {
 /// A rigid ellipsoid of radii 10 mm and `radius_y` on a body, elastic at first.
 fn on_flat(radius_y: f64, material: Deformable, cells: u32) -> HalfSpaceProblem {
     HalfSpaceProblem {
+        cells_of_slopes: None,
         onset: None,
         materials: [None, Some(material)],
         curvature: [RADIUS.recip(), radius_y.recip(), 0.0],

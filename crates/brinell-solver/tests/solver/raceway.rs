@@ -1,9 +1,9 @@
 //! Balls and ellipses that roll, as jobs: figures of the prototype, symmetries, refusals.
 
 use brinell_solver::job::{Job, JobError};
+use brinell_solver::report::export::{Export, ExportError};
 use brinell_solver::report::{
-    BodyPassReport, Export, ExportError, Report, RollingReport, StepReport, TrackVerdict,
-    preflight, run,
+    BodyPassReport, Report, RollingReport, StepReport, TrackVerdict, preflight, run,
 };
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};

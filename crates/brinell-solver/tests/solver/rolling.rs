@@ -120,7 +120,7 @@ fn with_friction_a_track_ratchets_above_its_own_limit_alone() {
     near(body(&above, 8).forward, 5.9e-4, 0.04);
     near(body(&above, 8).largest_strain, 1.25e-3, 0.04);
     assert_eq!(rolling(&above).verdict, TrackVerdict::Ratchets);
-    let limits = rolling(&above).limits;
+    let limits = &rolling(&above).limits;
     near(limits.perfect.unwrap().peak_pressure, 3.202 * YIELD / 3f64.sqrt(), 1e-3);
     near(limits.kinematic.unwrap().peak_pressure, 3.95 * YIELD / 3f64.sqrt(), 5e-3);
     for (friction, sigma_x, sigma_z) in [(0.0, -137.5, -151.9), (0.2, -34.5, -76.0)] {
@@ -261,7 +261,7 @@ fn a_law_without_a_yield_point_has_no_limit() {
     let law =
         json!({"law": "ramberg_osgood", "reference_stress": 500, "offset": 0.4, "exponent": 9});
     let step = step(&track(&law, 0.4, &json!({"passes": 2})));
-    let limits = rolling(&step).limits;
+    let limits = &rolling(&step).limits;
     assert!(limits.perfect.is_none() && limits.kinematic.is_none(), "{limits:?}");
     let text = &step.verdict.as_ref().unwrap().text;
     assert!(!text.contains("inf") && !text.contains("limit"), "{text}");

@@ -23,7 +23,7 @@ use super::{FieldError, Named, Quantity, Units};
 
 pub(super) use member::{Member, read_member};
 pub(super) use record::{
-    Record, faults_of, read_record, read_record_of, read_settings, read_settings_from,
+    InUnits, Record, faults_of, read_record, read_record_of, read_settings, read_settings_from,
     write_record,
 };
 pub(super) use record::{record, tagged};

@@ -1,6 +1,6 @@
 //! Objects of the job, declared together with their tables of fields.
 
-use serde::ser::SerializeMap;
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::super::reader::{Cursor, Object};
 use super::member::Written;
@@ -115,6 +115,17 @@ pub(in crate::job) fn write_record<T: Record, M: SerializeMap>(
         }
     }
     Ok(())
+}
+
+/// A part of a job, to be written in these units.
+pub(in crate::job) struct InUnits<'a, T>(pub &'a T, pub Units);
+
+impl<T: Record> Serialize for InUnits<'_, T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        write_record(self.0, &mut map, self.1)?;
+        map.end()
+    }
 }
 
 /// Declares a struct and its [`FieldTable`] in one listing. The doc comments become the
@@ -263,7 +274,7 @@ macro_rules! tagged {
             }
         )+
 
-        impl serde::Serialize for $crate::job::wire::InUnits<'_, $name> {
+        impl serde::Serialize for $crate::job::fields::InUnits<'_, $name> {
             fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 use serde::ser::SerializeMap;
                 let mut map = serializer.serialize_map(None)?;

@@ -25,16 +25,7 @@ pub(super) use self::syntax::{explain, parse};
 pub(super) use self::tree::Node;
 
 use self::text::{Figure, Got, Guess, List, Quoted};
-use super::{FaultCode, FieldError, Quantity, Units};
-
-/// An enumeration that the wire format writes as a word.
-pub trait Named: Copy + 'static {
-    /// All values, in the order in which messages list them.
-    const ALL: &'static [Self];
-
-    /// Returns the word of this value.
-    fn name(self) -> &'static str;
-}
+use super::{FaultCode, FieldError, Named, Quantity, Units};
 
 /// A value of the document, its place, and the list of faults.
 #[derive(Debug, Clone, Copy)]

@@ -16,8 +16,7 @@ use std::ops::Range;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::surface_vtu::faces;
-use super::vtu::{TENSOR, unusable};
+use super::vtk::{TENSOR, faces, unusable};
 use super::{ExportError, FieldsFile};
 use crate::report::{FieldLayout, FieldSide, Report, encode_layers};
 

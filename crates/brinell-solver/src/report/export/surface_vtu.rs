@@ -7,7 +7,7 @@ use std::fmt::{Display, Write as _};
 use std::iter::once;
 use std::ops::Range;
 
-use super::vtu::{END, QUAD};
+use super::vtk::{END, QUAD, faces};
 use crate::report::{MapsReport, Report};
 
 /// The text before an array, its type, name and number of components, and a function that writes
@@ -104,12 +104,4 @@ fn spaced(values: impl IntoIterator<Item: Display>) -> String {
         let _ = write!(text, "{value} ");
     }
     text
-}
-
-/// Returns the faces of cells of equal width with these middles.
-pub(super) fn faces(middles: &[f64], across: &[f64]) -> Vec<f64> {
-    let width = |places: &[f64]| Some(places.get(1)? - places.first()?);
-    let width = width(middles).or_else(|| width(across)).unwrap_or(1.0);
-    let first = middles.first().map(|first| first - 0.5 * width);
-    first.into_iter().chain(middles.iter().map(|middle| middle + 0.5 * width)).collect()
 }

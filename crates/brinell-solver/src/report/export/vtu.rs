@@ -21,13 +21,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::surface_vtu::surface_vtu;
+use super::vtk::{END, QUAD, TENSOR, unusable};
 use super::{ExportError, FieldsFile};
 use crate::job::{Analysis, Named};
 use crate::report::field_arrays::CHUNK;
 use crate::report::{FieldArraysError, FieldLayout, FieldSide, Report, encode_fields};
-
-/// Number of the quadrilateral with 4 nodes in VTK.
-pub(super) const QUAD: u8 = 9;
 
 /// Writes the mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ,
 /// XZ), `von_mises` and `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in
@@ -54,11 +52,6 @@ pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
         &layout,
     )?
     .whole(&bytes))
-}
-
-#[expect(clippy::needless_pass_by_value, reason = "for map_err")]
-pub(super) fn unusable(error: FieldArraysError) -> ExportError {
-    ExportError::Fields(error.to_string())
 }
 
 /// State of a file between its pieces.
@@ -125,13 +118,6 @@ const ARRAYS: [(&str, Array); 9] = [
     ("", Array::Offsets),
     ("", Array::Types),
 ];
-
-pub(super) const END: &str = "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-
-pub(super) const TENSOR: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" \
-                                 ComponentName1=\"YY\" ComponentName2=\"ZZ\" \
-                                 ComponentName3=\"XY\" ComponentName4=\"YZ\" \
-                                 ComponentName5=\"XZ\"";
 
 /// A piece of the file. Pieces are written in order.
 #[derive(Debug, Clone)]

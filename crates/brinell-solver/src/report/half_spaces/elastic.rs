@@ -9,10 +9,10 @@ use brinell_halfspace::{EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
 use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
 use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
-use crate::solver::factor_of_onset;
 use crate::solver::half_spaces::{
     HalfSpaceProblem, HalfSpaceStep, HeightMap, Relief, RollerGap, SurfaceMap,
 };
+use crate::solver::{factor_of_onset, small};
 
 /// Factors of the logarithmic profiles of ISO 16281 over the diameter: for rollers up to
 /// `LONG_ROLLER` diameters long, and for longer rollers.
@@ -54,6 +54,7 @@ fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
         heights: heights(job),
         load: job.load.clone(),
         cells_per_semi_axis: job.mesh.elements_per_half_width,
+        cells_of_slopes: job.output.contact_stiffness.then(|| small(job)),
         onset: None,
         solver: job.solver,
     })

@@ -1,14 +1,13 @@
 //! Estimate of memory and work of a job in three dimensions.
 
 use crate::job::{Job, Theory};
-use crate::report::contact_stiffness::{of_small_mesh, small_solves};
 use crate::report::run::{
     FIELD_COPIES, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
     steps_and_solves,
 };
 use crate::report::{JobEstimate, LAYER_NAMES};
-use crate::solver::SolveError;
 use crate::solver::half_spaces::{self, HalfSpaceProblem};
+use crate::solver::{SolveError, of_small_mesh, small_solves};
 
 /// Bytes of the report of a load step: for each cell of the maps, if the job asks for them, and
 /// for each row and layer. A row along a roller counts twice.

@@ -11,7 +11,6 @@ use super::step::StepWriter;
 use crate::job::{FieldError, Job, Load, Named as _, Theory};
 use crate::report::answers::{Measured, is_dented};
 use crate::report::build::{timings, worse};
-use crate::report::contact_stiffness::{LoadDifferences, Seen as SeenLoad};
 use crate::report::findings::left_unknown;
 use crate::report::load_approach::CurvePoint;
 use crate::report::run::RunError;
@@ -19,7 +18,7 @@ use crate::report::target::TargetSeen;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
 use crate::solver::half_spaces::{self, HalfSpaceStep};
 use crate::solver::method::figures::{FigureSet, Figures};
-use crate::solver::{Observer, Options, SolveStatus, StepReceiver};
+use crate::solver::{Observer, SolveStatus, StepReceiver};
 use crate::units::UnitConverter;
 
 /// Estimates the cost of a job.
@@ -38,7 +37,6 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
 /// steps.
 pub fn run_each(
     job: &Job,
-    options: Options<'_>,
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
@@ -48,9 +46,8 @@ pub fn run_each(
     let write = UnitConverter::new(job.units, job.analysis);
     let orientation = problem.orientation();
     let writer = StepWriter { job, write, problem: &problem, reference: &reference, orientation };
-    let differences = LoadDifferences::new(job, options);
     let seen = Seen::default();
-    let mut steps = Steps { writer, on_step, number: 0, seen, differences, time: Duration::ZERO };
+    let mut steps = Steps { writer, on_step, number: 0, seen, time: Duration::ZERO };
     let done = half_spaces::run_each(&problem, observer, &mut steps)
         .map_err(|error| RunError::of(job, &error))?;
     let Steps { seen, time, .. } = steps;
@@ -110,7 +107,6 @@ struct Steps<'a> {
     /// Number of the next load step.
     number: usize,
     seen: Seen,
-    differences: LoadDifferences<'a>,
     /// Time spent on reports.
     time: Duration,
 }
@@ -119,13 +115,7 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
     fn step(&mut self, mut step: HalfSpaceStep, observer: &mut dyn Observer) {
         let start = observer.elapsed();
         let StepWriter { job, write, reference, .. } = self.writer;
-        let mut stiffness = self.writer.elastic_stiffness(&step);
-        let is_unknown = step.status == SolveStatus::Converged && stiffness.is_none();
-        let reached = [step.figures.force, step.figures.approach];
-        match self.differences.next(SeenLoad { load: step.load, reached, is_unknown }, observer) {
-            Ok(slope) => stiffness = stiffness.or(slope),
-            Err(interrupt) => step.status = interrupt.into(),
-        }
+        let stiffness = self.writer.elastic_stiffness(&step).or(step.contact_stiffness);
         let seen = &mut self.seen;
         seen.status = worse(seen.status, step.status);
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
@@ -164,7 +154,6 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
     fn begin_anew(&mut self) {
         self.number = 0;
         self.seen = Seen::default();
-        self.differences = LoadDifferences::new(self.writer.job, self.differences.options);
     }
 }
 

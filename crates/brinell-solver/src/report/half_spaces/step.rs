@@ -11,16 +11,16 @@ use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
 use crate::report::error_bars::BESIDE;
 use crate::report::findings::{Finding, Known};
-use crate::report::plastic_strain::bounded;
+use crate::report::validity;
 use crate::report::{
     BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport,
     Patch, PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, YieldOnsetReport,
 };
-use crate::report::{contact_stiffness, validity};
 use crate::solver::half_spaces::{
     ColumnPoint, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap, von_mises,
 };
 use crate::solver::method::figures::Figure;
+use crate::solver::{SLOPE_ERROR, bounded_strain};
 use crate::units::UnitConverter;
 
 /// Relative error of an onset of yield in closed form, which is sought over some hundred depths.
@@ -353,7 +353,7 @@ impl StepWriter<'_> {
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies is proportional to the contact size.
             (Some(_), _) => Some(0.5 * relative(errors.contact_area, figures.contact_area)),
-            (None, Some(_)) => Some(contact_stiffness::ERROR),
+            (None, Some(_)) => Some(SLOPE_ERROR),
             (None, None) => None,
         };
         let peak = Some(relative(errors.peak_pressure, figures.peak_pressure));
@@ -437,7 +437,7 @@ pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Op
         Material::Deformable(material) => material.hardening_law(),
         Material::Rigid => None,
     };
-    bounded(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
+    bounded_strain(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
 }
 
 /// Returns two semi-axes, the shorter one first. An initial stress along one axis may make the

@@ -1,6 +1,7 @@
 //! What the loads of a hardness test tell.
 
-use super::{OliverPharrReport, Seen, is_pyramid};
+use super::result::OliverPharrReport;
+use super::seen::{Seen, is_pyramid};
 use crate::job::{Block, HardnessTest, Job, Shape, TestScale};
 use crate::units::UnitConverter;
 

@@ -1,6 +1,7 @@
 //! Remarks on a hardness test.
 
-use super::{Found, is_pyramid};
+use super::found::Found;
+use super::seen::is_pyramid;
 use crate::job::{Named, TestScale};
 use crate::report::ValidityNote;
 use crate::units::{UnitConverter, percent};

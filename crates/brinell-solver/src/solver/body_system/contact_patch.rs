@@ -1,5 +1,8 @@
 //! The ends of the contact.
 
+/// Part of the force that a part of the contact carries at least to be resolved for its own sake.
+pub(crate) const LEAST_PART: f64 = 0.05;
+
 /// The loaded part of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactPatch {

@@ -2,6 +2,7 @@
 
 pub(crate) mod axis;
 pub(crate) mod body;
+mod contact;
 pub(crate) mod contact_patch;
 pub(crate) mod elastic_body;
 pub(crate) mod factor_cache;

@@ -17,6 +17,7 @@ use crate::fem::assembly::StressField;
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
 use crate::solver::ContactPatch;
+use crate::solver::body_solution::BodySolution;
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
@@ -24,37 +25,17 @@ use crate::solver::method::Interrupted as _;
 use crate::solver::method::contact_system::Linearize as _;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
 use crate::solver::method::figures::FigureSet;
-use crate::solver::method::final_check::{COLLAPSE_STRAIN, Evidence, LeastScales, judge};
+use crate::solver::method::final_check::{Evidence, LeastScales, judge};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::Answer as _;
 use crate::solver::problem::Problem;
-use crate::solver::solution::{
-    BodySolution, Energy, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
-};
+use crate::solver::solution::{Energy, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution};
 
 /// Elements over half of the arc of a tip with which the pressure on it is known to two per cent.
 pub(crate) const TIP_ELEMENTS: f64 = 4.0;
-
-/// Area of the section that strains so much, over the square of the half-width: beside a sharp
-/// edge strains grow without bound under any load.
-const COLLAPSE_AREA: f64 = 1.0 / 400.0;
-
-/// Whether strains have outgrown the theory of small strains.
-pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
-    if !pass.outcome.is_conclusive {
-        return false;
-    }
-    let half_width = pass.patch.map_or(0.0, |patch| patch.half_width());
-    pass.system.bodies.iter().zip(&pass.fields).any(|(body, field)| {
-        let accumulates = body.model.has_memory();
-        let points = field.stress.points.iter().flatten();
-        let strained = points.filter(|point| point.strain(accumulates) > COLLAPSE_STRAIN);
-        strained.map(|point| point.area).sum::<f64>() > COLLAPSE_AREA * half_width * half_width
-    })
-}
 
 /// Judges the final state by full displacement fields and the material law in the whole bodies,
 /// without results of the iteration. Takes stresses and nodal displacements out of the mesh solve.
@@ -214,7 +195,7 @@ fn from_fields(
         return Ok(from_iteration(pass));
     }
     // This precedes the move of the stresses.
-    let has_collapsed = has_collapsed(pass);
+    let has_collapsed = pass.has_collapsed();
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
     let mut squares = 0.0;

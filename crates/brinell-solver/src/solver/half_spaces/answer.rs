@@ -147,6 +147,7 @@ impl Answer {
             reaches_edge: evidence.reaches_edge,
             has_collapsed: evidence.has_collapsed,
             is_preliminary: false,
+            contact_stiffness: None,
             flows: self.system.flows(&self.outcome.state.loads),
             missed: None,
             unknown_before: FigureSet::default(),

@@ -1,8 +1,6 @@
-//! The gap between two undeformed half-spaces, with the ends, relief and tilt of rollers.
+//! Ends, relief and tilt of rollers, and heights on top of the shapes.
 
 use brinell_halfspace::SurfaceGrid;
-
-use super::problem::HalfSpaceProblem;
 
 /// The deviation of a roller's surface from an endless cylinder. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,7 +91,7 @@ impl HeightMap {
 
     /// Returns the mean heights in the cells of a grid of the same size with at most as many
     /// cells.
-    fn over(&self, grid: &SurfaceGrid) -> Vec<f64> {
+    pub(super) fn over(&self, grid: &SurfaceGrid) -> Vec<f64> {
         let (mut sums, mut counts) = (vec![0.0; grid.n_cells()], vec![0.0; grid.n_cells()]);
         let [nx, ny] = self.cells;
         for (k, height) in self.heights.iter().enumerate() {
@@ -112,50 +110,6 @@ fn height(points: &[[f64; 2]], at: f64) -> f64 {
         (Some([y0, h0]), Some([y1, h1])) => h0 + (h1 - h0) * (at - y0) / (y1 - y0),
         (Some([_, level]), None) | (None, Some([_, level])) => *level,
         (None, None) => 0.0,
-    }
-}
-
-impl HalfSpaceProblem {
-    /// Returns the gap at the middles of cells, x and y in the axes of the fields \[mm\].
-    pub fn gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
-        if let Some(map) = &self.heights {
-            return self.rough_gap(map, grid);
-        }
-        let [kx, ky] = self.principal_curvatures();
-        let (sine, cosine) = self.orientation().sin_cos();
-        grid.sample(|x, y| {
-            let place = [cosine * x - sine * y, sine * x + cosine * y];
-            let falls = self.rollers.iter().map(|roller| roller.fall(place)).sum::<f64>();
-            0.5 * (kx * x * x + ky * y * y) + falls
-        })
-    }
-
-    /// Returns the gap with heights on top of the shapes, less its minimum.
-    fn rough_gap(&self, map: &HeightMap, grid: &SurfaceGrid) -> Vec<f64> {
-        let [xx, yy, xy] = self.curvature;
-        let mut gap = grid.sample(|x, y| 0.5 * (xx * x * x + yy * y * y) + xy * x * y);
-        for (gap, height) in gap.iter_mut().zip(map.over(grid)) {
-            *gap -= height;
-        }
-        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
-        gap.iter().map(|gap| gap - least).collect()
-    }
-
-    /// Whether the gap is symmetric in x and in y of the fields.
-    pub fn gap_is_even(&self) -> bool {
-        self.heights.is_none() && self.rollers.iter().all(RollerGap::is_even)
-    }
-
-    /// Returns half the largest contact length along y of the fields that the rollers allow
-    /// \[mm\]; `None` without a roller.
-    pub fn half_length(&self) -> Option<f64> {
-        self.rollers.iter().map(|roller| 0.5 * roller.length).reduce(f64::min)
-    }
-
-    /// Returns the slope by which the gap falls along y of the fields, from the given tilts.
-    pub(super) fn tilt(&self) -> f64 {
-        let orientation = self.orientation();
-        self.rollers.iter().map(|roller| roller.tilt * (roller.rotation - orientation).cos()).sum()
     }
 }
 

@@ -1,10 +1,11 @@
 //! Histories of loads on half-spaces: each increment starts from the accepted state, first on a
 //! grid of half the cells, then on the grid of all cells.
 
-use super::engine::{Answer, GridDesign, HalfSpaceEngine};
+use super::design::GridDesign;
+use super::engine::{Answer, HalfSpaceEngine};
 use super::measure::{measure, place, stresses};
 use super::problem::HalfSpaceProblem;
-use super::run::size;
+use super::sizing::size;
 use super::step::HalfSpaceStep;
 use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
@@ -24,9 +25,6 @@ use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
 use crate::solver::watch::never;
 
-/// Ratio of peak pressure to yield stress at which a ball begins to yield, for Poisson's ratio
-/// 0.3. Other contacts begin to yield later.
-const ONSET: f64 = 1.6;
 /// Exponents of the growth of force and approach with the semi-axes, between the elastic and the
 /// fully plastic contact of a ball.
 const FORCE_EXPONENT: f64 = 2.4;
@@ -69,7 +67,7 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
 
     fn growth(&self, load: ContactLoad) -> Growth {
         // At the ends of a roller, yield begins below the force that this estimate gives.
-        let onset = onset_force(self.problem).filter(|_| self.problem.rollers.is_empty());
+        let onset = self.problem.yield_force().filter(|_| self.problem.rollers.is_empty());
         match load {
             ContactLoad::Force(_) => Growth { onset, exponent: FORCE_EXPONENT },
             ContactLoad::Approach(_) => {
@@ -94,7 +92,7 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
         let Answer { system, outcome } = answer;
         let contact = &outcome.state.response.contact;
         if contact.total_force > 0.0 {
-            let fitted = system.design.fitted(system, &contact.force);
+            let fitted = system.fitted(&contact.force);
             memory.fitted = Some(memory.fitted.map_or(fitted, |before| before.union(fitted)));
             memory.peak = place(system.grid(), system.peak(&contact.force).1);
         }
@@ -124,12 +122,6 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     fn step_as_iterated(&self, answer: &Answer, load: ContactLoad) -> HalfSpaceStep {
         answer.step_as_iterated(self, load, [0.0; 2])
     }
-}
-
-/// Returns a force below which no body yields \[N\].
-pub(super) fn onset_force(problem: &HalfSpaceProblem) -> Option<f64> {
-    let weakest = problem.weakest().filter(|_| problem.heights.is_none())?;
-    Some(problem.force_where(|hertz| hertz.peak_pressure, ONSET * weakest, 3.0))
 }
 
 /// The two bodies of a history, which is solved on two grids.

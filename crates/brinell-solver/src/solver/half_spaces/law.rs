@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use brinell_halfspace::{Layers, PlasticLaw};
 
-use crate::job::{Deformable, Theory};
+use crate::job::{Deformable, InitialStressProfile, Theory};
 use crate::material::{
     BackstressTerm, ElasticModuli, FlowPlasticity, Flowing, HardeningLaw, OutOfPlane,
     ReturnMapping, scaled,
@@ -139,5 +139,23 @@ impl<const N: usize> PlasticLaw for Cells<N> {
     fn plastic_work(&self, layer: usize, cell: usize) -> [f64; 2] {
         let CellState { plastic_work, backstress, .. } = &self.current[cell];
         [*plastic_work, self.models[layer].backstress_energy(backstress)]
+    }
+}
+/// `xx yy xy` of each layer before any load, in axes turned by an angle.
+pub(super) fn initial_stress(material: &Deformable, angle: f64, layers: &Layers) -> Vec<[f64; 3]> {
+    let at = initial_stress_over_depth(material, angle);
+    (0..layers.len()).map(|layer| at(layers.middle(layer))).collect()
+}
+
+/// `xx yy xy` at a depth before any load, in axes turned by an angle.
+pub(super) fn initial_stress_over_depth(
+    material: &Deformable,
+    angle: f64,
+) -> impl Fn(f64) -> [f64; 3] {
+    let profile = InitialStressProfile::new(material.initial_stress());
+    let (sin, cos) = angle.sin_cos();
+    move |depth| {
+        let [x, y] = profile.at(depth);
+        [cos * cos * x + sin * sin * y, sin * sin * x + cos * cos * y, sin * cos * (y - x)]
     }
 }

@@ -8,19 +8,24 @@
 //! this x, positive towards the job's y.
 
 mod answer;
+mod design;
 mod engine;
 mod errors;
 mod estimate;
 mod gap;
+mod given;
 mod history;
 mod law;
 mod measure;
 mod moment;
+mod operators;
 mod problem;
 mod run;
 mod search;
+mod sizing;
 mod step;
 mod system;
+mod tilting;
 
 pub(crate) use errors::figure_of;
 pub use estimate::{HalfSpaceEstimate, estimate};

@@ -2,20 +2,25 @@
 
 use std::f64::consts::PI;
 
-use brinell_halfspace::EllipticContact;
+use brinell_halfspace::{EllipticContact, SurfaceGrid};
 
-use super::engine::MOST_CELLS_ALONG;
 use super::gap::{HeightMap, RollerGap};
+use super::moment::PrescribedMoment;
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, Load, SolverSettings};
 use crate::material::HardeningLaw;
 use crate::solver::SolveError;
 
+/// Cells along a roller over those across it, at most.
+pub(super) const MOST_CELLS_ALONG: f64 = 8.0;
 /// Relative difference of the curvatures below which the contact is circular and has no principal
 /// direction.
 const CIRCLE: f64 = 1e-12;
 /// Ratio of axial to transverse curvature below which a roller is straight.
 const LINE: f64 = 1e-9;
+/// Ratio of peak pressure to yield stress at which a ball begins to yield, for Poisson's ratio
+/// 0.3. Other contacts begin to yield later.
+const ONSET: f64 = 1.6;
 /// Bounds of a sought force \[N\], and number of bisections.
 const FORCES: [f64; 2] = [1e-12, 1e12];
 pub(super) const BISECTIONS: u32 = 60;
@@ -49,6 +54,8 @@ pub struct HalfSpaceProblem {
     pub load: Load,
     /// Cells over each semi-axis of the contact.
     pub cells_per_semi_axis: u32,
+    /// Cells of the small grids that tell the contact stiffness, where it is asked for.
+    pub cells_of_slopes: Option<u32>,
     /// Force at the onset of yield, where it has a closed form \[N\].
     pub onset: Option<f64>,
     /// Theory, coupling, tolerance, increments and iteration limit.
@@ -142,6 +149,12 @@ impl HalfSpaceProblem {
         })
     }
 
+    /// Returns a force below which no body yields \[N\].
+    pub(super) fn yield_force(&self) -> Option<f64> {
+        let weakest = self.weakest().filter(|_| self.heights.is_none())?;
+        Some(self.force_where(|hertz| hertz.peak_pressure, ONSET * weakest, 3.0))
+    }
+
     /// Returns the number of cells over each semi-axis.
     pub(super) fn cells(&self) -> f64 {
         f64::from(self.cells_per_semi_axis)
@@ -232,6 +245,61 @@ impl HalfSpaceProblem {
             }
         };
         (force > 0.0).then(|| self.hertz(force))
+    }
+
+    /// Returns the gap at the middles of cells, x and y in the axes of the fields \[mm\].
+    pub fn gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
+        if let Some(map) = &self.heights {
+            return self.rough_gap(map, grid);
+        }
+        let [kx, ky] = self.principal_curvatures();
+        let (sine, cosine) = self.orientation().sin_cos();
+        grid.sample(|x, y| {
+            let place = [cosine * x - sine * y, sine * x + cosine * y];
+            let falls = self.rollers.iter().map(|roller| roller.fall(place)).sum::<f64>();
+            0.5 * (kx * x * x + ky * y * y) + falls
+        })
+    }
+
+    /// Returns the gap with heights on top of the shapes, less its minimum.
+    fn rough_gap(&self, map: &HeightMap, grid: &SurfaceGrid) -> Vec<f64> {
+        let [xx, yy, xy] = self.curvature;
+        let mut gap = grid.sample(|x, y| 0.5 * (xx * x * x + yy * y * y) + xy * x * y);
+        for (gap, height) in gap.iter_mut().zip(map.over(grid)) {
+            *gap -= height;
+        }
+        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+        gap.iter().map(|gap| gap - least).collect()
+    }
+
+    /// Whether the gap is symmetric in x and in y of the fields.
+    pub fn gap_is_even(&self) -> bool {
+        self.heights.is_none() && self.rollers.iter().all(RollerGap::is_even)
+    }
+
+    /// Returns half the largest contact length along y of the fields that the rollers allow
+    /// \[mm\]; `None` without a roller.
+    pub fn half_length(&self) -> Option<f64> {
+        self.rollers.iter().map(|roller| 0.5 * roller.length).reduce(f64::min)
+    }
+
+    /// Returns the slope by which the gap falls along y of the fields, from the given tilts.
+    pub(super) fn tilt(&self) -> f64 {
+        let orientation = self.orientation();
+        self.rollers.iter().map(|roller| roller.tilt * (roller.rotation - orientation).cos()).sum()
+    }
+
+    /// The moment under which a roller tilts; `None` where tilts are given.
+    pub(super) fn moment(&self) -> Option<PrescribedMoment> {
+        let orientation = self.orientation();
+        let along = self.rollers.iter().find_map(|roller| {
+            Some(roller.moment? * (roller.rotation - orientation).cos().signum())
+        });
+        Some(PrescribedMoment {
+            moment: along?,
+            whole_from: self.load.least_force()?,
+            half_length: self.half_length()?,
+        })
     }
 }
 

@@ -3,10 +3,9 @@
 
 use brinell_halfspace::EllipticContact;
 
-use super::engine::initial_stress_over_depth;
-use super::history::onset_force;
+use super::given::given;
+use super::law::initial_stress_over_depth;
 use super::problem::HalfSpaceProblem;
-use super::run::given;
 use super::step::{HalfSpaceBody, HalfSpaceStep, von_mises};
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, TargetFigure};
@@ -81,7 +80,7 @@ pub(super) fn first_force(problem: &HalfSpaceProblem, sought: Sought) -> Result<
     let under_peak = |peak: f64| problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
     let highest = weakest.map_or(f64::INFINITY, |weakest| HIGHEST_START * weakest);
     match sought {
-        Sought::Onset => onset_force(problem).ok_or(SolveError::NoYieldPoint),
+        Sought::Onset => problem.yield_force().ok_or(SolveError::NoYieldPoint),
         Sought::Target(target) => match target.figure {
             TargetFigure::HalfWidth => {
                 let shorter = |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);

@@ -60,6 +60,8 @@ pub struct HalfSpaceStep {
     pub increments: Vec<IncrementRecord>,
     /// The last increment.
     pub last_increment: LastIncrement,
+    /// Contact stiffness dP/dα of bodies that flow, where it is asked for \[N/mm\].
+    pub contact_stiffness: Option<f64>,
     /// Whether a body flows in the last increment.
     pub flows: bool,
     /// Number of grids on which the force was sought; zero where it is given.

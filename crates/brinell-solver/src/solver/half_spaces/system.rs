@@ -17,7 +17,7 @@ use brinell_halfspace::{
     from_isometric, isometric,
 };
 
-use super::engine::GridDesign;
+use super::design::GridDesign;
 use super::moment::PrescribedMoment;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::material::{body_flows, flows};
@@ -28,6 +28,10 @@ use crate::solver::method::contact_system::{
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::watch::{never, watched};
+
+/// Largest violation of a contact condition that the contact solver leaves: half of what the check
+/// lets pass.
+pub(super) const CONTACT_TOLERANCE: f64 = 5e-9;
 
 /// An elastic body: its operators, its initial stress, and its index among the bodies that can
 /// yield.

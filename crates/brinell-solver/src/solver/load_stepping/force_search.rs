@@ -10,13 +10,14 @@ use super::utilization::{
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
 use crate::solver::bars::Bars;
+use crate::solver::body_solution::BodySolution;
 use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::method::force_search::{self, Density, ForceFound, Terms, Trial, Tried, find};
 use crate::solver::method::run::Run;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
-use crate::solver::solution::{BodySolution, StepSolution};
+use crate::solver::solution::StepSolution;
 use crate::solver::{SolveError, SolveStatus};
 use crate::units::UnitConverter;
 

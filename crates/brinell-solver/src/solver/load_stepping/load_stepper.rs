@@ -22,7 +22,7 @@ use crate::solver::method::solve::Answer as _;
 use crate::solver::problem::Problem;
 use crate::solver::solution::StepSolution;
 use crate::solver::strategy::coupling;
-use crate::solver::{Interrupt, SolveError, SolveStatus, final_check};
+use crate::solver::{Interrupt, SolveError, SolveStatus, final_check, finite_elements};
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
@@ -111,7 +111,7 @@ impl<'a> LoadStepper<'a> {
         request.contact = self.contact;
         request.previous =
             coupling(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
-        let mut pass = mesh_solve::run(self.problem, &request, fine, run)?;
+        let mut pass = finite_elements::run(self.problem, &request, fine, run)?;
         // Before the stresses are handed over.
         let found = run.time(Phase::Output, || extent.found_by(&pass));
         let (tolerance, yields) = (request.solver.tolerance.get(), pass.yields());
@@ -261,7 +261,7 @@ impl<'a> LoadStepper<'a> {
     /// helps.
     fn found(&self, extent: ContactSizeEstimate, pass: &MeshSolve) -> ContactSizeEstimate {
         let found = extent.found_by(pass);
-        if final_check::has_collapsed(pass) {
+        if pass.has_collapsed() {
             return found;
         }
         let found = found.refined(self.problem, self.job.mesh.elements_per_half_width as usize);
@@ -275,7 +275,8 @@ impl<'a> LoadStepper<'a> {
         known: Option<System>,
         run: &mut Run<'_>,
     ) -> Result<MeshSolve, SolveError> {
-        let pass = run.preliminarily(|run| mesh_solve::run(self.problem, request, known, run))?;
+        let pass =
+            run.preliminarily(|run| finite_elements::run(self.problem, request, known, run))?;
         // One that was stopped has no fields that the next mesh could start from.
         match pass.outcome.status {
             SolveStatus::Cancelled => Err(SolveError::Interrupted(Interrupt::Cancelled)),
@@ -332,7 +333,7 @@ impl<'a> LoadStepper<'a> {
 
 /// Whether a mesh has found an answer of small strains.
 fn has_answer(pass: &MeshSolve) -> bool {
-    pass.outcome.status == SolveStatus::Converged && !final_check::has_collapsed(pass)
+    pass.outcome.status == SolveStatus::Converged && !pass.has_collapsed()
 }
 
 /// How the auxiliary passes are iterated, whatever the job asks for.

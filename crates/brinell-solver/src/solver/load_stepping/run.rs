@@ -4,16 +4,19 @@ use std::sync::Arc;
 
 use super::force_search;
 use super::load_sequence::LoadSequence;
-use crate::contact::{ActiveSetSolver, ContactSolver, SimplexSolver};
+use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
+use crate::fem::element::StressState;
 use crate::job::{ContactMethod, Job, Theory};
-use crate::solver::SolveError;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::{Loads, loads};
 use crate::solver::method::observer::Observer;
 use crate::solver::method::run::Run;
+use crate::solver::method::slope::{Loaded, Slopes};
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
+use crate::solver::slopes::{reached, small_job};
 use crate::solver::solution::{Solution, StepSolution};
+use crate::solver::{SolveError, SolveStatus};
 
 /// What the wire format does not offer: for the service, for verification, and for trying out
 /// methods.
@@ -70,6 +73,43 @@ pub fn run_with(
 /// # Errors
 /// As [`run`].
 pub fn run_each(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+    receiver: &mut dyn StepReceiver<StepSolution>,
+) -> Result<Solution, SolveError> {
+    if !job.output.contact_stiffness {
+        return solve(job, options, observer, receiver);
+    }
+    let mut under = |loads: &[ContactLoad], observer: &mut dyn Observer| {
+        let Some(job) = small_job(job, loads) else { return Ok(None) };
+        let mut steps: Vec<StepSolution> = Vec::new();
+        let solution = solve(&job, options, observer, &mut steps);
+        let interrupt = solution.map(|solution| solution.interrupted);
+        reached(interrupt, &steps, |step| [step.force(), step.approach])
+    };
+    let of_step: (fn(&_) -> _, fn(&mut _, _)) = (loaded, give_slope);
+    let is_history = job.solver.theory == Theory::Flow;
+    solve(job, options, observer, &mut Slopes::new(receiver, of_step, is_history, &mut under))
+}
+
+/// What has to be known of a step for its slope.
+fn loaded(step: &StepSolution) -> Loaded {
+    let flows_freely = step.stress_state == StressState::PlaneStress
+        && step.bodies.iter().flatten().any(|body| body.bounded_plastic_strain().is_none());
+    let is_converged = step.status == SolveStatus::Converged;
+    Loaded {
+        load: step.load,
+        reached: [step.force(), step.approach],
+        is_sought: is_converged && step.contact_stiffness.is_none() && !flows_freely,
+    }
+}
+
+fn give_slope(step: &mut StepSolution, slope: f64) {
+    step.contact_stiffness = Some(slope);
+}
+
+fn solve(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,

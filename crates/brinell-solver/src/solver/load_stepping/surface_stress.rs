@@ -14,9 +14,10 @@
 
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
+use crate::solver::body_solution::BodySolution;
 use crate::solver::problem::{GivenStress, ProblemBody};
 use crate::solver::recovery::Recovery;
-use crate::solver::solution::{BodySolution, PairState, StepSolution};
+use crate::solver::solution::{PairState, StepSolution};
 
 /// A point of the surface half-way between two neighbouring pairs.
 #[derive(Debug, Clone, Copy)]

@@ -9,9 +9,10 @@ use crate::analytical::RoundedEdge;
 use crate::fem::assembly::GaussPoint;
 use crate::fem::element::{StressState, shape_functions};
 use crate::material::von_mises;
+use crate::solver::body_solution::BodySolution;
 use crate::solver::problem::{GivenStress, Problem, ProblemBody};
 use crate::solver::recovery::Recovery;
-use crate::solver::solution::{BodySolution, PairState, StepSolution};
+use crate::solver::solution::{PairState, StepSolution};
 
 /// Where a step comes nearest to yield, or is farthest beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::rough::{self, LEAST_PART, Touching};
+use super::rough::{self, Touching, ZONE};
 use super::trace::resolving_spacing;
 use crate::analytical::PinInHole;
 use crate::contact::ContactLoad;
@@ -12,6 +12,7 @@ use crate::fem::mesh::MeshError;
 use crate::fem::mesh::{ContactZone, ROUNDING, Refinement};
 use crate::solver::SolveError;
 use crate::solver::body_system::contact_patch::ContactPatch;
+use crate::solver::body_system::contact_patch::LEAST_PART;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_solve::MeshSolve;
@@ -20,8 +21,6 @@ use crate::solver::problem::Problem;
 /// Largest half-width of a contact as a part of the surface beside its middle that is solved at
 /// all.
 pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
-/// Half-width of the candidate zone over that of the contact.
-pub(super) const ZONE: f64 = 1.6;
 /// Elements over the half-width of the zone at least.
 const LEAST_COLUMNS: f64 = 4.0;
 /// Step in elements from one size to the next, as it moves the end of the contact, and between

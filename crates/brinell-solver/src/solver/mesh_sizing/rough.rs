@@ -3,17 +3,17 @@
 
 use std::f64::consts::PI;
 
-use super::contact_size::ZONE;
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolver, never};
 use crate::fem::element::StressState;
+use crate::solver::body_system::contact_patch::LEAST_PART;
 use crate::solver::mesh_solve::ENLARGEMENT;
 use crate::solver::problem::Problem;
 use dense_cholesky::SymmetricMatrix;
 
+/// Half-width of the candidate zone over that of the contact.
+pub(super) const ZONE: f64 = 1.6;
 /// Pairs at most to each side of the middle.
 const MAX_PAIRS: f64 = 450.0;
-/// Part of the force that a part of the contact carries at least to be resolved for its own sake.
-pub(crate) const LEAST_PART: f64 = 0.05;
 /// Part of what is looked at that a contact covers at least for its ends to be known.
 const LEAST_PART_OF_REACH: f64 = 0.4;
 /// Pairs to each side of the middle that tell the ends of a contact to a few per cent.

@@ -11,10 +11,9 @@ use brinell_halfspace::track::{
 use brinell_halfspace::{Elasticity, Layers, SurfaceFlexibility};
 use brinell_material::{Deviators, StreamLaw, TrackFrame};
 
-use super::engine::TrackDesign;
-use super::estimate;
+use super::design::TrackDesign;
+use super::memory::{bytes_of_ellipse, bytes_of_line};
 use super::problem::{Limit, RollingProblem, initial_stress, law_of_rows};
-use super::system::Track;
 use crate::contact::{
     ActiveSetSolver, ConjugateGradientSolver, ContactSolution, ContactSolver, SimplexSolver,
 };
@@ -95,8 +94,9 @@ pub(super) trait Course: Copy {
 
     /// The limit of shakedown of bodies that harden kinematically without bound, if it is known.
     fn kinematic(
+        &self,
         problem: &RollingProblem,
-        track: &Track<Self>,
+        bodies: &[Self::Body],
         run: &mut Run<'_>,
     ) -> Result<Option<Limit>, SolveError>;
 }
@@ -209,22 +209,22 @@ impl Course for TrackGrid {
     }
 
     fn bytes(&self, problem: &RollingProblem, layers: usize) -> usize {
-        estimate::bytes_of_line(problem, self, layers)
+        bytes_of_line(problem, self, layers)
     }
 
     fn kinematic(
+        &self,
         problem: &RollingProblem,
-        track: &Track<Self>,
+        bodies: &[RollingBody],
         run: &mut Run<'_>,
     ) -> Result<Option<Limit>, SolveError> {
         let [a, _] = problem.semi_axes();
-        let pressure = track.grid.sample(|x| (1.0 - (x / a).powi(2)).max(0.0).sqrt());
+        let pressure = self.sample(|x| (1.0 - (x / a).powi(2)).max(0.0).sqrt());
         let mut least: Option<Limit> = None;
-        let bodies = track.bodies.borrow();
         let has_yield_point = |material: &Deformable| {
             material.hardening_law().is_some_and(|law| law.yield_stress() > 0.0)
         };
-        let limited = problem.yielding().zip(bodies.iter());
+        let limited = problem.yielding().zip(bodies);
         for ((side, _), body) in limited.filter(|((_, material), _)| has_yield_point(material)) {
             let limits = watched(run, Phase::Flexibility, |stop| {
                 let strength = |layer: usize| body.law().yield_stress(layer);
@@ -337,13 +337,14 @@ impl Course for RacewayGrid {
     }
 
     fn bytes(&self, problem: &RollingProblem, layers: usize) -> usize {
-        estimate::bytes_of_ellipse(problem, self, layers)
+        bytes_of_ellipse(problem, self, layers)
     }
 
     /// A residual stress across the track may touch every component: there is no such form.
     fn kinematic(
+        &self,
         _: &RollingProblem,
-        _: &Track<Self>,
+        _: &[RacewayBody],
         _: &mut Run<'_>,
     ) -> Result<Option<Limit>, SolveError> {
         Ok(None)

@@ -6,10 +6,12 @@
 //! `docs/theory_rolling.md`.
 
 mod course;
+mod design;
 mod engine;
 mod errors;
 mod estimate;
 mod limits;
+mod memory;
 mod pass;
 mod problem;
 mod run;

@@ -4,7 +4,8 @@ use brinell_halfspace::raceway::RacewayGrid;
 use brinell_halfspace::track::{PassStrain, Rolls, TrackFault, TrackGrid, Verdict};
 
 use super::course::Course;
-use super::engine::{TrackDesign, TrackEngine};
+use super::design::TrackDesign;
+use super::engine::TrackEngine;
 use super::errors::PassErrors;
 use super::pass::Pass;
 use super::problem::{Limit, RollingProblem};
@@ -163,7 +164,9 @@ fn sequence<C: Course>(
     let (problem, load) = (engine.problem, engine.problem.load);
     solve(engine, design, None, run, |on, mut track, mut start, run| {
         let mut done = Sequence {
-            kinematic: C::kinematic(problem, &track, run)
+            kinematic: track
+                .grid
+                .kinematic(problem, &track.bodies.borrow(), run)
                 .map_err(LeaveOf::<TrackEngine<'_, C>>::Failed)?,
             ..Sequence::default()
         };

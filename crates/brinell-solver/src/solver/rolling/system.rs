@@ -15,7 +15,7 @@ use brinell_halfspace::Stopped;
 use brinell_halfspace::track::{Outlet, Rolls};
 
 use super::course::Course;
-use super::engine::TrackDesign;
+use super::design::TrackDesign;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::method;
 use crate::solver::method::contact_system::{

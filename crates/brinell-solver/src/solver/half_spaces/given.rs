@@ -1,0 +1,49 @@
+//! Given loads: each first on a grid of half the cells, then on the grid of all cells.
+
+use super::engine::HalfSpaceEngine;
+use super::history::OnTwoGrids;
+use super::problem::HalfSpaceProblem;
+use super::sizing::{interrupted, size, under};
+use super::step::HalfSpaceStep;
+use crate::contact::ContactLoad;
+use crate::job::Theory;
+use crate::solver::method::history;
+use crate::solver::method::observer::Interrupt;
+use crate::solver::method::run::Run;
+use crate::solver::method::steps::{StepReceiver, each_load};
+use crate::solver::{SolveError, SolveStatus};
+
+/// Solves given loads in their order.
+pub(super) fn given(
+    problem: &HalfSpaceProblem,
+    loads: &[ContactLoad],
+    run: &mut Run<'_>,
+    receiver: &mut dyn StepReceiver<HalfSpaceStep>,
+) -> Result<Option<Interrupt>, SolveError> {
+    if problem.solver.theory == Theory::Flow {
+        let bodies = OnTwoGrids { problem, loads };
+        return history::run(&bodies, loads, problem.solver.increments, run, receiver);
+    }
+    each_load(loads, receiver, run, |load, _, run| step(problem, load, run))
+}
+
+/// Solves one load by deformation theory and estimates the errors of its figures.
+fn step(
+    problem: &HalfSpaceProblem,
+    load: ContactLoad,
+    run: &mut Run<'_>,
+) -> Result<HalfSpaceStep, SolveError> {
+    let engine =
+        HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance.get());
+    let design = size(problem, load, run)?;
+    let (coarse, design) = run.preliminarily(|run| {
+        under(&engine, load, design.with_cells(0.5 * problem.cells()), run)
+    })?;
+    interrupted(coarse.status)?;
+    let engine = HalfSpaceEngine::new(problem, Theory::Deformation);
+    let (mut fine, _) = under(&engine, load, design.with_cells(problem.cells()), run)?;
+    if coarse.status == SolveStatus::Converged {
+        fine.errors = fine.errors_beside(&coarse.figures);
+    }
+    Ok(fine)
+}
