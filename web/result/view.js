@@ -277,6 +277,10 @@ export class View {
   }
 
   #sheet() {
+    // What a line has of its groove is a figure.
+    const [{ report }] = this.#shown;
+    const line = report.analysis !== 'three_dimensional';
+    const step = report.steps[this.#at];
     showSheet({
       shown: this.#shown,
       at: this.#at,
@@ -288,7 +292,9 @@ export class View {
         this.depth,
         this.sweep,
       ].flatMap(({ panel, chart }) =>
-        panel.element.hidden ? [] : (chart.drawing(panel.caption, 380, 135) ?? []),
+        panel.element.hidden || (line && panel.id === 'groove')
+          ? []
+          : (chart.drawing(panel.caption, 380, step?.rolling ? 110 : 135) ?? []),
       ),
       fields: [...this.#maps(), this.other.canvas(undefined, paper)].filter((one) => one !== null),
       cutDrawing: this.field.cutDrawing(),

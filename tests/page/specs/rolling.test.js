@@ -47,7 +47,7 @@ service.test(
   async (page) => {
     await page.getByText('1500.0 MPa').waitFor();
     assert.equal(await page.locator('#sketch [data-travel]').count(), 0);
-    await page.locator('#example').selectOption('Ball runs in on a raceway');
+    await page.locator('#example').selectOption('Ball that runs in, in three dimensions');
     await page.locator('#sketch [data-travel]').waitFor();
     await page.getByRole('button', { name: 'Solve', exact: true }).click();
     await page.locator('#panel-groove svg').first().waitFor();
