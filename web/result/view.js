@@ -277,10 +277,10 @@ export class View {
   }
 
   #sheet() {
-    // What a line has of its groove is a figure.
+    // Of a line that rolls, groove and pressure are figures: there is one page.
     const [{ report }] = this.#shown;
-    const line = report.analysis !== 'three_dimensional';
-    const step = report.steps[this.#at];
+    const rolled = report.analysis !== 'three_dimensional' && report.steps[this.#at].rolling;
+    const left = rolled ? ['groove', 'pressure'] : [];
     showSheet({
       shown: this.#shown,
       at: this.#at,
@@ -292,9 +292,9 @@ export class View {
         this.depth,
         this.sweep,
       ].flatMap(({ panel, chart }) =>
-        panel.element.hidden || (line && panel.id === 'groove')
+        panel.element.hidden || left.includes(panel.id)
           ? []
-          : (chart.drawing(panel.caption, 380, step?.rolling ? 110 : 135) ?? []),
+          : (chart.drawing(panel.caption, 380, 135) ?? []),
       ),
       fields: [...this.#maps(), this.other.canvas(undefined, paper)].filter((one) => one !== null),
       cutDrawing: this.field.cutDrawing(),
