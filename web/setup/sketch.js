@@ -201,14 +201,12 @@ function load(job, upper, scale, middle) {
   if (!upper) return [];
   const [x, y] = scale(middle, -upper.base);
   const text = loadLine(job);
+  const left = Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length));
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
-    ...travel(job, x, y - 12),
-    svg(
-      'text',
-      { x: Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length)), y: y - 9, class: 'load' },
-      text,
-    ),
+    // Long words reach to the left of the force.
+    ...travel(job, Math.min(x, left + 6), y - 12),
+    svg('text', { x: left, y: y - 9, class: 'load' }, text),
   ];
 }
 
