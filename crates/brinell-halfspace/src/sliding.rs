@@ -287,7 +287,8 @@ mod tests {
         let of_surface = |friction: f64| 3f64.sqrt() / (0.79f64.sqrt() * 2.0 * friction);
         near(found[3][1], of_surface(0.3), 0.04);
         near(found[4][1], of_surface(0.4), 0.04);
-        near(found[4][0], of_surface(0.4), 0.04);
+        // Within the contact the traction adds to σxx.
+        assert!(found[4][0] < of_surface(0.4), "{found:?}");
         assert!(found.windows(2).all(|pair| pair[1][0] <= pair[0][0]), "{found:?}");
     }
 
