@@ -181,6 +181,7 @@
  * @property {number | null} constraint
  * @property {number | null} curvature_bias
  * @property {number} depth
+ * @property {number | null} depth_error
  * @property {number} diameter
  * @property {number | null} flow_stress
  * @property {number} force
@@ -188,6 +189,7 @@
  * @property {number} mean_pressure
  * @property {number | null} meyer_exponent
  * @property {number | null} number
+ * @property {number | null} number_error
  * @property {OliverPharr | null} oliver_pharr
  * @property {number | null} permanent_depth
  * @property {number} pile_up
@@ -326,7 +328,9 @@
  * @typedef {object} OliverPharr
  * @property {number} area
  * @property {number} contact_depth
+ * @property {number | null} hardness_error
  * @property {number} indentation_hardness
+ * @property {number | null} modulus_error
  * @property {number} reduced_modulus
  * @property {number} stiffness
  * @property {number} true_area
