@@ -33,6 +33,9 @@ pub struct Loaded {
 pub type Solve<'a> =
     dyn FnMut(&[ContactLoad], &mut dyn Observer) -> Result<Option<Reached>, Interrupt> + 'a;
 
+/// Reads a step, and stores its slope.
+pub type OfStep<S> = (fn(&S) -> Loaded, fn(&mut S, f64));
+
 /// Gives each step its slope and hands it over.
 pub struct Slopes<'a, S> {
     receiver: &'a mut dyn StepReceiver<S>,
@@ -51,7 +54,7 @@ impl<'a, S: Step> Slopes<'a, S> {
     /// Hands steps over to `receiver`: `loaded` reads a step, and `give` stores its slope.
     pub fn new(
         receiver: &'a mut dyn StepReceiver<S>,
-        (loaded, give): (fn(&S) -> Loaded, fn(&mut S, f64)),
+        (loaded, give): OfStep<S>,
         is_history: bool,
         solve: &'a mut Solve<'a>,
     ) -> Self {

@@ -52,13 +52,13 @@ pub(super) fn small_job(job: &Job, loads: &[ContactLoad]) -> Option<Job> {
 
 /// What the last of the loads on a small mesh reaches; `None` where one of them has no answer.
 pub(super) fn reached<S: Step>(
-    interrupt: Result<Option<Interrupt>, SolveError>,
+    interrupt: &Result<Option<Interrupt>, SolveError>,
     steps: &[S],
     of: impl Fn(&S) -> Reached,
 ) -> Result<Option<Reached>, Interrupt> {
     let interrupt = match interrupt {
-        Ok(interrupt) => interrupt,
-        Err(SolveError::Interrupted(interrupt)) => return Err(interrupt),
+        Ok(interrupt) => *interrupt,
+        Err(SolveError::Interrupted(interrupt)) => return Err(*interrupt),
         Err(_) => return Ok(None),
     };
     let mut statuses = steps.iter().map(Step::status);

@@ -10,7 +10,7 @@ use crate::solver::loads::{Loads, history_of, loads};
 use crate::solver::method::observer::{Interrupt, Observer};
 use crate::solver::method::phases::PhaseTimes;
 use crate::solver::method::run::Run;
-use crate::solver::method::slope::{Loaded, Slopes};
+use crate::solver::method::slope::{Loaded, OfStep, Slopes};
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::slopes::reached;
 use crate::solver::{SolveError, SolveStatus};
@@ -48,9 +48,9 @@ pub fn run_each(
         let problem = HalfSpaceProblem { load, cells_per_semi_axis, ..problem.clone() };
         let mut steps: Vec<HalfSpaceStep> = Vec::new();
         let interrupt = solve(&problem, observer, &mut steps).map(|done| done.interrupted);
-        reached(interrupt, &steps, |step| [step.figures.force, step.figures.approach])
+        reached(&interrupt, &steps, |step| [step.figures.force, step.figures.approach])
     };
-    let of_step: (fn(&_) -> _, fn(&mut _, _)) = (loaded, give_slope);
+    let of_step: OfStep<_> = (loaded, give_slope);
     let is_history = problem.solver.theory == Theory::Flow;
     solve(problem, observer, &mut Slopes::new(receiver, of_step, is_history, &mut under))
 }

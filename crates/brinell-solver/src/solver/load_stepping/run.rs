@@ -11,7 +11,7 @@ use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::{Loads, loads};
 use crate::solver::method::observer::Observer;
 use crate::solver::method::run::Run;
-use crate::solver::method::slope::{Loaded, Slopes};
+use crate::solver::method::slope::{Loaded, OfStep, Slopes};
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
 use crate::solver::slopes::{reached, small_job};
@@ -86,9 +86,9 @@ pub fn run_each(
         let mut steps: Vec<StepSolution> = Vec::new();
         let solution = solve(&job, options, observer, &mut steps);
         let interrupt = solution.map(|solution| solution.interrupted);
-        reached(interrupt, &steps, |step| [step.force(), step.approach])
+        reached(&interrupt, &steps, |step| [step.force(), step.approach])
     };
-    let of_step: (fn(&_) -> _, fn(&mut _, _)) = (loaded, give_slope);
+    let of_step: OfStep<_> = (loaded, give_slope);
     let is_history = job.solver.theory == Theory::Flow;
     solve(job, options, observer, &mut Slopes::new(receiver, of_step, is_history, &mut under))
 }
