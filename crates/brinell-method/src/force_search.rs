@@ -9,7 +9,7 @@
 //! logarithms of both.
 
 use super::bracket::{Bracket, Next};
-use super::observer::SolveStatus;
+use super::loads::{Trial, Tried};
 use super::run::Run;
 use super::steps::Step;
 use crate::{Error, Unreachable, UnreachableReason};
@@ -55,36 +55,6 @@ pub struct Terms {
     pub missed: f64,
 }
 
-/// Bodies whose contact has a figure with a wanted value.
-pub trait Sought {
-    /// A load as a step.
-    type Step: Step;
-    /// The errors of a solve and of the search.
-    type Error: From<Error>;
-
-    /// Solves under one force.
-    ///
-    /// # Errors
-    /// Errors of a solve that do not come from too large a force.
-    fn trial(
-        &self,
-        density: Density,
-        force: f64,
-        run: &mut Run<'_>,
-    ) -> Result<Tried<Self::Step>, Self::Error>;
-}
-
-/// The result under one force.
-pub struct Trial<S> {
-    /// The figure over its wanted value.
-    pub ratio: f64,
-    /// Steps of the force and of the loads after it.
-    pub steps: Vec<S>,
-}
-
-/// A trial, or the reason why its force is too large to be solved.
-pub type Tried<S> = Result<Trial<S>, String>;
-
 /// The result of a search.
 pub struct ForceFound<S> {
     /// The trial that meets the value.
@@ -95,17 +65,17 @@ pub struct ForceFound<S> {
     pub slope: f64,
 }
 
-/// Looks for the force.
+/// Looks for the force; `trial` solves under one.
 ///
 /// # Errors
-/// [`Error::Unreachable`], and those of a solve.
-pub fn find<B: Sought>(
-    bodies: &B,
+/// [`Error::Unreachable`], and those of a trial.
+pub fn find<S: Step, E: From<Error>>(
+    mut trial: impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<S>, E>,
     terms: Terms,
     run: &mut Run<'_>,
-) -> Result<ForceFound<B::Step>, B::Error> {
-    let (force, sensitivity) = run.preliminarily(|run| coarse(bodies, terms, run))?;
-    let mut found = fine(bodies, terms, force, sensitivity, run)?;
+) -> Result<ForceFound<S>, E> {
+    let (force, sensitivity) = run.preliminarily(|run| coarse(&mut trial, terms, run))?;
+    let mut found = fine(&mut trial, terms, force, sensitivity, run)?;
     // The deviation of a steep figure is larger under an equally small change of the force.
     let steepness = (sensitivity / terms.expected_slope).max(1.0);
     let trial = &mut found.trial;
@@ -117,13 +87,17 @@ pub fn find<B: Sought>(
 }
 
 /// Returns a force that nearly gives the value, and the slope of the logarithms there.
-fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64, f64), B::Error> {
+fn coarse<S: Step, E: From<Error>>(
+    trial: &mut impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<S>, E>,
+    terms: Terms,
+    run: &mut Run<'_>,
+) -> Result<(f64, f64), E> {
     let mut bracket = Bracket::new(terms.expected_slope);
     let mut force = terms.first_force;
     let mut reason = UnreachableReason::LargestForce;
     let mut near = None;
     for _ in 0..MAX_COARSE {
-        match bodies.trial(Density::Coarse, force, run)? {
+        match trial(Density::Coarse, force, run)? {
             Ok(trial) if trial.is_converged() => {
                 bracket.record(force, trial.ratio);
                 if trial.deviation() <= NEAR {
@@ -171,18 +145,18 @@ fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64
 }
 
 /// Corrects a nearly right force by fine solves.
-fn fine<B: Sought>(
-    bodies: &B,
+fn fine<S: Step, E: From<Error>>(
+    trial: &mut impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<S>, E>,
     terms: Terms,
     mut force: f64,
     sensitivity: f64,
     run: &mut Run<'_>,
-) -> Result<ForceFound<B::Step>, B::Error> {
+) -> Result<ForceFound<S>, E> {
     let mut slope = sensitivity;
-    let mut best: Option<Trial<B::Step>> = None;
+    let mut best: Option<Trial<S>> = None;
     let mut last: Option<[f64; 2]> = None;
     for _ in 0..terms.most_fine {
-        let trial = match bodies.trial(Density::Asked, force, run)? {
+        let trial = match trial(Density::Asked, force, run)? {
             Ok(trial) => trial,
             Err(why) => {
                 let ratio = best.map_or(0.0, |best| best.ratio);
@@ -215,23 +189,4 @@ fn fine<B: Sought>(
 /// that value.
 fn unreachable(force: f64, nearest: f64, reason: UnreachableReason) -> Error {
     Error::Unreachable(Unreachable { nearest, force, largest_force: force, reason })
-}
-
-impl<S: Step> Trial<S> {
-    /// Whether all steps have converged.
-    pub fn is_converged(&self) -> bool {
-        self.steps.iter().all(|step| step.status() == SolveStatus::Converged)
-    }
-
-    fn why_not_converged(&self) -> &'static str {
-        if self.steps.iter().any(Step::reaches_edge) {
-            "the contact is wider than what can be meshed"
-        } else {
-            "the iteration does not converge"
-        }
-    }
-
-    fn deviation(&self) -> f64 {
-        (self.ratio - 1.0).abs()
-    }
 }

@@ -47,12 +47,12 @@ const WITHIN_LOAD: f64 = 100.0;
 const LARGEST_WITHIN_LOAD: f64 = 1e-4;
 
 /// An engine whose systems continue from accepted states.
-pub trait HistoryEngine: Engine {
+pub trait Memory: Engine + Sized {
     /// A load as a step.
     type Step: Step;
     /// The record of a history beside the accepted state. It sizes the system of the next history
     /// and guides its increments.
-    type Memory;
+    type Record;
 
     /// Returns the coupling of contact and plasticity.
     fn coupling(&self) -> &dyn Coupling;
@@ -62,13 +62,17 @@ pub trait HistoryEngine: Engine {
     fn controls(&self) -> Controls<'_>;
 
     /// Returns the empty memory of a history on a system.
-    fn begin(&self, system: &Self::System) -> Self::Memory;
+    fn begin(&self, system: &Self::System) -> Self::Record;
 
     /// Returns the bytes that a memory holds.
-    fn bytes(memory: &Self::Memory) -> usize;
+    fn bytes(memory: &Self::Record) -> usize;
 
     /// Returns the design for a repetition of the same history.
-    fn design_after(&self, memory: &Self::Memory) -> Self::Design;
+    fn design_after(&self, memory: &Self::Record) -> Self::Design;
+
+    /// Returns the engine of the requested density and the design of its first system, by what a
+    /// coarse history has found.
+    fn finer(&self, found: &Self::Record) -> (Self, Self::Design);
 
     /// Returns the growth of the contact on the way to a load.
     fn growth(&self, load: ContactLoad) -> Growth;
@@ -80,7 +84,7 @@ pub trait HistoryEngine: Engine {
     fn prepare(
         &self,
         system: &mut Self::System,
-        increment: &NextIncrement<'_, Self::Memory>,
+        increment: &NextIncrement<'_, Self::Record>,
         run: &mut Run<'_>,
     ) -> Result<BlockVector, Self::Error>;
 
@@ -88,7 +92,7 @@ pub trait HistoryEngine: Engine {
     fn remember(
         &self,
         answer: &mut Self::Answer,
-        memory: &mut Self::Memory,
+        memory: &mut Self::Record,
         time: f64,
         falls: bool,
     );
@@ -98,7 +102,7 @@ pub trait HistoryEngine: Engine {
         &self,
         answer: &mut Self::Answer,
         load: ContactLoad,
-        memory: &mut Self::Memory,
+        memory: &mut Self::Record,
         progress: &Progress,
         run: &mut Run<'_>,
     ) -> Self::Step;
@@ -121,48 +125,22 @@ pub struct NextIncrement<'a, M> {
     pub guide: Option<&'a M>,
 }
 
-/// The bodies of a history at two densities.
-pub trait TwoDensities {
-    /// The engine at both densities.
-    type Engine: HistoryEngine;
-
-    /// The coarse engine, sized for the largest load.
-    ///
-    /// # Errors
-    /// Those of a design.
-    fn coarse(
-        &self,
-        run: &mut Run<'_>,
-    ) -> Result<EngineAndDesign<Self::Engine>, ErrorOf<Self::Engine>>;
-
-    /// The engine of the requested density, sized by the coarse history.
-    fn fine(
-        &self,
-        found: &<Self::Engine as HistoryEngine>::Memory,
-    ) -> EngineAndDesign<Self::Engine>;
-}
-
-/// An engine and the design of its first system.
-pub type EngineAndDesign<E> = (E, <E as Engine>::Design);
-
-type ErrorOf<E> = <E as Engine>::Error;
-
-/// Solves the history; each load becomes a step. Chooses the increments of each load where the job
+/// Solves the history by a coarse engine, from this design, and then by the finer one; each load
+/// becomes a step. Chooses the increments of each load where the job
 /// gives none.
 ///
 /// If the observer stops the solve, finished loads keep their steps, the present load reports its
 /// last iteration, and the other loads report the coarse history.
 ///
 /// # Errors
-/// Those of the engines and of a contact solve.
-pub fn run<B: TwoDensities>(
-    bodies: &B,
+/// Those of the engine and of a contact solve.
+pub fn run<E: Memory>(
+    (engine, design): (E, E::Design),
     loads: &[ContactLoad],
     increments: Option<u32>,
     run: &mut Run<'_>,
-    receiver: &mut dyn StepReceiver<<B::Engine as HistoryEngine>::Step>,
-) -> Result<Option<Interrupt>, ErrorOf<B::Engine>> {
-    let (engine, design) = bodies.coarse(run)?;
+    receiver: &mut dyn StepReceiver<E::Step>,
+) -> Result<Option<Interrupt>, E::Error> {
     let mut preliminary = Vec::new();
     let chosen = run.preliminarily(|run| {
         let division = increments.map_or(Division::Level(0), Division::Fixed);
@@ -176,7 +154,7 @@ pub fn run<B: TwoDensities>(
             return Ok(Some(keep_preliminary(preliminary, 0, interrupt, receiver, run)?));
         }
     };
-    let (engine, design) = bodies.fine(&coarse.memory);
+    let (engine, design) = engine.finer(&coarse.memory);
     let history = History { engine: &engine, loads, division, guide: Some(&coarse.memory) };
     let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
@@ -201,18 +179,18 @@ struct Found<M> {
 }
 
 /// A history by one engine and one division of its loads.
-struct History<'a, E: HistoryEngine> {
+struct History<'a, E: Memory> {
     engine: &'a E,
     loads: &'a [ContactLoad],
     division: Division,
     /// The memory of the coarser history.
-    guide: Option<&'a E::Memory>,
+    guide: Option<&'a E::Record>,
 }
 
 /// The result, its division, and the change of the figures when the increments are halved.
 type Chosen<M> = (Found<M>, Division, Vec<Option<Figures>>);
 
-impl<E: HistoryEngine> History<'_, E> {
+impl<E: Memory> History<'_, E> {
     /// Halves the increments until the figures at the ends of the loads no longer change.
     ///
     /// Errors fall at least like the increments, so that the difference to increments twice as
@@ -222,10 +200,10 @@ impl<E: HistoryEngine> History<'_, E> {
         mut design: E::Design,
         preliminary: &mut Vec<E::Step>,
         run: &mut Run<'_>,
-    ) -> Result<Chosen<E::Memory>, E::Error> {
+    ) -> Result<Chosen<E::Record>, E::Error> {
         let given = self.division;
         let mut division = given;
-        let mut last: Option<Found<E::Memory>> = None;
+        let mut last: Option<Found<E::Record>> = None;
         let mut worst_before = f64::INFINITY;
         loop {
             let guide = last.as_ref().map(|last| &last.memory);
@@ -265,7 +243,7 @@ impl<E: HistoryEngine> History<'_, E> {
         design: E::Design,
         steps: &mut HistorySteps<'_, E::Step>,
         run: &mut Run<'_>,
-    ) -> Result<Found<E::Memory>, E::Error> {
+    ) -> Result<Found<E::Record>, E::Error> {
         let mut is_begun = false;
         solve(self.engine, design, None, run, |on, system, _, run| {
             if std::mem::replace(&mut is_begun, true) {
@@ -282,7 +260,7 @@ impl<E: HistoryEngine> History<'_, E> {
         mut system: E::System,
         steps: &mut HistorySteps<'_, E::Step>,
         run: &mut Run<'_>,
-    ) -> Result<Found<E::Memory>, LeaveOf<E>> {
+    ) -> Result<Found<E::Record>, LeaveOf<E>> {
         let engine = self.engine;
         let mut found = Found {
             memory: engine.begin(&system),
@@ -385,7 +363,7 @@ impl<E: HistoryEngine> History<'_, E> {
 
     /// Tells the observer the memory that this history, the one before, and `records` of the
     /// present load hold.
-    fn hold(&self, memory: &E::Memory, records: usize, run: &mut Run<'_>) -> Result<(), Error> {
+    fn hold(&self, memory: &E::Record, records: usize, run: &mut Run<'_>) -> Result<(), Error> {
         let before = self.guide.map_or(0, E::bytes);
         run.hold(Held::Increments, E::bytes(memory) + before + records)
     }
@@ -422,7 +400,7 @@ impl<E: HistoryEngine> History<'_, E> {
         &self,
         on: &OnSystem<'_, E>,
         mut system: E::System,
-        next: &NextIncrement<'_, E::Memory>,
+        next: &NextIncrement<'_, E::Record>,
         run: &mut Run<'_>,
     ) -> Result<E::Answer, LeaveOf<E>> {
         let Progress { scales, number, .. } = *next.progress;

@@ -16,6 +16,7 @@ mod half_planes;
 pub mod history;
 mod history_steps;
 pub mod increments;
+pub mod loads;
 pub mod observer;
 pub mod phases;
 pub mod progress;

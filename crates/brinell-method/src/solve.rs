@@ -33,16 +33,18 @@ pub trait Engine {
         run: &mut Run<'_>,
     ) -> Result<(Self::System, Option<BlockVector>), Self::Error>;
 
-    /// Prepares the system of the loads before for the next loads.
+    /// Prepares the system of the loads before for the next loads; by default leaves it.
     ///
     /// # Errors
     /// Those of a factorization.
     fn resume(
         &self,
-        design: &Self::Design,
+        _design: &Self::Design,
         system: Self::System,
-        run: &mut Run<'_>,
-    ) -> Result<(Self::System, Option<BlockVector>), Self::Error>;
+        _run: &mut Run<'_>,
+    ) -> Result<(Self::System, Option<BlockVector>), Self::Error> {
+        Ok((system, None))
+    }
 
     /// Judges an outcome: accepts it, continues it on the same system, or asks for another design.
     /// Accepts an outcome that the observer stopped.

@@ -3,9 +3,7 @@
 use super::couplings::iteration::Outcome;
 use super::figures::Figures;
 use super::increments::LastIncrement;
-use super::observer::{Interrupt, Observer, SolveStatus};
-use super::run::Run;
-use crate::Interrupted;
+use super::observer::{Observer, SolveStatus};
 use brinell_contact::ContactLoad;
 
 /// One increment of a load history.
@@ -63,6 +61,8 @@ pub trait Step {
     fn set_status(&mut self, status: SolveStatus);
     /// Whether the contact reaches the edge of the widest system.
     fn reaches_edge(&self) -> bool;
+    /// Whether strains have outgrown the theory of small strains.
+    fn has_collapsed(&self) -> bool;
     /// Stores the increments of a history that led to this load.
     fn end_load(&mut self, end: LoadEnd);
     /// Stores the figures of the coarse history, from which the errors are estimated.
@@ -93,34 +93,4 @@ impl<S> StepReceiver<S> for Vec<S> {
     fn begin_anew(&mut self) {
         self.clear();
     }
-}
-
-/// Solves independent loads in order; `solve` takes a load and the next one.
-///
-/// If the observer stops the solve, finished steps are kept, and the returned interrupt is the
-/// reason for the missing ones.
-///
-/// # Errors
-/// Errors of `solve`, also the interrupt before the first step is finished.
-pub fn each_load<S: Step, E: Interrupted>(
-    loads: &[ContactLoad],
-    receiver: &mut dyn StepReceiver<S>,
-    run: &mut Run<'_>,
-    mut solve: impl FnMut(ContactLoad, Option<ContactLoad>, &mut Run<'_>) -> Result<S, E>,
-) -> Result<Option<Interrupt>, E> {
-    for (k, &load) in loads.iter().enumerate() {
-        match solve(load, loads.get(k + 1).copied(), run) {
-            Ok(step) => {
-                let status = step.status();
-                receiver.step(step, run.observer);
-                if status.is_stopped() {
-                    break;
-                }
-            }
-            // Finished steps are kept.
-            Err(error) if k > 0 => return error.interrupt().ok_or(error).map(Some),
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(None)
 }

@@ -14,8 +14,8 @@ use super::couplings::Coupling;
 use super::couplings::iteration::{Controls, InitialState, Outcome, Scales, norm};
 use super::figures::Figures;
 use super::final_check::{Evidence, LeastScales, judge};
-use super::force_search::{Density, Sought, Trial, Tried};
-use super::history::{EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities};
+use super::force_search::Density;
+use super::history::{Memory, NextIncrement};
 use super::increments::Growth;
 use super::observer::SolveStatus;
 use super::progress::Progress;
@@ -284,6 +284,10 @@ impl Step for SpringStep {
         false
     }
 
+    fn has_collapsed(&self) -> bool {
+        false
+    }
+
     fn end_load(&mut self, end: LoadEnd) {
         self.end = Some(end);
     }
@@ -313,15 +317,6 @@ impl Engine for Springs {
         _: &mut Run<'_>,
     ) -> Result<(HalfPlanes, Option<BlockVector>), Error> {
         Ok((HalfPlanes::new(*design, self.spacing), None))
-    }
-
-    fn resume(
-        &self,
-        _: &Design,
-        system: HalfPlanes,
-        _: &mut Run<'_>,
-    ) -> Result<(HalfPlanes, Option<BlockVector>), Error> {
-        Ok((system, None))
     }
 
     fn verdict(
@@ -361,11 +356,11 @@ impl Springs {
     }
 }
 
-impl HistoryEngine for Springs {
+impl Memory for Springs {
     type Step = SpringStep;
     /// Number of contact pairs that was sufficient, and displacements at the end of each
     /// increment.
-    type Memory = (usize, Vec<BlockVector>);
+    type Record = (usize, Vec<BlockVector>);
 
     fn coupling(&self) -> &dyn Coupling {
         self.coupling
@@ -383,16 +378,20 @@ impl HistoryEngine for Springs {
         }
     }
 
-    fn begin(&self, system: &HalfPlanes) -> Self::Memory {
+    fn begin(&self, system: &HalfPlanes) -> Self::Record {
         (system.initial_gap.len(), Vec::new())
     }
 
-    fn bytes((_, displacements): &Self::Memory) -> usize {
+    fn bytes((_, displacements): &Self::Record) -> usize {
         size_of_val(displacements.as_slice())
     }
 
-    fn design_after(&self, (pairs, _): &Self::Memory) -> Design {
+    fn design_after(&self, (pairs, _): &Self::Record) -> Design {
         Design { pairs: *pairs, watched: 21 }
+    }
+
+    fn finer(&self, (pairs, _): &Self::Record) -> (Self, Design) {
+        (Self { spacing: SPACING, ..*self }, Design { pairs: 2 * pairs - 1, watched: 21 })
     }
 
     fn growth(&self, _: ContactLoad) -> Growth {
@@ -402,14 +401,14 @@ impl HistoryEngine for Springs {
     fn prepare(
         &self,
         system: &mut HalfPlanes,
-        increment: &NextIncrement<'_, Self::Memory>,
+        increment: &NextIncrement<'_, Self::Record>,
         _: &mut Run<'_>,
     ) -> Result<BlockVector, Error> {
         let NextIncrement { target, leg, progress, .. } = increment;
         Ok(progress.extrapolated(system.accepted().clone(), target.magnitude(), leg))
     }
 
-    fn remember(&self, answer: &mut SpringAnswer, memory: &mut Self::Memory, _: f64, _: bool) {
+    fn remember(&self, answer: &mut SpringAnswer, memory: &mut Self::Record, _: f64, _: bool) {
         memory.1.push(answer.outcome.state.response.displacement.clone());
     }
 
@@ -417,7 +416,7 @@ impl HistoryEngine for Springs {
         &self,
         answer: &mut SpringAnswer,
         load: ContactLoad,
-        _: &mut Self::Memory,
+        _: &mut Self::Record,
         progress: &Progress,
         _: &mut Run<'_>,
     ) -> SpringStep {
@@ -435,46 +434,13 @@ impl HistoryEngine for Springs {
     }
 }
 
-/// The same bodies with the contact pairs at two spacings.
-struct Bodies(&'static dyn Coupling);
-
+/// Spacing of the contact pairs at the requested density \[mm\].
 const SPACING: f64 = 0.01;
 
-impl Bodies {
-    fn springs(&self, density: Density) -> Springs {
+impl Springs {
+    /// The bodies with the contact pairs at a spacing.
+    fn at(density: Density, coupling: &'static dyn Coupling) -> Self {
         let spacing = if density == Density::Asked { SPACING } else { 2.0 * SPACING };
-        Springs { coupling: self.0, spacing }
-    }
-}
-
-impl TwoDensities for Bodies {
-    type Engine = Springs;
-
-    fn coarse(&self, _: &mut Run<'_>) -> Result<EngineAndDesign<Springs>, Error> {
-        Ok((self.springs(Density::Coarse), Design { pairs: 21, watched: 11 }))
-    }
-
-    fn fine(&self, (pairs, _): &(usize, Vec<BlockVector>)) -> EngineAndDesign<Springs> {
-        (self.springs(Density::Asked), Design { pairs: 2 * pairs - 1, watched: 21 })
-    }
-}
-
-/// A sought peak pressure \[MPa\].
-struct Peak(f64);
-
-impl Sought for Peak {
-    type Step = SpringStep;
-    type Error = Error;
-
-    fn trial(
-        &self,
-        density: Density,
-        force: f64,
-        run: &mut Run<'_>,
-    ) -> Result<Tried<SpringStep>, Error> {
-        let load = ContactLoad::Force(force);
-        let answer = Bodies(&super::couplings::Accelerated).springs(density).answer(load, run)?;
-        let ratio = answer.figures().peak_pressure / self.0;
-        Ok(Ok(Trial { ratio, steps: vec![answer.step(load, LeastScales::default())] }))
+        Self { coupling, spacing }
     }
 }

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use super::super::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
 use super::super::force_search::{Terms, find};
 use super::super::history;
+use super::super::loads::{Wanted, each_load};
 use super::super::observer::{Interrupt, IterationRecord, Observer};
-use super::super::steps::each_load;
 use super::*;
 use crate::observer::Unobserved;
 use crate::phases::PhaseTimes;
@@ -24,7 +24,7 @@ fn solved(
     force: f64,
     observer: &mut dyn Observer,
 ) -> (SpringAnswer, usize) {
-    let springs = Bodies(coupling).springs(Density::Asked);
+    let springs = Springs::at(Density::Asked, coupling);
     let (answer, systems) =
         with_run(observer, |run| springs.answer(ContactLoad::Force(force), run));
     (answer.unwrap(), systems)
@@ -94,6 +94,11 @@ fn both_direct_solvers_find_one_contact() {
     assert!(kkt::check(&problem, &a.force, a.approach).is_sound());
 }
 
+/// The engine of a coarse history and its design.
+fn coarse(coupling: &'static dyn Coupling) -> (Springs, Design) {
+    (Springs::at(Density::Coarse, coupling), Design { pairs: 21, watched: 11 })
+}
+
 /// Solves a history. Returns the steps and the reason of an early end.
 fn history_of(
     coupling: &'static dyn Coupling,
@@ -103,7 +108,7 @@ fn history_of(
     let loads: Vec<_> = forces.iter().map(|force| ContactLoad::Force(*force)).collect();
     let mut steps = Vec::new();
     let (end, _) =
-        with_run(observer, |run| history::run(&Bodies(coupling), &loads, None, run, &mut steps));
+        with_run(observer, |run| history::run(coarse(coupling), &loads, None, run, &mut steps));
     (steps, end.unwrap())
 }
 
@@ -140,7 +145,7 @@ fn a_history_runs_by_every_initial_stress_coupling() {
 
 #[test]
 fn a_sweep_hands_over_each_load() {
-    let springs = Bodies(&Accelerated).springs(Density::Asked);
+    let springs = Springs::at(Density::Asked, &Accelerated);
     let loads = [100.0, 400.0, 50.0].map(ContactLoad::Force);
     let mut steps = Vec::new();
     let (end, _) = with_run(&mut Unobserved, |run| {
@@ -165,7 +170,18 @@ fn a_search_finds_the_force_of_a_pressure_from_either_side() {
             most_fine: 4,
             missed: 0.01,
         };
-        with_run(&mut Unobserved, |run| find(&Peak(wanted), terms, run)).0
+        let ratio = |step: &SpringStep| step.figures.peak_pressure / wanted;
+        let too_large = |error: Error| Err(error);
+        let wanted = Wanted { is_permanent: false, ratio: &ratio, too_large: &too_large };
+        let trial = |density, force, run: &mut Run<'_>| {
+            wanted.trial(force, |loads, steps| {
+                let springs = Springs::at(density, &Accelerated);
+                each_load(loads, steps, run, |load, _, run| {
+                    Ok(springs.answer(load, run)?.step(load, LeastScales::default()))
+                })
+            })
+        };
+        with_run(&mut Unobserved, |run| find(trial, terms, run)).0
     };
     let [below, above] = [40.0, 600.0].map(|first| search(first, 600.0).unwrap());
     for found in [&below, &above] {
@@ -227,7 +243,7 @@ fn a_history_that_is_stopped_keeps_what_is_done_and_what_the_coarse_one_has_foun
 #[test]
 fn bodies_without_a_stiffness_have_no_secant_moduli() {
     let mut system = HalfPlanes::new(Design { pairs: 61, watched: 61 }, SPACING);
-    let springs = Bodies(&SecantStiffness).springs(Density::Asked);
+    let springs = Springs::at(Density::Asked, &SecantStiffness);
     let controls = Controls { load: ContactLoad::Force(10.0), ..springs.controls() };
     let (outcome, _) = with_run(&mut Unobserved, |run| {
         couplings::iterate(&mut system, &SecantStiffness, controls, InitialState::default(), run)

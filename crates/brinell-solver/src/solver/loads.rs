@@ -24,6 +24,13 @@ pub(crate) enum Sought {
     Target(Target),
 }
 
+impl Sought {
+    /// Whether the effect is that of a force that is taken away.
+    pub fn is_permanent(self) -> bool {
+        matches!(self, Self::Target(target) if target.figure.is_permanent())
+    }
+}
+
 /// Returns the loads of a job.
 pub(crate) fn loads(load: &Load) -> Loads {
     match load {

@@ -318,6 +318,10 @@ impl Step for StepSolution {
         self.reaches_edge
     }
 
+    fn has_collapsed(&self) -> bool {
+        self.has_collapsed
+    }
+
     fn end_load(&mut self, end: LoadEnd) {
         let LoadEnd { load, last_increment, increments, reached } = end;
         (self.load, self.last_increment) = (load, last_increment);

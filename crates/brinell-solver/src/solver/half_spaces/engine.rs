@@ -261,15 +261,6 @@ impl Engine for HalfSpaceEngine<'_> {
         Ok((self.system(design, run)?, None))
     }
 
-    fn resume(
-        &self,
-        _: &GridDesign,
-        system: HalfSpaces,
-        _: &mut Run<'_>,
-    ) -> Result<(HalfSpaces, Option<BlockVector>), SolveError> {
-        Ok((system, None))
-    }
-
     fn verdict(
         &self,
         design: &GridDesign,

@@ -1,16 +1,17 @@
 //! Given loads: each first on a grid of half the cells, then on the grid of all cells.
 
 use super::engine::HalfSpaceEngine;
-use super::history::OnTwoGrids;
+use super::history::coarse;
 use super::problem::HalfSpaceProblem;
 use super::sizing::{interrupted, size, under};
 use super::step::HalfSpaceStep;
 use crate::contact::ContactLoad;
 use crate::job::Theory;
 use crate::solver::method::history;
+use crate::solver::method::loads::each_load;
 use crate::solver::method::observer::Interrupt;
 use crate::solver::method::run::Run;
-use crate::solver::method::steps::{StepReceiver, each_load};
+use crate::solver::method::steps::StepReceiver;
 use crate::solver::{SolveError, SolveStatus};
 
 /// Solves given loads in their order.
@@ -21,8 +22,8 @@ pub(super) fn given(
     receiver: &mut dyn StepReceiver<HalfSpaceStep>,
 ) -> Result<Option<Interrupt>, SolveError> {
     if problem.solver.theory == Theory::Flow {
-        let bodies = OnTwoGrids { problem, loads };
-        return history::run(&bodies, loads, problem.solver.increments, run, receiver);
+        let coarse = coarse(problem, loads, run)?;
+        return history::run(coarse, loads, problem.solver.increments, run, receiver);
     }
     each_load(loads, receiver, run, |load, _, run| step(problem, load, run))
 }

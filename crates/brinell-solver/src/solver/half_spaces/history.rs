@@ -17,9 +17,7 @@ use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::Controls;
 use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::LeastScales;
-use crate::solver::method::history::{
-    EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities,
-};
+use crate::solver::method::history::{Memory, NextIncrement};
 use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
@@ -31,7 +29,7 @@ const FORCE_EXPONENT: f64 = 2.4;
 const APPROACH_EXPONENT: f64 = 2.0;
 
 /// State of a history beside the accepted state of the system.
-pub(super) struct Memory {
+pub(super) struct GridMemory {
     design: GridDesign,
     /// A design that fits the contact of every increment so far.
     fitted: Option<GridDesign>,
@@ -41,9 +39,9 @@ pub(super) struct Memory {
     pub figures: Vec<Figures>,
 }
 
-impl HistoryEngine for HalfSpaceEngine<'_> {
+impl Memory for HalfSpaceEngine<'_> {
     type Step = HalfSpaceStep;
-    type Memory = Memory;
+    type Record = GridMemory;
 
     fn coupling(&self) -> &dyn Coupling {
         self.coupling
@@ -53,16 +51,23 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
         HalfSpaceEngine::controls(self)
     }
 
-    fn begin(&self, system: &HalfSpaces) -> Memory {
-        Memory { design: system.design, fitted: None, peak: [0.0; 2], figures: Vec::new() }
+    fn begin(&self, system: &HalfSpaces) -> GridMemory {
+        GridMemory { design: system.design, fitted: None, peak: [0.0; 2], figures: Vec::new() }
     }
 
-    fn bytes(memory: &Memory) -> usize {
+    fn bytes(memory: &GridMemory) -> usize {
         memory.figures.capacity() * size_of::<Figures>()
     }
 
-    fn design_after(&self, memory: &Memory) -> GridDesign {
+    fn design_after(&self, memory: &GridMemory) -> GridDesign {
         memory.design
+    }
+
+    fn finer(&self, found: &GridMemory) -> (Self, GridDesign) {
+        let problem = self.problem;
+        let mut engine = Self::new(problem, Theory::Flow);
+        engine.coarse.clone_from(&found.figures);
+        (engine, found.fitted.unwrap_or(found.design).with_cells(problem.cells()))
     }
 
     fn growth(&self, load: ContactLoad) -> Growth {
@@ -82,13 +87,13 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     fn prepare(
         &self,
         system: &mut HalfSpaces,
-        _: &NextIncrement<'_, Memory>,
+        _: &NextIncrement<'_, GridMemory>,
         _: &mut Run<'_>,
     ) -> Result<BlockVector, SolveError> {
         Ok(system.accepted().clone())
     }
 
-    fn remember(&self, answer: &mut Answer, memory: &mut Memory, time: f64, _: bool) {
+    fn remember(&self, answer: &mut Answer, memory: &mut GridMemory, time: f64, _: bool) {
         let Answer { system, outcome } = answer;
         let contact = &outcome.state.response.contact;
         if contact.total_force > 0.0 {
@@ -107,7 +112,7 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
         &self,
         answer: &mut Answer,
         load: ContactLoad,
-        memory: &mut Memory,
+        memory: &mut GridMemory,
         progress: &Progress,
         run: &mut Run<'_>,
     ) -> HalfSpaceStep {
@@ -124,32 +129,18 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     }
 }
 
-/// The two bodies of a history, which is solved on two grids.
-pub(super) struct OnTwoGrids<'a> {
-    pub problem: &'a HalfSpaceProblem,
-    pub loads: &'a [ContactLoad],
-}
-
-impl<'a> TwoDensities for OnTwoGrids<'a> {
-    type Engine = HalfSpaceEngine<'a>;
-
-    fn coarse(&self, run: &mut Run<'_>) -> Result<EngineAndDesign<Self::Engine>, SolveError> {
-        let problem = self.problem;
-        let mut design: Option<GridDesign> = None;
-        for load in largest_loads(self.loads) {
-            let next = size(problem, load, run)?;
-            design = Some(design.map_or(next, |design| design.union(next)));
-        }
-        let design = design.ok_or(SolveError::NoLoad)?;
-        let engine =
-            HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance.get());
-        Ok((engine, design.with_cells(0.5 * problem.cells())))
+/// Returns the engine of a history on a grid of half the cells, and the design of its grid.
+pub(super) fn coarse<'a>(
+    problem: &'a HalfSpaceProblem,
+    loads: &[ContactLoad],
+    run: &mut Run<'_>,
+) -> Result<(HalfSpaceEngine<'a>, GridDesign), SolveError> {
+    let mut design: Option<GridDesign> = None;
+    for load in largest_loads(loads) {
+        let next = size(problem, load, run)?;
+        design = Some(design.map_or(next, |design| design.union(next)));
     }
-
-    fn fine(&self, found: &Memory) -> EngineAndDesign<Self::Engine> {
-        let problem = self.problem;
-        let mut engine = HalfSpaceEngine::new(problem, Theory::Flow);
-        engine.coarse.clone_from(&found.figures);
-        (engine, found.fitted.unwrap_or(found.design).with_cells(problem.cells()))
-    }
+    let design = design.ok_or(SolveError::NoLoad)?;
+    let engine = HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance.get());
+    Ok((engine, design.with_cells(0.5 * problem.cells())))
 }

@@ -11,7 +11,8 @@ use crate::contact::ContactLoad;
 use crate::job::{Deformable, TargetFigure};
 use crate::solver::SolveError;
 use crate::solver::loads::Sought;
-use crate::solver::method::force_search::{self, Density, Terms, Trial, Tried, find};
+use crate::solver::method::force_search::{Density, Terms, find};
+use crate::solver::method::loads::{Tried, Wanted};
 use crate::solver::method::run::Run;
 
 /// Factor by which the coarse grids of the search have fewer cells than the job asks for, and
@@ -56,7 +57,8 @@ pub(super) fn run(
         };
     }
     let search = ForceSearch { problem, solved, sought };
-    let found = find(&search, search.terms()?, run)?;
+    let trial = |density, force, run: &mut Run<'_>| search.trial(density, force, run);
+    let found = find(trial, search.terms()?, run)?;
     let mut steps = found.trial.steps;
     for step in &mut steps {
         step.grids_of_search = *run.passes;
@@ -133,21 +135,7 @@ impl ForceSearch<'_> {
         }
     }
 
-    /// Returns the ratio of the figure to its target value.
-    fn ratio(&self, step: &HalfSpaceStep) -> f64 {
-        match self.sought {
-            Sought::Onset => {
-                self.problem.highest_utilization(step).map_or(0.0, |highest| highest.ratio)
-            }
-            Sought::Target(target) => step.target_figure(target.figure) / target.value.get(),
-        }
-    }
-}
-
-impl force_search::Sought for ForceSearch<'_> {
-    type Step = HalfSpaceStep;
-    type Error = SolveError;
-
+    /// Solves under one force.
     fn trial(
         &self,
         density: Density,
@@ -159,25 +147,25 @@ impl force_search::Sought for ForceSearch<'_> {
             let cells = problem.cells_per_semi_axis;
             problem.cells_per_semi_axis = (cells / COARSER).max(FEWEST_CELLS).min(cells);
         }
-        let mut loads = vec![ContactLoad::Force(force)];
-        if matches!(self.sought, Sought::Target(target) if target.figure.is_permanent()) {
-            loads.push(ContactLoad::Force(0.0));
-        }
-        let mut steps: Vec<HalfSpaceStep> = Vec::new();
-        let interrupt = match given(&problem, &loads, run, &mut steps) {
-            Err(error @ SolveError::Overloaded { .. }) => return Ok(Err(error.to_string())),
-            ended => ended?,
+        let wanted = Wanted {
+            is_permanent: self.sought.is_permanent(),
+            ratio: &|step| self.ratio(step),
+            too_large: &|error| match error {
+                SolveError::Overloaded { .. } => Ok(error.to_string()),
+                error => Err(error),
+            },
         };
-        if let Some(interrupt) =
-            interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt()))
-        {
-            return Err(SolveError::Interrupted(interrupt));
+        wanted.trial(force, |loads, steps| given(&problem, loads, run, steps))
+    }
+
+    /// Returns the ratio of the figure to its target value.
+    fn ratio(&self, step: &HalfSpaceStep) -> f64 {
+        match self.sought {
+            Sought::Onset => {
+                self.problem.highest_utilization(step).map_or(0.0, |highest| highest.ratio)
+            }
+            Sought::Target(target) => step.target_figure(target.figure) / target.value.get(),
         }
-        if steps.iter().any(|step| step.has_collapsed) {
-            return Ok(Err("a body collapses: its plastic strain is above 100 %".to_owned()));
-        }
-        let ratio = steps.last().map_or(0.0, |step| self.ratio(step));
-        Ok(Ok(Trial { ratio, steps }))
     }
 }
 

@@ -218,6 +218,10 @@ impl Step for HalfSpaceStep {
         self.reaches_edge
     }
 
+    fn has_collapsed(&self) -> bool {
+        self.has_collapsed
+    }
+
     fn end_load(&mut self, end: LoadEnd) {
         (self.load, self.last_increment) = (end.load, end.last_increment);
         self.increments = end.increments;

@@ -13,7 +13,8 @@ use crate::solver::bars::Bars;
 use crate::solver::body_solution::BodySolution;
 use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
-use crate::solver::method::force_search::{self, Density, ForceFound, Terms, Trial, Tried, find};
+use crate::solver::method::force_search::{Density, ForceFound, Terms, find};
+use crate::solver::method::loads::{Trial, Tried, Wanted};
 use crate::solver::method::run::Run;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
@@ -127,7 +128,13 @@ struct ForceSearch<'a> {
 impl ForceSearch<'_> {
     fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), SolveError> {
         let before = *run.passes;
-        let ForceFound { mut trial, sensitivity, slope } = find(self, self.terms()?, run)?;
+        let coarse = self.coarse_job();
+        let coarse = LoadSequence { job: &coarse, contact: &ActiveSetSolver, ..self.sequence };
+        let trial = |density, force, run: &mut Run<'_>| {
+            let is_asked = density == Density::Asked;
+            self.trial_by(if is_asked { &self.sequence } else { &coarse }, force, run)
+        };
+        let ForceFound { mut trial, sensitivity, slope } = find(trial, self.terms()?, run)?;
         if self.sought == Sought::Onset
             && trial
                 .steps
@@ -225,34 +232,22 @@ impl ForceSearch<'_> {
         force: f64,
         run: &mut Run<'_>,
     ) -> Result<Tried<StepSolution>, SolveError> {
-        let mut loads = vec![ContactLoad::Force(force)];
-        if matches!(self.sought, Sought::Target(target) if target.figure.is_permanent()) {
-            loads.push(ContactLoad::Force(0.0));
-        }
-        let mut steps = Vec::new();
-        let interrupt = match sequence.solve(&loads, run, &mut steps) {
-            Ok(interrupt) => interrupt,
-            Err(SolveError::TooWide { .. } | SolveError::TooFarRound { .. }) => {
-                return Ok(Err(
-                    "the contact would spread over more of the surfaces than is solved".to_owned(),
-                ));
+        let too_large = |error: SolveError| match error {
+            SolveError::TooWide { .. } | SolveError::TooFarRound { .. } => {
+                Ok("the contact would spread over more of the surfaces than is solved".to_owned())
             }
-            Err(error @ SolveError::Mesh(_)) => {
+            SolveError::Mesh(_) => {
                 let job = sequence.job;
-                return Ok(Err(error.text(UnitConverter::new(job.units, job.analysis))));
+                Ok(error.text(UnitConverter::new(job.units, job.analysis)))
             }
-            Err(error) => return Err(error),
+            error => Err(error),
         };
-        if let Some(interrupt) =
-            interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt()))
-        {
-            return Err(SolveError::Interrupted(interrupt));
-        }
-        if steps.iter().any(|step| step.has_collapsed) {
-            return Ok(Err("a body collapses: its plastic strain is above 100 %".to_owned()));
-        }
-        let ratio = steps.last().map_or(0.0, |step| self.ratio(step));
-        Ok(Ok(Trial { ratio, steps }))
+        let wanted = Wanted {
+            is_permanent: self.sought.is_permanent(),
+            ratio: &|step| self.ratio(step),
+            too_large: &too_large,
+        };
+        wanted.trial(force, |loads, steps| sequence.solve(loads, run, steps))
     }
 
     /// The figure over its wanted value.
@@ -313,28 +308,6 @@ impl ForceSearch<'_> {
             solver: SolverSettings { theory, increments, ..auxiliary() },
             ..job.clone()
         }
-    }
-}
-
-impl force_search::Sought for ForceSearch<'_> {
-    type Step = StepSolution;
-    type Error = SolveError;
-
-    fn trial(
-        &self,
-        density: Density,
-        force: f64,
-        run: &mut Run<'_>,
-    ) -> Result<Tried<StepSolution>, SolveError> {
-        if density == Density::Asked {
-            return self.trial_by(&self.sequence, force, run);
-        }
-        let job = self.coarse_job();
-        self.trial_by(
-            &LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence },
-            force,
-            run,
-        )
     }
 }
 

@@ -24,9 +24,7 @@ use crate::solver::method::contact_system::{BlockVector, ContactSystem as _, Lin
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome};
 use crate::solver::method::final_check::LeastScales;
-use crate::solver::method::history::{
-    EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities,
-};
+use crate::solver::method::history::{Memory, NextIncrement};
 use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
@@ -51,28 +49,8 @@ pub(super) struct MeshedHistory<'a> {
 }
 
 impl<'a> MeshedHistory<'a> {
-    fn engine(
-        &self,
-        mesh: MeshSolveRequest<'a>,
-        size: ContactSizeEstimate,
-        keeps_path: bool,
-    ) -> (HistoryOnMesh<'a>, MeshDesign) {
-        let engine =
-            HistoryOnMesh { problem: self.problem, job: self.job, mesh, size, keeps_path };
-        let design = engine.design(engine.mesh.zone.clone());
-        (engine, design)
-    }
-
-    /// The load that meshes are made for.
-    fn largest(&self) -> Result<ContactLoad, SolveError> {
-        largest_loads(self.loads).first().copied().ok_or(SolveError::NoLoad)
-    }
-}
-
-impl<'a> TwoDensities for MeshedHistory<'a> {
-    type Engine = HistoryOnMesh<'a>;
-
-    fn coarse(&self, run: &mut Run<'_>) -> Result<EngineAndDesign<Self::Engine>, SolveError> {
+    /// The engine on coarse meshes, sized for the largest loads, and its first mesh.
+    pub fn coarse(self, run: &mut Run<'_>) -> Result<(HistoryOnMesh<'a>, MeshDesign), SolveError> {
         let largest = self.largest()?;
         let mut widest: Option<ContactSizeEstimate> = None;
         for load in largest_loads(self.loads) {
@@ -84,22 +62,18 @@ impl<'a> TwoDensities for MeshedHistory<'a> {
         let size = widest.ok_or(SolveError::NoLoad)?;
         let elements = (self.job.mesh.elements_per_half_width as usize / 2).max(2);
         let mesh = self.sizing.request(largest, size, elements, 1.0, auxiliary());
-        Ok(self.engine(mesh, size, true))
+        Ok(HistoryOnMesh { history: self, mesh, size, keeps_path: true }.with_design())
     }
 
-    fn fine(&self, found: &MeshMemory) -> EngineAndDesign<Self::Engine> {
-        let elements = self.job.mesh.elements_per_half_width as usize;
-        let largest = self.largest().unwrap_or(ContactLoad::Force(0.0));
-        let mut mesh = self.sizing.request(largest, found.size, elements, 1.0, self.job.solver);
-        mesh.contact = self.contact;
-        self.engine(mesh, found.size, false)
+    /// The load that meshes are made for.
+    fn largest(&self) -> Result<ContactLoad, SolveError> {
+        largest_loads(self.loads).first().copied().ok_or(SolveError::NoLoad)
     }
 }
 
 /// A history on meshes of one density.
 pub(super) struct HistoryOnMesh<'a> {
-    problem: &'a Problem,
-    job: &'a Job,
+    history: MeshedHistory<'a>,
     mesh: MeshSolveRequest<'a>,
     size: ContactSizeEstimate,
     /// Whether displacements are kept, for a finer history to go by.
@@ -125,8 +99,13 @@ pub(super) struct MeshMemory {
 }
 
 impl HistoryOnMesh<'_> {
+    fn with_design(self) -> (Self, MeshDesign) {
+        let design = self.design(self.mesh.zone.clone());
+        (self, design)
+    }
+
     fn elements(&self) -> FiniteElements<'_> {
-        FiniteElements { problem: self.problem, request: &self.mesh, is_history: true }
+        FiniteElements { problem: self.history.problem, request: &self.mesh, is_history: true }
     }
 
     /// A design that looks for plastic flow as far as the largest load is expected to bring it.
@@ -170,9 +149,9 @@ impl Engine for HistoryOnMesh<'_> {
     }
 }
 
-impl HistoryEngine for HistoryOnMesh<'_> {
+impl Memory for HistoryOnMesh<'_> {
     type Step = StepSolution;
-    type Memory = MeshMemory;
+    type Record = MeshMemory;
 
     fn coupling(&self) -> &dyn Coupling {
         coupling(self.mesh.solver.coupling)
@@ -206,14 +185,23 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         self.design(memory.zone.clone())
     }
 
+    fn finer(&self, found: &MeshMemory) -> (Self, MeshDesign) {
+        let (history, size) = (self.history, found.size);
+        let MeshedHistory { sizing, job, contact, .. } = history;
+        let elements = job.mesh.elements_per_half_width as usize;
+        let mesh = sizing.request(self.mesh.load, size, elements, 1.0, job.solver);
+        let mesh = MeshSolveRequest { contact, ..mesh };
+        Self { history, mesh, size, keeps_path: false }.with_design()
+    }
+
     fn growth(&self, load: ContactLoad) -> Growth {
-        let problem = self.problem;
+        let problem = self.history.problem;
         let onset = match load {
             _ if problem.bodies.iter().all(|body| body.hardening().is_none()) => {
                 Some(f64::INFINITY)
             }
             ContactLoad::Force(force) => {
-                ElasticReference::of(self.job, force.max(f64::MIN_POSITIVE))
+                ElasticReference::of(self.history.job, force.max(f64::MIN_POSITIVE))
                     .and_then(|reference| reference.yield_onset_force)
             }
             ContactLoad::Approach(_) => None,
@@ -301,7 +289,8 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         let tolerance = self.mesh.solver.tolerance.get();
         let least =
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
-        let mut step = final_check::finish(self.problem, solve, load, tolerance, least, run);
+        let mut step =
+            final_check::finish(self.history.problem, solve, load, tolerance, least, run);
         if step.patch.is_some() {
             if step.peak_pressure > memory.peak[0] {
                 memory.peak = [step.peak_pressure, step.peak_position, step.middle];

@@ -8,8 +8,9 @@ use crate::contact::{ContactLoad, ContactSolver};
 use crate::job::Job;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::method::history;
+use crate::solver::method::loads::each_load;
 use crate::solver::method::run::Run;
-use crate::solver::method::steps::{StepReceiver, each_load};
+use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::Problem;
 use crate::solver::solution::StepSolution;
 use crate::solver::{Interrupt, SolveError};
@@ -41,7 +42,8 @@ impl LoadSequence<'_> {
         if let Some(problem) = self.with_memory {
             let (job, contact) = (self.job, self.contact);
             let bodies = MeshedHistory { problem, sizing: &stepper, job, contact, loads };
-            return history::run(&bodies, loads, job.solver.increments, run, receiver);
+            let coarse = bodies.coarse(run)?;
+            return history::run(coarse, loads, job.solver.increments, run, receiver);
         }
         each_load(loads, receiver, run, |load, next, run| stepper.step(load, next, run))
     }

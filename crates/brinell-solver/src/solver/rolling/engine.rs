@@ -153,15 +153,6 @@ impl<C: Course> Engine for TrackEngine<'_, C> {
         Ok((self.track(design, run)?, None))
     }
 
-    fn resume(
-        &self,
-        _: &TrackDesign,
-        system: Track<C>,
-        _: &mut Run<'_>,
-    ) -> Result<(Track<C>, Option<BlockVector>), SolveError> {
-        Ok((system, None))
-    }
-
     fn verdict(
         &self,
         design: &TrackDesign,
