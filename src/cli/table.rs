@@ -247,6 +247,7 @@ impl Page {
         // A prescribed figure has no error.
         let error = answer.error.filter(|error| *error > 0.0);
         let bound = answer.bound().map_or_else(String::new, |bound| format!("  {bound}"));
+        let bound = bound.replace("at least", "≥").replace("at most", "≤");
         let error = error.map_or(bound, |error| {
             let bias = answer.bias.map_or(0.0, f64::abs);
             format!("  ± {} %", significant(100.0 * (error + bias), 2))

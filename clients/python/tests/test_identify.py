@@ -185,7 +185,8 @@ def test_what_is_no_search_is_refused(given: Any, where: str, said: str) -> None
     with pytest.raises(brinell.InvalidJob) as caught:
         brinell.identify(measured, indented(300, 0.1), **given)
     (fault,) = caught.value.errors
-    assert fault.pointer == f"#/{where}" and said in fault.detail
+    assert fault.pointer == f"#/{where}"
+    assert said in fault.detail
 
 
 @pytest.mark.parametrize(

@@ -231,7 +231,7 @@ fn a_track_is_written_as_a_table_and_as_its_section() {
         let found = |name: &str| row[column(name)].parse::<f64>().unwrap();
         let left = pass.bodies.lower.unwrap();
         assert_eq!(row[2], "lower");
-        assert_eq!(found("pass") as usize, pass.number);
+        assert_eq!(found("pass"), pass.number as f64);
         assert_eq!(found("groove_depth [mm]"), left.groove_depth);
         assert_eq!(found("pile_up [mm]"), left.pile_up);
         assert_eq!(found("net_strain"), left.net_strain);

@@ -44,8 +44,8 @@ class Identification:
     covariance: Floats
     """Covariance of the relative parameters: of ln p, and of compliance over its scale."""
     undetermined: list[str]
-    """What the curve does not tell, in words: directions of the parameters, parameters that end at a
-    bound, a curve that is not met."""
+    """What the curve does not tell, in words: directions of the parameters, parameters that end
+    at a bound, a curve that is not met."""
     force: Floats
     """Forces of the compared points [N]."""
     measured: Floats
@@ -199,10 +199,10 @@ def identify(
         found = values_at(point)
         return {pointer: found[name] for name, where in places.items() for pointer in where}
 
-    def relative(name: str, value: float) -> float:
+    def scaled(name: str, value: float) -> float:
         return value / compliance_scale if name == COMPLIANCE else math.log(value / starts[name])
 
-    low, high = ([relative(name, limits[name][side]) for name in free] for side in (0, 1))
+    low, high = ([scaled(name, limits[name][side]) for name in free] for side in (0, 1))
     for name, a, b in zip(free, low, high, strict=True):
         if name != COMPLIANCE and not a <= 0 <= b:
             raise _fault("bounds", f"of {name} have to contain its start")

@@ -1864,8 +1864,22 @@ class OliverPharr(BaseModel):
         float,
         Field(description='Contact depth `h_c = h − 0.75 F/S`. Unit: mm (SI: m).'),
     ]
+    hardness_error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of its relative error by the mesh. Without unit.',
+            ge=0.0,
+        ),
+    ]
     indentation_hardness: Annotated[
         float, Field(description='Force over the area, H. Unit: MPa (SI: Pa).')
+    ]
+    modulus_error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of its relative error by the mesh. Without unit.',
+            ge=0.0,
+        ),
     ]
     reduced_modulus: Annotated[
         float, Field(description='`√π S / (2 √A)`. Unit: MPa (SI: Pa).')
@@ -3357,7 +3371,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'bias_unknown', 'equal_cone', 'outside_scale', 'thin_specimen'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'bias_unknown', 'blunt_tip', 'equal_cone', 'narrow_specimen', 'no_dent', 'outside_scale', 'thin_specimen'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -3794,6 +3808,13 @@ class HardnessResult(BaseModel):
     depth: Annotated[
         float, Field(description='Depth of the indentation under it. Unit: mm (SI: m).')
     ]
+    depth_error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of the relative error of the depth by the mesh. Without unit.',
+            ge=0.0,
+        ),
+    ]
     diameter: Annotated[
         float,
         Field(
@@ -3835,6 +3856,10 @@ class HardnessResult(BaseModel):
             ge=0.0,
         ),
     ]
+    number_error: Annotated[
+        float | None,
+        Field(description='The same in points of the scale. Without unit.', ge=0.0),
+    ]
     oliver_pharr: OliverPharr | None
     permanent_depth: Annotated[
         float | None, Field(description='Depth that is left. Unit: mm (SI: m).')
@@ -3848,7 +3873,7 @@ class HardnessResult(BaseModel):
     relative_error: Annotated[
         float | None,
         Field(
-            description='Estimated bound of the relative error of the number, or of the mean pressure, by the mesh. Without unit.',
+            description='Estimated bound of the relative error of the number, or of the mean pressure, by the mesh; `null` of Rockwell numbers, whose zero is a convention. Without unit.',
             ge=0.0,
         ),
     ]
