@@ -448,20 +448,21 @@ impl Facts<'_> {
         format!("{} {}", digits(value), self.unit(quantity))
     }
 
-    /// Returns a positive answer with its upper bound in place of an error as large as itself.
+    /// Returns an answer with the bound of its size in place of an error as large as itself.
     fn bounded(&self, answer: Answer) -> Answer {
         let (Some(value), Some(error)) = (answer.value, answer.error) else { return answer };
-        if error < 1.0 || value <= 0.0 {
+        if error < 1.0 || value == 0.0 {
             return answer;
         }
-        let most = value * (1.0 + error);
+        let most = value.abs() * (1.0 + error);
         let most = match answer.quantity {
             AnswerQuantity::Strain | AnswerQuantity::Ratio => format!("{} %", about(100.0 * most)),
             quantity => self.with_unit(about, quantity, most),
         };
         let note =
             if answer.text.is_empty() { String::new() } else { format!("; {}", answer.text) };
-        answer.error(None).text(format!("at most {most}{note}"))
+        let sign = if value < 0.0 { " either way" } else { "" };
+        answer.error(None).text(format!("at most {most}{sign}{note}"))
     }
 
     /// Returns the error estimate of a step that has converged.
