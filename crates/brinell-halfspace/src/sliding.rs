@@ -305,7 +305,6 @@ mod tests {
         for [elastic, kinematic] in ball.iter().chain(&long) {
             assert!(elastic < kinematic, "{ball:?} {long:?}");
         }
-        println!("{ball:?}");
     }
 
     /// A pressure that the initial stress raises to the yield stress leaves nothing.
