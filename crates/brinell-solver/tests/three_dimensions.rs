@@ -284,13 +284,10 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
         }));
         if let Some(surface) = step.flow.as_ref().and_then(|flow| flow.surfaces.lower.as_ref()) {
             // Under load the surface has an elastic deflection too.
-            let is_unloaded = step.contact.force <= 0.0;
-            found.extend(is_unloaded.then_some(("dent", surface.depth, errors.depth.unwrap())));
-            found.extend(is_unloaded.then_some((
-                "pile-up",
-                surface.pile_up,
-                errors.pile_up.unwrap(),
-            )));
+            if step.contact.force <= 0.0 {
+                found.push(("dent", surface.depth, errors.depth.unwrap()));
+                found.push(("pile-up", surface.pile_up, errors.pile_up.unwrap()));
+            }
         }
         let profile = step.subsurface_below_peak.as_ref().or(step.subsurface.as_ref());
         let profile = profile.and_then(|bodies| bodies.lower.as_ref());
