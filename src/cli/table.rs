@@ -239,11 +239,13 @@ impl Page {
         let shown = |value: f64| significant(factor * value, 5);
         let value = answer.value.map_or_else(|| "—".to_owned(), shown);
         let value = self.style.bold(&format!("{value:>12}"));
-        let mut label: Vec<char> = answer.label.chars().collect();
-        if let Some(first) = label.first_mut() {
-            *first = first.to_ascii_lowercase();
+        let mut label = answer.label.clone();
+        // Names of scales keep their capitals.
+        if label.chars().nth(1).is_some_and(char::is_lowercase)
+            && let Some(first) = label.get_mut(..1)
+        {
+            first.make_ascii_lowercase();
         }
-        let label: String = label.into_iter().collect();
         // A prescribed figure has no error.
         let error = answer.error.filter(|error| *error > 0.0);
         let bound = answer.bound().map_or_else(String::new, |bound| format!("  {bound}"));
