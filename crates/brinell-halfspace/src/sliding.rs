@@ -12,7 +12,7 @@
 use std::f64::consts::PI;
 
 use crate::ball::smallest_ball;
-use crate::tensors::{COMPONENTS, DEVIATOR_COMPONENTS};
+use crate::tensors::{self, COMPONENTS, DEVIATOR_COMPONENTS};
 use crate::track::strip;
 use crate::{pressure_stress, traction_stress};
 
@@ -194,9 +194,10 @@ fn with_far(points: impl Iterator<Item = [Isometric; 2]>) -> Vec<[Isometric; 2]>
 }
 
 /// A stress `xx yy zz xy xz yz` as numbers whose sum of squares is that of von Mises's stress.
-fn isometric([xx, yy, zz, xy, xz, yz]: &[f64; COMPONENTS]) -> Isometric {
-    let root = 3f64.sqrt();
-    [zz - 0.5 * (xx + yy), 0.5 * root * (xx - yy), root * xy, root * xz, root * yz]
+fn isometric(&[xx, yy, zz, xy, xz, yz]: &[f64; COMPONENTS]) -> Isometric {
+    let mean = (xx + yy + zz) / 3.0;
+    let deviator = tensors::isometric([xx - mean, yy - mean, xy, xz, yz]);
+    deviator.map(|value| 1.5f64.sqrt() * value)
 }
 
 fn dot(a: &Isometric, b: &Isometric) -> f64 {

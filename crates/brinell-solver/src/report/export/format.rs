@@ -74,17 +74,11 @@ impl Export {
     /// Returns the media type of this form.
     pub const fn media_type(self) -> &'static str {
         match self {
-            Self::SummaryCsv
-            | Self::PressureCsv
-            | Self::SubsurfaceCsv
-            | Self::IncrementsCsv
-            | Self::HardnessCsv
-            | Self::PassesCsv
-            | Self::SurfaceCsv => "text/csv; charset=utf-8; header=present",
             Self::FieldVtu | Self::FieldVtr => "application/xml",
             Self::PressureSvg | Self::DepthSvg | Self::LoadApproachSvg | Self::SurfaceSvg => {
                 "image/svg+xml"
             }
+            _ => "text/csv; charset=utf-8; header=present",
         }
     }
 

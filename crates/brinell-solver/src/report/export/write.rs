@@ -21,19 +21,13 @@ impl Export {
     ) -> Result<String, ExportError> {
         let step = step.unwrap_or(report.steps.len().saturating_sub(1));
         match self {
-            Self::SummaryCsv
-            | Self::PressureCsv
-            | Self::SubsurfaceCsv
-            | Self::IncrementsCsv
-            | Self::HardnessCsv
-            | Self::PassesCsv
-            | Self::SurfaceCsv => table(self, job, report),
             Self::FieldVtu => field_vtu(report, step),
             Self::FieldVtr => layers_vtr(report, step),
             Self::PressureSvg => pressure_svg(job, report, step),
             Self::DepthSvg => depth_svg(job, report, step),
             Self::LoadApproachSvg => load_approach_svg(job, report),
             Self::SurfaceSvg => surface_svg(job, report, step),
+            form => table(form, job, report),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::job::Quantity;
 use crate::report::LayersReport;
+use crate::solver::half_spaces::von_mises;
 use crate::solver::rolling::BodyPass;
 use crate::units::UnitConverter;
 
@@ -32,10 +33,6 @@ pub(super) fn section(passes: &[&BodyPass], write: UnitConverter) -> Option<Laye
             .map(|(cell, side)| sign(side, odd) * of(&outlet.strain[cell]))
             .collect::<Vec<f64>>()
     };
-    let von_mises = |[x, y, z, xy, xz, yz]: &[f64; 6]| {
-        let normal = (x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2);
-        (0.5 * normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
-    };
     let lengths = |values: &[f64]| values.iter().map(|value| write.length(*value)).collect();
     let accumulated =
         |cell: usize| passes.iter().map(|pass| pass.outlet.accumulated[cell]).sum::<f64>();
@@ -52,7 +49,7 @@ pub(super) fn section(passes: &[&BodyPass], write: UnitConverter) -> Option<Laye
         sigma_xz: stress(4),
         sigma_yz: stress(5),
         von_mises: cells()
-            .map(|(cell, _)| write.stress(von_mises(&outlet.residual[cell])))
+            .map(|(cell, _)| write.stress(von_mises(outlet.residual[cell])))
             .collect(),
         equivalent_plastic_strain: cells().map(|(cell, _)| accumulated(cell)).collect(),
         plastic_strain_xx: plastic(&|strain| strain[0], false),
