@@ -30,7 +30,7 @@ import { Store } from './state.js';
 import { View } from './result/view.js';
 import { Watch } from './result/watch.js';
 
-/** @typedef {import('./types.js').Shown} Shown */
+/** @typedef {import('./shown.js').Shown} Shown */
 
 /** Curves of compared jobs; the one shown has the first. */
 const COLOURS = ['--curve-1', '--curve-2', '--curve-3', '--curve-4', '--curve-5', '--curve-6'];

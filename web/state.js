@@ -1,6 +1,6 @@
 /** Which jobs the page shows. */
 
-/** @typedef {import('./types.js').Shown} Shown */
+/** @typedef {import('./shown.js').Shown} Shown */
 /** @typedef {import('./types.js').Job} Job */
 /**
  * @typedef {object} State

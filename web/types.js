@@ -33,18 +33,6 @@
  * @property {Step[]} steps
  *
  * @typedef {Omit<import('./wire.js').Report, 'units' | 'steps'> & Shaped} Report
- *
- * @typedef {object} Shown a solved job among those that are looked at
- * @property {string} id
- * @property {string} label
- * @property {string} colour custom property
- * @property {number[]} [dash] of its curves
- * @property {boolean} [removed] whether the service no longer has it
- * @property {Report} [raw] the report in the units of its job
- * @property {import('./field/source.js').FieldSource | import('./field/layers.js').LayerSource}
- *   [fields] of the job, if it asked for them and they are not in the report
- * @property {Job} job
- * @property {Report} report
  */
 
 export {};

@@ -41,7 +41,7 @@ fn rockwell(text: &mut String) {
 /// The ways to give strength over depth, with keys from the hardening law on.
 fn over_depth(text: &mut String) {
     let name =
-        "/** @type {Record<string, import('./fields.js').Kind>} */\nexport const OVER_DEPTH = {";
+        "/** @type {Record<string, import('./field.js').Kind>} */\nexport const OVER_DEPTH = {";
     writeln!(text, "{name}").unwrap();
     for (word, label, place, fields) in OverDepth::kinds() {
         writeln!(text, "  {word}: {{\n    label: {},\n    fields: [", json!(label)).unwrap();
@@ -76,7 +76,7 @@ fn initial_stress(text: &mut String) {
     });
     writeln!(
         text,
-        "/** @type {{import('./fields.js').Field}} */\nexport const INITIAL_STRESS = {entry};"
+        "/** @type {{import('./field.js').Field}} */\nexport const INITIAL_STRESS = {entry};"
     )
     .unwrap();
 }
@@ -84,7 +84,7 @@ fn initial_stress(text: &mut String) {
 fn table(text: &mut String, name: &str, kinds: &[FieldTable]) {
     writeln!(
         text,
-        "/** @type {{Record<string, import('./fields.js').Kind>}} */\nexport const {name} = {{"
+        "/** @type {{Record<string, import('./field.js').Kind>}} */\nexport const {name} = {{"
     )
     .unwrap();
     for kind in kinds {

@@ -7,8 +7,40 @@ import { paper } from '../lib/theme.js';
 import { plain } from '../lib/units.js';
 import { placeWords } from './labels.js';
 
-/** @typedef {import('./chart.js').Plot} Plot */
-/** @typedef {import('./chart.js').Curve} Curve */
+/**
+ * @typedef {object} Curve
+ * @property {string} label
+ * @property {string} colour a custom property
+ * @property {number[]} x
+ * @property {(number | null)[]} y
+ * @property {boolean} [dashed]
+ * @property {number[]} [dash] lengths of strokes and gaps, where curves have to be told apart
+ *   without their colours
+ * @property {boolean} [right] on the second ordinate
+ * @property {boolean} [points]
+ * @property {boolean} [filled]
+ * @property {number} [width] of its line, where that tells curves apart
+ * @property {number[]} [to] ordinates at the other side of a band, in place of a line
+ *
+ * @typedef {object} Mark a line across
+ * @property {'x' | 'y'} across which axis it stands on
+ * @property {number} at
+ * @property {string} text
+ * @property {boolean} [left] where the text of a level line stands
+ * @property {string} [colour]
+ *
+ * @typedef {object} Plot
+ * @property {string} x label with unit
+ * @property {string} y label with unit
+ * @property {string} [right] label with unit
+ * @property {boolean} [log]
+ * @property {boolean} [turns] whether curves turn back, as loops do
+ * @property {Curve[]} curves
+ * @property {Mark[]} [marks]
+ * @property {[number, number]} [range] of x to begin with
+ * @property {Ranges} [held] that every axis has at least
+ * @property {string} words what there is to see, for those who do not
+ */
 /** @typedef {{at: (value: number) => number, of: (pixel: number) => number, ticks: number[], from: number, to: number}} Axis `of`: the value at a pixel */
 /** @typedef {{x: [number, number], y: [number, number], right: [number, number]}} Ranges of the axes */
 /** @typedef {{root: SVGSVGElement, width: number, box: import('./labels.js').Box, x: Axis, y: Axis, right: Axis}} Layout */

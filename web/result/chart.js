@@ -9,40 +9,8 @@ import { figure } from '../lib/units.js';
 import { chartPng } from './chart-png.js';
 import { chartSvg, dashOf, laidOut, rangesOf } from './chart-svg.js';
 
-/**
- * @typedef {object} Curve
- * @property {string} label
- * @property {string} colour a custom property
- * @property {number[]} x
- * @property {(number | null)[]} y
- * @property {boolean} [dashed]
- * @property {number[]} [dash] lengths of strokes and gaps, where curves have to be told apart
- *   without their colours
- * @property {boolean} [right] on the second ordinate
- * @property {boolean} [points]
- * @property {boolean} [filled]
- * @property {number} [width] of its line, where that tells curves apart
- * @property {number[]} [to] ordinates at the other side of a band, in place of a line
- *
- * @typedef {object} Mark a line across
- * @property {'x' | 'y'} across which axis it stands on
- * @property {number} at
- * @property {string} text
- * @property {boolean} [left] where the text of a level line stands
- * @property {string} [colour]
- *
- * @typedef {object} Plot
- * @property {string} x label with unit
- * @property {string} y label with unit
- * @property {string} [right] label with unit
- * @property {boolean} [log]
- * @property {boolean} [turns] whether curves turn back, as loops do
- * @property {Curve[]} curves
- * @property {Mark[]} [marks]
- * @property {[number, number]} [range] of x to begin with
- * @property {import('./chart-svg.js').Ranges} [held] that every axis has at least
- * @property {string} words what there is to see, for those who do not
- */
+/** @typedef {import('./chart-svg.js').Curve} Curve */
+/** @typedef {import('./chart-svg.js').Plot} Plot */
 
 /** Pixels below which a drag is a click. */
 const CLICK = 6;

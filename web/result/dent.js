@@ -6,7 +6,7 @@ import { Chart } from './chart.js';
 import { abscissaOf } from './extent.js';
 import { Panel } from './panel.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 
 const COLOURS = { upper: '--curve-2', lower: '--curve-1' };
 

@@ -14,7 +14,7 @@ import { abscissaOf } from './extent.js';
 import { beside, isDented, isResidual } from './loads.js';
 import { Panel, segments } from './panel.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /**
  * @typedef {'von_mises' | 'tau_max' | 'sigma_x' | 'sigma_y' | 'sigma_z' |
  *   'equivalent_plastic_strain' | 'utilization'} Component
@@ -273,7 +273,7 @@ export class DepthPanel {
   /**
    * The yield stress of the body in every job, each once; where it is not that of all, in the
    * colours of the jobs. One that varies over depth is a curve of its own.
-   * @param {Shown[]} shown @returns {import('./chart.js').Mark[]}
+   * @param {Shown[]} shown @returns {import('./chart-svg.js').Mark[]}
    */
   #strengths(shown) {
     const all = shown.flatMap(({ job, report, colour }) => {
@@ -293,7 +293,7 @@ export class DepthPanel {
    * How deep the case is, and where the strength is used most.
    * @param {Shown} one
    * @param {import('../types.js').Profile | null | undefined} profile
-   * @returns {import('./chart.js').Mark[]}
+   * @returns {import('./chart-svg.js').Mark[]}
    */
   #case({ job, report }, profile) {
     const [at, used] = [caseDepth(job, this.#body, report.units), profile?.utilization];
@@ -319,7 +319,7 @@ export class DepthPanel {
    * @param {Shown} shown
    * @param {number} at
    * @param {number[]} depths
-   * @returns {import('./chart.js').Curve[]}
+   * @returns {import('./chart-svg.js').Curve[]}
    */
   #elastic({ job, report }, at, depths) {
     const { hertz } = report.steps[at];
@@ -346,7 +346,7 @@ export class DepthPanel {
   /**
    * @param {import('./loads.js').Beside} side
    * @param {boolean} named
-   * @returns {import('./chart.js').Curve[]}
+   * @returns {import('./chart-svg.js').Curve[]}
    */
   #curves({ one, at, label }, named) {
     const profile = this.#profile(one.report.steps[at]);

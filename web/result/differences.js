@@ -5,7 +5,7 @@ import { differences } from '../jobs/names.js';
 import { scrolled, tableElements, takeAlong } from './figures.js';
 import { Panel } from './panel.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 
 /** @param {Shown[]} shown @returns {import('../lib/tabular.js').Table} */
 export function differencesTable(shown) {

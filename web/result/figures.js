@@ -8,7 +8,7 @@ import { save } from './downloads.js';
 import { Panel } from './panel.js';
 import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
 /** @param {Step} step */
 const stateOf = ({ status }) => status.replaceAll('_', ' ');

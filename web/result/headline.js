@@ -23,7 +23,7 @@ import {
 } from './answers.js';
 import { beside, endedEarly } from './loads.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('./answers.js').Answer} Answer */
 /** @typedef {import('./loads.js').Beside} Beside */
 

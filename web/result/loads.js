@@ -5,7 +5,7 @@
 
 import { figure, forceOf, unit } from '../lib/units.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Report} Report */
 /** @typedef {import('../types.js').Job} Job */
 /**

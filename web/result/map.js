@@ -15,7 +15,7 @@ import { inUnits } from './converted.js';
 import { beside } from './loads.js';
 import { Panel, segments } from './panel.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {NonNullable<import('../types.js').Step['three_dimensional']>} Ellipse */
 /** @typedef {NonNullable<Ellipse['maps']>} Maps */
 /** @typedef {(name: string) => string} Colours of custom properties */

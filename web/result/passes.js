@@ -4,7 +4,7 @@ import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
 import { Panel } from './panel.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {NonNullable<Step['rolling']>} Rolling */
 /** @typedef {NonNullable<Rolling['passes'][number]['bodies']['lower']>} Body */
@@ -13,7 +13,7 @@ import { Panel } from './panel.js';
 const COLOURS = { upper: '--curve-2', lower: '--curve-1' };
 const DASH = [7, 3];
 
-/** Figures of each body over passes; logarithms have no place for 0. @param {Rolling} rolling @param {Line[]} lines @param {boolean} log @returns {import('./chart.js').Curve[]} */
+/** Figures of each body over passes; logarithms have no place for 0. @param {Rolling} rolling @param {Line[]} lines @param {boolean} log @returns {import('./chart-svg.js').Curve[]} */
 const overPasses = ({ passes }, lines, log) =>
   /** @type {const} */ (['lower', 'upper']).flatMap((side) =>
     lines.flatMap(({ of, name, dash }) => {
@@ -34,13 +34,13 @@ const overPasses = ({ passes }, lines, log) =>
     }),
   );
 
-/** The last values of curves in words. @param {Rolling} rolling @param {import('./chart.js').Curve[]} curves @param {string} of their unit */
+/** The last values of curves in words. @param {Rolling} rolling @param {import('./chart-svg.js').Curve[]} curves @param {string} of their unit */
 const lastWords = ({ passes }, curves, of) =>
   `${passes.length} passes: ${curves
     .map(({ label, y }) => `${figure(y.at(-1) ?? 0, 3)} ${of} (${label})`)
     .join(', ')}.`;
 
-/** Strains of every pass. @param {Rolling} rolling @returns {import('./chart.js').Plot} */
+/** Strains of every pass. @param {Rolling} rolling @returns {import('./chart-svg.js').Plot} */
 function strains(rolling) {
   const curves = overPasses(
     rolling,
@@ -54,7 +54,7 @@ function strains(rolling) {
   return { x: 'pass', y: 'strain of a pass  [%]', log: true, curves, words };
 }
 
-/** The groove and what rises beside it. @param {Rolling} rolling @param {Shown['report']} report @returns {import('./chart.js').Plot} */
+/** The groove and what rises beside it. @param {Rolling} rolling @param {Shown['report']} report @returns {import('./chart-svg.js').Plot} */
 function groove(rolling, { units }) {
   const length = unit('length', units);
   const beside = { name: 'pile-up', of: (/** @type {Body} */ body) => body.pile_up, dash: DASH };
@@ -77,7 +77,7 @@ const LIMITS = /** @type {const} */ ({
   kinematic_pressure: ['shakedown, kinematic hardening', '--curve-4', DASH],
 });
 
-/** Limits over friction, and where this job is. @param {Rolling} rolling @param {Shown['report']} report @returns {import('./chart.js').Plot} */
+/** Limits over friction, and where this job is. @param {Rolling} rolling @param {Shown['report']} report @returns {import('./chart-svg.js').Plot} */
 function map(
   { limits: { over_friction = [], shear_yield_stress }, friction = 0 },
   { steps: [{ hertz }] },

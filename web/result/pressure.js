@@ -7,7 +7,7 @@ import { abscissaOf, extentOf, rangeAround } from './extent.js';
 import { beside, hertzName } from './loads.js';
 import { Panel } from './panel.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 
 export class PressurePanel {
   constructor() {
@@ -48,7 +48,7 @@ export class PressurePanel {
       return this.panel.show(false);
     const { units } = first.report;
     const round = first.report.analysis === 'axisymmetric';
-    /** @type {import('./chart.js').Curve[]} */
+    /** @type {import('./chart-svg.js').Curve[]} */
     const curves = sides.map(({ one, at, label }) => {
       const { nodes } = one.report.steps[at].contact;
       return {
@@ -102,13 +102,13 @@ export class PressurePanel {
 
 /**
  * What lies between two curves, each taken as 0 beyond its ends.
- * @param {import('./chart.js').Curve} one
- * @param {import('./chart.js').Curve} other
- * @returns {import('./chart.js').Curve}
+ * @param {import('./chart-svg.js').Curve} one
+ * @param {import('./chart-svg.js').Curve} other
+ * @returns {import('./chart-svg.js').Curve}
  */
 function band(one, other) {
   const x = [...new Set([...one.x, ...other.x])].sort((a, b) => a - b);
-  const along = (/** @type {import('./chart.js').Curve} */ curve) => {
+  const along = (/** @type {import('./chart-svg.js').Curve} */ curve) => {
     let k = 0;
     return x.map((at) => {
       while (k + 1 < curve.x.length && curve.x[k + 1] < at) k += 1;
@@ -121,7 +121,7 @@ function band(one, other) {
   return { label: 'between both', colour: '--curve-1', x, y: along(one), to: along(other) };
 }
 
-/** Where a curve is above 0. @param {import('./chart.js').Curve} curve @returns {import('./extent.js').Extent[]} */
+/** Where a curve is above 0. @param {import('./chart-svg.js').Curve} curve @returns {import('./extent.js').Extent[]} */
 function touchedBy({ x, y }) {
   const pressed = x.filter((_, k) => (y[k] ?? 0) > 0);
   return pressed.length ? [{ left: pressed[0], right: pressed[pressed.length - 1] }] : [];
@@ -130,7 +130,7 @@ function touchedBy({ x, y }) {
 /**
  * @param {number} at end of a part of the contact
  * @param {string} text
- * @returns {import('./chart.js').Mark}
+ * @returns {import('./chart-svg.js').Mark}
  */
 const mark = (at, text) => ({ across: 'x', at, text });
 

@@ -52,7 +52,7 @@ import { figuresTable, tableElements } from './figures.js';
 import { sentencesOf } from './headline.js';
 import { asked, beside, endedEarly } from './loads.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
 
 /**
@@ -322,7 +322,7 @@ const inJob = (length, { raw, report }) =>
 
 /**
  * @param {Job} job
- * @param {import('../setup/fields.js').Field} load
+ * @param {import('../setup/field.js').Field} load
  * @returns {string} its unit, and that of approaches among forces
  */
 function unitOfLoad(job, { quantity = 'number' }) {
@@ -354,7 +354,7 @@ function inputs(job) {
     );
   const bodies = [job.upper, job.lower];
   const fieldsOf = (
-    /** @type {(body: any) => import('../setup/fields.js').Field[]} */ pick,
+    /** @type {(body: any) => import('../setup/field.js').Field[]} */ pick,
     /** @type {(body: any) => any} */ place,
   ) => {
     const fields = new Map(

@@ -10,7 +10,7 @@ import { Chart } from './chart.js';
 import { beside } from './loads.js';
 import { Panel } from './panel.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 
 export class SpreadPanel {
   constructor() {

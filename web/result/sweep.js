@@ -6,7 +6,7 @@ import { Chart } from './chart.js';
 import { Panel, segments } from './panel.js';
 import { STEP_FIGURES, strainOf, titleOf } from './step-figures.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
 
@@ -122,9 +122,9 @@ const BETWEEN = { points: false, dash: [1, 6], width: 1.2 };
 /**
  * A loop without its long pieces, and these by themselves: unloading is often one increment, and a
  * straight line between its ends is no answer.
- * @param {import('./chart.js').Curve} curve @param {number[]} forces of its points
+ * @param {import('./chart-svg.js').Curve} curve @param {number[]} forces of its points
  * @param {string} why the long pieces are no answers
- * @returns {import('./chart.js').Curve[]}
+ * @returns {import('./chart-svg.js').Curve[]}
  */
 function apart(curve, forces, why = 'straight between solved loads') {
   const range = Math.max(...forces) - Math.min(...forces);
@@ -172,7 +172,7 @@ const leftOut = (swept) => {
  * Where the jobs begin to yield, each once; where that is not the same for all, in the colours of
  * the jobs.
  * @param {Shown[]} swept @param {'x' | 'y'} across @param {string} words of the mark @returns
- *   {import('./chart.js').Mark[]}
+ *   {import('./chart-svg.js').Mark[]}
  */
 function onsets(swept, across, words) {
   const { report } = swept[0];
@@ -200,7 +200,7 @@ function onsets(swept, across, words) {
  * @param {Shown[]} swept
  * @param {Shown[]} shown
  * @param {number} at
- * @returns {import('./chart.js').Plot}
+ * @returns {import('./chart-svg.js').Plot}
  */
 function overApproach(swept, shown, at) {
   const [{ report }] = shown;
@@ -268,7 +268,7 @@ function overForce(report, figures, inTurn) {
  * @param {Shown[]} shown
  * @param {number} at
  * @param {OverLoad} figures
- * @returns {import('./chart.js').Plot}
+ * @returns {import('./chart-svg.js').Plot}
  */
 function overLoad(swept, shown, at, figures) {
   const [{ report }] = shown;

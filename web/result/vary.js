@@ -118,7 +118,7 @@ export class VaryPanel {
     return this.#points.length > 1;
   }
 
-  /** @param {import('../types.js').Shown[]} shown @param {number} at step of the first */
+  /** @param {import('../shown.js').Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
     const [{ job, report, id }] = shown;
     this.panel.show(id !== '');

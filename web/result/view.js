@@ -33,7 +33,7 @@ import { Steps } from './steps.js';
 import { SweepPanel } from './sweep.js';
 import { VaryPanel } from './vary.js';
 
-/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Iteration} Iteration */
 
 /** Least width of a column [px]. */

@@ -216,7 +216,7 @@ function* dimensional(job) {
   }
   const kind = loadOf(job.load);
   if (kind === 'target') yield* within(job, '/load', [TARGETS[targetOf(job.load)]]);
-  const ofLoad = (/** @type {import('./fields.js').Field} */ field) => ({
+  const ofLoad = (/** @type {import('./field.js').Field} */ field) => ({
     ...field,
     quantity: field.quantity === 'load' ? forceOf(job) : field.quantity,
   });
@@ -226,7 +226,7 @@ function* dimensional(job) {
 /**
  * @param {Job} job
  * @param {string} parent
- * @param {import('./fields.js').Field[]} fields
+ * @param {import('./field.js').Field[]} fields
  * @returns {Generator<[string, Quantity]>}
  */
 function* within(job, parent, fields) {

@@ -15,26 +15,11 @@ import { pointsControl, termsControl } from './points.js';
 import { slider } from './slider.js';
 import { written } from './written.js';
 
-/** @typedef {import('./fields.js').Field} Field */
+/** @typedef {import('./field.js').Field} Field */
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
 /** @typedef {import('../lib/units.js').Units} Units */
-/**
- * @typedef {object} Surroundings of a field: what its reading depends on beside its text
- * @property {() => Units} units
- * @property {(field: Field) => Quantity | undefined} quantity
- * @property {(value: number, field: Field) => number} wire a figure in mm, N and MPa, in the units of the job
- * @property {() => Record<string, any> | undefined} parent the object that the field is a key of
- * @property {(values: Record<string, unknown>) => void} beside sets keys of the object that the field is a key of, in one change
- * @property {(value: number, moving: boolean) => void} [slide] called while a slider moves the figure
- */
-/**
- * @typedef {object} Control
- * @property {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} input
- * @property {() => unknown} read the value as it goes into the job
- * @property {(value: any) => void} write
- * @property {(value: unknown) => string} [problem] what is wrong with a value, if this can be told without the service
- * @property {Node[]} [beside]
- */
+/** @typedef {import('./field.js').Surroundings} Surroundings */
+/** @typedef {import('./field.js').Control} Control */
 /**
  * @typedef {object} Entry
  * @property {HTMLElement} element

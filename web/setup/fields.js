@@ -10,27 +10,8 @@ import { convert, unitsOf } from '../lib/units.js';
 import * as tables from './tables.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
-/**
- * @typedef {object} Field
- * @property {string} key below its parent's pointer
- * @property {string} label
- * @property {string} [symbol]
- * @property {Quantity | 'load'} [quantity] `load`: a force, in the unit of the analysis
- * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags' | 'heights' | 'text'} [kind] `number` unless said otherwise
- * @property {Record<string, string>} [choices] value: label
- * @property {string} [hint]
- * @property {string} [help] key of its explanation, where it is not its own
- * @property {Quantity[]} [columns] quantities of points or terms
- * @property {string[]} [members] names of the figures of a term
- * @property {[number, number]} [bounds] between which a slider moves
- * @property {string} [description]
- * @property {number | [number, number][]} [example] typical, in mm, N, MPa
- * @property {string} [unit] of figures that have the same in every system
- * @property {number} [longest] letters that a text may have
- * @property {string} [none] what a choice that is not made is called
- * @property {boolean} [optional] a choice that is not made is the service's, where {@link DEFAULTS} does not say which
- */
-/** @typedef {{label: string, description?: string, fields: Field[]}} Kind */
+/** @typedef {import('./field.js').Field} Field */
+/** @typedef {import('./field.js').Kind} Kind */
 
 /** @type {Record<string, Kind>} */
 export const SHAPES = mapValues(tables.SHAPES, withHints);

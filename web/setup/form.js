@@ -37,7 +37,7 @@ import {
   rollerPreview,
 } from './preview.js';
 
-/** @typedef {import('./fields.js').Field} Field */
+/** @typedef {import('./field.js').Field} Field */
 /** @typedef {import('../api/client.js').FieldError} FieldError */
 /** @typedef {{entry: import('./entry.js').Entry, field: Field}} Made */
 /** @typedef {'upper' | 'lower'} Body */

@@ -166,8 +166,8 @@ function faultOf(text) {
 /**
  * @param {string} id
  * @param {(value: unknown) => void} change
- * @param {import('./entry.js').Surroundings} surroundings
- * @returns {import('./entry.js').Control}
+ * @param {import('./field.js').Surroundings} surroundings
+ * @returns {import('./field.js').Control}
  */
 export function heightsControl(id, change, { units, beside }) {
   const input = h('textarea', { id, rows: 2, spellcheck: 'false', autocomplete: 'off' });

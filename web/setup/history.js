@@ -114,11 +114,11 @@ function cycleOf(loads) {
 }
 
 /**
- * @param {import('./fields.js').Field} field
+ * @param {import('./field.js').Field} field
  * @param {string} id
  * @param {(value: unknown) => void} change
- * @param {import('./entry.js').Surroundings} surroundings
- * @returns {import('./entry.js').Control}
+ * @param {import('./field.js').Surroundings} surroundings
+ * @returns {import('./field.js').Control}
  */
 export function historyControl(field, id, change, { units, quantity }) {
   const input = h('input', {

@@ -32,7 +32,7 @@ import {
 } from './fields.js';
 
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {import('./fields.js').Field} Field */
+/** @typedef {import('./field.js').Field} Field */
 /** @typedef {'upper' | 'lower'} Body */
 /** @typedef {'title' | 'general' | Body | `${Body}/rare` | 'load' | 'settings'} Part */
 /**

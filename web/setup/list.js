@@ -129,7 +129,7 @@ export function sweepWords(values) {
     : `${values.length} values, ${ends([Math.min(...values), Math.max(...values)])}`;
 }
 
-/** @param {import('./fields.js').Field} field @param {string} id @param {import('./entry.js').Surroundings} surroundings @returns {import('./entry.js').Control} */
+/** @param {import('./field.js').Field} field @param {string} id @param {import('./field.js').Surroundings} surroundings @returns {import('./field.js').Control} */
 export function listControl(field, id, { units, quantity }) {
   const input = h('input', {
     id,

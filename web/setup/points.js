@@ -21,11 +21,11 @@ const [MOST, FEWER] = [10_000, 2000];
 /** @typedef {number[]} Point a line of the table */
 
 /**
- * @param {import('./fields.js').Field} field
+ * @param {import('./field.js').Field} field
  * @param {string} id
  * @param {(value: unknown) => void} change
- * @param {import('./entry.js').Surroundings} surroundings
- * @returns {import('./entry.js').Control}
+ * @param {import('./field.js').Surroundings} surroundings
+ * @returns {import('./field.js').Control}
  */
 export function pointsControl(field, id, change, { units, parent }) {
   const quantities = field.columns ?? ['number', 'number'];
@@ -137,11 +137,11 @@ export function pointsControl(field, id, change, { units, parent }) {
 
 /**
  * The same for a list of objects of figures; without a line there is no list.
- * @param {import('./fields.js').Field} field
+ * @param {import('./field.js').Field} field
  * @param {string} id
  * @param {(value: unknown) => void} change
- * @param {import('./entry.js').Surroundings} surroundings
- * @returns {import('./entry.js').Control}
+ * @param {import('./field.js').Surroundings} surroundings
+ * @returns {import('./field.js').Control}
  */
 export function termsControl(field, id, change, surroundings) {
   const members = field.members ?? ['0', '1'];

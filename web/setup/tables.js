@@ -4,7 +4,7 @@
  */
 
 /* prettier-ignore */
-/** @type {Record<string, import('./fields.js').Kind>} */
+/** @type {Record<string, import('./field.js').Kind>} */
 export const SHAPES = {
   cylinder: {
     label: "Cylinder",
@@ -146,7 +146,7 @@ export const SHAPES = {
 };
 
 /* prettier-ignore */
-/** @type {Record<string, import('./fields.js').Kind>} */
+/** @type {Record<string, import('./field.js').Kind>} */
 export const LAWS = {
   bilinear: {
     label: "Bilinear",
@@ -202,7 +202,7 @@ export const LAWS = {
 };
 
 /* prettier-ignore */
-/** @type {Record<string, import('./fields.js').Kind>} */
+/** @type {Record<string, import('./field.js').Kind>} */
 export const OVER_DEPTH = {
   factors: {
     label: "Factors",
@@ -231,7 +231,7 @@ export const OVER_DEPTH = {
 };
 
 /* prettier-ignore */
-/** @type {import('./fields.js').Field} */
+/** @type {import('./field.js').Field} */
 export const INITIAL_STRESS = {"columns":["length","stress","stress"],"description":"Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.","key":"initial_stress","kind":"terms","label":"Initial stress","members":["depth","sigma_x","sigma_z"],"optional":true,"symbol":"z, σ_x, σ_z"};
 
 /* prettier-ignore */

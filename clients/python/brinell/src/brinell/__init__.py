@@ -60,8 +60,9 @@ from ._identify import Identification, identify
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
-from ._result import Answer, Pressure, Remark, Result, Step, Verdict
+from ._result import Result
 from ._rolling import Rolling
+from ._step import Answer, Pressure, Remark, Step, Verdict
 from ._surface import Surface, surface
 from ._trace import Trace, trace
 

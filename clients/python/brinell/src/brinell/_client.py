@@ -42,7 +42,8 @@ from ._fields import Fields
 from ._find import Figure, Found, figure_of, found_of, number_at, search, with_value
 from ._local import LocalServer
 from ._plain import JobLike, Quantity, document_of, need, plain, tokens_of, with_values
-from ._result import NO_FIGURES, Result
+from ._result import Result
+from ._step import NO_FIGURES
 
 if TYPE_CHECKING:
     import pandas as pd

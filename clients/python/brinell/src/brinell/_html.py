@@ -7,7 +7,8 @@ from html import escape
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ._result import Answer, Result
+    from ._data import ResultData
+    from ._step import Answer
 
 # Figures of a step of 0.2, which has no answers, with words and units [mm_N_MPa, SI].
 ROWS = (
@@ -23,7 +24,7 @@ ROWS = (
 SHOWN = 12
 
 
-def unit_of_force(result: Result) -> str:
+def unit_of_force(result: ResultData) -> str:
     """The unit of the contact force."""
     if result.analysis in ("axisymmetric", "three_dimensional"):
         return "N"
@@ -42,7 +43,7 @@ def _answer(answer: Answer) -> tuple[str, str, str, str, str]:
     return (answer.label, shown or "not known", bar, hertz, unit)
 
 
-def _lines(result: Result) -> list[tuple[str, str, str, str, str]]:
+def _lines(result: ResultData) -> list[tuple[str, str, str, str, str]]:
     """Name, figure, error bar, Hertz's figure and unit."""
     if result.last.answers:
         return [_answer(answer) for answer in result.last.answers]
@@ -60,12 +61,12 @@ def _lines(result: Result) -> list[tuple[str, str, str, str, str]]:
     return lines
 
 
-def _head(result: Result) -> str:
+def _head(result: ResultData) -> str:
     steps = f", the last of {len(result.steps)} steps" if len(result.steps) > 1 else ""
     return f"{result.status.replace('_', ' ')}, {result.analysis.replace('_', ' ')}{steps}"
 
 
-def text_of(result: Result) -> str:
+def text_of(result: ResultData) -> str:
     """For a terminal."""
     if result.error is not None or not result.steps:
         return f"<Result: {result.status}{f': {result.error}' if result.error else ''}>"
@@ -79,7 +80,7 @@ def text_of(result: Result) -> str:
     return "\n".join([_head(result), *verdict, *remarks, *rows, *bars])
 
 
-def html_of(result: Result) -> str:
+def html_of(result: ResultData) -> str:
     """For a notebook."""
     if result.error is not None or not result.steps:
         return f"<p><b>{escape(result.status)}</b> {escape(str(result.error or ''))}</p>"
@@ -104,7 +105,7 @@ def html_of(result: Result) -> str:
     return f"<div>{verdict}{notes}<p><b>{escape(_head(result))}</b></p>{table}{steps}</div>"
 
 
-def _steps(result: Result) -> str:
+def _steps(result: ResultData) -> str:
     shown = result.steps[:SHOWN]
     names = ("force", "approach", "peak_pressure", "half_width")
     head = "".join(f"<th>{name.replace('_', ' ')}</th>" for name in ("step", *names, "status"))

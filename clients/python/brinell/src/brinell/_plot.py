@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._data import ResultData
 from ._errors import BrinellError
 from ._fields import BodyFields, Fields
 from ._html import unit_of_force
 from ._plain import need
-from ._result import Result, Step
 from ._rolling import Rolling
+from ._step import Step
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,7 +56,7 @@ class Plot:
     Steps are counted from 0 as in `result.steps`; the last one is shown unless said.
     """
 
-    def __init__(self, result: Result) -> None:
+    def __init__(self, result: ResultData) -> None:
         self._result = result
         si = result.units == "SI"
         self._length, self._stress = ("m", "Pa") if si else ("mm", "MPa")
