@@ -1,4 +1,4 @@
-//! The elastic contact of heights, for comparison with other programs: `scripts/rough_patch.py`.
+//! The elastic contact of heights, for comparison with other programs: `tools/rough_patch.py`.
 //!
 //! Takes a file of n × n heights (little-endian doubles, x outermost), n, the force, the tolerance
 //! and a file for the pressures. The side of the patch and E* are 1. Prints area over nominal

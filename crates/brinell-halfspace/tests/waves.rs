@@ -129,7 +129,7 @@ fn waves_in_two_directions_agree_with_their_limits() {
 
 /// Waves of 1 to 8 over a side of 1, E* = 1, 128 × 128 cells. Cells in contact, largest pressure
 /// and approach from the highest point are those of ContactMechanics 1.8.3 (PyPI, L. Pastewka and
-/// others), `FreeFFTElasticHalfSpace`: `scripts/rough_patch.py waves`.
+/// others), `FreeFFTElasticHalfSpace`: `tools/rough_patch.py waves`.
 #[test]
 fn a_rough_patch_agrees_with_contact_mechanics() {
     let mut state = 7_u64;

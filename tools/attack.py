@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Attacks `brinell serve` with many hostile clients and measures the waits of another client.
 
-usage: scripts/attack.py [--only NAME ...] [--connections 4500] [--binary target/release/brinell]
+usage: tools/attack.py [--only NAME ...] [--connections 4500] [--binary target/release/brinell]
 
 Each attack has a service of its own. Meanwhile another client requests `GET /v1/jobs/{id}` two
 hundred times. Prints the median and the 99th percentile of its waits, the memory of the service

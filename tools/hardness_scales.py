@@ -2,7 +2,7 @@
 """HBW over HV of a family of curves, beside ISO 18265, as a table and as a picture.
 
     BRINELL_PROGRAM=target/debug/brinell PYTHONPATH=clients/python/brinell/src \\
-        python scripts/hardness_scales.py docs/figures/hardness_scales.svg
+        python tools/hardness_scales.py docs/figures/hardness_scales.svg
 
 Swift's law with n of 0.08 and 0.2, E of 210 GPa, HBW 10/3000 and HV 10 with 16 elements.
 """

@@ -2,7 +2,7 @@
 the same size.
 
     python3 -m venv tamaas && tamaas/bin/pip install tamaas scipy numpy
-    tamaas/bin/python -W ignore scripts/tamaas_ball.py 16 3.2
+    tamaas/bin/python -W ignore tools/tamaas_ball.py 16 3.2
 
 Takes cells over a side, and the length of the periodic box over the half-width of the contact.
 Radius 10 mm, E = 210 GPa, nu = 0.3, yield stress 500 MPa, tangent modulus 0.05 E. Hertz's peak

@@ -1,7 +1,7 @@
 """Rough patches that yield: whether they converge, and at what cost.
 
     cargo build --release
-    python3 scripts/rough_plastic.py target/release/brinell 256 3
+    python3 tools/rough_plastic.py target/release/brinell 256 3
 
 Takes the program, cells along a side and seeds. A rigid rough body is pressed on steel with a yield
 stress of 1000 MPa and a tangent modulus of 10 GPa under three forces that bring some 1, 5 and 20 %

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures how bad receivers of announcements delay a good one.
 
-usage: scripts/receivers.py [--jobs 40] [--binary target/release/brinell]
+usage: tools/receivers.py [--jobs 40] [--binary target/release/brinell]
 
 Seven hosts (127.0.0.2 and on: Linux) misbehave: silent, answering byte by byte, without end, with
 heads without end, by redirects, with noise, or not at all. The jobs for the good host are

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kills, freezes and restarts the service under load; checks that no job is lost or doubled.
 
-usage: scripts/rounds.py [--rounds 9] [--store sqlite|postgres] [--binary target/release/brinell]
+usage: tools/rounds.py [--rounds 9] [--store sqlite|postgres] [--binary target/release/brinell]
 
 Jobs have small and large results, each with an announcement. `sqlite` is one service, `postgres`
 two on a cluster of their own, which is restarted too (needs initdb and pg_ctl). The receiver

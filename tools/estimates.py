@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares estimates of memory and result size of jobs with measured values.
 
-usage: scripts/estimates.py [--binary target/release/brinell] [--largest 160] [--generated 200]
+usage: tools/estimates.py [--binary target/release/brinell] [--largest 160] [--generated 200]
 
 With `--generated N`, solves N random jobs of the whole format instead of the table, the same ones
 each time. A service with one worker and without a cache solves each job; the memory is the largest

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fills the disk under `brinell serve`, frees it, and shows what the service answers meanwhile.
 
-usage: scripts/disk_full.py [--binary target/release/brinell] [--size 12m]
+usage: tools/disk_full.py [--binary target/release/brinell] [--size 12m]
 Mounts a tmpfs in namespaces of its own (`unshare --user --mount`); needs no rights. Each part ends with a line that
 says what was seen, and with exit code 1 if it is not what docs/operations.md promises.
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures how long large jobs continue after a request to stop, through the service.
 
-usage: scripts/cancel.py [--elements 220] [--times 6] [--course 30] [--binary
+usage: tools/cancel.py [--elements 220] [--times 6] [--course 30] [--binary
             target/release/brinell]
 
 Jobs of two different bodies with every output, of each analysis, theory and coupling, are

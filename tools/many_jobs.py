@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Submits 10 000 jobs to `brinell serve`, checks each result and prints rates and memory.
 
-usage: scripts/many_jobs.py [--jobs N] [--large N] [--binary target/release/brinell] [-- MORE
+usage: tools/many_jobs.py [--jobs N] [--large N] [--binary target/release/brinell] [-- MORE
             ARGUMENTS OF SERVE]
 
 Needs only Python. Prints a line each for submission, solving and memory (RSS at the start, once

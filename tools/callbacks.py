@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the cost of announcements: jobs a second on PostgreSQL with and without a callback.
 
-usage: scripts/callbacks.py [--jobs 600] [--rounds 3] [--binary target/release/brinell]
+usage: tools/callbacks.py [--jobs 600] [--rounds 3] [--binary target/release/brinell]
 
 Also prints the work of the database for each job. Rounds with and without a callback alternate.
 Jobs of 4 elements are queued first and then timed from the first start to the last end.

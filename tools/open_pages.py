@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the cost of open pages: jobs a second through POST /v1/solve with and without them.
 
-usage: scripts/open_pages.py [--pages 50] [--rounds 6] [--seconds 5] [--elements 8] [--release
+usage: tools/open_pages.py [--pages 50] [--rounds 6] [--seconds 5] [--elements 8] [--release
             target/release]
 
 Needs wrk and `cargo build --release`. Every page sends the requests of web/: it fetches all files,

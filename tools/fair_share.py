@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the waits of an API key while another key floods the service.
 
-usage: scripts/fair_share.py [--jobs 500] [--store sqlite|postgres] [--solvers 2] [--binary
+usage: tools/fair_share.py [--jobs 500] [--store sqlite|postgres] [--solvers 2] [--binary
             target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
 
 One key submits default jobs, half of them through POST /v1/solve and half through the queue at the

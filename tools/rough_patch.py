@@ -2,7 +2,7 @@
 
     python3 -m venv other && other/bin/pip install ContactMechanics tamaas numpy
     cargo build --release -p brinell-halfspace --example rough_patch
-    other/bin/python -W ignore scripts/rough_patch.py 512 target/release/examples/rough_patch
+    other/bin/python -W ignore tools/rough_patch.py 512 target/release/examples/rough_patch
 
 Takes cells along a side and the example. Heights are self-affine with a Hurst exponent of 0.8
 and a root mean square slope of 0.1; their waves are between an eighth of the side and 8 cells.
