@@ -13,7 +13,7 @@ const SOUND: f64 = 1e-8;
 ///
 /// Scales: `R° = max |R_k|` for forces and `u° = max |(F R)_k|`, the elastic displacement they
 /// cause, for gaps. Where nothing touches, `u° = max(|α|, max |g_k|)`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct KktReport {
     /// Deepest penetration: `max(0, -δ_k) / u°`.
     pub penetration: f64,

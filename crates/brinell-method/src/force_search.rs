@@ -11,7 +11,6 @@
 use super::bracket::{Bracket, Next};
 use super::loads::{Trial, Tried};
 use super::run::Run;
-use super::steps::Step;
 use crate::{Error, Unreachable, UnreachableReason};
 
 /// Deviation of the figure that ends the search at the lower density, whose own error is as large.
@@ -56,9 +55,9 @@ pub struct Terms {
 }
 
 /// The result of a search.
-pub struct ForceFound<S> {
+pub struct ForceFound<F> {
     /// The trial that meets the value.
-    pub trial: Trial<S>,
+    pub trial: Trial<F>,
     /// Relative change of the figure over that of the force.
     pub sensitivity: f64,
     /// The same quotient between the last fine solves.
@@ -69,11 +68,11 @@ pub struct ForceFound<S> {
 ///
 /// # Errors
 /// [`Error::Unreachable`], and those of a trial.
-pub fn find<S: Step, E: From<Error>>(
-    mut trial: impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<S>, E>,
+pub fn find<F, E: From<Error>>(
+    mut trial: impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<F>, E>,
     terms: Terms,
     run: &mut Run<'_>,
-) -> Result<ForceFound<S>, E> {
+) -> Result<ForceFound<F>, E> {
     let (force, sensitivity) = run.preliminarily(|run| coarse(&mut trial, terms, run))?;
     let mut found = fine(&mut trial, terms, force, sensitivity, run)?;
     // The deviation of a steep figure is larger under an equally small change of the force.
@@ -87,8 +86,8 @@ pub fn find<S: Step, E: From<Error>>(
 }
 
 /// Returns a force that nearly gives the value, and the slope of the logarithms there.
-fn coarse<S: Step, E: From<Error>>(
-    trial: &mut impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<S>, E>,
+fn coarse<F, E: From<Error>>(
+    trial: &mut impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<F>, E>,
     terms: Terms,
     run: &mut Run<'_>,
 ) -> Result<(f64, f64), E> {
@@ -145,15 +144,15 @@ fn coarse<S: Step, E: From<Error>>(
 }
 
 /// Corrects a nearly right force by fine solves.
-fn fine<S: Step, E: From<Error>>(
-    trial: &mut impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<S>, E>,
+fn fine<F, E: From<Error>>(
+    trial: &mut impl FnMut(Density, f64, &mut Run<'_>) -> Result<Tried<F>, E>,
     terms: Terms,
     mut force: f64,
     sensitivity: f64,
     run: &mut Run<'_>,
-) -> Result<ForceFound<S>, E> {
+) -> Result<ForceFound<F>, E> {
     let mut slope = sensitivity;
-    let mut best: Option<Trial<S>> = None;
+    let mut best: Option<Trial<F>> = None;
     let mut last: Option<[f64; 2]> = None;
     for _ in 0..terms.most_fine {
         let trial = match trial(Density::Asked, force, run)? {

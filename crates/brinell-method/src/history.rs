@@ -24,8 +24,8 @@ use super::increments::{Division, Growth, IncrementEnds, Leg};
 use super::observer::{Held, IncrementNumber, Interrupt, IterationRecord, SolveStatus};
 use super::progress::Progress;
 use super::run::Run;
-use super::solve::{Answer, Engine, Leave, LeaveOf, OnSystem, solve};
-use super::steps::{IncrementRecord, LoadEnd, Step, StepReceiver};
+use super::solve::{Engine, Leave, LeaveOf, OnSystem, solve};
+use super::steps::{IncrementRecord, Path, Step, StepReceiver};
 use crate::{Error, Interrupted as _};
 use brinell_contact::ContactLoad;
 
@@ -48,8 +48,8 @@ const LARGEST_WITHIN_LOAD: f64 = 1e-4;
 
 /// An engine whose systems continue from accepted states.
 pub trait Memory: Engine + Sized {
-    /// A load as a step.
-    type Step: Step;
+    /// The fields of a step.
+    type Field;
     /// The record of a history beside the accepted state. It sizes the system of the next history
     /// and guides its increments.
     type Record;
@@ -60,6 +60,24 @@ pub trait Memory: Engine + Sized {
     /// Returns the controls of the iteration; the history fills in load and number of each
     /// increment.
     fn controls(&self) -> Controls<'_>;
+
+    /// Returns the parts of an answer.
+    fn parts(answer: &Self::Answer) -> (&Self::System, &Outcome);
+
+    /// Returns the outcome of an answer, to be changed.
+    fn outcome_mut(answer: &mut Self::Answer) -> &mut Outcome;
+
+    /// Takes an answer apart.
+    fn into_parts(answer: Self::Answer) -> (Self::System, Outcome);
+
+    /// Returns force, approach, peak pressure and half-width of an answer; zeros without contact.
+    fn figures(answer: &Self::Answer) -> Figures;
+
+    /// Returns whether strains have outgrown the theory of small strains.
+    fn has_collapsed(answer: &Self::Answer) -> bool;
+
+    /// Returns all figures at the end of a load.
+    fn measure(&self, answer: &Self::Answer, memory: &Self::Record) -> Figures;
 
     /// Returns the empty memory of a history on a system.
     fn begin(&self, system: &Self::System) -> Self::Record;
@@ -105,10 +123,10 @@ pub trait Memory: Engine + Sized {
         memory: &mut Self::Record,
         progress: &Progress,
         run: &mut Run<'_>,
-    ) -> Self::Step;
+    ) -> Step<Self::Field>;
 
     /// Returns the end of a load as a step, from the last iteration and without the final check.
-    fn step_as_iterated(&self, answer: &Self::Answer, load: ContactLoad) -> Self::Step;
+    fn step_as_iterated(&self, answer: &Self::Answer, load: ContactLoad) -> Step<Self::Field>;
 }
 
 /// The data for the preparation of an increment.
@@ -139,7 +157,7 @@ pub fn run<E: Memory>(
     loads: &[ContactLoad],
     increments: Option<u32>,
     run: &mut Run<'_>,
-    receiver: &mut dyn StepReceiver<E::Step>,
+    receiver: &mut dyn StepReceiver<E::Field>,
 ) -> Result<Option<Interrupt>, E::Error> {
     let mut preliminary = Vec::new();
     let chosen = run.preliminarily(|run| {
@@ -198,7 +216,7 @@ impl<E: Memory> History<'_, E> {
     fn choose_increments(
         &self,
         mut design: E::Design,
-        preliminary: &mut Vec<E::Step>,
+        preliminary: &mut Vec<Step<E::Field>>,
         run: &mut Run<'_>,
     ) -> Result<Chosen<E::Record>, E::Error> {
         let given = self.division;
@@ -241,7 +259,7 @@ impl<E: Memory> History<'_, E> {
     fn solve(
         &self,
         design: E::Design,
-        steps: &mut HistorySteps<'_, E::Step>,
+        steps: &mut HistorySteps<'_, E::Field>,
         run: &mut Run<'_>,
     ) -> Result<Found<E::Record>, E::Error> {
         let mut is_begun = false;
@@ -258,7 +276,7 @@ impl<E: Memory> History<'_, E> {
         &self,
         on: &OnSystem<'_, E>,
         mut system: E::System,
-        steps: &mut HistorySteps<'_, E::Step>,
+        steps: &mut HistorySteps<'_, E::Field>,
         run: &mut Run<'_>,
     ) -> Result<Found<E::Record>, LeaveOf<E>> {
         let engine = self.engine;
@@ -292,45 +310,48 @@ impl<E: Memory> History<'_, E> {
                 let guide = self.guide;
                 let next = NextIncrement { target, time, leg: &leg, progress: &progress, guide };
                 let mut answer = self.increment(on, system, &next, run)?;
-                let interrupted = answer.outcome().status.interrupt();
+                let interrupted = E::outcome_mut(&mut answer).status.interrupt();
                 if !steps.are_final() {
                     // A preliminary step keeps its last increment alone: a coarse history may have
                     // a thousand loads of thousands of increments.
                     history.clear();
                     increments.clear();
                 }
-                history.extend_from_slice(&answer.outcome().history);
+                history.extend_from_slice(&E::parts(&answer).1.history);
                 let start = progress.reached_measure(&leg);
                 let may_halve = status == SolveStatus::Converged
                     && matches!(self.division, Division::Level(_));
                 if may_halve && self.fails(&answer) && ends.halve(k, start) {
-                    system = answer.into_parts().0;
+                    system = E::into_parts(answer).0;
                     continue;
                 }
                 // After an increment that has not converged, only a coupling with Newton's method
                 // ends in a state that shows a collapse.
                 let inherits_error = status != SolveStatus::Converged;
                 let is_accelerated = engine.coupling().uses_tangent_moduli();
-                answer.outcome_mut().is_conclusive &= !inherits_error || is_accelerated;
-                status = worse(status, answer.outcome().status);
+                let outcome = E::outcome_mut(&mut answer);
+                outcome.is_conclusive &= !inherits_error || is_accelerated;
+                status = worse(status, outcome.status);
                 if interrupted.is_none() {
-                    progress.accept(answer.system(), answer.outcome(), target, time, &leg);
+                    let (system, outcome) = E::parts(&answer);
+                    progress.accept(system, outcome, target, time, &leg);
                     engine.remember(&mut answer, &mut found.memory, time, leg.falls());
                     let records = history.capacity() * size_of::<IterationRecord>()
                         + increments.capacity() * size_of::<IncrementRecord>();
                     self.hold(&found.memory, records, run)?;
                 }
-                let figures = answer.figures();
-                increments.push(IncrementRecord::of(figures, answer.outcome()));
+                let figures = E::figures(&answer);
+                increments.push(IncrementRecord::of(figures, E::parts(&answer).1));
                 widest = widest.max(figures.half_width);
-                found.has_collapsed = answer.has_collapsed();
+                found.has_collapsed = E::has_collapsed(&answer);
                 found.interrupted = interrupted;
                 if let (false, Some(interrupt)) = (steps.are_final(), interrupted) {
                     return Err(Error::Interrupted(interrupt).into());
                 }
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
-                    found.figures.push(Some(Figures { bodies: answer.body_figures(), ..figures }));
-                    let outcome = answer.outcome_mut();
+                    let measure = || engine.measure(&answer, &found.memory);
+                    found.figures.push((!steps.are_final()).then(measure));
+                    let outcome = E::outcome_mut(&mut answer);
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
                     let increments = std::mem::take(&mut increments);
@@ -341,8 +362,9 @@ impl<E: Memory> History<'_, E> {
                         engine.step_as_iterated(&answer, target)
                     };
                     // The observer may stop the solve while the fields are computed.
-                    found.interrupted = step.status().interrupt();
-                    step.end_load(LoadEnd { load, last_increment, increments, reached });
+                    found.interrupted = step.status.interrupt();
+                    step.load = load;
+                    step.path = Path { increments, last_increment, reached, ..step.path };
                     steps.take(number, step, run.observer);
                     if found.interrupted.is_some() {
                         return Ok(found);
@@ -353,7 +375,7 @@ impl<E: Memory> History<'_, E> {
                     return Ok(found);
                 }
                 let outcome;
-                (system, outcome) = answer.into_parts();
+                (system, outcome) = E::into_parts(answer);
                 system.commit(outcome.state.response.displacement);
                 k += 1;
             }
@@ -388,11 +410,11 @@ impl<E: Memory> History<'_, E> {
     /// before the iteration limit of the job. Couplings without Newton's method diverge in small
     /// increments too.
     fn fails(&self, answer: &E::Answer) -> bool {
-        let Outcome { status, history, .. } = answer.outcome();
+        let Outcome { status, history, .. } = E::parts(answer).1;
         let is_lost = *status == SolveStatus::NotConverged
             && self.engine.coupling().uses_tangent_moduli()
             && history.len() < self.engine.controls().max_iterations;
-        is_lost || (!status.is_stopped() && answer.has_collapsed())
+        is_lost || (!status.is_stopped() && E::has_collapsed(answer))
     }
 
     /// Solves one increment from the accepted state.

@@ -17,22 +17,22 @@ pub(super) struct Estimates<'a> {
 }
 
 /// Takes the end of each load of a history on one system.
-pub(super) enum HistorySteps<'a, S> {
+pub(super) enum HistorySteps<'a, F> {
     /// Steps of the coarse system by the number of their load; a step replaces its predecessor
     /// with larger increments.
-    Preliminary(&'a mut Vec<S>),
+    Preliminary(&'a mut Vec<Step<F>>),
     /// Steps of the requested density.
     Final {
         estimates: Estimates<'a>,
-        receiver: &'a mut dyn StepReceiver<S>,
+        receiver: &'a mut dyn StepReceiver<F>,
         /// Number of steps received.
         done: usize,
     },
 }
 
-impl<'a, S: Step> HistorySteps<'a, S> {
+impl<'a, F> HistorySteps<'a, F> {
     /// Makes the receiver for steps of the requested density.
-    pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver<S>) -> Self {
+    pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver<F>) -> Self {
         Self::Final { estimates, receiver, done: 0 }
     }
 
@@ -49,10 +49,10 @@ impl<'a, S: Step> HistorySteps<'a, S> {
     }
 
     /// Takes the end of a load.
-    pub fn take(&mut self, number: usize, mut step: S, observer: &mut dyn Observer) {
+    pub fn take(&mut self, number: usize, mut step: Step<F>, observer: &mut dyn Observer) {
         match self {
             Self::Preliminary(steps) => {
-                step.make_preliminary();
+                step.is_preliminary = true;
                 if let Some(before) = steps.get_mut(number) {
                     *before = step;
                 } else {
@@ -61,7 +61,8 @@ impl<'a, S: Step> HistorySteps<'a, S> {
             }
             Self::Final { estimates, receiver, done } => {
                 let of = |figures: &[Option<Figures>]| figures.get(number).copied().flatten();
-                step.estimate(of(estimates.coarse), of(estimates.increments));
+                step.coarse = of(estimates.coarse);
+                step.increment_error = of(estimates.increments);
                 receiver.step(step, observer);
                 *done += 1;
             }
@@ -88,18 +89,18 @@ impl<'a, S: Step> HistorySteps<'a, S> {
 ///
 /// # Errors
 /// [`Error::Interrupted`] where there is no step at all.
-pub(super) fn keep_preliminary<S: Step>(
-    steps: Vec<S>,
+pub(super) fn keep_preliminary<F>(
+    steps: Vec<Step<F>>,
     done: usize,
     interrupt: Interrupt,
-    receiver: &mut dyn StepReceiver<S>,
+    receiver: &mut dyn StepReceiver<F>,
     run: &mut Run<'_>,
 ) -> Result<Interrupt, Error> {
     if steps.len().max(done) == 0 {
         return Err(Error::Interrupted(interrupt));
     }
     for mut step in steps.into_iter().skip(done) {
-        step.set_status(interrupt.into());
+        step.status = interrupt.into();
         receiver.step(step, run.observer);
     }
     Ok(interrupt)

@@ -17,30 +17,15 @@ const LESS_AND_MORE: [f64; 2] = [0.95, 1.05];
 /// Force and approach at the end of a load.
 pub type Reached = [f64; 2];
 
-/// What has to be known of a step.
-#[derive(Debug, Clone, Copy)]
-pub struct Loaded {
-    /// The load.
-    pub load: ContactLoad,
-    /// Force and approach under it.
-    pub reached: Reached,
-    /// Whether it has a slope that is not known yet.
-    pub is_sought: bool,
-}
-
 /// Solves loads one after the other on a small mesh. Returns what the last one reaches; `None`
 /// where there is no answer.
 pub type Solve<'a> =
     dyn FnMut(&[ContactLoad], &mut dyn Observer) -> Result<Option<Reached>, Interrupt> + 'a;
 
-/// Reads a step, and stores its slope.
-pub type OfStep<S> = (fn(&S) -> Loaded, fn(&mut S, f64));
-
 /// Gives each step its slope and hands it over.
-pub struct Slopes<'a, S> {
-    receiver: &'a mut dyn StepReceiver<S>,
-    loaded: fn(&S) -> Loaded,
-    give: fn(&mut S, f64),
+pub struct Slopes<'a, F> {
+    receiver: &'a mut dyn StepReceiver<F>,
+    is_sought: fn(&Step<F>) -> bool,
     solve: &'a mut Solve<'a>,
     /// Whether each load starts from the state after the load before.
     is_history: bool,
@@ -50,16 +35,17 @@ pub struct Slopes<'a, S> {
     largest: Reached,
 }
 
-impl<'a, S: Step> Slopes<'a, S> {
-    /// Hands steps over to `receiver`: `loaded` reads a step, and `give` stores its slope.
+impl<'a, F> Slopes<'a, F> {
+    /// Hands steps over to `receiver`; `is_sought` tells those that have a slope which is not known
+    /// yet.
     pub fn new(
-        receiver: &'a mut dyn StepReceiver<S>,
-        (loaded, give): OfStep<S>,
+        receiver: &'a mut dyn StepReceiver<F>,
+        is_sought: fn(&Step<F>) -> bool,
         is_history: bool,
         solve: &'a mut Solve<'a>,
     ) -> Self {
         let (before, largest) = (Vec::new(), [0.0; 2]);
-        Self { receiver, loaded, give, solve, is_history, before, largest }
+        Self { receiver, is_sought, solve, is_history, before, largest }
     }
 
     fn slope(
@@ -87,13 +73,14 @@ impl<'a, S: Step> Slopes<'a, S> {
     }
 }
 
-impl<S: Step> StepReceiver<S> for Slopes<'_, S> {
-    fn step(&mut self, mut step: S, observer: &mut dyn Observer) {
-        let Loaded { load, reached, is_sought } = (self.loaded)(&step);
-        if is_sought {
+impl<F> StepReceiver<F> for Slopes<'_, F> {
+    fn step(&mut self, mut step: Step<F>, observer: &mut dyn Observer) {
+        let load = step.load;
+        let reached = [step.figures.force, step.figures.approach];
+        if (self.is_sought)(&step) {
             match self.slope(load, observer) {
-                Ok(slope) => slope.into_iter().for_each(|slope| (self.give)(&mut step, slope)),
-                Err(interrupt) => step.set_status(interrupt.into()),
+                Ok(slope) => step.contact_stiffness = slope.or(step.contact_stiffness),
+                Err(interrupt) => step.status = interrupt.into(),
             }
         }
         if self.is_history {

@@ -4,7 +4,6 @@
 use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome};
 use super::couplings::{self, Coupling};
-use super::figures::{BodyFigures, Figures};
 use super::observer::IterationRecord;
 use super::run::Run;
 use crate::{Error, Interrupted};
@@ -16,8 +15,8 @@ pub trait Engine {
     type System: ContactSystem;
     /// The resolution of the system and its extent around the contact.
     type Design;
-    /// An outcome with the figures of the engine.
-    type Answer: Answer<System = Self::System>;
+    /// An outcome on its system, with what the engine derives from both.
+    type Answer;
     /// The errors of the engine and of the alternation.
     type Error: From<Error> + Interrupted;
 
@@ -68,35 +67,6 @@ pub struct Round {
     pub load: ContactLoad,
     /// Number of continuations, zero at first.
     pub number: usize,
-}
-
-/// An outcome, its system and the figures that the engine derives from them.
-pub trait Answer {
-    /// The bodies in contact.
-    type System: ContactSystem;
-
-    /// The bodies.
-    fn system(&self) -> &Self::System;
-
-    /// How the iteration ended.
-    fn outcome(&self) -> &Outcome;
-
-    /// The outcome, mutably.
-    fn outcome_mut(&mut self) -> &mut Outcome;
-
-    /// Takes the answer apart into system and outcome.
-    fn into_parts(self) -> (Self::System, Outcome);
-
-    /// Headline figures of the contact; zeros without contact.
-    fn figures(&self) -> Figures;
-
-    /// Figures of both bodies; by default none.
-    fn body_figures(&self) -> [BodyFigures; 2] {
-        Default::default()
-    }
-
-    /// Whether strains have outgrown the theory of small strains.
-    fn has_collapsed(&self) -> bool;
 }
 
 /// The judgement of an engine on an outcome.

@@ -197,7 +197,7 @@ fn write_flow(text: &mut String) -> std::fmt::Result {
         flow.load = Load::History(History::new(loads.to_vec()).unwrap());
         let answer = timed(&flow).1;
         let mut search = flow.clone();
-        let value = PositiveF64::new(answer.steps[1].approach).unwrap();
+        let value = PositiveF64::new(answer.steps[1].figures.approach).unwrap();
         search.load = Load::Target(Target { figure: TargetFigure::PermanentApproach, value });
         let runs: Vec<[f64; 3]> = (0..9)
             .map(|_| {
@@ -209,7 +209,7 @@ fn write_flow(text: &mut String) -> std::fmt::Result {
         writeln!(
             text,
             "| {ratio} | {} | {} | {:.0} | {:.1} | {:.1} |",
-            up.increments.len(),
+            up.path.increments.len(),
             up.history.len(),
             median(runs.iter().map(|run| run[0])),
             median(runs.iter().map(|run| run[1])),
@@ -459,7 +459,7 @@ struct FloorBody {
 impl Floor {
     fn of(job: &Job, solution: &Solution) -> Self {
         let step = &solution.steps[0];
-        let sides = [(&job.upper, &step.bodies[0]), (&job.lower, &step.bodies[1])];
+        let sides = [(&job.upper, &step.field.bodies[0]), (&job.lower, &step.field.bodies[1])];
         Self {
             bodies: sides.map(|(body, solved)| {
                 let Material::Deformable(material) = &body.material else {

@@ -179,27 +179,28 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
         let run = half_spaces::run_each(&problem, &mut Patience::new(), &mut steps).ok()?;
         let is_solved = run.interrupted.is_none()
             && steps.iter().all(|step: &half_spaces::HalfSpaceStep| {
-                step.status == SolveStatus::Converged && step.missed.is_none()
+                step.status == SolveStatus::Converged && step.search.missed.is_none()
             });
         let mut unknown = FigureSet::default();
         let solved = steps.iter_mut().map(|step| {
-            step.unknown_before = unknown;
+            step.path.unknown_before = unknown;
             let [void, left] = unknown_figures(&job, &problem, step);
-            if !step.increments.is_empty() {
+            if !step.path.increments.is_empty() {
                 unknown = left;
             }
             let is_known = |figure, side| {
                 !void.has(figure, side)
                     && (figure != Figure::LeastStress || step.figures.force <= 0.0)
             };
+            let errors = half_spaces::errors(step, None);
             let bar = |(figure, side)| {
-                let errors = step.errors.as_ref().filter(|_| is_known(figure, side))?;
+                let errors = errors.as_ref().filter(|_| is_known(figure, side))?;
                 Some((errors.get(figure, side) / step.figures.get(figure, side)).abs())
             };
             Solved {
                 figures: step.figures,
                 bars: places().map(bar).collect(),
-                scales: Some(step.scales_of_floors()),
+                scales: Some(half_spaces::scales_of_floors(step)),
                 yields: step.figures.bodies.iter().any(|body| body.max_plastic_strain > 0.0),
             }
         });
@@ -210,18 +211,18 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
         && solution.steps.iter().all(|step| step.status == SolveStatus::Converged);
     let mut unknown = FigureSet::default();
     let solved = solution.steps.into_iter().map(|mut step| {
-        step.unknown_before = unknown;
+        step.path.unknown_before = unknown;
         let (errors, left) = estimate_error(&job, &step);
-        if !step.increments.is_empty() {
+        if !step.path.increments.is_empty() {
             unknown = left;
         }
         let bars: Vec<_> =
             places().map(|(figure, side)| errors.as_ref()?.of_figure(figure, side)).collect();
         Solved {
-            figures: step.figures(),
+            figures: step.figures,
             bars,
             scales: scales_of_floors(&step),
-            yields: step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0),
+            yields: step.field.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0),
         }
     });
     is_solved.then(|| solved.collect())

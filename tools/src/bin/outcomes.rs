@@ -49,7 +49,7 @@ fn outcome(job: &Value) -> String {
             Some(step) => match step.status {
                 SolveStatus::Converged => step.history.len().to_string(),
                 SolveStatus::TimedOut => format!("**over {} s**", PATIENCE.as_secs()),
-                _ => format!("**no: {:.0e}**", step.equilibrium_residual),
+                _ => format!("**no: {:.0e}**", step.checks.residual),
             },
             None => "**no step**".to_owned(),
         },

@@ -17,14 +17,13 @@ use super::final_check::{Evidence, LeastScales, judge};
 use super::force_search::Density;
 use super::history::{Memory, NextIncrement};
 use super::increments::Growth;
-use super::observer::SolveStatus;
 use super::progress::Progress;
 use super::run::Run;
-use super::solve::{Answer, Engine, Round, Verdict, VerdictOf, solve};
-use super::steps::{LoadEnd, Step};
+use super::solve::{Engine, Round, Verdict, VerdictOf, solve};
+use super::steps::{Checks, Path, Search, Step};
 use crate::Error;
 use brinell_contact::kkt::ContactScales;
-use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
+use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution};
 use dense_cholesky::SymmetricMatrix;
 
 /// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and depth of zero
@@ -182,25 +181,7 @@ struct SpringAnswer {
     continued: usize,
 }
 
-impl Answer for SpringAnswer {
-    type System = HalfPlanes;
-
-    fn system(&self) -> &HalfPlanes {
-        &self.system
-    }
-
-    fn outcome(&self) -> &Outcome {
-        &self.outcome
-    }
-
-    fn outcome_mut(&mut self) -> &mut Outcome {
-        &mut self.outcome
-    }
-
-    fn into_parts(self) -> (HalfPlanes, Outcome) {
-        (self.system, self.outcome)
-    }
-
+impl SpringAnswer {
     fn figures(&self) -> Figures {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, pairs } =
@@ -209,14 +190,8 @@ impl Answer for SpringAnswer {
         Figures { peak_pressure, half_width, approach, force, ..Figures::default() }
     }
 
-    fn has_collapsed(&self) -> bool {
-        false
-    }
-}
-
-impl SpringAnswer {
     /// Returns the step. The check evaluates the answer anew from its forces.
-    fn step(&self, load: ContactLoad, least: LeastScales) -> SpringStep {
+    fn step(&self, load: ContactLoad, least: LeastScales) -> Step<()> {
         let Self { system, outcome, .. } = self;
         let state = &outcome.state;
         let evidence = if outcome.status.is_stopped() {
@@ -248,60 +223,32 @@ impl SpringAnswer {
                 reaches_edge: false,
             }
         };
-        let (status, check) = judge(system, outcome, &evidence, load, TOLERANCE, least.contact);
-        SpringStep {
+        self.judged(&evidence, load, least.contact)
+    }
+
+    fn judged(&self, evidence: &Evidence, load: ContactLoad, least: ContactScales) -> Step<()> {
+        let Self { system, outcome, .. } = self;
+        let (status, contact) = judge(system, outcome, evidence, load, TOLERANCE, least);
+        Step {
             status,
-            check,
+            load,
             figures: self.figures(),
+            coarse: None,
+            increment_error: None,
+            checks: Checks {
+                contact,
+                residual: evidence.equilibrium_residual,
+                reaches_edge: evidence.reaches_edge,
+                has_collapsed: evidence.has_collapsed,
+            },
+            history: outcome.history.clone(),
+            path: Path::default(),
+            search: Search::default(),
+            contact_stiffness: None,
+            enlargements: 0,
             is_preliminary: false,
-            errors: [None; 2],
-            end: None,
+            field: (),
         }
-    }
-}
-
-/// The step of a load.
-struct SpringStep {
-    status: SolveStatus,
-    check: KktReport,
-    figures: Figures,
-    is_preliminary: bool,
-    /// Changes of the figures from the coarse history, and from half as many increments.
-    errors: [Option<Figures>; 2],
-    end: Option<LoadEnd>,
-}
-
-impl Step for SpringStep {
-    fn status(&self) -> SolveStatus {
-        self.status
-    }
-
-    fn set_status(&mut self, status: SolveStatus) {
-        self.status = status;
-    }
-
-    fn reaches_edge(&self) -> bool {
-        false
-    }
-
-    fn has_collapsed(&self) -> bool {
-        false
-    }
-
-    fn end_load(&mut self, end: LoadEnd) {
-        self.end = Some(end);
-    }
-
-    fn estimate(&mut self, coarse: Option<Figures>, increments: Option<Figures>) {
-        self.errors = [coarse, increments];
-    }
-
-    fn make_preliminary(&mut self) {
-        self.is_preliminary = true;
-    }
-
-    fn miss(&mut self, _: f64) {
-        self.status = SolveStatus::NotConverged;
     }
 }
 
@@ -357,7 +304,7 @@ impl Springs {
 }
 
 impl Memory for Springs {
-    type Step = SpringStep;
+    type Field = ();
     /// Number of contact pairs that was sufficient, and displacements at the end of each
     /// increment.
     type Record = (usize, Vec<BlockVector>);
@@ -376,6 +323,30 @@ impl Memory for Springs {
             scales: Scales::default(),
             increment: None,
         }
+    }
+
+    fn parts(answer: &SpringAnswer) -> (&HalfPlanes, &Outcome) {
+        (&answer.system, &answer.outcome)
+    }
+
+    fn outcome_mut(answer: &mut SpringAnswer) -> &mut Outcome {
+        &mut answer.outcome
+    }
+
+    fn into_parts(answer: SpringAnswer) -> (HalfPlanes, Outcome) {
+        (answer.system, answer.outcome)
+    }
+
+    fn figures(answer: &SpringAnswer) -> Figures {
+        answer.figures()
+    }
+
+    fn has_collapsed(_: &SpringAnswer) -> bool {
+        false
+    }
+
+    fn measure(&self, answer: &SpringAnswer, _: &Self::Record) -> Figures {
+        answer.figures()
     }
 
     fn begin(&self, system: &HalfPlanes) -> Self::Record {
@@ -419,18 +390,16 @@ impl Memory for Springs {
         _: &mut Self::Record,
         progress: &Progress,
         _: &mut Run<'_>,
-    ) -> SpringStep {
+    ) -> Step<()> {
         let least =
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         answer.step(load, least)
     }
 
-    fn step_as_iterated(&self, answer: &SpringAnswer, load: ContactLoad) -> SpringStep {
+    fn step_as_iterated(&self, answer: &SpringAnswer, load: ContactLoad) -> Step<()> {
         let Self::Answer { system, outcome, .. } = answer;
         let evidence = Evidence::of_iteration(system, outcome, false);
-        let (status, check) =
-            judge(system, outcome, &evidence, load, TOLERANCE, ContactScales::default());
-        SpringStep { status, check, ..answer.step(load, LeastScales::default()) }
+        answer.judged(&evidence, load, ContactScales::default())
     }
 }
 

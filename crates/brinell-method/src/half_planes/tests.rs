@@ -6,7 +6,7 @@ use super::super::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
 use super::super::force_search::{Terms, find};
 use super::super::history;
 use super::super::loads::{Wanted, each_load};
-use super::super::observer::{Interrupt, IterationRecord, Observer};
+use super::super::observer::{Interrupt, IterationRecord, Observer, SolveStatus};
 use super::*;
 use crate::observer::Unobserved;
 use crate::phases::PhaseTimes;
@@ -60,7 +60,7 @@ fn couplings_agree_and_the_answer_satisfies_the_laws() {
             answer.continued
         );
         let step = answer.step(ContactLoad::Force(400.0), LeastScales::default());
-        assert_eq!(step.status, SolveStatus::Converged, "{name}: {:?}", step.check);
+        assert_eq!(step.status, SolveStatus::Converged, "{name}: {:?}", step.checks.contact);
         let plastic = answer.system.gap_opening(&answer.outcome.state.loads);
         let force = &answer.outcome.state.response.contact.force;
         for (force, p) in force.iter().zip(plastic).filter(|(_, p)| *p > 0.0) {
@@ -80,7 +80,7 @@ fn the_check_finds_out_a_wrong_contact() {
     answer.outcome.state.response.contact.approach *= 1.001;
     let step = answer.step(ContactLoad::Force(400.0), LeastScales::default());
     assert_eq!(step.status, SolveStatus::NotConverged);
-    assert!(!step.check.is_sound());
+    assert!(!step.checks.contact.is_sound());
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn history_of(
     coupling: &'static dyn Coupling,
     forces: &[f64],
     observer: &mut dyn Observer,
-) -> (Vec<SpringStep>, Option<Interrupt>) {
+) -> (Vec<Step<()>>, Option<Interrupt>) {
     let loads: Vec<_> = forces.iter().map(|force| ContactLoad::Force(*force)).collect();
     let mut steps = Vec::new();
     let (end, _) =
@@ -118,8 +118,8 @@ fn a_history_leaves_a_dent_and_loads_again_as_elastic_bodies_do() {
     let (steps, interrupt) = history_of(&Accelerated, &forces, &mut Unobserved);
     assert_eq!((steps.len(), interrupt), (4, None));
     for step in &steps {
-        assert_eq!(step.status, SolveStatus::Converged, "{:?}", step.check);
-        assert!(step.errors.iter().all(Option::is_some) && !step.is_preliminary);
+        assert_eq!(step.status, SolveStatus::Converged, "{:?}", step.checks.contact);
+        assert!(step.coarse.and(step.increment_error).is_some() && !step.is_preliminary);
     }
     // Each spring hardens by its own pressure, so that the number of increments has no effect.
     let (single, _) = solved(&Strong, 400.0, &mut Unobserved);
@@ -127,9 +127,9 @@ fn a_history_leaves_a_dent_and_loads_again_as_elastic_bodies_do() {
         assert!((loaded.figures.peak_pressure / peak(&single) - 1.0).abs() < 1e-6);
     }
     assert!(steps[1].figures.approach > 0.01 * steps[0].figures.approach);
-    let end = steps[2].end.as_ref().unwrap();
+    let end = &steps[2].path;
     assert_eq!((end.increments.len(), end.reached[0]), (1, steps[0].figures.approach));
-    assert!(steps[0].end.as_ref().unwrap().increments.len() > 3);
+    assert!(steps[0].path.increments.len() > 3);
 }
 
 #[test]
@@ -170,7 +170,7 @@ fn a_search_finds_the_force_of_a_pressure_from_either_side() {
             most_fine: 4,
             missed: 0.01,
         };
-        let ratio = |step: &SpringStep| step.figures.peak_pressure / wanted;
+        let ratio = |step: &Step<()>| step.figures.peak_pressure / wanted;
         let too_large = |error: Error| Err(error);
         let wanted = Wanted { is_permanent: false, ratio: &ratio, too_large: &too_large };
         let trial = |density, force, run: &mut Run<'_>| {

@@ -79,7 +79,7 @@ impl<'a> ReportBuilder<'a> {
         observer: &mut dyn Observer,
     ) -> StepReport {
         let start = observer.elapsed();
-        step.unknown_before = self.unknown;
+        step.path.unknown_before = self.unknown;
         let fields = FieldReports::of(self.job, &step, self.write, observer);
         let fields = fields.unwrap_or_else(|interrupt| {
             step.status = interrupt.into();
@@ -87,40 +87,42 @@ impl<'a> ReportBuilder<'a> {
             FieldReports::NONE
         });
         let step = &step;
-        let reference = ElasticReference::of(self.job, step.force());
+        let reference = ElasticReference::of(self.job, step.figures.force);
         let mut findings = validity::findings(self.job, step, reference.as_ref());
         let bars = error_bars::estimate(self.job, step, &findings);
         let approach_bar = bars.and_then(|bars| bars.approach);
         findings.extend(validity::small_approach(step, approach_bar));
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
-            self.is_history |= !step.increments.is_empty();
+            self.is_history |= !step.path.increments.is_empty();
             if self.is_history {
                 self.unknown = left_unknown(self.unknown, &findings);
             }
-            let (half_width, stiffness) = (step.half_width(), step.contact_stiffness);
-            let end = [step.approach, step.force(), half_width];
+            let (half_width, stiffness) = (step.figures.half_width, step.contact_stiffness);
+            let end = [step.figures.approach, step.figures.force, half_width];
             self.curve.extend(load_approach::points(
-                &step.increments,
+                &step.path.increments,
                 end,
-                step.spacing,
+                step.field.spacing,
                 stiffness,
             ));
         }
         // A stopped job may end with preliminary steps of a coarser mesh, after steps of the
         // requested mesh. The report describes the requested mesh if it has any step.
-        if !step.is_preliminary() || self.mesh.nodes == 0 {
+        if !step.is_preliminary || self.mesh.nodes == 0 {
             let enlargements = self.mesh.enlargements + step.enlargements;
             self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
         }
         self.target.see(self.job, step, &findings);
         self.hardness.see(self.job, step, &findings);
         let measured = Measured {
-            is_dented: is_dented(self.dented_under, step.force()),
+            is_dented: is_dented(self.dented_under, step.figures.force),
             ..measured(self.job, step, reference.as_ref(), &findings)
         };
-        if step.energy.is_some() && step.bodies.iter().flatten().any(|body| body.has_yielded()) {
-            self.dented_under = self.dented_under.max(step.force());
+        if step.path.energy.is_some()
+            && step.field.bodies.iter().flatten().any(|body| body.has_yielded())
+        {
+            self.dented_under = self.dented_under.max(step.figures.force);
         }
         let over_friction = reference.as_ref().map(|reference| {
             let limits = || over_friction(self.job, reference, self.write);
@@ -207,12 +209,13 @@ impl FieldReports {
                     Ok(subsurface::profile(step, body, x, write))
                 })
             };
-            let below_peak = subsurface::is_beside_middle(step).then(|| at(step.peak_position));
-            reports.subsurface = [Some(at(step.middle)?), below_peak.transpose()?];
+            let below_peak =
+                subsurface::is_beside_middle(step).then(|| at(step.field.peak_position));
+            reports.subsurface = [Some(at(step.field.middle)?), below_peak.transpose()?];
         }
         reports.plasticity = PerBody::try_of(step, |body| {
             ask(observer)?;
-            Ok(plasticity_report(body, step.symmetric, write))
+            Ok(plasticity_report(body, step.field.symmetric, write))
         })?;
         if job.output.fields {
             reports.fields = Some(fields::fields(step, write, observer)?);
@@ -246,7 +249,7 @@ fn step_report(
             ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),
         },
         status: step.status,
-        approach: Some(write.length(step.approach)),
+        approach: Some(write.length(step.figures.approach)),
         approach_datum: approach_datum(job, write),
         contact: contact::report(step, write),
         contact_stiffness: step.contact_stiffness.map(|slope| write.stiffness(slope)),
@@ -384,12 +387,12 @@ pub(super) fn in_units(record: &IterationRecord, write: UnitConverter) -> Iterat
 
 /// Returns the mesh of one load step.
 fn mesh_report(step: &StepSolution, write: UnitConverter) -> MeshReport {
-    let bodies = || step.bodies.iter().flatten();
+    let bodies = || step.field.bodies.iter().flatten();
     let quality = bodies().map(|body| body.quality);
     MeshReport {
-        symmetric: step.symmetric,
-        spacing: write.length(step.spacing),
-        contact_pairs: step.pairs.len(),
+        symmetric: step.field.symmetric,
+        spacing: write.length(step.field.spacing),
+        contact_pairs: step.field.pairs.len(),
         nodes: bodies().map(|body| body.mesh.nodes.len()).sum(),
         elements: bodies().map(|body| body.mesh.elements.len()).sum(),
         equations: bodies().map(|body| body.equations).sum(),

@@ -65,22 +65,26 @@ pub struct ContactNodes {
 pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport {
     // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. For a body of revolution x is the
     // radius.
-    let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
+    let mirrored =
+        if step.field.is_mirrored() { step.field.pairs.get(1..).unwrap_or(&[]) } else { &[] };
     let pairs = || {
         mirrored
             .iter()
             .rev()
             .map(|pair| (pair, -1.0))
-            .chain(step.pairs.iter().map(|pair| (pair, 1.0)))
+            .chain(step.field.pairs.iter().map(|pair| (pair, 1.0)))
     };
     ContactReport {
-        force: write.force(step.force()),
-        half_width: write.length(step.half_width()),
-        half_angle: step.conforming.map(|pair| pair.angle(step.half_width()).to_degrees()),
-        peak_pressure: write.stress(step.peak_pressure),
-        peak_position: write.length(step.peak_position),
-        middle_pressure: write.stress(step.middle_pressure()),
-        mean_pressure: write.stress(step.mean_pressure()),
+        force: write.force(step.figures.force),
+        half_width: write.length(step.figures.half_width),
+        half_angle: step
+            .field
+            .conforming
+            .map(|pair| pair.angle(step.figures.half_width).to_degrees()),
+        peak_pressure: write.stress(step.figures.peak_pressure),
+        peak_position: write.length(step.field.peak_position),
+        middle_pressure: write.stress(step.figures.middle_pressure),
+        mean_pressure: write.stress(step.field.mean_pressure(&step.figures)),
         patches: patches(step)
             .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })
             .collect(),
@@ -96,12 +100,12 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
 /// Returns the parts of the contact with their interpolated ends. A plane half model has each part
 /// and its mirror image.
 fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
-    let mut parts = step.parts.clone();
-    if let (Some(part), Some(whole)) = (parts.last_mut(), step.patch) {
+    let mut parts = step.field.parts.clone();
+    if let (Some(part), Some(whole)) = (parts.last_mut(), step.field.patch) {
         part.right = whole.right;
     }
     let mut images = Vec::new();
-    if step.is_mirrored() {
+    if step.field.is_mirrored() {
         images = parts
             .iter()
             .rev()
@@ -115,7 +119,7 @@ fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
             images.pop();
         }
     } else if let (Some(part), Some(whole), false) =
-        (parts.first_mut(), step.patch, step.symmetric)
+        (parts.first_mut(), step.field.patch, step.field.symmetric)
     {
         part.left = whole.left;
     }

@@ -192,7 +192,7 @@ impl<T: Clone> PerBody<Option<T>> {
         step: &StepSolution,
         mut say: impl FnMut(&BodySolution) -> Result<T, E>,
     ) -> Result<Self, E> {
-        let [upper, lower] = &step.bodies;
+        let [upper, lower] = &step.field.bodies;
         let mut of =
             |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body)).transpose();
         let of_upper = of(upper)?;

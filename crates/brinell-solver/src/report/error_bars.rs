@@ -138,10 +138,14 @@ pub(super) fn estimate(
     Some(match (step.load, &job.load) {
         (ContactLoad::Approach(_), _) => bars,
         (ContactLoad::Force(_), Load::Onset) => {
-            bars.with_force_error(step.force_error.unwrap_or(0.0), None)
+            bars.with_force_error(step.search.force_error.unwrap_or(0.0), None)
         }
         (ContactLoad::Force(force), Load::Target(target)) if force > 0.0 => {
-            match step.force_error.filter(|_| of_target(target.figure, &bars, false).is_some()) {
+            match step
+                .search
+                .force_error
+                .filter(|_| of_target(target.figure, &bars, false).is_some())
+            {
                 Some(error) => bars.with_force_error(error, Some(target.figure)),
                 None => bars.without_force(target.figure),
             }
@@ -153,9 +157,9 @@ pub(super) fn estimate(
 /// Returns the error bars of a load step, and the figures of the bodies that it leaves unknown to
 /// the loads that follow it in a history.
 pub fn estimate_error(job: &Job, step: &StepSolution) -> (Option<ErrorEstimate>, FigureSet) {
-    let reference = ElasticReference::of(job, step.force());
+    let reference = ElasticReference::of(job, step.figures.force);
     let findings = validity::findings(job, step, reference.as_ref());
-    (estimate(job, step, &findings), left_unknown(step.unknown_before, &findings))
+    (estimate(job, step, &findings), left_unknown(step.path.unknown_before, &findings))
 }
 
 /// Returns what the floors of the figures of a load step are multiplied by; `None` where the step
@@ -180,7 +184,7 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
         })
     };
     let of_body = |side: usize| {
-        step.bodies[side].as_ref()?;
+        step.field.bodies[side].as_ref()?;
         let of = |figure: Figure| known.bar(figure, side, bars.of_figure(figure, side));
         let found = bars.found.bodies[side];
         let at_surface = |figure: Figure, found: f64, beyond: fn(&UncertainStress, f64) -> f64| {
@@ -206,7 +210,8 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
         })
     };
     // Of a tip the peak in the middle is without bound.
-    let is_peak_in_middle = (step.peak_position - step.middle).abs() < BESIDE * step.spacing;
+    let is_peak_in_middle =
+        (step.field.peak_position - step.field.middle).abs() < BESIDE * step.field.spacing;
     // Where an edge is left out, the contact ends anywhere on an element.
     let is_edge_left_out =
         findings.iter().any(|finding| matches!(finding, Finding::RoundedEdge { .. }));
@@ -303,9 +308,9 @@ impl ErrorEstimate {
 
 /// Returns the error bar of the contact stiffness.
 fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
-    let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    match step.stress_state {
-        state if !yields || !step.flows && step.approach < step.reached[0] => {
+    let yields = step.field.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
+    match step.field.stress_state {
+        state if !yields || !step.path.flows && step.figures.approach < step.path.reached[0] => {
             STIFFNESS_FLOORS[usize::from(state == StressState::Axisymmetric)] * size
         }
         StressState::PlaneStress => SLOPE_ERROR_IN_PLANE_STRESS,

@@ -53,7 +53,7 @@ pub(super) fn fields(
     write: UnitConverter,
     observer: &mut dyn Observer,
 ) -> Result<PerBody<Option<FieldsReport>>, Interrupt> {
-    let [upper, lower] = &step.bodies;
+    let [upper, lower] = &step.field.bodies;
     let mut of = |body: &Option<Arc<BodySolution>>, mirror| {
         let body = body.as_ref();
         body.map(|body| body_fields(body, step, mirror, write, observer)).transpose()
@@ -73,7 +73,7 @@ fn body_fields(
 ) -> Result<FieldsReport, Interrupt> {
     ask(observer)?;
     // The addition of zero turns a mirrored -0 into 0.
-    let (sign, gap) = if mirror { (-1.0, step.smallest_gap) } else { (1.0, 0.0) };
+    let (sign, gap) = if mirror { (-1.0, step.field.smallest_gap) } else { (1.0, 0.0) };
     let global =
         |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];
     let mut report = FieldsReport {

@@ -107,15 +107,15 @@ pub struct SurfaceReport {
 pub(super) const NOTICEABLE: f64 = 1e-6;
 
 pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowReport> {
-    let energy = step.energy?;
+    let energy = step.path.energy?;
     Some(FlowReport {
-        unloading_stiffness: write.stiffness(step.unloading_stiffness),
+        unloading_stiffness: write.stiffness(step.field.unloading_stiffness),
         energy: EnergyReport::of(energy, write),
-        increments: IncrementsReport::of(&step.increments, write),
+        increments: IncrementsReport::of(&step.path.increments, write),
         surfaces: if step.status.is_stopped() {
             PerBody { upper: None, lower: None }
         } else {
-            PerBody::of(step, |body| surface(body, step.symmetric, write))
+            PerBody::of(step, |body| surface(body, step.field.symmetric, write))
         },
     })
 }

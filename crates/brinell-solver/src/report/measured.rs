@@ -23,15 +23,15 @@ pub(super) fn measured(
     let at_rest = Measured {
         effective_radius: radius.filter(|radius| radius.is_finite() && *radius > 0.0),
         points: "integration points",
-        figures: if step.status.is_stopped() { Figures::default() } else { step.figures() },
+        figures: if step.status.is_stopped() { Figures::default() } else { step.figures },
         ..Measured::default()
     };
     if step.status.is_stopped() {
         return at_rest;
     }
     let core = largest_in(step, |side, body| core(job, side, body));
-    if step.force() <= 0.0 {
-        let tension = largest_in(step, tension).filter(|_| step.energy.is_some());
+    if step.figures.force <= 0.0 {
+        let tension = largest_in(step, tension).filter(|_| step.path.energy.is_some());
         return Measured { core, tension, ..at_rest };
     }
     let is_sought = job.load == Load::Onset;
@@ -40,16 +40,16 @@ pub(super) fn measured(
     });
     let is_half_space = !findings.contains(&Finding::NearSupport) && !is_sought;
     let reference = reference.filter(|_| is_half_space);
-    let closed = reference.and_then(|_| elastic_utilization(job, step.force()));
-    let is_elastic = !step.bodies.iter().flatten().any(|body| body.has_yielded());
+    let closed = reference.and_then(|_| elastic_utilization(job, step.figures.force));
+    let is_elastic = !step.field.bodies.iter().flatten().any(|body| body.has_yielded());
     let utilization = closed.or_else(|| {
         let found = highest_utilization(step, &Problem::of(job)).filter(|_| is_elastic)?;
-        let frame = step.bodies[found.body].as_ref()?.mesh.frame;
+        let frame = step.field.bodies[found.body].as_ref()?.mesh.frame;
         let [x, depth] = frame.place(found.position);
         Some((found.ratio, [x, depth], found.body))
     });
     let first_yield = if is_sought {
-        Some(step.force())
+        Some(step.figures.force)
     } else {
         reference.and_then(|reference| reference.yield_onset_force)
     };
@@ -68,7 +68,7 @@ fn largest_in(
     step: &StepSolution,
     of: impl Fn(usize, &BodySolution) -> Option<Largest>,
 ) -> Option<Largest> {
-    let bodies = step.bodies.iter().enumerate();
+    let bodies = step.field.bodies.iter().enumerate();
     let found = bodies.filter_map(|(side, body)| of(side, body.as_ref()?));
     found.max_by(|a, b| a.value.total_cmp(&b.value))
 }

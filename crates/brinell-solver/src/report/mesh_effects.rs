@@ -25,38 +25,43 @@ const PEAK_IN_MIDDLE: f64 = 1.5;
 /// with coarser elements does not bound the error.
 pub(super) fn is_ring_on_few_elements(step: &StepSolution) -> bool {
     let is_few = |part: &ContactPatch| {
-        let holds_peak = (part.left..=part.right).contains(&step.peak_position);
-        holds_peak && part.left > 0.0 && part.right - part.left < COARSE_MESH * step.spacing
+        let holds_peak = (part.left..=part.right).contains(&step.field.peak_position);
+        holds_peak && part.left > 0.0 && part.right - part.left < COARSE_MESH * step.field.spacing
     };
-    step.stress_state == StressState::Axisymmetric && step.parts.iter().any(is_few)
+    step.field.stress_state == StressState::Axisymmetric && step.field.parts.iter().any(is_few)
 }
 
 /// Returns whether the peak pressure lies off the middle and next to an end of its part of the
 /// contact, for example below a flat with rounded edges that is given by points. The pressure
 /// there rises within single elements.
 pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
-    let is_round = step.stress_state == StressState::Axisymmetric;
+    let is_round = step.field.stress_state == StressState::Axisymmetric;
     let next = if is_round { NEXT_TO_END_OF_CIRCLE } else { NEXT_TO_END };
     let is_next = |part: &ContactPatch| {
-        let holds_peak = (part.left..=part.right).contains(&step.peak_position);
-        let is_on_axis = step.symmetric && part.left == 0.0;
-        let to_left = if is_on_axis { f64::INFINITY } else { step.peak_position - part.left };
+        let holds_peak = (part.left..=part.right).contains(&step.field.peak_position);
+        let is_on_axis = step.field.symmetric && part.left == 0.0;
+        let to_left =
+            if is_on_axis { f64::INFINITY } else { step.field.peak_position - part.left };
         let half_width = if is_on_axis { part.right } else { 0.5 * (part.right - part.left) };
-        let beside = to_left.min(part.right - step.peak_position);
+        let beside = to_left.min(part.right - step.field.peak_position);
         holds_peak
-            && beside < next * step.spacing
-            && beside < half_width - PEAK_IN_MIDDLE * step.spacing
+            && beside < next * step.field.spacing
+            && beside < half_width - PEAK_IN_MIDDLE * step.field.spacing
     };
-    let is_wide = step.patch.is_some_and(|patch| patch.half_width() > WIDE * step.spacing);
-    let is_limited = pressure_has_limit(step) && step.stress_state == StressState::PlaneStress;
-    let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some() || is_limited;
-    !is_known && (is_wide || is_round) && step.parts.iter().any(is_next)
+    let is_wide =
+        step.field.patch.is_some_and(|patch| patch.half_width() > WIDE * step.field.spacing);
+    let is_limited =
+        pressure_has_limit(step) && step.field.stress_state == StressState::PlaneStress;
+    let is_known =
+        !step.field.loaded_corners.is_empty() || step.field.rounded_edge.is_some() || is_limited;
+    !is_known && (is_wide || is_round) && step.field.parts.iter().any(is_next)
 }
 
 /// Returns whether the pressure has a limit: a body yields, and no curve of a body that yields
 /// rises without bound.
 fn pressure_has_limit(step: &StepSolution) -> bool {
-    let yielding = || step.bodies.iter().flatten().filter(|body| body.max_plastic_strain() > 0.0);
+    let yielding =
+        || step.field.bodies.iter().flatten().filter(|body| body.max_plastic_strain() > 0.0);
     let is_bounded = |body: &Arc<BodySolution>| {
         body.model.hardening().is_some_and(|law| law.largest_stress().is_finite())
     };
@@ -67,15 +72,17 @@ fn pressure_has_limit(step: &StepSolution) -> bool {
 /// sharp corner of elastic bodies and of bodies whose curve rises without bound, and at one of
 /// other bodies whose pressure still grows with the density of the mesh.
 pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
-    if step.loaded_corners.is_empty() || step.rounded_edge.is_some() {
+    if step.field.loaded_corners.is_empty() || step.field.rounded_edge.is_some() {
         return false;
     }
     if !pressure_has_limit(step) {
         return true;
     }
-    let is_at_peak = |x: &f64| (x - step.peak_position).abs() <= step.spacing;
-    let growth = step.coarse.map_or(0.0, |coarse| 1.0 - coarse.peak_pressure / step.peak_pressure);
-    step.loaded_corners.iter().any(is_at_peak) && (growth > GROWTH || !pressure_has_limit(step))
+    let is_at_peak = |x: &f64| (x - step.field.peak_position).abs() <= step.field.spacing;
+    let growth =
+        step.coarse.map_or(0.0, |coarse| 1.0 - coarse.peak_pressure / step.figures.peak_pressure);
+    step.field.loaded_corners.iter().any(is_at_peak)
+        && (growth > GROWTH || !pressure_has_limit(step))
 }
 
 /// Returns whether a clamped body of a plane analysis is deeper than wide. The clamp prevents the
@@ -84,8 +91,9 @@ pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
 pub(super) fn is_clamped_column(job: &Job, step: &StepSolution) -> bool {
     let is_column = |(body, solution): (&Body, &Option<Arc<BodySolution>>)| {
         let clamped = solution.as_ref().filter(|_| body.support == Support::Clamped);
-        clamped.is_some_and(|solution| solution.depth() > solution.width(step.symmetric))
+        clamped.is_some_and(|solution| solution.depth() > solution.width(step.field.symmetric))
     };
-    let is_plane = step.stress_state != StressState::Axisymmetric && step.conforming.is_none();
-    is_plane && [&job.upper, &job.lower].into_iter().zip(&step.bodies).any(is_column)
+    let is_plane =
+        step.field.stress_state != StressState::Axisymmetric && step.field.conforming.is_none();
+    is_plane && [&job.upper, &job.lower].into_iter().zip(&step.field.bodies).any(is_column)
 }

@@ -37,7 +37,7 @@ const KNOWN: f64 = 0.15;
 /// Returns the reason why elastic bodies yield under a smaller force than the mesh of a load step
 /// shows. Returns `None` if the mesh resolves the onset, or if a body has yielded.
 pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<Finding> {
-    if step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
+    if step.field.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
         return None;
     }
     let is_sought = job.load == Load::Onset;
@@ -46,16 +46,16 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<Finding> {
 }
 
 fn cause(job: &Job, step: &StepSolution, is_sought: bool) -> Option<OnsetUnknown> {
-    let spacing = step.spacing;
-    if let Some(edge) = &step.rounded_edge {
-        if is_sought && step.force_error.is_some_and(|error| error <= KNOWN) {
+    let spacing = step.field.spacing;
+    if let Some(edge) = &step.field.rounded_edge {
+        if is_sought && step.search.force_error.is_some_and(|error| error <= KNOWN) {
             return None;
         }
         let used = at_narrow_edge(step, &Problem::of(job))?.ratio;
         if !is_sought && used <= 1.0 {
             return None;
         }
-        let force = step.force() / used.powf(EDGE_UTILIZATION.recip());
+        let force = step.figures.force / used.powf(EDGE_UTILIZATION.recip());
         return Some(OnsetUnknown::AtEdge { width: edge.elastic.width(), spacing, force });
     }
     // Elements that resolve the edge of a punch find the peak pressure on the edge.
@@ -63,9 +63,9 @@ fn cause(job: &Job, step: &StepSolution, is_sought: bool) -> Option<OnsetUnknown
         [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
     let can_yield = || Problem::of(job).bodies.iter().any(|body| body.yield_stress().is_some());
     if !is_punch && peak_is_next_to_end(step) && can_yield() {
-        return Some(OnsetUnknown::NextToEnd { x: step.peak_position, spacing });
+        return Some(OnsetUnknown::NextToEnd { x: step.field.peak_position, spacing });
     }
-    let x = *step.loaded_corners.first().filter(|_| is_sought && peak_is_unbounded(step))?;
+    let x = *step.field.loaded_corners.first().filter(|_| is_sought && peak_is_unbounded(step))?;
     Some(OnsetUnknown::AtCorner { x })
 }
 
@@ -84,21 +84,21 @@ pub(super) fn onset(
     }
     let problem = Problem::of(job);
     let first = highest_utilization(step, &problem)?;
-    let solution = step.bodies.get(first.body)?.as_ref()?;
+    let solution = step.field.bodies.get(first.body)?.as_ref()?;
     let [x, depth] = solution.mesh.frame.place(first.position);
     // The prescribed force. The sum of the nodal forces differs from it by rounding.
     let force = match step.load {
         ContactLoad::Force(force) => force,
-        ContactLoad::Approach(_) => step.force(),
+        ContactLoad::Approach(_) => step.figures.force,
     };
     let at_edge = at_narrow_edge(step, &problem).filter(|edge| edge.ratio >= first.ratio);
-    let peak_pressure = match step.rounded_edge.filter(|_| at_edge.is_some()) {
+    let peak_pressure = match step.field.rounded_edge.filter(|_| at_edge.is_some()) {
         Some(edge) => edge.elastic.peak_pressure(),
-        None => step.peak_pressure,
+        None => step.figures.peak_pressure,
     };
     Some(YieldOnsetReport {
         force: write.force(force),
-        approach: write.length(step.approach),
+        approach: write.length(step.figures.approach),
         peak_pressure: write.stress(peak_pressure),
         body: if first.body == 0 { Side::Upper } else { Side::Lower },
         position: write.length(x),

@@ -11,11 +11,18 @@ const SMALL_STRAIN: f64 = 0.01;
 /// Returns the findings on plastic strain.
 pub(super) fn findings(job: &Job, step: &StepSolution) -> Vec<Finding> {
     let bodies = [0, 1].map(|side| {
-        step.bodies[side].as_deref().is_some_and(|body| body.bounded_plastic_strain().is_none())
+        step.field.bodies[side]
+            .as_deref()
+            .is_some_and(|body| body.bounded_plastic_strain().is_none())
     });
     let unbounded = bodies.contains(&true).then_some(Finding::UnboundedStrain { bodies });
-    let strain =
-        step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
+    let strain = step
+        .field
+        .bodies
+        .iter()
+        .flatten()
+        .map(|body| body.max_plastic_strain())
+        .fold(0.0, f64::max);
     unbounded.into_iter().chain(bilinear_curve(job, strain)).collect()
 }
 

@@ -16,8 +16,8 @@ use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
-    self, Estimate, Held, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver,
-    StepSolution, of_small_mesh, small_solves,
+    self, Estimate, Held, Interrupt, IterationRecord, Observer, Options, SectionField, SolveError,
+    StepReceiver, StepSolution, of_small_mesh, small_solves,
 };
 use crate::units::UnitConverter;
 
@@ -311,7 +311,7 @@ struct Reports<'a> {
     on_step: &'a mut dyn FnMut(usize, StepReport),
 }
 
-impl StepReceiver<StepSolution> for Reports<'_> {
+impl StepReceiver<SectionField> for Reports<'_> {
     fn step(&mut self, step: StepSolution, observer: &mut dyn Observer) {
         let report = self.builder.step(step, observer);
         (self.on_step)(self.number, report);

@@ -17,10 +17,10 @@ pub(super) const IDLE: f64 = 0.5;
 /// Returns the findings on strength.
 pub(super) fn findings(job: &Job, step: &StepSolution) -> Vec<Finding> {
     let mut findings: Vec<Finding> = by_hardness(job).into_iter().collect();
-    let utilized = step.bodies.iter().flatten().filter_map(initial_utilization);
+    let utilized = step.field.bodies.iter().flatten().filter_map(initial_utilization);
     let ratio = utilized.max_by(f64::total_cmp).filter(|ratio| *ratio > 1.0);
     findings.extend(ratio.map(|ratio| Finding::InitialYield { ratio }));
-    let coarse = [0, 1].map(|side| step.bodies[side].as_deref().and_then(coarsest));
+    let coarse = [0, 1].map(|side| step.field.bodies[side].as_deref().and_then(coarsest));
     if let Some((ratio, place)) =
         coarse.iter().flatten().max_by(|a, b| a.0.total_cmp(&b.0)).copied()
     {

@@ -10,7 +10,7 @@ use crate::units::UnitConverter;
 
 /// Returns whether the peak pressure lies off the middle and needs a profile of its own.
 pub(super) fn is_beside_middle(step: &StepSolution) -> bool {
-    (step.peak_position - step.middle).abs() > 0.5 * step.spacing
+    (step.field.peak_position - step.field.middle).abs() > 0.5 * step.field.spacing
 }
 
 /// Returns the stresses along the normal to the surface at the abscissa `x` \[mm\], from the
@@ -52,7 +52,7 @@ pub(super) fn profile(
     let at_rest = body.at_rest();
     let mut recovery_at_rest = at_rest
         .as_ref()
-        .map(|at_rest| recovered_at_rest(step.stress_state, step.symmetric, at_rest));
+        .map(|at_rest| recovered_at_rest(step.field.stress_state, step.field.symmetric, at_rest));
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress);
     let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {

@@ -31,8 +31,9 @@ impl UncertainStress {
         let points = body.stress.points.iter().flatten();
         let largest = points.map(|point| point.largest_von_mises).fold(0.0, f64::max);
         // The bound is the diameter of the yield surface.
-        let error =
-            surface_stress_error(step, body, step.middle).max(known.beyond).min(2.0 * largest);
+        let error = surface_stress_error(step, body, step.field.middle)
+            .max(known.beyond)
+            .min(2.0 * largest);
         let position = body.mesh.nodes[known.node as usize];
         let [sigma_x, sigma_y, sigma_z, tau_xy] = known.stress;
         let stress =

@@ -46,11 +46,11 @@ impl TargetSeen {
     /// Records force, figure and error of a load step.
     pub fn see(&mut self, job: &Job, step: &StepSolution, findings: &[Finding]) {
         let Load::Target(target) = &job.load else { return };
-        let of_revolution = step.stress_state == StressState::Axisymmetric;
+        let of_revolution = step.field.stress_state == StressState::Axisymmetric;
         let bars = error_bars::under_its_force(step, findings);
         let error =
             bars.and_then(|bars| error_bars::of_target(target.figure, &bars, of_revolution));
-        self.take(step.force(), target_figure(step, target.figure), error);
+        self.take(step.figures.force, target_figure(step, target.figure), error);
     }
 
     /// Records the force of the first load step, and the figure of the last load step with its

@@ -115,17 +115,18 @@ pub(super) fn findings(
     step: &StepSolution,
     reference: Option<&ElasticReference>,
 ) -> Vec<Finding> {
-    let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
+    let half_width = step.field.patch.map_or(0.0, |patch| patch.half_width());
+    let strain =
+        step.field.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
     let mut findings: Vec<Finding> = Vec::new();
     findings.extend(status(step, job.solver));
     findings.extend(slow_coupling(step, job.solver.coupling));
-    let of_histories = step.energy.is_some();
+    let of_histories = step.path.energy.is_some();
     let search = Work::Search {
-        meshes: step.meshes_of_search,
+        meshes: step.search.systems,
         of_cells: false,
         of_histories,
-        force: step.force(),
+        force: step.figures.force,
     };
     findings.extend(long_search(search));
     findings.extend(fine_mesh(job, step, half_width));
@@ -135,31 +136,31 @@ pub(super) fn findings(
     let is_iterate =
         step.status == SolveStatus::NotConverged && job.solver.coupling != Coupling::Accelerated;
     if !is_iterate {
-        let last = step.energy.map(|_| step.last_increment);
-        findings.extend(large_strain(strain, step.has_collapsed, last));
+        let last = step.path.energy.map(|_| step.path.last_increment);
+        findings.extend(large_strain(strain, step.checks.has_collapsed, last));
     }
-    if strain > 0.0 && step.energy.is_none() {
+    if strain > 0.0 && step.path.energy.is_none() {
         findings.push(Finding::DeformationTheory(Deformation {
             ratio: reference.and_then(|hertz| over_yield_stress(job, hertz.peak_pressure)),
-            outline: if step.stress_state == StressState::Axisymmetric {
+            outline: if step.field.stress_state == StressState::Axisymmetric {
                 ContactOutline::Circle
             } else {
                 ContactOutline::Line
             },
         }));
     }
-    findings.extend(of_history(job, step.load, step.patch.is_some()));
+    findings.extend(of_history(job, step.load, step.field.patch.is_some()));
     findings.extend(sharp_corner(step, strain));
-    if step.reaches_edge {
-        findings.push(Finding::AtEdge { in_hole: step.conforming.is_some() });
+    if step.checks.reaches_edge {
+        findings.push(Finding::AtEdge { in_hole: step.field.conforming.is_some() });
     }
-    if !step.is_preliminary() {
+    if !step.is_preliminary {
         of_mesh(job, step, half_width, &mut findings);
     }
     findings.extend(plastic_strain::findings(job, step));
     findings.extend(onset::why_unknown(job, step));
     findings.extend(strength::findings(job, step));
-    let mut depths = step.bodies.iter().flatten().map(|body| body.depth());
+    let mut depths = step.field.bodies.iter().flatten().map(|body| body.depth());
     if depths.any(|depth| depth < NEAR_SUPPORT * half_width) {
         findings.push(Finding::NearSupport);
     }
@@ -199,34 +200,35 @@ pub(super) fn over_yield_stress(job: &Job, pressure: f64) -> Option<f64> {
 
 /// Adds the findings on details of the contact that the mesh does not resolve.
 fn of_mesh(job: &Job, step: &StepSolution, half_width: f64, findings: &mut Vec<Finding>) {
-    let spacing = step.spacing;
-    if step.patch.is_some() && half_width < COARSE_MESH * spacing {
+    let spacing = step.field.spacing;
+    if step.field.patch.is_some() && half_width < COARSE_MESH * spacing {
         let number = half_width / spacing;
         findings.push(Finding::FewElements { number, advice: Density::Elements });
     }
     if let Some((part, number)) =
-        step.coarsest_part().filter(|(_, elements)| *elements < COARSE_MESH)
+        step.field.coarsest_part().filter(|(_, elements)| *elements < COARSE_MESH)
     {
         let x = 0.5 * (part.left + part.right);
         findings.push(Finding::FewElementsOverPart { x, number });
     }
     if is_ring_on_few_elements(step) {
-        findings.push(Finding::RingOnFewElements { radius: step.peak_position });
+        findings.push(Finding::RingOnFewElements { radius: step.field.peak_position });
     } else if peak_is_next_to_end(step) {
-        findings.push(Finding::PeakNextToEnd { x: step.peak_position, spacing });
+        findings.push(Finding::PeakNextToEnd { x: step.field.peak_position, spacing });
     }
-    if !step.unknown_before.is_empty() {
-        findings.push(Finding::EarlierLoads { unknown: step.unknown_before });
+    if !step.path.unknown_before.is_empty() {
+        findings.push(Finding::EarlierLoads { unknown: step.path.unknown_before });
     }
     if is_clamped_column(job, step) {
         findings.push(Finding::ClampedColumn);
     }
-    let bodies = [0, 1]
-        .map(|side| step.bodies[side].as_deref().and_then(|body| UncertainStress::of(step, body)));
+    let bodies = [0, 1].map(|side| {
+        step.field.bodies[side].as_deref().and_then(|body| UncertainStress::of(step, body))
+    });
     if bodies.iter().any(Option::is_some) {
         findings.push(Finding::SurfaceStress { spacing, bodies });
     }
-    if let Some(edge) = &step.rounded_edge {
+    if let Some(edge) = &step.field.rounded_edge {
         findings.push(Finding::RoundedEdge {
             width: edge.elastic.width(),
             pressure: edge.elastic.peak_pressure(),
@@ -234,7 +236,7 @@ fn of_mesh(job: &Job, step: &StepSolution, half_width: f64, findings: &mut Vec<F
             is_onset: job.load == Load::Onset,
         });
     }
-    if let Some(tip) = &step.rounded_tip {
+    if let Some(tip) = &step.field.rounded_tip {
         findings.push(Finding::RoundedTip {
             arc: tip.arc,
             needed: tip.arc.map_or(0.0, |arc| (TIP_ELEMENTS * half_width / arc).ceil()),
@@ -242,21 +244,21 @@ fn of_mesh(job: &Job, step: &StepSolution, half_width: f64, findings: &mut Vec<F
             spacing,
         });
     }
-    if let Some(needed) = step.unresolved {
+    if let Some(needed) = step.field.unresolved {
         findings.push(Finding::Details { needed, spacing });
     }
 }
 
 /// Returns the finding on a permanent approach that is smaller than its error bar.
 pub(super) fn small_approach(step: &StepSolution, bar: Option<f64>) -> Option<Finding> {
-    let bar = bar.filter(|bar| *bar > 1.0 && step.patch.is_none())?;
-    Some(Finding::SmallApproach { error: bar * step.approach.abs() })
+    let bar = bar.filter(|bar| *bar > 1.0 && step.field.patch.is_none())?;
+    Some(Finding::SmallApproach { error: bar * step.figures.approach.abs() })
 }
 
 /// Returns the finding on a pressure at a sharp corner that has no limit, or whose limit the mesh
 /// does not resolve.
 fn sharp_corner(step: &StepSolution, strain: f64) -> Option<Finding> {
-    let x = *step.loaded_corners.first()?;
+    let x = *step.field.loaded_corners.first()?;
     if strain == 0.0 {
         return Some(Finding::ElasticCorner { x });
     }
@@ -266,7 +268,7 @@ fn sharp_corner(step: &StepSolution, strain: f64) -> Option<Finding> {
 /// Returns the finding on a contact that is wide compared with the radii or, for a pin in a hole,
 /// at whose ends the normals of pin and hole differ too much.
 fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) -> Option<Wide> {
-    if let Some(pair) = &step.conforming {
+    if let Some(pair) = &step.field.conforming {
         let angle = half_width / pair.effective_radius();
         return (angle > WIDE_CONTACT).then_some(Wide::InHole { angle });
     }
@@ -297,7 +299,7 @@ fn steepest(job: &Job, step: &StepSolution) -> f64 {
         }
         _ => 0.0,
     };
-    step.pairs.windows(2).map(between).fold(0.0, f64::max)
+    step.field.pairs.windows(2).map(between).fold(0.0, f64::max)
 }
 
 /// Returns the finding on a load that took far more work than usual. The work is measured in
@@ -310,7 +312,7 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<Finding> {
         return (updates > MUCH_WORK).then_some(Finding::Work(work));
     }
     let factorizations: usize = step.history.iter().map(|record| record.factorizations).sum();
-    let increments = step.increments.len().max(1);
+    let increments = step.path.increments.len().max(1);
     (updates + FACTORIZATION * factorizations > MUCH_WORK).then(|| {
         Finding::Work(Work::Load {
             updates,
@@ -331,8 +333,8 @@ pub(super) fn long_search(search: Work) -> Option<Finding> {
 /// requests.
 fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<Finding> {
     let asked = f64::from(job.mesh.elements_per_half_width);
-    let elements = half_width / step.spacing;
-    let equations: usize = step.bodies.iter().flatten().map(|body| body.equations).sum();
+    let elements = half_width / step.field.spacing;
+    let equations: usize = step.field.bodies.iter().flatten().map(|body| body.equations).sum();
     (elements > 2.0 * asked && equations > MANY_EQUATIONS)
         .then_some(Finding::Work(Work::FineMesh { elements, asked, equations }))
 }
@@ -344,7 +346,7 @@ fn status(step: &StepSolution, settings: SolverSettings) -> Option<Finding> {
         SolveStatus::NotConverged => {
             Some(Finding::NotConverged(Unfinished::of(step).cause(settings)))
         }
-        status => Some(Finding::Stopped { status, is_preliminary: step.is_preliminary() }),
+        status => Some(Finding::Stopped { status, is_preliminary: step.is_preliminary }),
     }
 }
 
@@ -403,15 +405,20 @@ pub(super) struct Unfinished<'a> {
 impl<'a> Unfinished<'a> {
     fn of(step: &'a StepSolution) -> Self {
         Self {
-            contact_check: step.contact_check,
+            contact_check: step.checks.contact,
             history: &step.history,
-            residual: step.equilibrium_residual,
-            missed: step.missed,
-            has_collapsed: step.has_collapsed,
-            reaches_edge: step.reaches_edge,
-            inherits_error: step.last_increment.inherits_error,
-            is_history: step.energy.is_some(),
-            is_elastic: step.bodies.iter().flatten().all(|body| body.max_plastic_strain() == 0.0),
+            residual: step.checks.residual,
+            missed: step.search.missed,
+            has_collapsed: step.checks.has_collapsed,
+            reaches_edge: step.checks.reaches_edge,
+            inherits_error: step.path.last_increment.inherits_error,
+            is_history: step.path.energy.is_some(),
+            is_elastic: step
+                .field
+                .bodies
+                .iter()
+                .flatten()
+                .all(|body| body.max_plastic_strain() == 0.0),
         }
     }
 
@@ -465,7 +472,7 @@ mod tests {
     use crate::solver::{Unobserved, run};
 
     fn notes(job: &Job, step: &StepSolution) -> Vec<ValidityNote> {
-        let reference = ElasticReference::of(job, step.force());
+        let reference = ElasticReference::of(job, step.figures.force);
         let write = UnitConverter::new(job.units, job.analysis);
         remarks(&findings(job, step, reference.as_ref()), write)
     }
@@ -510,7 +517,7 @@ mod tests {
         let job = Job::from_json(job).unwrap();
         let mut step = run(&job, &mut Unobserved).unwrap().steps.remove(0);
         assert!(notes(&job, &step).is_empty());
-        (step.status, step.missed) = (SolveStatus::NotConverged, Some(1.0123));
+        (step.status, step.search.missed) = (SolveStatus::NotConverged, Some(1.0123));
         let told = notes(&job, &step);
         assert!(
             told[0].code == "not_converged" && told[0].message.contains("1.0123 times"),
@@ -530,7 +537,7 @@ mod tests {
         let job = Job::from_json(job).unwrap();
         let mut step = run(&job, &mut Unobserved).unwrap().steps.remove(0);
         assert!(notes(&job, &step).is_empty());
-        step.reaches_edge = true;
+        step.checks.reaches_edge = true;
         let codes: Vec<_> = notes(&job, &step).into_iter().map(|note| note.code).collect();
         assert_eq!(codes, ["contact_at_edge"]);
     }

@@ -32,16 +32,20 @@ pub struct Bars {
 impl Bars {
     /// `None` without a coarser mesh, and before anything touches.
     pub fn of(step: &StepSolution) -> Option<Self> {
-        let half_width = if step.patch.is_some() { step.half_width() } else { step.reached[1] };
+        let half_width = if step.field.patch.is_some() {
+            step.figures.half_width
+        } else {
+            step.path.reached[1]
+        };
         if half_width <= 0.0 {
             return None;
         }
-        let figures = step.figures();
+        let figures = step.figures;
         let mut scales = figures;
-        let largest_approach = step.approach.abs().max(step.reached[0]);
+        let largest_approach = step.figures.approach.abs().max(step.path.reached[0]);
         scales.approach = largest_approach;
-        scales.force = scales.force.max(step.unloading_stiffness * largest_approach);
-        for (scales, body) in scales.bodies.iter_mut().zip(&step.bodies) {
+        scales.force = scales.force.max(step.field.unloading_stiffness * largest_approach);
+        for (scales, body) in scales.bodies.iter_mut().zip(&step.field.bodies) {
             let Some(body) = body else { continue };
             let points = body.stress.points.iter().flatten();
             let von_mises = points.map(|point| point.largest_von_mises).fold(0.0, f64::max);
@@ -53,10 +57,10 @@ impl Bars {
             (scales.least_stress, scales.largest_von_mises) = (von_mises, von_mises);
         }
         // The coarsest part of a contact may have the peak pressure.
-        let part = step.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
-        let size = (step.spacing / half_width).max(part);
+        let part = step.field.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
+        let size = (step.field.spacing / half_width).max(part);
         Some(Self {
-            stress_state: step.stress_state,
+            stress_state: step.field.stress_state,
             size,
             found: figures,
             coarse: step.coarse?,

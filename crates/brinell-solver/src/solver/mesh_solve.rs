@@ -24,7 +24,6 @@ use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::figures::{BodyFigures, Figures};
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::ask;
-use crate::solver::method::solve::Answer;
 use crate::solver::problem::Problem;
 use crate::solver::solution::pressure_in_middle;
 use crate::solver::{IncrementNumber, Interrupt, Observer};
@@ -149,9 +148,9 @@ impl MeshSolve {
         pressure_in_middle(self.system.stress_state, self.middle(), &x, &pressure)
     }
 
-    /// Headline figures; `None` where nothing touches.
-    pub fn figures_of_contact(&self) -> Option<Figures> {
-        self.patch.map(|_| Figures { bodies: self.body_figures(), ..self.figures() })
+    /// All figures.
+    pub fn measure(&self) -> Figures {
+        Figures { bodies: self.body_figures(), ..self.figures() }
     }
 
     /// Connected parts of the contact.
@@ -170,26 +169,9 @@ impl MeshSolve {
     }
 }
 
-impl Answer for MeshSolve {
-    type System = System;
-
-    fn system(&self) -> &System {
-        &self.system
-    }
-
-    fn outcome(&self) -> &Outcome {
-        &self.outcome
-    }
-
-    fn outcome_mut(&mut self) -> &mut Outcome {
-        &mut self.outcome
-    }
-
-    fn into_parts(self) -> (System, Outcome) {
-        (self.system, self.outcome)
-    }
-
-    fn figures(&self) -> Figures {
+impl MeshSolve {
+    /// Headline figures of the contact; zeros without contact.
+    pub fn figures(&self) -> Figures {
         let ContactFigures { force, approach, peak_pressure, .. } =
             self.system.figures(&self.outcome.state.response.contact);
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
@@ -204,6 +186,7 @@ impl Answer for MeshSolve {
         }
     }
 
+    /// Figures of both bodies.
     fn body_figures(&self) -> [BodyFigures; 2] {
         let (system, symmetric) = (&self.system, self.system.zone.is_symmetric());
         let pressure = system.pressures(&self.outcome.state.response.contact.force);
@@ -222,7 +205,8 @@ impl Answer for MeshSolve {
         system.model_of.map(of)
     }
 
-    fn has_collapsed(&self) -> bool {
+    /// Whether strains have outgrown the theory of small strains.
+    pub fn has_collapsed(&self) -> bool {
         if !self.outcome.is_conclusive {
             return false;
         }

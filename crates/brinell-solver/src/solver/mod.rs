@@ -57,7 +57,7 @@ pub use method::observer::{
     Held, IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 pub use method::phases::{Phase, PhaseTimes};
-pub use method::steps::{IncrementRecord, StepReceiver};
+pub use method::steps::{Checks, Energy, IncrementRecord, Path, Search, Step, StepReceiver};
 pub use method::{Unreachable, UnreachableReason};
 pub use outline::outline_of;
 pub use problem::ModelOf;
@@ -67,7 +67,7 @@ pub(crate) use reference::{elastic_utilization, factor_of_onset};
 pub(crate) use slopes::{
     SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, of_small_mesh, small, small_solves,
 };
-pub use solution::{Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution};
+pub use solution::{NarrowEdge, PairState, RoundedTip, SectionField, Solution, StepSolution};
 pub use surface_recovery::{SurfaceStress, surface_stresses};
 pub(crate) use surface_recovery::{
     recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,

@@ -51,19 +51,18 @@ pub(super) fn small_job(job: &Job, loads: &[ContactLoad]) -> Option<Job> {
 }
 
 /// What the last of the loads on a small mesh reaches; `None` where one of them has no answer.
-pub(super) fn reached<S: Step>(
+pub(super) fn reached<F>(
     interrupt: &Result<Option<Interrupt>, SolveError>,
-    steps: &[S],
-    of: impl Fn(&S) -> Reached,
+    steps: &[Step<F>],
 ) -> Result<Option<Reached>, Interrupt> {
     let interrupt = match interrupt {
         Ok(interrupt) => *interrupt,
         Err(SolveError::Interrupted(interrupt)) => return Err(*interrupt),
         Err(_) => return Ok(None),
     };
-    let mut statuses = steps.iter().map(Step::status);
-    let stopped = || steps.iter().find_map(|step| step.status().interrupt());
+    let stopped = || steps.iter().find_map(|step| step.status.interrupt());
     interrupt.or_else(stopped).map_or(Ok(()), Err)?;
-    let is_converged = statuses.all(|status| status == SolveStatus::Converged);
-    Ok(steps.last().filter(|_| is_converged).map(of))
+    let is_converged = steps.iter().all(|step| step.status == SolveStatus::Converged);
+    let last = steps.last().filter(|_| is_converged);
+    Ok(last.map(|step| [step.figures.force, step.figures.approach]))
 }

@@ -4,16 +4,14 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::analytical::RoundedEdge;
-use crate::contact::{ContactLoad, KktReport};
 use crate::fem::element::StressState;
 use crate::solver::body_solution::BodySolution;
 use crate::solver::body_system::contact_patch::{ContactPatch, LEAST_PART};
 use crate::solver::conforming::ConformingPair;
-use crate::solver::method::figures::{FigureSet, Figures};
-use crate::solver::method::increments::LastIncrement;
-use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
+use crate::solver::method::figures::Figures;
+use crate::solver::method::observer::Interrupt;
 use crate::solver::method::phases::PhaseTimes;
-use crate::solver::method::steps::{IncrementRecord, LoadEnd, Step};
+use crate::solver::method::steps::Step;
 
 /// The answer to a job.
 #[derive(Debug, Clone, Default)]
@@ -30,16 +28,12 @@ pub struct Solution {
     pub sensitivity: Option<f64>,
 }
 
-/// The answer to one load. Half models are not mirrored here.
+/// The answer to one load.
+pub type StepSolution = Step<SectionField>;
+
+/// The section of two bodies under one load. Half models are not mirrored here.
 #[derive(Debug, Clone)]
-#[expect(clippy::struct_excessive_bools, reason = "they are independent of each other")]
-pub struct StepSolution {
-    /// How the iteration ended, the final checks included.
-    pub status: SolveStatus,
-    /// What was prescribed, for both sides of the axis.
-    pub load: ContactLoad,
-    /// Approach α \[mm\].
-    pub approach: f64,
+pub struct SectionField {
     /// Whether `x = 0` is a symmetry axis and only `x >= 0` is here.
     pub symmetric: bool,
     /// Third direction.
@@ -57,36 +51,15 @@ pub struct StepSolution {
     pub patch: Option<ContactPatch>,
     /// Its connected parts, from outermost node to outermost node.
     pub parts: Vec<ContactPatch>,
-    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; `None` where
-    /// bodies yield as it grows, and of a step that was stopped \[N/mm per mm\].
-    pub contact_stiffness: Option<f64>,
-    /// Largest contact pressure; of bodies that yield in plane stress at most what their flow
-    /// stress allows \[MPa\].
-    pub peak_pressure: f64,
-    /// x of it; where nothing touches, of the largest that the history had \[mm\].
+    /// x of the peak pressure; where nothing touches, of the largest that the history had \[mm\].
     pub peak_position: f64,
     /// x of the middle of the contact, 0 of half models; where nothing touches, of the contact
     /// with the largest pressure that the history had \[mm\].
     pub middle: f64,
     /// Upper and lower body; `None` for a rigid one.
     pub bodies: [Option<Arc<BodySolution>>; 2],
-    /// Every iteration.
-    pub history: Vec<IterationRecord>,
-    /// The contact conditions, checked on the displacement field of both whole bodies.
-    pub contact_check: KktReport,
-    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
-    pub equilibrium_residual: f64,
     /// Corners of the surfaces that carry pressure, of the half that is meshed \[mm\].
     pub loaded_corners: Vec<f64>,
-    /// Whether the contact still reaches the edge of the candidate zone.
-    pub reaches_edge: bool,
-    /// Whether plastic strain is so large that the load reaches or exceeds the limit load of the
-    /// bodies.
-    pub has_collapsed: bool,
-    /// The mesh of the step.
-    pub mesh: StepMesh,
-    /// The last increment of a history.
-    pub last_increment: LastIncrement,
     /// Element size that surfaces given by points would need, where it is smaller than that of the
     /// mesh \[mm\].
     pub unresolved: Option<f64>,
@@ -95,44 +68,9 @@ pub struct StepSolution {
     /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power
     /// below 2.
     pub rounded_tip: Option<RoundedTip>,
-    /// The figure that is sought over its wanted value, where no force gave it: it jumps from one
-    /// mesh to the next.
-    pub missed: Option<f64>,
-    /// Relative error of the force that was sought: of the onset of yield by how much meshes of half
-    /// the density change it, for a target the bar of the target over its sensitivity.
-    pub force_error: Option<f64>,
-    /// Meshes on which its force was sought; 0 of a load that was given.
-    pub meshes_of_search: usize,
-    /// Times the candidate zone was widened.
-    pub enlargements: usize,
-    /// The same figures on a mesh of half the density, for error estimates.
-    pub coarse: Option<Figures>,
-    /// The increments of this load, for bodies with a memory.
-    pub increments: Vec<IncrementRecord>,
-    /// By how much half as many increments change the figures, relative to them; bodies with a
-    /// memory only.
-    pub increment_error: Option<Figures>,
-    /// The largest approach and half-width of a history so far \[mm\]; zero without one.
-    pub reached: [f64; 2],
-    /// Whether a point flowed in the last increment of a history.
-    pub flows: bool,
-    /// Figures of the bodies that earlier loads of a history have left unknown.
-    pub unknown_before: FigureSet,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the
     /// elastic one, of the pairs in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,
-    /// Where the work of the force has gone, for bodies with a memory.
-    pub energy: Option<Energy>,
-}
-
-/// The mesh that a step was found on.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum StepMesh {
-    /// The mesh of the requested density.
-    #[default]
-    Asked,
-    /// The coarse mesh of a history that was stopped before the fine mesh reached this load.
-    Coarse,
 }
 
 /// A rounded edge on which the contact is narrow beside the elements.
@@ -154,29 +92,6 @@ pub struct RoundedTip {
     pub elastic_pressure: f64,
 }
 
-/// Energies of both bodies \[N mm/mm, or N mm\].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Energy {
-    /// Elastic energy.
-    pub elastic: f64,
-    /// `∫σ:dε_p`.
-    pub plastic_work: f64,
-    /// The part of it that the backstress stores.
-    pub backstress: f64,
-}
-
-impl Energy {
-    /// Returns the work of the contact force, stored and dissipated energy together.
-    pub fn work(&self) -> f64 {
-        self.elastic + self.plastic_work
-    }
-
-    /// Returns the dissipated energy: plastic work less the energy stored by backstress.
-    pub fn dissipated(&self) -> f64 {
-        self.plastic_work - self.backstress
-    }
-}
-
 /// One candidate pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairState {
@@ -192,19 +107,14 @@ pub struct PairState {
     pub gap: f64,
 }
 
-impl StepSolution {
-    /// Whether the step is a preliminary one, from the coarse mesh of a stopped history.
-    pub fn is_preliminary(&self) -> bool {
-        self.mesh == StepMesh::Coarse
-    }
-
+impl SectionField {
     /// Whether the meshed half stands for two: a plane half model, not a body of revolution.
     pub fn is_mirrored(&self) -> bool {
         self.symmetric && self.stress_state != StressState::Axisymmetric
     }
 
     /// Contact force on both sides of the axis \[N/mm, or N in axisymmetry\].
-    pub fn force(&self) -> f64 {
+    fn force(&self) -> f64 {
         let meshed: f64 = self.pairs.iter().map(|pair| pair.closing * pair.force).sum();
         let on_axis = self.pairs.first().map_or(0.0, |pair| pair.force);
         if self.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
@@ -232,8 +142,9 @@ impl StepSolution {
         resolved.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Figures of the contact and of both bodies.
-    pub fn figures(&self) -> Figures {
+    /// Figures of the contact and of both bodies under this approach and with this peak pressure.
+    pub(super) fn figures(&self, approach: f64, peak_pressure: f64) -> Figures {
+        let x: Vec<f64> = self.pairs.iter().map(|pair| pair.x).collect();
         let pressure: Vec<f64> = self.pairs.iter().map(|pair| pair.pressure).collect();
         let of = |body: &Option<Arc<BodySolution>>| {
             let of = |body: &Arc<BodySolution>| {
@@ -242,32 +153,20 @@ impl StepSolution {
             body.as_ref().map(of).unwrap_or_default()
         };
         Figures {
-            peak_pressure: self.peak_pressure,
-            middle_pressure: self.middle_pressure(),
-            half_width: self.half_width(),
-            approach: self.approach,
+            peak_pressure,
+            middle_pressure: pressure_in_middle(self.stress_state, self.middle, &x, &pressure),
+            half_width: self.patch.map_or(0.0, |patch| patch.half_width()),
+            approach,
             force: self.force(),
             bodies: self.bodies.each_ref().map(of),
             ..Figures::default()
         }
     }
 
-    /// Half of the distance between the ends of the pressure; 0 where nothing touches \[mm\].
-    pub fn half_width(&self) -> f64 {
-        self.patch.map_or(0.0, |patch| patch.half_width())
-    }
-
-    /// Pressure in the middle of the contact \[MPa\].
-    pub fn middle_pressure(&self) -> f64 {
-        let x: Vec<f64> = self.pairs.iter().map(|pair| pair.x).collect();
-        let pressure: Vec<f64> = self.pairs.iter().map(|pair| pair.pressure).collect();
-        pressure_in_middle(self.stress_state, self.middle, &x, &pressure)
-    }
-
     /// Force over the width or, of a body of revolution, over the area of the contact circle; 0
     /// where nothing touches \[MPa\].
-    pub fn mean_pressure(&self) -> f64 {
-        let a = self.half_width();
+    pub fn mean_pressure(&self, figures: &Figures) -> f64 {
+        let a = figures.half_width;
         if a <= 0.0 {
             return 0.0;
         }
@@ -278,7 +177,7 @@ impl StepSolution {
             StressState::Axisymmetric => PI * across * across,
         };
         // The half-width is known to half an element; a mean above the peak would be its error.
-        (self.force() / area).min(self.peak_pressure)
+        (figures.force / area).min(figures.peak_pressure)
     }
 }
 
@@ -302,41 +201,5 @@ pub(super) fn pressure_in_middle(
         }
         (Some(only), None) | (None, Some(only)) => *only,
         (None, None) => 0.0,
-    }
-}
-
-impl Step for StepSolution {
-    fn status(&self) -> SolveStatus {
-        self.status
-    }
-
-    fn set_status(&mut self, status: SolveStatus) {
-        self.status = status;
-    }
-
-    fn reaches_edge(&self) -> bool {
-        self.reaches_edge
-    }
-
-    fn has_collapsed(&self) -> bool {
-        self.has_collapsed
-    }
-
-    fn end_load(&mut self, end: LoadEnd) {
-        let LoadEnd { load, last_increment, increments, reached } = end;
-        (self.load, self.last_increment) = (load, last_increment);
-        (self.increments, self.reached) = (increments, reached);
-    }
-
-    fn estimate(&mut self, coarse: Option<Figures>, increments: Option<Figures>) {
-        (self.coarse, self.increment_error) = (coarse, increments);
-    }
-
-    fn make_preliminary(&mut self) {
-        self.mesh = StepMesh::Coarse;
-    }
-
-    fn miss(&mut self, ratio: f64) {
-        (self.status, self.missed) = (SolveStatus::NotConverged, Some(ratio));
     }
 }

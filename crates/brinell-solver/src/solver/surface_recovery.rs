@@ -45,8 +45,8 @@ pub struct SurfaceStress {
 
 /// Stresses recovered on a body, at the candidate nodes from what is known at the surface.
 pub(crate) fn recovered<'a>(step: &StepSolution, body: &'a BodySolution) -> Recovery<'a> {
-    let pressure: Vec<f64> = step.pairs.iter().map(|pair| pair.pressure).collect();
-    recovered_under(step.stress_state, step.symmetric, body, &pressure)
+    let pressure: Vec<f64> = step.field.pairs.iter().map(|pair| pair.pressure).collect();
+    recovered_under(step.field.stress_state, step.field.symmetric, body, &pressure)
 }
 
 /// The same under a pressure at each candidate node \[MPa\].
@@ -206,9 +206,10 @@ pub(crate) fn surface_stress_in_middle(
     step: &StepSolution,
     body: &BodySolution,
 ) -> Option<SurfaceStress> {
-    let pressure: Vec<f64> = step.pairs.iter().map(|pair| pair.pressure).collect();
-    let stresses = surface_stresses(step.stress_state, step.symmetric, body, &pressure);
-    let top = *body.normal_line(step.middle).first()?;
+    let pressure: Vec<f64> = step.field.pairs.iter().map(|pair| pair.pressure).collect();
+    let stresses =
+        surface_stresses(step.field.stress_state, step.field.symmetric, body, &pressure);
+    let top = *body.normal_line(step.field.middle).first()?;
     stresses.into_iter().find(|known| known.node == top)
 }
 
@@ -221,10 +222,15 @@ pub(crate) fn surface_stress_error(step: &StepSolution, body: &BodySolution, x: 
     };
     let nearest = pairs_of(body).min_by(|a, b| offset(a).total_cmp(&offset(b)));
     let (Some(nodes), false) = (nearest, body.displacement.is_empty()) else { return 0.0 };
-    let state = step.stress_state;
+    let state = step.field.stress_state;
     let tangent = Segment::of(state, body, nodes).tangent;
-    let below =
-        plastic_strain_below(state, body, &Recovery::new(body, step.symmetric), nodes, tangent);
+    let below = plastic_strain_below(
+        state,
+        body,
+        &Recovery::new(body, step.field.symmetric),
+        nodes,
+        tangent,
+    );
     let [first, second, ..] = below.as_slice() else { return 0.0 };
     let change = [second[0] - first[0], second[1] - first[1]];
     0.5 * principal(state, body.model.elastic(), change, 0.0)[0].abs()

@@ -110,7 +110,7 @@ fn compare_cycles(upper: &Value, lower: &Value, ratio: f64, cycles: usize) -> bo
     let surface = surfaces.lower.as_ref().unwrap();
     near(found[last].figures.bodies[1].dent, surface.depth, 1.5e-2, "dent");
     let profile = expected.steps[last].subsurface.as_ref().unwrap().lower.as_ref().unwrap();
-    let column = found[last].bodies[1].as_ref().unwrap().column([0.0, 0.0]);
+    let column = found[last].field.bodies[1].as_ref().unwrap().column([0.0, 0.0]);
     let below = |depth: f64| depth >= column[1].depth;
     let residual = profile.sigma_x.iter().zip(&profile.depth).filter(|(_, depth)| below(**depth));
     let expected = residual.map(|(stress, _)| *stress).fold(0.0, f64::min);

@@ -36,7 +36,7 @@ fn plane_peak(line_load: f64, theory: &str) -> f64 {
 fn the_middle_of_a_long_ellipse_is_in_plane_strain() {
     let problem = on_flat(400.0 * RADIUS, steel(Some(0.05)), 10);
     let step = under(problem, 4.0);
-    let map = &step.surface;
+    let map = &step.field.surface;
     let (nx, ny) = (map.grid.nx(), map.grid.ny());
     let row = |j: usize| (0..nx).map(|i| map.pressure[i * ny + j]).sum::<f64>() * map.grid.hx();
     let line_load = 0.5 * (row((ny - 1) / 2) + row(ny / 2));
@@ -57,9 +57,9 @@ fn one_increment_from_rest_is_deformation_theory() {
     let load = HistoryLoad::Force(NonNegativeF64::new(force).unwrap());
     problem.load = Load::History(History::new(vec![load]).unwrap());
     let flow = solved(&problem).remove(0);
-    near(flow.surface.grid.hx(), whole.surface.grid.hx(), 1e-12, "cells");
+    near(flow.field.surface.grid.hx(), whole.field.surface.grid.hx(), 1e-12, "cells");
     near(flow.figures.approach, whole.figures.approach, 1e-9, "approach");
-    near(flow.largest_cell_pressure, whole.largest_cell_pressure, 1e-9, "peak");
+    near(flow.field.largest_cell_pressure, whole.field.largest_cell_pressure, 1e-9, "peak");
     near(
         flow.figures.bodies[1].max_plastic_strain,
         whole.figures.bodies[1].max_plastic_strain,
@@ -72,7 +72,7 @@ fn one_increment_from_rest_is_deformation_theory() {
 /// `∫P dα` of the increments, by powers of the approach between them.
 fn work_of_force(step: &HalfSpaceStep) -> f64 {
     let ends: Vec<[f64; 2]> =
-        step.increments.iter().map(|end| [end.approach, end.force]).collect();
+        step.path.increments.iter().map(|end| [end.approach, end.force]).collect();
     let first = 0.4 * ends[0][0] * ends[0][1];
     let segments = ends.windows(2).map(|pair| {
         let [[before, low], [after, high]] = [pair[0], pair[1]];
@@ -89,8 +89,8 @@ fn work_is_stored_or_dissipated() {
         let mut problem = on_flat(2.0 * RADIUS, steel(Some(0.05)), 6);
         problem.solver.increments = Some(20);
         let [loaded, unloaded] = loaded_and_unloaded(problem, ratio);
-        near(loaded.energy.work(), work_of_force(&loaded), tolerance, "work");
-        [loaded.energy, unloaded.energy]
+        near(loaded.path.energy.unwrap().work(), work_of_force(&loaded), tolerance, "work");
+        [loaded, unloaded].map(|step| step.path.energy.unwrap())
     };
     let [loaded, _] = energy_of(1.2, 1e-3);
     assert!(loaded.plastic_work.abs() < 1e-300, "nothing yields");

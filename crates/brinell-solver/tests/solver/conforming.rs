@@ -129,10 +129,10 @@ fn a_pin_is_in_equilibrium() {
     let stiffness_and = |force: f64| {
         let solution = solve(&pin(&plate(CLEARANCE), &json!({"force": force}))).steps.remove(0);
         let vertical: f64 =
-            solution.pairs.iter().map(|pair| pair.force * (pair.x / 10.005).cos()).sum();
-        let on_axis = solution.pairs[0].force;
+            solution.field.pairs.iter().map(|pair| pair.force * (pair.x / 10.005).cos()).sum();
+        let on_axis = solution.field.pairs[0].force;
         assert_within(2.0 * vertical - on_axis, force, 1e-5);
-        (solution.contact_stiffness.unwrap(), solution.approach)
+        (solution.contact_stiffness.unwrap(), solution.figures.approach)
     };
     let (_, force) = persson(60.0);
     let (stiffness, _) = stiffness_and(force);

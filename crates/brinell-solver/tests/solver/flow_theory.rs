@@ -40,7 +40,7 @@ fn solve(job: &Job) -> Solution {
             SolveStatus::Converged,
             "{:?}: {:?}",
             step.load,
-            step.contact_check
+            step.checks.contact
         );
     }
     solution
@@ -70,12 +70,13 @@ fn one_increment_is_deformation_theory() {
             let flow = solve(&parse(&asked));
             let (expected, found) = (&deformation.steps[0], &flow.steps[0]);
             assert!(
-                (expected.spacing - found.spacing).abs() < 1e-12 * expected.spacing,
+                (expected.field.spacing - found.field.spacing).abs()
+                    < 1e-12 * expected.field.spacing,
                 "the same mesh"
             );
             let [peak, approach] = [
-                found.peak_pressure / expected.peak_pressure - 1.0,
-                found.approach / expected.approach - 1.0,
+                found.figures.peak_pressure / expected.figures.peak_pressure - 1.0,
+                found.figures.approach / expected.figures.approach - 1.0,
             ];
             assert!(
                 peak.abs() < 1e-9 && approach.abs() < 1e-9,
@@ -89,14 +90,18 @@ fn one_increment_is_deformation_theory() {
 #[track_caller]
 fn assert_fine_enough(mut job: Job) {
     let chosen = solve(&job);
-    let count = 8 * u32::try_from(chosen.steps[0].increments.len()).unwrap();
+    let count = 8 * u32::try_from(chosen.steps[0].path.increments.len()).unwrap();
     job.solver.increments = Some(count);
     let exact = solve(&job);
-    assert_within(chosen.steps[0].peak_pressure, exact.steps[0].peak_pressure, 1.5e-3);
-    assert_within(chosen.steps[0].approach, exact.steps[0].approach, 1.5e-3);
-    assert_within(chosen.steps[1].approach, exact.steps[1].approach, 1.5e-3);
+    assert_within(
+        chosen.steps[0].figures.peak_pressure,
+        exact.steps[0].figures.peak_pressure,
+        1.5e-3,
+    );
+    assert_within(chosen.steps[0].figures.approach, exact.steps[0].figures.approach, 1.5e-3);
+    assert_within(chosen.steps[1].figures.approach, exact.steps[1].figures.approach, 1.5e-3);
     let iterations: usize = chosen.steps[0].history.len();
-    assert!(iterations <= 12 * chosen.steps[0].increments.len(), "{iterations} iterations");
+    assert!(iterations <= 12 * chosen.steps[0].path.increments.len(), "{iterations} iterations");
 }
 
 #[test]
@@ -118,11 +123,11 @@ fn the_chosen_increments_are_fine_enough() {
 #[test]
 fn peak_pressures_are_below_those_of_deformation_theory() {
     let three = solve(&cylinders(BILINEAR, &up_and_down(3.0), FLOW, 20));
-    assert_within(three.steps[0].peak_pressure, 1149.0, 2e-3);
+    assert_within(three.steps[0].figures.peak_pressure, 1149.0, 2e-3);
     let four = solve(&cylinders(BILINEAR, &up_and_down(4.0), FLOW, 20));
     let load = format!(r#"{{"force": {}}}"#, force(4.0));
     let deformation = solve(&cylinders(BILINEAR, &load, "{}", 20));
-    let ratio = four.steps[0].peak_pressure / deformation.steps[0].peak_pressure;
+    let ratio = four.steps[0].figures.peak_pressure / deformation.steps[0].figures.peak_pressure;
     assert!((ratio - 0.932).abs() < 3e-3, "{ratio}");
 }
 
@@ -193,11 +198,11 @@ fn the_work_of_the_force_is_stored_or_lost() {
         let solution = solve(&cylinders(law, &up_and_down(3.0), many, 8));
         let (mut last, mut work) = ([0.0; 2], 0.0);
         for step in &solution.steps {
-            for end in &step.increments {
+            for end in &step.path.increments {
                 work += 0.5 * (end.force + last[0]) * (end.approach - last[1]);
                 last = [end.force, end.approach];
             }
-            let energy = step.energy.unwrap();
+            let energy = step.path.energy.unwrap();
             assert_within(energy.work(), work, 3e-3);
             assert_eq!(energy.backstress > 0.0, stores);
             assert!(energy.dissipated() > 0.0);
@@ -215,10 +220,14 @@ fn an_elastic_loop_closes() {
     let solver = r#"{"theory": "flow", "tolerance": 1e-10}"#;
     let solution = solve(&cylinders(BILINEAR, &load, solver, 10));
     let (first, again) = (&solution.steps[0], &solution.steps[2]);
-    assert_within(again.peak_pressure, first.peak_pressure, 1e-6);
-    assert_within(again.approach, first.approach, 1e-6);
-    assert_within(again.energy.unwrap().work(), first.energy.unwrap().work(), 1e-6);
-    assert_within(again.energy.unwrap().plastic_work, first.energy.unwrap().plastic_work, 1e-6);
+    assert_within(again.figures.peak_pressure, first.figures.peak_pressure, 1e-6);
+    assert_within(again.figures.approach, first.figures.approach, 1e-6);
+    assert_within(again.path.energy.unwrap().work(), first.path.energy.unwrap().work(), 1e-6);
+    assert_within(
+        again.path.energy.unwrap().plastic_work,
+        first.path.energy.unwrap().plastic_work,
+        1e-6,
+    );
 }
 
 #[test]
@@ -229,9 +238,13 @@ fn the_couplings_agree() {
         job.solver.coupling = coupling;
         let other = solve(&job);
         for (a, b) in accelerated.steps.iter().zip(&other.steps) {
-            assert_within(b.approach, a.approach, 1e-4);
+            assert_within(b.figures.approach, a.figures.approach, 1e-4);
         }
-        assert_within(other.steps[0].peak_pressure, accelerated.steps[0].peak_pressure, 1e-4);
+        assert_within(
+            other.steps[0].figures.peak_pressure,
+            accelerated.steps[0].figures.peak_pressure,
+            1e-4,
+        );
     }
 }
 
@@ -473,7 +486,10 @@ fn flow_theory_knows_no_up_no_left_and_no_units() {
     let whole = Options { use_symmetry: false, ..Options::default() };
     let whole = run_with(&half, whole, &mut Unobserved).unwrap();
     for (a, b) in whole.steps.iter().zip(&run(&half, &mut Unobserved).unwrap().steps) {
-        assert_within(a.approach, b.approach, 1e-3);
-        assert!((a.peak_pressure - b.peak_pressure).abs() <= 2e-3 * b.peak_pressure.max(1.0));
+        assert_within(a.figures.approach, b.figures.approach, 1e-3);
+        assert!(
+            (a.figures.peak_pressure - b.figures.peak_pressure).abs()
+                <= 2e-3 * b.figures.peak_pressure.max(1.0)
+        );
     }
 }

@@ -19,9 +19,13 @@ fn unequal(upper: &Value, lower: &Value) -> Value {
 }
 
 fn assert_same(a: &StepSolution, b: &StepSolution, tolerance: f64) {
-    assert_within(a.peak_pressure, b.peak_pressure, tolerance);
-    assert_within(a.approach, b.approach, tolerance);
-    assert_within(a.patch.unwrap().half_width(), b.patch.unwrap().half_width(), tolerance);
+    assert_within(a.figures.peak_pressure, b.figures.peak_pressure, tolerance);
+    assert_within(a.figures.approach, b.figures.approach, tolerance);
+    assert_within(
+        a.field.patch.unwrap().half_width(),
+        b.field.patch.unwrap().half_width(),
+        tolerance,
+    );
 }
 
 #[test]
@@ -55,8 +59,8 @@ fn scaling_lengths_scales_the_answer() {
             job[side]["shape"]["radius"] = json!(20.0 * k);
         }
         let scaled = &solve(&job).steps[0];
-        assert_within(scaled.peak_pressure, reference.peak_pressure, 1e-8);
-        assert_within(scaled.approach, k * reference.approach, 1e-8);
+        assert_within(scaled.figures.peak_pressure, reference.figures.peak_pressure, 1e-8);
+        assert_within(scaled.figures.approach, k * reference.figures.approach, 1e-8);
     }
 }
 
@@ -96,7 +100,7 @@ fn half_and_full_models_agree() {
         job["solver"] = json!({"tolerance": 1e-9});
         let half = solve(&job);
         let full = solve_with(&job, Options { use_symmetry: false, ..Options::default() });
-        assert!(half.steps[0].symmetric && !full.steps[0].symmetric);
+        assert!(half.steps[0].field.symmetric && !full.steps[0].field.symmetric);
         assert_eq!(full.steps[0].status, SolveStatus::Converged);
         assert_same(&full.steps[0], &half.steps[0], 1e-6);
     }
@@ -130,9 +134,9 @@ fn a_rigid_body_deforms_nothing_and_halves_the_approach() {
     // the same force the half-width is the same.
     let against_rigid = solve(&unequal(&elastic, &flat));
     let step = &against_rigid.steps[0];
-    assert!(step.bodies[1].is_none());
-    assert_within(step.peak_pressure, both.peak_pressure, 1e-3);
-    assert_within(step.approach, 0.5 * both.approach, 1e-3);
+    assert!(step.field.bodies[1].is_none());
+    assert_within(step.figures.peak_pressure, both.figures.peak_pressure, 1e-3);
+    assert_within(step.figures.approach, 0.5 * both.figures.approach, 1e-3);
 }
 
 #[test]
@@ -144,7 +148,7 @@ fn a_lower_yield_stress_lowers_the_peak_and_widens_the_contact() {
         }
         let step = &solve(&job).steps[0].clone();
         assert_eq!(step.status, SolveStatus::Converged);
-        (step.peak_pressure, step.patch.unwrap().half_width(), step.approach)
+        (step.figures.peak_pressure, step.field.patch.unwrap().half_width(), step.figures.approach)
     };
     let figures: Vec<_> = [900.0, 700.0, 550.0, 450.0, 380.0].map(at).into();
     for pair in figures.windows(2) {
@@ -167,8 +171,8 @@ fn the_zone_grows_with_the_contact() {
     job["load"] = json!({"force": 2500.0});
     let step = &solve(&job).steps[0];
     assert_eq!(step.status, SolveStatus::Converged);
-    assert!(!step.reaches_edge);
-    let last = step.pairs.last().unwrap();
+    assert!(!step.checks.reaches_edge);
+    let last = step.field.pairs.last().unwrap();
     assert!(last.force == 0.0 && last.gap > 0.0);
 }
 
@@ -200,10 +204,10 @@ proptest! {
         let solution = solve(&job);
         let step = &solution.steps[0];
         prop_assert_eq!(step.status, SolveStatus::Converged);
-        prop_assert!(step.contact_check.passes(1e-9));
+        prop_assert!(step.checks.contact.passes(1e-9));
         let hertz = brinell_solver::analytical::HertzLine::new(force, effective, 1.0 / compliance);
-        prop_assert!((step.peak_pressure / hertz.peak_pressure() - 1.0).abs() < 2e-3,
-            "{} against {}", step.peak_pressure, hertz.peak_pressure());
+        prop_assert!((step.figures.peak_pressure / hertz.peak_pressure() - 1.0).abs() < 2e-3,
+            "{} against {}", step.figures.peak_pressure, hertz.peak_pressure());
     }
 }
 

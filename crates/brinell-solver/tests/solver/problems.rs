@@ -61,16 +61,18 @@ pub fn bits(solution: &Solution) -> Vec<u64> {
     let mut figures = Vec::new();
     for step in &solution.steps {
         figures.extend([
-            step.approach,
-            step.peak_pressure,
+            step.figures.approach,
+            step.figures.peak_pressure,
             step.contact_stiffness.unwrap_or(0.0),
-            step.equilibrium_residual,
+            step.checks.residual,
         ]);
-        figures.extend(step.pairs.iter().flat_map(|pair| [pair.force, pair.pressure, pair.gap]));
+        figures.extend(
+            step.field.pairs.iter().flat_map(|pair| [pair.force, pair.pressure, pair.gap]),
+        );
         figures.extend(
             step.history.iter().flat_map(|record| [record.approach, record.equilibrium_residual]),
         );
-        for body in step.bodies.iter().flatten() {
+        for body in step.field.bodies.iter().flatten() {
             figures.extend(body.stress.points.iter().flatten().flat_map(|point| point.stress));
         }
     }

@@ -36,15 +36,19 @@ fn step(upper: &Value, lower: &Value, force: f64) -> StepSolution {
 
 fn assert_sound(step: &StepSolution) {
     assert_eq!(step.status, SolveStatus::Converged);
-    assert!(step.contact_check.is_sound() && !step.reaches_edge);
-    assert!(step.pairs.iter().all(|pair| pair.gap >= 0.0 && pair.force >= 0.0));
-    assert!(step.pairs.iter().all(|pair| pair.force == 0.0 || pair.gap == 0.0));
+    assert!(step.checks.contact.is_sound() && !step.checks.reaches_edge);
+    assert!(step.field.pairs.iter().all(|pair| pair.gap >= 0.0 && pair.force >= 0.0));
+    assert!(step.field.pairs.iter().all(|pair| pair.force == 0.0 || pair.gap == 0.0));
 }
 
 fn assert_same(a: &StepSolution, b: &StepSolution, tolerance: f64) {
-    assert_within(a.peak_pressure, b.peak_pressure, tolerance);
-    assert_within(a.approach, b.approach, tolerance);
-    assert_within(a.patch.unwrap().half_width(), b.patch.unwrap().half_width(), tolerance);
+    assert_within(a.figures.peak_pressure, b.figures.peak_pressure, tolerance);
+    assert_within(a.figures.approach, b.figures.approach, tolerance);
+    assert_within(
+        a.field.patch.unwrap().half_width(),
+        b.field.patch.unwrap().half_width(),
+        tolerance,
+    );
 }
 
 /// Points of f from -half to half, mirror images of each other in x.
@@ -80,9 +84,10 @@ fn a_profile_of_a_circle_is_a_cylinder() {
     for (n, tolerance) in [(400, 3e-3), (1000, 1e-3)] {
         let points = face(10.0, n, |x| -x * x / (RADIUS + (RADIUS * RADIUS - x * x).sqrt()));
         let crowned = step(&profile(&points, Value::Null), &block(Value::Null), force);
-        assert_within(crowned.peak_pressure, hertz.peak_pressure(), tolerance);
+        assert_within(crowned.figures.peak_pressure, hertz.peak_pressure(), tolerance);
         assert!(
-            (crowned.patch.unwrap().half_width() - hertz.half_width()).abs() < crowned.spacing
+            (crowned.field.patch.unwrap().half_width() - hertz.half_width()).abs()
+                < crowned.field.spacing
         );
     }
 }
@@ -97,18 +102,18 @@ fn two_equal_bumps_share_the_load() {
             &solve_with(&job, Options { use_symmetry: false, ..Options::default() }).steps[0];
         assert_sound(half);
         assert_sound(full);
-        assert!(half.symmetric && !full.symmetric);
-        assert_eq!((half.parts.len(), full.parts.len()), (1, 2));
+        assert!(half.field.symmetric && !full.field.symmetric);
+        assert_eq!((half.field.parts.len(), full.field.parts.len()), (1, 2));
         assert_same(half, full, 1e-6);
-        let (left, right) = (full.parts[0], full.parts[1]);
+        let (left, right) = (full.field.parts[0], full.field.parts[1]);
         assert!((left.left + right.right).abs() < 1e-9 && (left.right + right.left).abs() < 1e-9);
         let force = |side: f64| {
-            full.pairs.iter().filter(|p| p.x * side > 0.0).map(|p| p.force).sum::<f64>()
+            full.field.pairs.iter().filter(|p| p.x * side > 0.0).map(|p| p.force).sum::<f64>()
         };
         assert_within(force(-1.0), force(1.0), 1e-6);
         assert_within(force(1.0), 500.0, 1e-6);
         // The valley is open.
-        assert!(full.pairs.iter().any(|pair| pair.x.abs() < 0.3 && pair.gap > 0.0));
+        assert!(full.field.pairs.iter().any(|pair| pair.x.abs() < 0.3 && pair.gap > 0.0));
     }
 }
 
@@ -120,19 +125,23 @@ fn unequal_bumps_mirrored_and_swapped() {
         let (tilted, mirror) =
             (profile(&points, plasticity.clone()), profile(&mirrored(&points), plasticity));
         let one = step(&tilted, &below, force);
-        assert!(!one.symmetric);
-        assert_eq!(one.parts.len(), 2, "both bumps carry: {:?}", one.parts);
+        assert!(!one.field.symmetric);
+        assert_eq!(one.field.parts.len(), 2, "both bumps carry: {:?}", one.field.parts);
         let transferred = |side: f64| -> f64 {
-            one.pairs.iter().filter(|pair| pair.x * side > 0.0).map(|pair| pair.force).sum()
+            one.field.pairs.iter().filter(|pair| pair.x * side > 0.0).map(|pair| pair.force).sum()
         };
         assert!(transferred(1.0) > 1.02 * transferred(-1.0));
         assert_within(transferred(1.0) + transferred(-1.0), force, 1e-9);
 
         let other = step(&mirror, &below, force);
         assert_same(&one, &other, 1e-6);
-        for (a, b) in one.pairs.iter().zip(other.pairs.iter().rev()) {
-            assert!((a.x + b.x).abs() < 1e-6 * one.spacing.max(1.0));
-            assert!((a.pressure - b.pressure).abs() < 1e-5 * one.peak_pressure, "at {}", a.x);
+        for (a, b) in one.field.pairs.iter().zip(other.field.pairs.iter().rev()) {
+            assert!((a.x + b.x).abs() < 1e-6 * one.field.spacing.max(1.0));
+            assert!(
+                (a.pressure - b.pressure).abs() < 1e-5 * one.figures.peak_pressure,
+                "at {}",
+                a.x
+            );
         }
         assert_same(&one, &step(&below, &tilted, force), 1e-6);
     }
@@ -187,8 +196,8 @@ fn a_history_of_unequal_bumps_mirrored() {
 #[test]
 fn the_higher_bump_touches_first() {
     let one = step(&profile(&bumps(2e-3), Value::Null), &block(Value::Null), 50.0);
-    assert_eq!(one.parts.len(), 1);
-    assert!(one.parts[0].left > 0.0);
+    assert_eq!(one.field.parts.len(), 1);
+    assert!(one.field.parts[0].left > 0.0);
 }
 
 #[test]
@@ -198,8 +207,11 @@ fn a_cylinder_in_a_groove_has_hertz_pressure() {
         below["shape"] = json!({"type": "groove", "radius": groove, "width": 40.0, "depth": 40.0});
         let found = step(&cylinder("clamped", Value::Null), &below, force);
         let hertz = HertzLine::new(force, 1.0 / (1.0 / RADIUS - 1.0 / groove), MODULUS);
-        assert_within(found.peak_pressure, hertz.peak_pressure(), 5e-3);
-        assert!((found.patch.unwrap().half_width() - hertz.half_width()).abs() < found.spacing);
+        assert_within(found.figures.peak_pressure, hertz.peak_pressure(), 5e-3);
+        assert!(
+            (found.field.patch.unwrap().half_width() - hertz.half_width()).abs()
+                < found.field.spacing
+        );
     }
 }
 
@@ -211,13 +223,14 @@ fn a_flat_with_rounded_flanks() {
     let mut last: Option<StepSolution> = None;
     for (force, plasticity) in [(300.0, Value::Null), (1200.0, bilinear())] {
         let one = step(&profile(&points, plasticity.clone()), &block(plasticity), force);
-        assert_eq!(one.parts.len(), 1, "the flat is in contact from end to end");
-        let half_width = one.patch.unwrap().half_width();
+        assert_eq!(one.field.parts.len(), 1, "the flat is in contact from end to end");
+        let half_width = one.field.patch.unwrap().half_width();
         assert!(half_width > 0.5 && half_width < 1.0);
-        let highest = one.pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap();
-        assert!(highest.x.abs() > 0.4 && one.pairs[0].pressure < 0.9 * highest.pressure);
+        let highest =
+            one.field.pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap();
+        assert!(highest.x.abs() > 0.4 && one.field.pairs[0].pressure < 0.9 * highest.pressure);
         if let Some(last) = last {
-            assert!(half_width > last.patch.unwrap().half_width());
+            assert!(half_width > last.field.patch.unwrap().half_width());
         }
         last = Some(one);
     }

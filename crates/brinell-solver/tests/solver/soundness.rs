@@ -63,7 +63,7 @@ fn status_with(contact: &dyn ContactSolver, elastic: bool) -> (SolveStatus, bool
     };
     let options = Options { contact_solver: Some(contact), ..Options::default() };
     let step = &solve_with(&job, options).steps[0];
-    (step.status, step.contact_check.is_sound())
+    (step.status, step.checks.contact.is_sound())
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn too_few_iterations_are_not_convergence() {
     assert_eq!(solution.steps[0].status, SolveStatus::NotConverged);
     assert_eq!(solution.steps[0].history.len(), 5);
     assert!(
-        solution.steps[0].contact_check.is_sound(),
+        solution.steps[0].checks.contact.is_sound(),
         "the contact of an unfinished state is still exact"
     );
 }

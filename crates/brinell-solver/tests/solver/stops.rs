@@ -134,21 +134,24 @@ fn a_history_that_is_stopped_keeps_the_loads_that_are_finished() {
         (most, most_converged) = (steps.len(), converged);
         for (k, (step, expected)) in steps.iter().zip(&whole.steps).enumerate() {
             let has_stresses =
-                step.bodies.iter().flatten().all(|body| !body.stress.points.is_empty());
+                step.field.bodies.iter().flatten().all(|body| !body.stress.points.is_empty());
             assert_eq!(has_stresses, k < converged, "question {questions}");
             if k < converged {
                 assert_eq!(
-                    (step.peak_pressure, step.approach),
-                    (expected.peak_pressure, expected.approach)
+                    (step.figures.peak_pressure, step.figures.approach),
+                    (expected.figures.peak_pressure, expected.figures.approach)
                 );
             } else {
                 assert_eq!(step.status, SolveStatus::Cancelled);
-                assert!(step.is_preliminary() || k == converged, "one load at most is iterated");
+                assert!(step.is_preliminary || k == converged, "one load at most is iterated");
             }
-            if step.is_preliminary() {
+            if step.is_preliminary {
                 preliminary += 1;
                 assert_eq!(step.load, expected.load);
-                assert!((step.approach - expected.approach).abs() < 0.1 * whole.steps[2].approach);
+                assert!(
+                    (step.figures.approach - expected.figures.approach).abs()
+                        < 0.1 * whole.steps[2].figures.approach
+                );
                 assert!(step.coarse.is_none() && step.contact_stiffness.is_none());
             }
         }
@@ -259,7 +262,7 @@ fn a_job_that_is_stopped_keeps_its_iterations() {
                 Ok(solution) => {
                     let step = &solution.steps[0];
                     assert_eq!(step.history.len(), observer.iterations, "{coupling} {questions}");
-                    assert!(step.pairs.iter().any(|pair| pair.pressure > 0.0));
+                    assert!(step.field.pairs.iter().any(|pair| pair.pressure > 0.0));
                     renewals = step.history[1..]
                         .iter()
                         .filter(|record| record.factorizations > 0)

@@ -202,9 +202,10 @@ fn a_constant_factor_is_another_curve() {
         let graded = solve(&with_factor(theory, Some(json!([[0.2, factor]])), bilinear()));
         let plain = solve(&with_factor(theory, None, stronger.clone()));
         for (a, b) in graded.steps.iter().zip(&plain.steps) {
-            assert!((a.approach / b.approach - 1.0).abs() < 1e-9, "{theory}");
+            assert!((a.figures.approach / b.figures.approach - 1.0).abs() < 1e-9, "{theory}");
             assert!(
-                (a.peak_pressure - b.peak_pressure).abs() <= 1e-9 * plain.steps[0].peak_pressure
+                (a.figures.peak_pressure - b.figures.peak_pressure).abs()
+                    <= 1e-9 * plain.steps[0].figures.peak_pressure
             );
         }
     }
@@ -232,12 +233,12 @@ fn a_zone_at_the_core_is_found() {
         let solution = solve(&job);
         let step = &solution.steps[0];
         assert_eq!(step.status, SolveStatus::Converged, "{theory}");
-        let half_width = step.patch.unwrap().half_width();
-        let (least, greatest) = yielded_depths(step.bodies[1].as_ref().unwrap()).unwrap();
+        let half_width = step.field.patch.unwrap().half_width();
+        let (least, greatest) = yielded_depths(step.field.bodies[1].as_ref().unwrap()).unwrap();
         assert!(least > 1.28 && least > 3.0 * half_width, "{theory}: {least} {half_width}");
         assert!(greatest > least + 0.1, "{theory}: {least} to {greatest}");
         // Forces balance over both whole bodies, the core included.
-        assert!(step.equilibrium_residual < 2e-6 && step.contact_check.is_sound());
+        assert!(step.checks.residual < 2e-6 && step.checks.contact.is_sound());
     }
 }
 
@@ -249,7 +250,7 @@ fn a_harder_case_makes_a_higher_peak() {
         let step =
             solve(&with_factor("deformation", Some(over_depth), bilinear())).steps.remove(0);
         assert_eq!(step.status, SolveStatus::Converged);
-        step.peak_pressure
+        step.figures.peak_pressure
     };
     let case = peak(json!([[0.0, 1.6], [0.4, 1.5], [0.8, 1.0]]));
     let uniform = peak(json!([[0.0, 1.0]]));
@@ -266,7 +267,11 @@ fn hardness_and_units_are_only_other_words() {
     let by_factors = solve(&with_factor("deformation", Some(factors), bilinear()));
     let job = with_factor("deformation", Some(hardness), bilinear());
     let by_hardness = solve(&job);
-    assert_within(by_hardness.steps[0].peak_pressure, by_factors.steps[0].peak_pressure, 1e-12);
+    assert_within(
+        by_hardness.steps[0].figures.peak_pressure,
+        by_factors.steps[0].figures.peak_pressure,
+        1e-12,
+    );
     let mut other = parse(&job);
     other.units = brinell_solver::job::Units::Si;
     let written = serde_json::to_value(&other).unwrap();
@@ -275,7 +280,11 @@ fn hardness_and_units_are_only_other_words() {
         1e-4
     );
     let in_si = solve(&written);
-    assert_within(in_si.steps[0].peak_pressure, by_factors.steps[0].peak_pressure, 1e-12);
+    assert_within(
+        in_si.steps[0].figures.peak_pressure,
+        by_factors.steps[0].figures.peak_pressure,
+        1e-12,
+    );
 }
 
 /// Pointers and details of what is wrong with a job.

@@ -88,7 +88,7 @@ fn a_rough_trace_costs_what_was_estimated() {
         let expected = estimate(&parse(&job)).unwrap().equations as f64;
         let solution = solve(&job);
         let found: usize =
-            solution.steps[0].bodies.iter().flatten().map(|body| body.equations).sum();
+            solution.steps[0].field.bodies.iter().flatten().map(|body| body.equations).sum();
         assert_within(found as f64, expected, tolerance);
     }
 }

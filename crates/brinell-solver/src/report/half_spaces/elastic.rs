@@ -236,7 +236,7 @@ impl EllipticReference {
         if has_outline {
             self.of_outline(step.figures.semi_axes())
         } else {
-            self.of_cells(&step.surface)
+            self.of_cells(&step.field.surface)
         }
     }
 

@@ -38,34 +38,40 @@ pub(super) fn findings(
     findings
         .extend(widest(job, problem.orientation(), step.figures.semi_axes()).map(Finding::Wide));
     findings.extend(problem.half_length().and_then(|_| wide_tilt(step)).map(Finding::Wide));
-    if step.reaches_edge {
+    if step.checks.reaches_edge {
         findings.push(Finding::AtEdge { in_hole: false });
     }
     let search = Work::Search {
-        meshes: step.grids_of_search,
+        meshes: step.search.systems,
         of_cells: true,
         of_histories: job.solver.theory == Theory::Flow,
         force: step.figures.force,
     };
     findings.extend(long_search(search));
     findings.extend(coarse_grid(problem, step));
-    if !step.unknown_before.is_empty() {
-        findings.push(Finding::EarlierLoads { unknown: step.unknown_before });
+    if !step.path.unknown_before.is_empty() {
+        findings.push(Finding::EarlierLoads { unknown: step.path.unknown_before });
     }
     let strain =
         step.figures.bodies.iter().map(|body| body.max_plastic_strain).fold(0.0, f64::max);
     let is_history = job.solver.theory == Theory::Flow;
-    let last = is_history.then_some(step.last_increment);
-    findings.extend(large_strain(strain, step.has_collapsed, last));
+    let last = is_history.then_some(step.path.last_increment);
+    findings.extend(large_strain(strain, step.checks.has_collapsed, last));
     if strain > 0.0 && !is_history {
         findings.push(Finding::DeformationTheory(deformation(job, problem, step)));
     }
     findings.extend(of_history(job, step.load, step.figures.force > 0.0));
     let bodies = || {
-        step.bodies.iter().enumerate().filter_map(|(side, body)| Some((side, body.as_deref()?)))
+        step.field
+            .bodies
+            .iter()
+            .enumerate()
+            .filter_map(|(side, body)| Some((side, body.as_deref()?)))
     };
     let unbounded = [0, 1].map(|side| {
-        step.bodies[side].as_deref().is_some_and(|body| largest_strain(job, body, side).is_none())
+        step.field.bodies[side]
+            .as_deref()
+            .is_some_and(|body| largest_strain(job, body, side).is_none())
     });
     if unbounded.contains(&true) {
         findings.push(Finding::UnboundedStrain { bodies: unbounded });
@@ -96,12 +102,12 @@ pub fn unknown_figures(
     step: &HalfSpaceStep,
 ) -> [FigureSet; 2] {
     let findings = findings(job, problem, step);
-    [Known::of_job(job, &findings).void(), left_unknown(step.unknown_before, &findings)]
+    [Known::of_job(job, &findings).void(), left_unknown(step.path.unknown_before, &findings)]
 }
 
 /// Returns the elastic peak pressure over the least yield stress, and the outline of the contact.
 fn deformation(job: &Job, problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Deformation {
-    let hertz = step.hertz.filter(|_| problem.heights.is_none());
+    let hertz = step.field.hertz.filter(|_| problem.heights.is_none());
     let outline = match &hertz {
         Some(hertz) if problem.is_line(hertz) => ContactOutline::Line,
         Some(hertz) if hertz.semi_axis_x > ROUND * hertz.semi_axis_y => ContactOutline::Circle,
@@ -113,7 +119,7 @@ fn deformation(job: &Job, problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> D
 
 /// Returns the finding on a contact of few cells.
 fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
-    let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes());
+    let (grid, [a, b]) = (&step.field.surface.grid, step.figures.semi_axes());
     let number = (a / grid.hx()).min(b / grid.hy());
     if step.is_preliminary || number <= 0.0 || number >= COARSE_GRID {
         return None;
@@ -124,7 +130,7 @@ fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Findi
 
 /// Adds the findings on the type of the surfaces: heights, rollers, half-spaces.
 fn of_shapes(problem: &HalfSpaceProblem, step: &HalfSpaceStep, findings: &mut Vec<Finding>) {
-    if problem.heights.is_some() && reaches_rim(&step.surface) {
+    if problem.heights.is_some() && reaches_rim(&step.field.surface) {
         findings.push(Finding::SurfaceEnd);
     }
     if let Some(end) = roller_end(problem, step) {
@@ -147,20 +153,20 @@ fn of_shapes(problem: &HalfSpaceProblem, step: &HalfSpaceStep, findings: &mut Ve
 /// Returns the finding on a load step that did not converge.
 fn status(job: &Job, step: &HalfSpaceStep) -> Option<Finding> {
     let unfinished = Unfinished {
-        contact_check: step.contact_check,
+        contact_check: step.checks.contact,
         history: &step.history,
-        residual: step.plastic_residual,
-        missed: step.missed,
-        has_collapsed: step.has_collapsed,
-        reaches_edge: step.reaches_edge,
-        inherits_error: step.last_increment.inherits_error,
+        residual: step.checks.residual,
+        missed: step.search.missed,
+        has_collapsed: step.checks.has_collapsed,
+        reaches_edge: step.checks.reaches_edge,
+        inherits_error: step.path.last_increment.inherits_error,
         is_history: job.solver.theory == Theory::Flow,
-        is_elastic: step.bodies.iter().flatten().all(|body| body.largest_strain.is_none()),
+        is_elastic: step.field.bodies.iter().flatten().all(|body| body.largest_strain.is_none()),
     };
     match step.status {
         SolveStatus::Converged => None,
         SolveStatus::NotConverged if misses_moment(step) => {
-            Some(Finding::NotConverged(Unconverged::Moment { missing: step.missing_moment }))
+            Some(Finding::NotConverged(Unconverged::Moment { missing: step.field.missing_moment }))
         }
         SolveStatus::NotConverged => Some(Finding::NotConverged(unfinished.cause(job.solver))),
         status => Some(Finding::Stopped { status, is_preliminary: step.is_preliminary }),
@@ -169,12 +175,12 @@ fn status(job: &Job, step: &HalfSpaceStep) -> Option<Finding> {
 
 /// Whether the moment of a roller is what a contact violates most.
 fn misses_moment(step: &HalfSpaceStep) -> bool {
-    !step.contact_check.is_sound() && step.missing_moment >= step.contact_check.worst()
+    !step.checks.contact.is_sound() && step.field.missing_moment >= step.checks.contact.worst()
 }
 
 /// Returns the finding on a tilt that follows from a moment and could not be given.
 fn wide_tilt(step: &HalfSpaceStep) -> Option<Wide> {
-    let (tilt, most) = (1e3 * step.tilt, *Roller::tilts().end());
+    let (tilt, most) = (1e3 * step.field.tilt, *Roller::tilts().end());
     (tilt.abs() > most).then_some(Wide::Tilt { tilt, most })
 }
 
@@ -239,7 +245,7 @@ fn has_kinks(problem: &HalfSpaceProblem) -> bool {
 
 /// Returns the finding on a contact that reaches an end of a roller.
 fn roller_end(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
-    let (half_length, map) = (problem.half_length()?, &step.surface);
+    let (half_length, map) = (problem.half_length()?, &step.field.surface);
     let (ny, hy) = (map.grid.ny(), map.grid.hy());
     let is_at_end = |cell: usize| half_length - map.grid.y(cell % ny).abs() < hy;
     let most =

@@ -39,11 +39,11 @@ impl FlowState {
             self.before_unloading = None;
         }
         self.force = step.figures.force;
-        self.bodies.clone_from(&step.bodies);
+        self.bodies.clone_from(&step.field.bodies);
         Some(FlowReport {
             unloading_stiffness: write.stiffness(reference.stiffness(step)),
-            energy: EnergyReport::of(step.energy, write),
-            increments: IncrementsReport::of(&step.increments, write),
+            energy: EnergyReport::of(step.path.energy.unwrap_or_default(), write),
+            increments: IncrementsReport::of(&step.path.increments, write),
             surfaces: if step.status.is_stopped() {
                 PerBody { upper: None, lower: None }
             } else {
@@ -69,7 +69,7 @@ impl FlowState {
             .zip(&body.plastic_displacement)
             .map(|(elastic, plastic)| -(share * elastic + plastic))
             .collect();
-        let map = &step.surface;
+        let map = &step.field.surface;
         let extreme = |sign: f64| heights.iter().map(|height| sign * height).fold(0.0, f64::max);
         let highest =
             (0..heights.len()).max_by(|a, b| heights[*a].total_cmp(&heights[*b])).unwrap_or(0);
@@ -97,14 +97,14 @@ impl FlowState {
 /// Returns the elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`, or
 /// zeros without contact.
 fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Vec<f64> {
-    let map = &step.surface;
+    let map = &step.field.surface;
     if step.figures.force <= 0.0 {
         return vec![0.0; map.gap.len()];
     }
     let gap = reference.initial_gap(&map.grid);
     let at = |cell: usize| {
         let plastic: f64 =
-            step.bodies.iter().flatten().map(|body| body.plastic_displacement[cell]).sum();
+            step.field.bodies.iter().flatten().map(|body| body.plastic_displacement[cell]).sum();
         map.gap[cell] - gap[cell] - plastic + step.figures.approach
     };
     (0..map.gap.len()).map(at).collect()

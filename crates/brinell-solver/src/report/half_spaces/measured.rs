@@ -42,7 +42,7 @@ pub(super) fn measured(
         let (value, depth, side) = used;
         Some(Largest { value, side, place: [0.0, 0.0, depth] })
     };
-    let is_elastic = step.bodies.iter().flatten().all(|body| body.largest_strain.is_none());
+    let is_elastic = step.field.bodies.iter().flatten().all(|body| body.largest_strain.is_none());
     let at_end = findings.iter().any(|finding| {
         matches!(finding, Finding::RollerEnd { .. } | Finding::Kinks | Finding::SurfaceEnd)
     });
@@ -55,7 +55,7 @@ pub(super) fn measured(
         utilization: closed().or_else(of_field).filter(|_| !at_end),
         first_yield: first_yield.filter(|_| is_smooth && (is_sought || !at_end)),
         core,
-        inside_rim: if is_smooth { None } else { inside_rim(&step.surface) },
+        inside_rim: if is_smooth { None } else { inside_rim(&step.field.surface) },
         ..at_rest
     }
 }
@@ -65,7 +65,7 @@ fn largest_in(
     step: &HalfSpaceStep,
     of: impl Fn(usize, &HalfSpaceBody) -> Option<Largest>,
 ) -> Option<Largest> {
-    let bodies = step.bodies.iter().enumerate();
+    let bodies = step.field.bodies.iter().enumerate();
     let found = bodies.filter_map(|(side, body)| of(side, body.as_ref()?));
     found.max_by(|a, b| a.value.total_cmp(&b.value))
 }

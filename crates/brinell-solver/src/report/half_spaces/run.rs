@@ -16,7 +16,9 @@ use crate::report::load_approach::CurvePoint;
 use crate::report::run::RunError;
 use crate::report::target::TargetSeen;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
-use crate::solver::half_spaces::{self, HalfSpaceStep};
+use crate::solver::half_spaces::{
+    self, HalfSpaceField, HalfSpaceStep, errors, target_error, target_figure,
+};
 use crate::solver::method::figures::{FigureSet, Figures};
 use crate::solver::{Observer, SolveStatus, StepReceiver};
 use crate::units::UnitConverter;
@@ -111,7 +113,7 @@ struct Steps<'a> {
     time: Duration,
 }
 
-impl StepReceiver<HalfSpaceStep> for Steps<'_> {
+impl StepReceiver<HalfSpaceField> for Steps<'_> {
     fn step(&mut self, mut step: HalfSpaceStep, observer: &mut dyn Observer) {
         let start = observer.elapsed();
         let StepWriter { job, write, reference, .. } = self.writer;
@@ -120,7 +122,7 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         seen.status = worse(seen.status, step.status);
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
         let flow = seen.flow.report(job, &step, reference, write);
-        step.unknown_before = seen.unknown;
+        step.path.unknown_before = seen.unknown;
         let findings = findings(job, self.writer.problem, &step);
         if flow.is_some() {
             seen.unknown = left_unknown(seen.unknown, &findings);
@@ -130,21 +132,29 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
             is_dented: is_dented(seen.dented_under, force),
             ..measured(job, self.writer.problem, reference, &step, &findings)
         };
-        if flow.is_some() && step.bodies.iter().flatten().any(|body| body.largest_strain.is_some())
+        if flow.is_some()
+            && step.field.bodies.iter().flatten().any(|body| body.largest_strain.is_some())
         {
             seen.dented_under = seen.dented_under.max(force);
         }
         let report = self.writer.report(&step, stiffness, flow, &findings);
         let report = report.answered(job, &measured, &findings, write);
         if let Load::Target(target) = &job.load {
-            let reached = step.target_figure(target.figure);
-            seen.target.take(step.figures.force, reached, step.target_error(target.figure));
+            let reached = target_figure(&step.figures, target.figure);
+            let errors = errors(&step, Some(target.figure));
+            let error = errors.map(|errors| target_error(&step, &errors, target.figure));
+            seen.target.take(step.figures.force, reached, error);
         }
         if step.status == SolveStatus::Converged {
             let Figures { approach, force, half_width, .. } = step.figures;
             let end = [approach, force, half_width];
-            let spacing = step.surface.grid.hx();
-            seen.curve.extend(load_approach::points(&step.increments, end, spacing, stiffness));
+            let spacing = step.field.surface.grid.hx();
+            seen.curve.extend(load_approach::points(
+                &step.path.increments,
+                end,
+                spacing,
+                stiffness,
+            ));
         }
         self.time += observer.elapsed().saturating_sub(start);
         (self.on_step)(self.number, report);
@@ -158,9 +168,9 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
 }
 
 fn mesh_report(step: &HalfSpaceStep, write: UnitConverter, enlargements: usize) -> MeshReport {
-    let grid = &step.surface.grid;
+    let grid = &step.field.surface.grid;
     let cells = grid.n_cells();
-    let bodies = || step.bodies.iter().flatten();
+    let bodies = || step.field.bodies.iter().flatten();
     let of_bodies: usize = bodies().map(|body| cells * body.layers.len()).sum();
     MeshReport {
         spacing: write.length(grid.hx()),

@@ -17,9 +17,9 @@ use crate::report::{
     Patch, PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
-    ColumnPoint, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap, von_mises,
+    self, ColumnPoint, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap, von_mises,
 };
-use crate::solver::method::figures::Figure;
+use crate::solver::method::figures::{Figure, Figures};
 use crate::solver::{SLOPE_ERROR, bounded_strain};
 use crate::units::UnitConverter;
 
@@ -72,7 +72,7 @@ impl StepWriter<'_> {
             } else {
                 of_bodies(step, |body, side| self.plasticity(body, side))
             },
-            hertz: step.hertz.map(|hertz| HertzReport {
+            hertz: step.field.hertz.map(|hertz| HertzReport {
                 half_width: write.length(hertz.semi_axis_x),
                 peak_pressure: write.stress(hertz.peak_pressure),
                 yield_onset_force: self.reference.onset_force().map(|force| write.force(force)),
@@ -97,7 +97,7 @@ impl StepWriter<'_> {
     }
 
     fn contact(&self, step: &HalfSpaceStep) -> ContactReport {
-        let (write, figures, map) = (self.write, &step.figures, &step.surface);
+        let (write, figures, map) = (self.write, &step.figures, &step.field.surface);
         let [a, _] = ordered(figures.semi_axes());
         let touches = figures.force > 0.0;
         let pressure = section_along_x(map, &map.pressure);
@@ -108,7 +108,7 @@ impl StepWriter<'_> {
             half_width: write.length(a),
             half_angle: None,
             peak_pressure: write.stress(figures.peak_pressure),
-            peak_position: write.length(step.peak_position[0]),
+            peak_position: write.length(step.field.peak_position[0]),
             middle_pressure: write.stress(figures.middle_pressure),
             mean_pressure: if touches {
                 write.stress(figures.force / figures.contact_area)
@@ -153,12 +153,12 @@ impl StepWriter<'_> {
 
     /// Returns dP/dα at a constant contact area \[N/mm\] of bodies that do not flow.
     pub fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
-        let is_known = !(step.status.is_stopped() || step.flows);
+        let is_known = !(step.status.is_stopped() || step.path.flows);
         is_known.then(|| self.reference.stiffness(step))
     }
 
     fn three_dimensional(&self, step: &HalfSpaceStep, known: Known) -> ThreeDimensionalReport {
-        let (write, figures, map) = (self.write, &step.figures, &step.surface);
+        let (write, figures, map) = (self.write, &step.figures, &step.field.surface);
         let lengths =
             |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
         let stresses =
@@ -169,9 +169,9 @@ impl StepWriter<'_> {
             a: write.length(ordered(figures.semi_axes())[0]),
             b: write.length(ordered(figures.semi_axes())[1]),
             area: write.area(figures.contact_area),
-            largest_cell_pressure: write.stress(step.largest_cell_pressure),
-            peak_position_y: write.length(step.peak_position[1]),
-            hertz: step.hertz.map(|hertz| EllipticHertzReport {
+            largest_cell_pressure: write.stress(step.field.largest_cell_pressure),
+            peak_position_y: write.length(step.field.peak_position[1]),
+            hertz: step.field.hertz.map(|hertz| EllipticHertzReport {
                 a: write.length(hertz.semi_axis_x),
                 b: write.length(hertz.semi_axis_y),
                 approach: write.length(hertz.approach),
@@ -197,7 +197,7 @@ impl StepWriter<'_> {
     /// Returns the report of a contact of heights.
     fn rough_contact(&self, step: &HalfSpaceStep) -> Option<RoughContactReport> {
         self.problem.heights.as_ref()?;
-        let (write, map, figures) = (self.write, &step.surface, &step.figures);
+        let (write, map, figures) = (self.write, &step.field.surface, &step.figures);
         let all = map.grid.cell_area() * map.grid.n_cells() as f64;
         let mut pressures: Vec<f64> = map.pressure.iter().copied().filter(|p| *p > 0.0).collect();
         pressures.sort_by(f64::total_cmp);
@@ -220,7 +220,7 @@ impl StepWriter<'_> {
     /// Returns the rows of cells between the ends of a roller.
     fn roller(&self, step: &HalfSpaceStep) -> Option<RollerReport> {
         let (half_length, write) = (self.problem.half_length()?, self.write);
-        let map = &step.surface;
+        let map = &step.field.surface;
         let rows = Row::all(&map.grid, &map.pressure).into_iter().enumerate();
         let rows =
             rows.map(|(j, row)| (map.grid.y(j), row)).filter(|(y, _)| y.abs() < half_length);
@@ -240,7 +240,7 @@ impl StepWriter<'_> {
                 .collect(),
             half_width: rows.iter().map(|row| write.length(row.half_width)).collect(),
             moment: write.length(write.force(moment)),
-            tilt: 1e3 * step.tilt,
+            tilt: 1e3 * step.field.tilt,
             middle_pressure: pressure[low].max(pressure[high]),
             end_pressure: [at_end(pressure.first()), at_end(pressure.last())],
             pressure,
@@ -274,10 +274,13 @@ impl StepWriter<'_> {
         }
         let below =
             |place: [f64; 2]| of_bodies(step, |body, side| self.profile(body, side, place));
-        let is_beside =
-            step.peak_position.iter().zip([step.surface.grid.hx(), step.surface.grid.hy()]);
+        let is_beside = step
+            .field
+            .peak_position
+            .iter()
+            .zip([step.field.surface.grid.hx(), step.field.surface.grid.hy()]);
         let is_beside = is_beside.into_iter().any(|(x, side)| x.abs() > side);
-        [Some(below([0.0; 2])), is_beside.then(|| below(step.peak_position))]
+        [Some(below([0.0; 2])), is_beside.then(|| below(step.field.peak_position))]
     }
 
     fn profile(&self, body: &HalfSpaceBody, side: usize, place: [f64; 2]) -> SubsurfaceReport {
@@ -342,6 +345,15 @@ impl StepWriter<'_> {
         std::array::from_fn(column)
     }
 
+    /// Returns the absolute errors of the figures.
+    fn errors(&self, step: &HalfSpaceStep) -> Option<Figures> {
+        let sought = match &self.job.load {
+            Load::Target(target) => Some(target.figure),
+            _ => None,
+        };
+        half_spaces::errors(step, sought)
+    }
+
     fn estimated_error(
         &self,
         step: &HalfSpaceStep,
@@ -349,7 +361,7 @@ impl StepWriter<'_> {
         known: Known,
     ) -> Option<ErrorEstimate> {
         let (figures, errors) =
-            (&step.figures, step.errors.as_ref().filter(|_| known.has_estimate())?);
+            (&step.figures, self.errors(step).filter(|_| known.has_estimate())?);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies is proportional to the contact size.
             (Some(_), _) => Some(0.5 * relative(errors.contact_area, figures.contact_area)),
@@ -359,8 +371,8 @@ impl StepWriter<'_> {
         let peak = Some(relative(errors.peak_pressure, figures.peak_pressure));
         let peak = known.bar(Figure::PeakPressure, 0, peak);
         let middle = relative(errors.middle_pressure, figures.middle_pressure);
-        let [x, y] = step.peak_position;
-        let grid = &step.surface.grid;
+        let [x, y] = step.field.peak_position;
+        let grid = &step.field.surface.grid;
         let is_peak_in_middle = x.abs() < BESIDE * grid.hx() && y.abs() < BESIDE * grid.hy();
         let middle = known
             .bar(Figure::MiddlePressure, 0, Some(middle))
@@ -384,21 +396,21 @@ impl StepWriter<'_> {
     /// Returns the relative error of a semi-axis, or `None` for heights: single asperities bound
     /// their contact.
     fn semi_axis_error(&self, step: &HalfSpaceStep, axis: usize) -> Option<f64> {
-        let error = step.errors.as_ref()?.semi_axes()[axis];
+        let error = self.errors(step)?.semi_axes()[axis];
         let has_heights = self.problem.heights.is_some();
         (!has_heights).then(|| relative(error, step.figures.semi_axes()[axis]))
     }
 
     fn ellipse_errors(&self, step: &HalfSpaceStep, known: Known) -> Option<EllipseErrors> {
         let (figures, errors) =
-            (&step.figures, step.errors.as_ref().filter(|_| known.has_estimate())?);
+            (&step.figures, self.errors(step).filter(|_| known.has_estimate())?);
         let of = |side: usize| {
             let part = |figure: Figure| {
                 let bar = relative(errors.get(figure, side), figures.get(figure, side));
                 known.bar(figure, side, Some(bar))
             };
             let without_load = |figure: Figure| part(figure).filter(|_| figures.force <= 0.0);
-            step.bodies[side].as_ref().map(|_| BodyErrors {
+            step.field.bodies[side].as_ref().map(|_| BodyErrors {
                 max_equivalent_plastic_strain: part(Figure::MaxPlasticStrain),
                 mean_equivalent_plastic_strain: None,
                 area: None,
@@ -419,10 +431,11 @@ impl StepWriter<'_> {
 /// Returns the fraction of the cells in contact below which a body has yielded, or `None` if no
 /// body can yield.
 fn plastic_part(step: &HalfSpaceStep) -> Option<f64> {
-    let n_cells = step.surface.pressure.len();
+    let n_cells = step.field.surface.pressure.len();
     let touched: Vec<usize> =
-        (0..n_cells).filter(|cell| step.surface.pressure[*cell] > 0.0).collect();
-    let strains = || step.bodies.iter().flatten().map(|body| &body.equivalent_plastic_strain);
+        (0..n_cells).filter(|cell| step.field.surface.pressure[*cell] > 0.0).collect();
+    let strains =
+        || step.field.bodies.iter().flatten().map(|body| &body.equivalent_plastic_strain);
     let below =
         |cell: usize| strains().flat_map(move |strain| strain.iter().skip(cell).step_by(n_cells));
     let plastic = touched.iter().filter(|cell| below(**cell).any(|strain| *strain > 0.0)).count();
@@ -451,7 +464,7 @@ pub(super) fn of_bodies<T: Clone>(
     step: &HalfSpaceStep,
     say: impl Fn(&HalfSpaceBody, usize) -> T,
 ) -> PerBody<Option<T>> {
-    let [upper, lower] = &step.bodies;
+    let [upper, lower] = &step.field.bodies;
     let is_shared = matches!((upper, lower), (Some(a), Some(b)) if std::sync::Arc::ptr_eq(a, b));
     let of_upper = upper.as_ref().map(|body| say(body, 0));
     let of_lower =
@@ -466,7 +479,8 @@ fn relative(error: f64, figure: f64) -> f64 {
 /// Returns the displacement of both surfaces by plastic strain in every cell \[mm\], or `None` if
 /// no body can yield.
 fn dent(step: &HalfSpaceStep) -> Option<Vec<f64>> {
-    let mut bodies = step.bodies.iter().flatten().filter(|body| body.plastic_strain.is_some());
+    let mut bodies =
+        step.field.bodies.iter().flatten().filter(|body| body.plastic_strain.is_some());
     let mut dent = bodies.next()?.plastic_displacement.clone();
     for body in bodies {
         for (sum, displacement) in dent.iter_mut().zip(&body.plastic_displacement) {

@@ -38,22 +38,29 @@ pub(super) struct HardnessSeen(Vec<Seen>);
 impl HardnessSeen {
     /// Records a load.
     pub fn see(&mut self, job: &Job, step: &StepSolution, findings: &[Finding]) {
-        let (Some(_), Some(specimen)) = (job.load.hardness(), &step.bodies[1]) else { return };
+        let (Some(_), Some(specimen)) = (job.load.hardness(), &step.field.bodies[1]) else {
+            return;
+        };
         let surface = specimen.surface();
         let highest =
             surface.iter().copied().fold([0.0; 2], |a, b| if b[1] > a[1] { b } else { a });
         self.0.push(Seen {
-            force: step.force(),
-            approach: step.approach,
+            force: step.figures.force,
+            approach: step.figures.approach,
             approach_bar: under_its_force(step, findings).and_then(|bars| bars.approach),
-            half_width: step.half_width(),
-            spacing: step.spacing,
-            stiffness: step.unloading_stiffness,
+            half_width: step.figures.half_width,
+            spacing: step.field.spacing,
+            stiffness: step.field.unloading_stiffness,
             dent: specimen.dent_depth(),
             has_yielded: specimen.has_yielded(),
             highest,
             surface,
-            increments: step.increments.iter().map(|end| [end.force, end.half_width]).collect(),
+            increments: step
+                .path
+                .increments
+                .iter()
+                .map(|end| [end.force, end.half_width])
+                .collect(),
             is_converged: step.status == SolveStatus::Converged,
         });
     }

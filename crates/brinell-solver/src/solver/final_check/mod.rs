@@ -24,27 +24,29 @@ use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::method::Interrupted as _;
 use crate::solver::method::contact_system::Linearize as _;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
-use crate::solver::method::figures::FigureSet;
 use crate::solver::method::final_check::{Evidence, LeastScales, judge};
-use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::Answer as _;
+use crate::solver::method::steps::{Checks, Energy, Path, Search, Step};
 use crate::solver::problem::Problem;
-use crate::solver::solution::{Energy, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution};
+use crate::solver::solution::{NarrowEdge, PairState, RoundedTip, SectionField, StepSolution};
 
 /// Elements over half of the arc of a tip with which the pressure on it is known to two per cent.
 pub(crate) const TIP_ELEMENTS: f64 = 4.0;
 
+/// x of the largest pressure that a history had, and of the middle of its contact \[mm\].
+pub(crate) type LastPeak = [f64; 2];
+
 /// Judges the final state by full displacement fields and the material law in the whole bodies,
 /// without results of the iteration. Takes stresses and nodal displacements out of the mesh solve.
+/// Where nothing touches, peak and middle are those of `last_peak`.
 pub(crate) fn finish(
     problem: &Problem,
     pass: &mut MeshSolve,
     load: ContactLoad,
     tolerance: f64,
-    least: LeastScales,
+    (least, last_peak): (LeastScales, Option<LastPeak>),
     run: &mut Run<'_>,
 ) -> StepSolution {
     let contact_stiffness =
@@ -61,29 +63,31 @@ pub(crate) fn finish(
             });
         let contact_stiffness = contact_stiffness.filter(|_| !pass.outcome.status.is_stopped());
         let judged = judge(&pass.system, &pass.outcome, &evidence, load, tolerance, least.contact);
-        let mut step = step(pass, evidence, &bodies, judged, contact_stiffness, load);
-        step.rounded_edge = unresolved_edge(problem, &step);
-        step.rounded_tip = unresolved_tip(problem, &step);
+        let mut step = step(pass, evidence, &bodies, judged, last_peak, load);
+        step.contact_stiffness = contact_stiffness;
+        step.field.rounded_edge = unresolved_edge(problem, &step);
+        step.field.rounded_tip = unresolved_tip(problem, &step);
         step
     })
 }
 
 /// Returns the rounded edge of a punch, if the elements are too large for the contact on it.
 fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<NarrowEdge> {
-    let edge = EdgeContact::of(problem, step.patch?, step.spacing, step.force())?;
+    let edge =
+        EdgeContact::of(problem, step.field.patch?, step.field.spacing, step.figures.force)?;
     let EdgeContact { elastic, flat } = edge;
-    edge.is_narrow(step.spacing)
+    edge.is_narrow(step.field.spacing)
         .then(|| NarrowEdge { elastic, half_width: flat + elastic.width() })
 }
 
 /// Returns the tip in the middle of the contact, if it is too narrow for the elements.
 fn unresolved_tip(problem: &Problem, step: &StepSolution) -> Option<RoundedTip> {
-    let (arc, half_width) = (problem.tip_arc(), step.half_width());
-    let patch = step.patch.filter(|patch| patch.left <= 0.0)?;
+    let (arc, half_width) = (problem.tip_arc(), step.figures.half_width);
+    let patch = step.field.patch.filter(|patch| patch.left <= 0.0)?;
     if let Some(exponent) = problem.pointed_exponent() {
         return Some(RoundedTip { arc: None, elastic_pressure: pointed_pressure(step, exponent) });
     }
-    if arc >= half_width || arc >= TIP_ELEMENTS * step.spacing || patch.right < arc {
+    if arc >= half_width || arc >= TIP_ELEMENTS * step.field.spacing || patch.right < arc {
         return None;
     }
     let elastic_pressure = problem.elastic_pressure_in_middle(half_width);
@@ -93,9 +97,9 @@ fn unresolved_tip(problem: &Problem, step: &StepSolution) -> Option<RoundedTip> 
 /// Pressure in the middle under a power on an elastic half-space, as a sum of flat punches whose
 /// forces grow with the half-width s as `sⁿ` (plane) and `sⁿ⁺¹` (axisymmetric) \[MPa\].
 fn pointed_pressure(step: &StepSolution, exponent: f64) -> f64 {
-    let (force, half_width) = (step.force(), step.half_width());
+    let (force, half_width) = (step.figures.force, step.figures.half_width);
     let rest = exponent - 1.0;
-    match step.stress_state {
+    match step.field.stress_state {
         StressState::Axisymmetric => {
             0.5 * (exponent + 1.0) / rest * force / (PI * half_width * half_width)
         }
@@ -236,7 +240,7 @@ fn step(
     evidence: Evidence,
     bodies: &[Arc<BodySolution>],
     (status, contact_check): (SolveStatus, KktReport),
-    contact_stiffness: Option<f64>,
+    last_peak: Option<LastPeak>,
     load: ContactLoad,
 ) -> StepSolution {
     let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, reaches_edge } = evidence;
@@ -244,46 +248,46 @@ fn step(
     let contact = &outcome.state.response.contact;
     let limit = bearable_pressure(system.stress_state, bodies);
     let pairs = pair_states(system, &contact.force, &unloaded_gap, contact.approach, limit);
-    StepSolution {
-        status,
-        load,
-        approach: contact.approach,
+    let found = [peak_position(&pairs), pass.middle()];
+    let [peak_position, middle] = last_peak.filter(|_| pass.patch.is_none()).unwrap_or(found);
+    let field = SectionField {
         symmetric: system.zone.is_symmetric(),
         stress_state: system.stress_state,
         conforming: system.conforming,
         smallest_gap: system.smallest_gap,
         spacing: system.zone.spacing(),
-        peak_pressure: system.peak_pressure(&contact.force).min(limit),
-        peak_position: peak_position(&pairs),
-        middle: pass.middle(),
+        peak_position,
+        middle,
         pairs,
         patch: pass.patch,
         parts: pass.parts(),
-        contact_stiffness,
         bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&bodies[k]))),
-        history: outcome.history.clone(),
-        contact_check,
-        equilibrium_residual,
         loaded_corners: system.loaded_corners(&contact.force),
-        reaches_edge,
-        has_collapsed,
-        mesh: StepMesh::Asked,
-        last_increment: LastIncrement::default(),
         unresolved: None,
         rounded_edge: None,
         rounded_tip: None,
-        missed: None,
-        force_error: None,
-        meshes_of_search: 0,
-        enlargements: pass.enlargements,
-        coarse: None,
-        increments: Vec::new(),
-        increment_error: None,
-        reached: [0.0; 2],
-        flows: false,
-        unknown_before: FigureSet::default(),
         unloading_stiffness: 0.0,
-        energy: energy(system, outcome, bodies),
+    };
+    let peak_pressure = system.peak_pressure(&contact.force).min(limit);
+    Step {
+        status,
+        load,
+        figures: field.figures(contact.approach, peak_pressure),
+        coarse: None,
+        increment_error: None,
+        checks: Checks {
+            contact: contact_check,
+            residual: equilibrium_residual,
+            reaches_edge,
+            has_collapsed,
+        },
+        history: outcome.history.clone(),
+        path: Path { energy: energy(system, outcome, bodies), ..Path::default() },
+        search: Search::default(),
+        contact_stiffness: None,
+        enlargements: pass.enlargements,
+        is_preliminary: false,
+        field,
     }
 }
 

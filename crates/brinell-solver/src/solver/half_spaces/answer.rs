@@ -11,18 +11,16 @@ use brinell_halfspace::DEVIATOR_COMPONENTS;
 
 use super::engine::{Answer, HalfSpaceEngine, ends_reached};
 use super::measure::{Measured, measure, stresses};
-use super::step::{HalfSpaceBody, HalfSpaceStep};
+use super::step::{HalfSpaceBody, HalfSpaceField, HalfSpaceStep};
 use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
 use crate::contact::kkt::ContactScales;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::iteration::{norm, relative};
-use crate::solver::method::figures::FigureSet;
 use crate::solver::method::final_check::{Evidence, LeastScales, judge};
-use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::Answer as _;
+use crate::solver::method::steps::{Checks, Path, Search, Step};
 use crate::solver::watch::watched;
 use crate::solver::{SolveStatus, method};
 
@@ -119,38 +117,43 @@ impl Answer {
         load: ContactLoad,
         measured: Measured,
         evidence: &Evidence,
-        (status, contact_check): (SolveStatus, KktReport),
+        (status, contact): (SolveStatus, KktReport),
     ) -> HalfSpaceStep {
         let Measured { figures, peak_position, largest_cell_pressure, surface, energy, bodies } =
             measured;
-        HalfSpaceStep {
+        let missing_moment = self.missing_moment();
+        Step {
             status,
             load,
             figures,
-            errors: None,
-            peak_position,
-            largest_cell_pressure,
-            tilt: engine.problem.tilt() + self.outcome.state.response.contact.tilt,
-            hertz: (figures.force > 0.0 && engine.problem.has_hertz())
-                .then(|| engine.problem.hertz(figures.force)),
-            surface: Arc::new(surface),
-            energy,
-            bodies,
+            coarse: None,
+            increment_error: None,
+            checks: Checks {
+                contact,
+                residual: evidence.equilibrium_residual,
+                reaches_edge: evidence.reaches_edge,
+                has_collapsed: evidence.has_collapsed,
+            },
             history: self.outcome.history.clone(),
-            contact_check,
-            missing_moment: self.missing_moment(),
-            plastic_residual: evidence.equilibrium_residual,
-            increments: Vec::new(),
-            last_increment: LastIncrement::default(),
-            grids_of_search: 0,
-            enlargements: self.system.design.enlargements,
-            reaches_edge: evidence.reaches_edge,
-            has_collapsed: evidence.has_collapsed,
-            is_preliminary: false,
+            path: Path {
+                flows: self.system.flows(&self.outcome.state.loads),
+                energy: Some(energy),
+                ..Path::default()
+            },
+            search: Search::default(),
             contact_stiffness: None,
-            flows: self.system.flows(&self.outcome.state.loads),
-            missed: None,
-            unknown_before: FigureSet::default(),
+            enlargements: self.system.design.enlargements,
+            is_preliminary: false,
+            field: HalfSpaceField {
+                peak_position,
+                largest_cell_pressure,
+                tilt: engine.problem.tilt() + self.outcome.state.response.contact.tilt,
+                hertz: (figures.force > 0.0 && engine.problem.has_hertz())
+                    .then(|| engine.problem.hertz(figures.force)),
+                surface: Arc::new(surface),
+                bodies,
+                missing_moment,
+            },
         }
     }
 }

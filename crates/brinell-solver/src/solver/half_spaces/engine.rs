@@ -24,7 +24,7 @@ use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::Held;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
+use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf};
 use crate::solver::watch::watched;
 use crate::solver::{SolveError, strategy};
 
@@ -38,8 +38,6 @@ pub(super) struct HalfSpaceEngine<'a> {
     pub coupling: &'static dyn Coupling,
     pub tolerance: f64,
     contact: ConjugateGradientSolver,
-    /// Figures of a grid of half the cells at the end of each load of a history.
-    pub coarse: Vec<Figures>,
 }
 
 impl<'a> HalfSpaceEngine<'a> {
@@ -53,7 +51,7 @@ impl<'a> HalfSpaceEngine<'a> {
     pub fn auxiliary(problem: &'a HalfSpaceProblem, theory: Theory, tolerance: f64) -> Self {
         let coupling = strategy::coupling(job::Coupling::Accelerated);
         let contact = ConjugateGradientSolver::new(CONTACT_TOLERANCE);
-        Self { problem, theory, coupling, tolerance, contact, coarse: Vec::new() }
+        Self { problem, theory, coupling, tolerance, contact }
     }
 
     /// The load is filled in.
@@ -76,34 +74,17 @@ pub(super) struct Answer {
     pub outcome: Outcome,
 }
 
-impl solve::Answer for Answer {
-    type System = HalfSpaces;
-
-    fn system(&self) -> &HalfSpaces {
-        &self.system
-    }
-
-    fn outcome(&self) -> &Outcome {
-        &self.outcome
-    }
-
-    fn outcome_mut(&mut self) -> &mut Outcome {
-        &mut self.outcome
-    }
-
-    fn into_parts(self) -> (HalfSpaces, Outcome) {
-        (self.system, self.outcome)
-    }
-
-    /// The shorter semi-axis is the half-width.
-    fn figures(&self) -> Figures {
+impl Answer {
+    /// Headline figures; the shorter semi-axis is the half-width.
+    pub fn figures(&self) -> Figures {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
         let [x, y] = semi_axes(&self.system, &contact.force);
         Figures { peak_pressure, half_width: x.min(y), approach, force, ..Figures::default() }
     }
 
-    fn has_collapsed(&self) -> bool {
+    /// Whether strains have outgrown the theory of small strains.
+    pub fn has_collapsed(&self) -> bool {
         self.system.yielding.borrow().bodies.iter().any(|body| {
             let cells = body.space().layers().len() * body.space().grid().n_cells();
             (0..cells).any(|cell| body.law().equivalent_plastic_strain(cell) > COLLAPSE_STRAIN)

@@ -4,7 +4,7 @@ use super::engine::HalfSpaceEngine;
 use super::history::coarse;
 use super::problem::HalfSpaceProblem;
 use super::sizing::{interrupted, size, under};
-use super::step::HalfSpaceStep;
+use super::step::{HalfSpaceField, HalfSpaceStep};
 use crate::contact::ContactLoad;
 use crate::job::Theory;
 use crate::solver::method::history;
@@ -19,7 +19,7 @@ pub(super) fn given(
     problem: &HalfSpaceProblem,
     loads: &[ContactLoad],
     run: &mut Run<'_>,
-    receiver: &mut dyn StepReceiver<HalfSpaceStep>,
+    receiver: &mut dyn StepReceiver<HalfSpaceField>,
 ) -> Result<Option<Interrupt>, SolveError> {
     if problem.solver.theory == Theory::Flow {
         let coarse = coarse(problem, loads, run)?;
@@ -44,7 +44,7 @@ fn step(
     let engine = HalfSpaceEngine::new(problem, Theory::Deformation);
     let (mut fine, _) = under(&engine, load, design.with_cells(problem.cells()), run)?;
     if coarse.status == SolveStatus::Converged {
-        fine.errors = fine.errors_beside(&coarse.figures);
+        fine.coarse = Some(coarse.figures);
     }
     Ok(fine)
 }

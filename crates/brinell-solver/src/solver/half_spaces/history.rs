@@ -6,7 +6,7 @@ use super::engine::{Answer, HalfSpaceEngine};
 use super::measure::{measure, place, stresses};
 use super::problem::HalfSpaceProblem;
 use super::sizing::size;
-use super::step::HalfSpaceStep;
+use super::step::{HalfSpaceField, HalfSpaceStep};
 use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
 use crate::job::Theory;
@@ -14,7 +14,7 @@ use crate::solver::SolveError;
 use crate::solver::loads::largest_loads;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::Coupling;
-use crate::solver::method::couplings::iteration::Controls;
+use crate::solver::method::couplings::iteration::{Controls, Outcome};
 use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::history::{Memory, NextIncrement};
@@ -35,12 +35,10 @@ pub(super) struct GridMemory {
     fitted: Option<GridDesign>,
     /// Position of the largest pressure under the last load above zero.
     peak: [f64; 2],
-    /// Figures at the end of each load.
-    pub figures: Vec<Figures>,
 }
 
 impl Memory for HalfSpaceEngine<'_> {
-    type Step = HalfSpaceStep;
+    type Field = HalfSpaceField;
     type Record = GridMemory;
 
     fn coupling(&self) -> &dyn Coupling {
@@ -52,11 +50,36 @@ impl Memory for HalfSpaceEngine<'_> {
     }
 
     fn begin(&self, system: &HalfSpaces) -> GridMemory {
-        GridMemory { design: system.design, fitted: None, peak: [0.0; 2], figures: Vec::new() }
+        GridMemory { design: system.design, fitted: None, peak: [0.0; 2] }
     }
 
-    fn bytes(memory: &GridMemory) -> usize {
-        memory.figures.capacity() * size_of::<Figures>()
+    fn bytes(_: &GridMemory) -> usize {
+        0
+    }
+
+    fn parts(answer: &Answer) -> (&HalfSpaces, &Outcome) {
+        (&answer.system, &answer.outcome)
+    }
+
+    fn outcome_mut(answer: &mut Answer) -> &mut Outcome {
+        &mut answer.outcome
+    }
+
+    fn into_parts(answer: Answer) -> (HalfSpaces, Outcome) {
+        (answer.system, answer.outcome)
+    }
+
+    fn figures(answer: &Answer) -> Figures {
+        answer.figures()
+    }
+
+    fn has_collapsed(answer: &Answer) -> bool {
+        answer.has_collapsed()
+    }
+
+    fn measure(&self, Answer { system, outcome }: &Answer, memory: &GridMemory) -> Figures {
+        let stresses = stresses(system, outcome, &mut never).ok();
+        measure(system, outcome, memory.peak, stresses).figures
     }
 
     fn design_after(&self, memory: &GridMemory) -> GridDesign {
@@ -65,8 +88,7 @@ impl Memory for HalfSpaceEngine<'_> {
 
     fn finer(&self, found: &GridMemory) -> (Self, GridDesign) {
         let problem = self.problem;
-        let mut engine = Self::new(problem, Theory::Flow);
-        engine.coarse.clone_from(&found.figures);
+        let engine = Self::new(problem, Theory::Flow);
         (engine, found.fitted.unwrap_or(found.design).with_cells(problem.cells()))
     }
 
@@ -93,18 +115,13 @@ impl Memory for HalfSpaceEngine<'_> {
         Ok(system.accepted().clone())
     }
 
-    fn remember(&self, answer: &mut Answer, memory: &mut GridMemory, time: f64, _: bool) {
+    fn remember(&self, answer: &mut Answer, memory: &mut GridMemory, _: f64, _: bool) {
         let Answer { system, outcome } = answer;
         let contact = &outcome.state.response.contact;
         if contact.total_force > 0.0 {
             let fitted = system.fitted(&contact.force);
             memory.fitted = Some(memory.fitted.map_or(fitted, |before| before.union(fitted)));
             memory.peak = place(system.grid(), system.peak(&contact.force).1);
-        }
-        // The figures of the coarse grid serve the error estimate at the end of each load.
-        if time.fract() == 0.0 && self.coarse.is_empty() {
-            let stresses = stresses(system, outcome, &mut never).ok();
-            memory.figures.push(measure(system, outcome, memory.peak, stresses).figures);
         }
     }
 
@@ -118,10 +135,7 @@ impl Memory for HalfSpaceEngine<'_> {
     ) -> HalfSpaceStep {
         let least =
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
-        let mut step = answer.step(self, load, memory.peak, least, run);
-        let coarse = progress.number.load.checked_sub(1).and_then(|load| self.coarse.get(load));
-        step.errors = coarse.and_then(|coarse| step.errors_beside(coarse));
-        step
+        answer.step(self, load, memory.peak, least, run)
     }
 
     fn step_as_iterated(&self, answer: &Answer, load: ContactLoad) -> HalfSpaceStep {

@@ -28,11 +28,15 @@ mod system;
 mod tilting;
 
 pub(crate) use errors::figure_of;
+pub use errors::{errors, scales_of_floors, target_error};
 pub use estimate::{HalfSpaceEstimate, estimate};
 pub use gap::{HeightMap, Relief, RollerGap};
 pub use measure::Row;
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};
 pub use search::HighestUtilization;
+pub(crate) use search::target_figure;
 pub(crate) use step::von_mises;
-pub use step::{ColumnPoint, HalfSpaceBody, HalfSpaceStep, LargestStrain, SurfaceMap};
+pub use step::{
+    ColumnPoint, HalfSpaceBody, HalfSpaceField, HalfSpaceStep, LargestStrain, SurfaceMap,
+};

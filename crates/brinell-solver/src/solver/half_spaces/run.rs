@@ -3,14 +3,14 @@
 use super::given::given;
 use super::problem::HalfSpaceProblem;
 use super::search;
-use super::step::HalfSpaceStep;
+use super::step::{HalfSpaceField, HalfSpaceStep};
 use crate::contact::ContactLoad;
 use crate::job::Theory;
 use crate::solver::loads::{Loads, history_of, loads};
 use crate::solver::method::observer::{Interrupt, Observer};
 use crate::solver::method::phases::PhaseTimes;
 use crate::solver::method::run::Run;
-use crate::solver::method::slope::{Loaded, OfStep, Slopes};
+use crate::solver::method::slope::Slopes;
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::slopes::reached;
 use crate::solver::{SolveError, SolveStatus};
@@ -38,7 +38,7 @@ pub struct HalfSpaceRun {
 pub fn run_each(
     problem: &HalfSpaceProblem,
     observer: &mut dyn Observer,
-    receiver: &mut dyn StepReceiver<HalfSpaceStep>,
+    receiver: &mut dyn StepReceiver<HalfSpaceField>,
 ) -> Result<HalfSpaceRun, SolveError> {
     let Some(cells_per_semi_axis) = problem.cells_of_slopes else {
         return solve(problem, observer, receiver);
@@ -48,30 +48,22 @@ pub fn run_each(
         let problem = HalfSpaceProblem { load, cells_per_semi_axis, ..problem.clone() };
         let mut steps: Vec<HalfSpaceStep> = Vec::new();
         let interrupt = solve(&problem, observer, &mut steps).map(|done| done.interrupted);
-        reached(&interrupt, &steps, |step| [step.figures.force, step.figures.approach])
+        reached(&interrupt, &steps)
     };
-    let of_step: OfStep<_> = (loaded, give_slope);
     let is_history = problem.solver.theory == Theory::Flow;
-    solve(problem, observer, &mut Slopes::new(receiver, of_step, is_history, &mut under))
+    solve(problem, observer, &mut Slopes::new(receiver, lacks_slope, is_history, &mut under))
 }
 
-/// What has to be known of a step for its slope. Bodies that do not flow have one in closed form.
-fn loaded(step: &HalfSpaceStep) -> Loaded {
-    Loaded {
-        load: step.load,
-        reached: [step.figures.force, step.figures.approach],
-        is_sought: step.status == SolveStatus::Converged && step.flows,
-    }
-}
-
-fn give_slope(step: &mut HalfSpaceStep, slope: f64) {
-    step.contact_stiffness = Some(slope);
+/// Returns whether a step has a slope that is not known yet. Bodies that do not flow have one in
+/// closed form.
+fn lacks_slope(step: &HalfSpaceStep) -> bool {
+    step.status == SolveStatus::Converged && step.path.flows
 }
 
 fn solve(
     problem: &HalfSpaceProblem,
     observer: &mut dyn Observer,
-    receiver: &mut dyn StepReceiver<HalfSpaceStep>,
+    receiver: &mut dyn StepReceiver<HalfSpaceField>,
 ) -> Result<HalfSpaceRun, SolveError> {
     let mut done = HalfSpaceRun::default();
     let mut run = Run { phases: &mut done.phases, passes: &mut done.grids, observer };

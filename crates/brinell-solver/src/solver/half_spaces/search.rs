@@ -3,14 +3,16 @@
 
 use brinell_halfspace::EllipticContact;
 
+use super::errors::{errors, target_error};
 use super::given::given;
 use super::law::initial_stress_over_depth;
 use super::problem::HalfSpaceProblem;
-use super::step::{HalfSpaceBody, HalfSpaceStep, von_mises};
+use super::step::{HalfSpaceBody, HalfSpaceField, HalfSpaceStep, von_mises};
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, TargetFigure};
 use crate::solver::SolveError;
 use crate::solver::loads::Sought;
+use crate::solver::method::figures::Figures;
 use crate::solver::method::force_search::{Density, Terms, find};
 use crate::solver::method::loads::{Tried, Wanted};
 use crate::solver::method::run::Run;
@@ -61,13 +63,13 @@ pub(super) fn run(
     let found = find(trial, search.terms()?, run)?;
     let mut steps = found.trial.steps;
     for step in &mut steps {
-        step.grids_of_search = *run.passes;
+        step.search.systems = *run.passes;
     }
     if let Sought::Target(target) = sought {
-        let error = steps.last().and_then(|step| step.target_error(target.figure));
-        let error = error.map(|error| error / found.sensitivity);
+        let errors = steps.last().and_then(|step| Some((step, errors(step, None)?)));
+        let error = errors.map(|(step, errors)| target_error(step, &errors, target.figure));
         for step in &mut steps {
-            step.add_force_error(error, target.figure);
+            step.search.force_error = error.map(|error| error / found.sensitivity);
         }
     }
     Ok((steps, found.sensitivity))
@@ -141,7 +143,7 @@ impl ForceSearch<'_> {
         density: Density,
         force: f64,
         run: &mut Run<'_>,
-    ) -> Result<Tried<HalfSpaceStep>, SolveError> {
+    ) -> Result<Tried<HalfSpaceField>, SolveError> {
         let mut problem = self.solved.clone();
         if density == Density::Coarse {
             let cells = problem.cells_per_semi_axis;
@@ -164,7 +166,9 @@ impl ForceSearch<'_> {
             Sought::Onset => {
                 self.problem.highest_utilization(step).map_or(0.0, |highest| highest.ratio)
             }
-            Sought::Target(target) => step.target_figure(target.figure) / target.value.get(),
+            Sought::Target(target) => {
+                target_figure(&step.figures, target.figure) / target.value.get()
+            }
         }
     }
 }
@@ -183,7 +187,7 @@ pub struct HighestUtilization {
 impl HalfSpaceProblem {
     /// Returns the highest utilization of all bodies with a hardening curve; `None` without one.
     pub fn highest_utilization(&self, step: &HalfSpaceStep) -> Option<HighestUtilization> {
-        let sides = self.materials.iter().zip(&step.bodies).enumerate();
+        let sides = self.materials.iter().zip(&step.field.bodies).enumerate();
         let of_sides = sides.filter_map(|(side, (material, body))| {
             highest_in(side, material.as_ref()?, self.orientation(), body.as_deref()?)
         });
@@ -260,21 +264,16 @@ impl Parabola {
     }
 }
 
-impl HalfSpaceStep {
-    /// Returns a figure of the contact at the end of its loads \[mm, MPa or 1\].
-    pub fn target_figure(&self, figure: TargetFigure) -> f64 {
-        let figures = &self.figures;
-        match figure {
-            TargetFigure::PermanentApproach => figures.approach,
-            TargetFigure::DentDepth => figures.bodies[0].dent.max(figures.bodies[1].dent),
-            TargetFigure::PeakPressure => figures.peak_pressure,
-            TargetFigure::MeanPressure => {
-                figures.force / figures.contact_area.max(f64::MIN_POSITIVE)
-            }
-            TargetFigure::HalfWidth => figures.semi_axes()[0].min(figures.semi_axes()[1]),
-            TargetFigure::MaxPlasticStrain => {
-                figures.bodies[0].max_plastic_strain.max(figures.bodies[1].max_plastic_strain)
-            }
+/// Returns a figure of the contact at the end of its loads \[mm, MPa or 1\].
+pub(crate) fn target_figure(figures: &Figures, figure: TargetFigure) -> f64 {
+    match figure {
+        TargetFigure::PermanentApproach => figures.approach,
+        TargetFigure::DentDepth => figures.bodies[0].dent.max(figures.bodies[1].dent),
+        TargetFigure::PeakPressure => figures.peak_pressure,
+        TargetFigure::MeanPressure => figures.force / figures.contact_area.max(f64::MIN_POSITIVE),
+        TargetFigure::HalfWidth => figures.semi_axes()[0].min(figures.semi_axes()[1]),
+        TargetFigure::MaxPlasticStrain => {
+            figures.bodies[0].max_plastic_strain.max(figures.bodies[1].max_plastic_strain)
         }
     }
 }

@@ -2,34 +2,25 @@
 
 use std::sync::Arc;
 
-use brinell_contact::KktReport;
 use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 
-use crate::contact::ContactLoad;
-use crate::solver::method::figures::{FigureSet, Figures};
-use crate::solver::method::increments::LastIncrement;
-use crate::solver::method::observer::{IterationRecord, SolveStatus};
-use crate::solver::method::steps::{IncrementRecord, LoadEnd, Step};
-use crate::solver::solution::Energy;
+use crate::solver::method::steps::Step;
 
-/// The answer to one load step of a contact in three dimensions. Lengths in mm, forces in N,
-/// stresses in MPa.
-#[expect(clippy::struct_excessive_bools, reason = "independent facts of a step")]
+/// The answer to one load of a contact in three dimensions.
+///
+/// The semi-axes among its figures are extrapolated from the squared pressure of the outermost
+/// cells on the axes, the contact area is that of their ellipse, the peak pressure is that after a
+/// 3 × 3 binomial mean: unsmoothed, the pressure is jagged near the edge of a contact that yields.
+/// Dent and pile-up are those by plastic strain alone. The least stress is that of σxx and σyy in
+/// the column below the peak pressure, without the surface layer. The elastic energy leaves out
+/// the initial stress. The residual is that of the plastic law, `‖2μ(Δε(σ) - Δε)‖` over the
+/// contact force, with the plastic strain increment Δε of the answer and the increment Δε(σ) of
+/// the law at its stresses.
+pub type HalfSpaceStep = Step<HalfSpaceField>;
+
+/// The fields of two half-spaces under one load. Lengths in mm, forces in N, stresses in MPa.
 #[derive(Debug, Clone)]
-pub struct HalfSpaceStep {
-    /// How the iteration ended, including the final check.
-    pub status: SolveStatus,
-    /// The prescribed force or approach.
-    pub load: ContactLoad,
-    /// Scalar figures. The semi-axes are extrapolated from the squared pressure of the outermost
-    /// cells on the axes, the contact area is that of their ellipse, the peak pressure is that
-    /// after a 3 × 3 binomial mean: unsmoothed, the pressure is jagged near the edge of a contact
-    /// that yields. Dent and pile-up are those by plastic strain alone. The least stress is that
-    /// of σxx and σyy in the column below the peak pressure, without the surface layer.
-    pub figures: Figures,
-    /// Estimated absolute errors of these figures; `None` where the solve on the coarse grid has
-    /// no answer.
-    pub errors: Option<Figures>,
+pub struct HalfSpaceField {
     /// `[x, y]` of the largest smoothed pressure. Without contact, the position under the last
     /// load with contact.
     pub peak_position: [f64; 2],
@@ -42,44 +33,10 @@ pub struct HalfSpaceStep {
     pub hertz: Option<EllipticContact>,
     /// Pressure and gap at the surface.
     pub surface: Arc<SurfaceMap>,
-    /// Parts of the work of the contact force, by flow theory. The elastic part leaves out the
-    /// initial stress.
-    pub energy: Energy,
     /// Upper and lower body; `None` for a rigid body. Two equal bodies share one.
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
-    /// Records of all iterations on the fine grid.
-    pub history: Vec<IterationRecord>,
-    /// Residuals of the contact conditions in the answer.
-    pub contact_check: KktReport,
     /// Part of a roller's moment that is missing, over force times half the length.
     pub missing_moment: f64,
-    /// Residual of the plastic law, `‖2μ(Δε(σ) - Δε)‖` over the contact force, with the plastic
-    /// strain increment Δε of the answer and the increment Δε(σ) of the law at its stresses.
-    pub plastic_residual: f64,
-    /// The increments of this load step, by flow theory.
-    pub increments: Vec<IncrementRecord>,
-    /// The last increment.
-    pub last_increment: LastIncrement,
-    /// Contact stiffness dP/dα of bodies that flow, where it is asked for \[N/mm\].
-    pub contact_stiffness: Option<f64>,
-    /// Whether a body flows in the last increment.
-    pub flows: bool,
-    /// Number of grids on which the force was sought; zero where it is given.
-    pub grids_of_search: usize,
-    /// Number of times that the grid was enlarged.
-    pub enlargements: usize,
-    /// Whether the contact or the plastic region reaches the edge of the last grid.
-    pub reaches_edge: bool,
-    /// Whether the plastic strain is so large that the load reaches or exceeds the load capacity.
-    pub has_collapsed: bool,
-    /// Whether the step was solved on the grid of half the cells, because the history was stopped
-    /// before the fine grid.
-    pub is_preliminary: bool,
-    /// Ratio of the sought figure to its target, if the search has found no force that gives the
-    /// target.
-    pub missed: Option<f64>,
-    /// Figures of the bodies that earlier loads of a history have left unknown.
-    pub unknown_before: FigureSet,
 }
 
 /// Pressure and gap in the cells of the surface: `[i ny + j]` for the cell `(i, j)` at
@@ -203,42 +160,4 @@ fn corners(grid: &SurfaceGrid, [x, y]: [f64; 2]) -> [(usize, f64); 4] {
         (cell(i + 1, j), u * (1.0 - v)),
         (cell(i + 1, j + 1), u * v),
     ]
-}
-
-impl Step for HalfSpaceStep {
-    fn status(&self) -> SolveStatus {
-        self.status
-    }
-
-    fn set_status(&mut self, status: SolveStatus) {
-        self.status = status;
-    }
-
-    fn reaches_edge(&self) -> bool {
-        self.reaches_edge
-    }
-
-    fn has_collapsed(&self) -> bool {
-        self.has_collapsed
-    }
-
-    fn end_load(&mut self, end: LoadEnd) {
-        (self.load, self.last_increment) = (end.load, end.last_increment);
-        self.increments = end.increments;
-    }
-
-    /// [`errors`](Self::errors) already contain the change from the coarse history's figures.
-    fn estimate(&mut self, _: Option<Figures>, increments: Option<Figures>) {
-        if let Some(changes) = increments {
-            self.add_increments(&changes);
-        }
-    }
-
-    fn make_preliminary(&mut self) {
-        self.is_preliminary = true;
-    }
-
-    fn miss(&mut self, ratio: f64) {
-        (self.status, self.missed) = (SolveStatus::NotConverged, Some(ratio));
-    }
 }

@@ -18,7 +18,7 @@ use crate::solver::method::loads::{Trial, Tried, Wanted};
 use crate::solver::method::run::Run;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
-use crate::solver::solution::StepSolution;
+use crate::solver::solution::{SectionField, StepSolution};
 use crate::solver::{SolveError, SolveStatus};
 use crate::units::UnitConverter;
 
@@ -139,22 +139,22 @@ impl ForceSearch<'_> {
             && trial
                 .steps
                 .iter()
-                .all(|step| step.status == SolveStatus::Converged || step.missed.is_some())
+                .all(|step| step.status == SolveStatus::Converged || step.search.missed.is_some())
         {
             let error = self.force_error(&trial, slope, run)?;
             if let Some(step) = trial.steps.last_mut() {
-                step.force_error = Some(error);
+                step.search.force_error = Some(error);
             }
         }
         if let Sought::Target(target) = self.sought {
             let bars = trial.steps.last().and_then(Bars::of);
             let error = bars.and_then(|bars| bars.of_target(target.figure));
             for step in &mut trial.steps {
-                step.force_error = error.map(|error| error / sensitivity);
+                step.search.force_error = error.map(|error| error / sensitivity);
             }
         }
         if let Some(step) = trial.steps.first_mut() {
-            step.meshes_of_search = *run.passes - before;
+            step.search.systems = *run.passes - before;
         }
         Ok((trial.steps, sensitivity))
     }
@@ -174,7 +174,7 @@ impl ForceSearch<'_> {
     /// be hidden from the mesh.
     fn force_error(
         &self,
-        found: &Trial<StepSolution>,
+        found: &Trial<SectionField>,
         slope: f64,
         run: &mut Run<'_>,
     ) -> Result<f64, SolveError> {
@@ -188,11 +188,13 @@ impl ForceSearch<'_> {
         let half = elements.div_ceil(2).max(MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH);
         let job = self.coarser_job(half);
         let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
-        let Some(force) = found.steps.last().map(StepSolution::force) else { return Ok(0.0) };
+        let Some(force) = found.steps.last().map(|step| step.figures.force) else {
+            return Ok(0.0);
+        };
         let trial = run.preliminarily(|run| self.trial_by(&sequence, force, run))?;
         let change = match trial {
             Ok(trial) if trial.is_converged() => {
-                let at_ends = |trial: &Trial<StepSolution>| {
+                let at_ends = |trial: &Trial<SectionField>| {
                     let highest =
                         trial.steps.last().and_then(|step| highest_at_ends(step, self.problem));
                     highest.map_or(f64::MIN_POSITIVE, |highest| highest.ratio).ln()
@@ -231,7 +233,7 @@ impl ForceSearch<'_> {
         sequence: &LoadSequence<'_>,
         force: f64,
         run: &mut Run<'_>,
-    ) -> Result<Tried<StepSolution>, SolveError> {
+    ) -> Result<Tried<SectionField>, SolveError> {
         let too_large = |error: SolveError| match error {
             SolveError::TooWide { .. } | SolveError::TooFarRound { .. } => {
                 Ok("the contact would spread over more of the surfaces than is solved".to_owned())
@@ -314,14 +316,14 @@ impl ForceSearch<'_> {
 /// A figure of the contact at the end of the loads by which it is found \[mm, MPa or 1\].
 pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
     let largest = |of: fn(&BodySolution) -> f64| {
-        step.bodies.iter().flatten().map(|body| of(body)).fold(0.0, f64::max)
+        step.field.bodies.iter().flatten().map(|body| of(body)).fold(0.0, f64::max)
     };
     match figure {
-        TargetFigure::PermanentApproach => step.approach,
+        TargetFigure::PermanentApproach => step.figures.approach,
         TargetFigure::DentDepth => largest(BodySolution::dent_depth),
-        TargetFigure::PeakPressure => step.peak_pressure,
-        TargetFigure::MeanPressure => step.mean_pressure(),
-        TargetFigure::HalfWidth => step.half_width(),
+        TargetFigure::PeakPressure => step.figures.peak_pressure,
+        TargetFigure::MeanPressure => step.field.mean_pressure(&step.figures),
+        TargetFigure::HalfWidth => step.figures.half_width,
         TargetFigure::MaxPlasticStrain => largest(BodySolution::max_plastic_strain),
     }
 }

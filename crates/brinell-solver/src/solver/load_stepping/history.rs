@@ -23,6 +23,7 @@ use crate::solver::mesh_solve::{MeshSolve, MeshSolveRequest};
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _, Linearize as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome};
+use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::history::{Memory, NextIncrement};
 use crate::solver::method::increments::Growth;
@@ -31,7 +32,7 @@ use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Engine, Round, VerdictOf};
 use crate::solver::problem::Problem;
 use crate::solver::reference::ElasticReference;
-use crate::solver::solution::StepSolution;
+use crate::solver::solution::{SectionField, StepSolution};
 use crate::solver::strategy::coupling;
 use crate::solver::{SolveError, final_check};
 
@@ -150,7 +151,7 @@ impl Engine for HistoryOnMesh<'_> {
 }
 
 impl Memory for HistoryOnMesh<'_> {
-    type Step = StepSolution;
+    type Field = SectionField;
     type Record = MeshMemory;
 
     fn coupling(&self) -> &dyn Coupling {
@@ -175,6 +176,30 @@ impl Memory for HistoryOnMesh<'_> {
             flows: false,
             points: Vec::new(),
         }
+    }
+
+    fn parts(answer: &MeshSolve) -> (&System, &Outcome) {
+        (&answer.system, &answer.outcome)
+    }
+
+    fn outcome_mut(answer: &mut MeshSolve) -> &mut Outcome {
+        &mut answer.outcome
+    }
+
+    fn into_parts(answer: MeshSolve) -> (System, Outcome) {
+        (answer.system, answer.outcome)
+    }
+
+    fn figures(answer: &MeshSolve) -> Figures {
+        answer.figures()
+    }
+
+    fn has_collapsed(answer: &MeshSolve) -> bool {
+        answer.has_collapsed()
+    }
+
+    fn measure(&self, answer: &MeshSolve, _: &MeshMemory) -> Figures {
+        answer.measure()
     }
 
     fn bytes(memory: &MeshMemory) -> usize {
@@ -289,20 +314,19 @@ impl Memory for HistoryOnMesh<'_> {
         let tolerance = self.mesh.solver.tolerance.get();
         let least =
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
+        let [largest_pressure, at, middle] = memory.peak;
+        let least = (least, Some([at, middle]));
         let mut step =
             final_check::finish(self.history.problem, solve, load, tolerance, least, run);
-        if step.patch.is_some() {
-            if step.peak_pressure > memory.peak[0] {
-                memory.peak = [step.peak_pressure, step.peak_position, step.middle];
-            }
-        } else {
-            [_, step.peak_position, step.middle] = memory.peak;
+        if step.field.patch.is_some() && step.figures.peak_pressure > largest_pressure {
+            memory.peak =
+                [step.figures.peak_pressure, step.field.peak_position, step.field.middle];
         }
         let unloading = final_check::unloading_stiffness(solve, run);
-        step.unloading_stiffness = unloading.unwrap_or(0.0);
+        step.field.unloading_stiffness = unloading.unwrap_or(0.0);
         // Ends that go back, or forth again, without flow leave the bodies elastic.
-        step.flows = memory.flows;
-        if progress.is_below_largest_load() && !step.flows {
+        step.path.flows = memory.flows;
+        if progress.is_below_largest_load() && !memory.flows {
             step.contact_stiffness = step.contact_stiffness.or(unloading);
         }
         step

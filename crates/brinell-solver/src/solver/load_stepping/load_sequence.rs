@@ -12,7 +12,7 @@ use crate::solver::method::loads::each_load;
 use crate::solver::method::run::Run;
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::Problem;
-use crate::solver::solution::StepSolution;
+use crate::solver::solution::SectionField;
 use crate::solver::{Interrupt, SolveError};
 
 /// The bodies, and how loads on them are solved.
@@ -36,7 +36,7 @@ impl LoadSequence<'_> {
         &self,
         loads: &[ContactLoad],
         run: &mut Run<'_>,
-        receiver: &mut dyn StepReceiver<StepSolution>,
+        receiver: &mut dyn StepReceiver<SectionField>,
     ) -> Result<Option<Interrupt>, SolveError> {
         let mut stepper = LoadStepper::new(self.problem, self.job, self.contact, self.cache);
         if let Some(problem) = self.with_memory {

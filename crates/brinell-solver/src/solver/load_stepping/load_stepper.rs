@@ -18,7 +18,6 @@ use crate::solver::method::couplings::iteration::Scales;
 use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::Answer as _;
 use crate::solver::problem::Problem;
 use crate::solver::solution::StepSolution;
 use crate::solver::strategy::coupling;
@@ -104,7 +103,7 @@ impl<'a> LoadStepper<'a> {
         let coarse = self.solve_auxiliary(&request, coarse, run)?;
         let found = || self.found(extent, &coarse);
         let extent = run.time(Phase::Output, found);
-        let figures = coarse.figures_of_contact();
+        let figures = coarse.patch.map(|_| coarse.measure());
 
         let previous = coarse.nodal_fields();
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
@@ -120,13 +119,13 @@ impl<'a> LoadStepper<'a> {
             &mut pass,
             load,
             tolerance,
-            LeastScales::default(),
+            (LeastScales::default(), None),
             run,
         );
         step.coarse = figures;
-        let elastic_force = (!yields).then(|| step.force());
+        let elastic_force = (!yields).then_some(step.figures.force);
         // One step of the search for it needs no remark.
-        step.unresolved = found.unresolved(
+        step.field.unresolved = found.unresolved(
             self.problem,
             trace::STEP * pass.system.zone.spacing(),
             elastic_force,

@@ -11,11 +11,11 @@ use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::{Loads, loads};
 use crate::solver::method::observer::Observer;
 use crate::solver::method::run::Run;
-use crate::solver::method::slope::{Loaded, OfStep, Slopes};
+use crate::solver::method::slope::Slopes;
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
 use crate::solver::slopes::{reached, small_job};
-use crate::solver::solution::{Solution, StepSolution};
+use crate::solver::solution::{SectionField, Solution, StepSolution};
 use crate::solver::{SolveError, SolveStatus};
 
 /// What the wire format does not offer: for the service, for verification, and for trying out
@@ -76,7 +76,7 @@ pub fn run_each(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,
-    receiver: &mut dyn StepReceiver<StepSolution>,
+    receiver: &mut dyn StepReceiver<SectionField>,
 ) -> Result<Solution, SolveError> {
     if !job.output.contact_stiffness {
         return solve(job, options, observer, receiver);
@@ -86,34 +86,24 @@ pub fn run_each(
         let mut steps: Vec<StepSolution> = Vec::new();
         let solution = solve(&job, options, observer, &mut steps);
         let interrupt = solution.map(|solution| solution.interrupted);
-        reached(&interrupt, &steps, |step| [step.force(), step.approach])
+        reached(&interrupt, &steps)
     };
-    let of_step: OfStep<_> = (loaded, give_slope);
     let is_history = job.solver.theory == Theory::Flow;
-    solve(job, options, observer, &mut Slopes::new(receiver, of_step, is_history, &mut under))
+    solve(job, options, observer, &mut Slopes::new(receiver, lacks_slope, is_history, &mut under))
 }
 
-/// What has to be known of a step for its slope.
-fn loaded(step: &StepSolution) -> Loaded {
-    let flows_freely = step.stress_state == StressState::PlaneStress
-        && step.bodies.iter().flatten().any(|body| body.bounded_plastic_strain().is_none());
-    let is_converged = step.status == SolveStatus::Converged;
-    Loaded {
-        load: step.load,
-        reached: [step.force(), step.approach],
-        is_sought: is_converged && step.contact_stiffness.is_none() && !flows_freely,
-    }
-}
-
-fn give_slope(step: &mut StepSolution, slope: f64) {
-    step.contact_stiffness = Some(slope);
+/// Returns whether a step has a slope that is not known yet.
+fn lacks_slope(step: &StepSolution) -> bool {
+    let flows_freely = step.field.stress_state == StressState::PlaneStress
+        && step.field.bodies.iter().flatten().any(|body| body.bounded_plastic_strain().is_none());
+    step.status == SolveStatus::Converged && step.contact_stiffness.is_none() && !flows_freely
 }
 
 fn solve(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,
-    receiver: &mut dyn StepReceiver<StepSolution>,
+    receiver: &mut dyn StepReceiver<SectionField>,
 ) -> Result<Solution, SolveError> {
     let mut problem = Problem::of(job);
     problem.use_symmetry = options.use_symmetry;

@@ -41,9 +41,9 @@ pub(super) fn surface_points(
     }
     let relaxed = relaxed_beyond_given(step, body, limits);
     let nodes = body.mesh.contact_nodes.windows(2).zip(relaxed.windows(2));
-    let pairs = step.pairs.windows(2);
+    let pairs = step.field.pairs.windows(2);
     let points = nodes.zip(pairs).filter_map(|((nodes, relaxed), pairs)| {
-        let mut point = point(step.stress_state, body, nodes, pairs)?;
+        let mut point = point(step.field.stress_state, body, nodes, pairs)?;
         for (k, stress) in point.beyond_given.iter_mut().enumerate() {
             *stress += relaxed.iter().map(|at_node| 0.5 * at_node[k]).sum::<f64>();
         }
@@ -64,7 +64,7 @@ fn relaxed_beyond_given(
         return vec![[0.0; 4]; nodes.len()];
     };
     let beyond = beyond_given(at_rest, given);
-    let mut recovery = Recovery::new(&beyond, step.symmetric);
+    let mut recovery = Recovery::new(&beyond, step.field.symmetric);
     nodes
         .iter()
         .map(|&node| {
@@ -173,8 +173,9 @@ pub(super) fn at_contact_circle(
     limits: &ProblemBody,
     points: &[SurfacePoint],
 ) -> Option<(f64, [f64; 2])> {
-    let is_disc = step.stress_state == StressState::Axisymmetric && step.parts.len() == 1;
-    let radius = step.patch.filter(|patch| is_disc && patch.left <= 0.0)?.right;
+    let is_disc =
+        step.field.stress_state == StressState::Axisymmetric && step.field.parts.len() == 1;
+    let radius = step.field.patch.filter(|patch| is_disc && patch.left <= 0.0)?.right;
     // The outermost, because the others come into contact one after the other while a force is
     // sought.
     let outside = points.last().filter(|point| point.is_free)?;

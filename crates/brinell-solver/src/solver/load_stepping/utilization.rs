@@ -40,7 +40,7 @@ const AROUND_ENDS: f64 = 0.3;
 
 /// The same near the ends of the contact alone.
 pub(crate) fn highest_at_ends(step: &StepSolution, problem: &Problem) -> Option<Utilization> {
-    let patch = step.patch?;
+    let patch = step.field.patch?;
     let reach = AROUND_ENDS * patch.half_width();
     let is_near = |x: f64| [patch.left, patch.right].iter().any(|end| (x - end).abs() < reach);
     highest_within(step, problem, &|[x, depth]| depth < reach && is_near(x))
@@ -52,10 +52,10 @@ pub(crate) const EDGE_UTILIZATION: f64 = 2.0 / 3.0;
 /// The utilization at a rounded edge that elements leave out, of elastic bodies in closed form;
 /// `None` without such an edge, and where no body can yield.
 pub(crate) fn at_narrow_edge(step: &StepSolution, problem: &Problem) -> Option<Utilization> {
-    let edge = step.rounded_edge?;
+    let edge = step.field.rounded_edge?;
     let (width, peak) = (edge.elastic.width(), edge.elastic.peak_pressure());
     let utilizations = problem.bodies.iter().enumerate().filter_map(|(k, body)| {
-        let out_of_plane = match step.stress_state {
+        let out_of_plane = match step.field.stress_state {
             StressState::PlaneStress => 0.0,
             StressState::PlaneStrain | StressState::Axisymmetric => {
                 body.material.as_ref()?.elastic().poisson_ratio.get()
@@ -78,16 +78,18 @@ const EDGE_ERROR: f64 = 0.015;
 /// in the middle half of the contact is off from that of a flat punch on a half-space, and what
 /// the closed form itself is off by.
 pub(crate) fn error_at_narrow_edge(step: &StepSolution) -> Option<f64> {
-    let half_width = step.rounded_edge?.half_width;
-    let mean = match step.stress_state {
-        StressState::Axisymmetric => step.force() / (2.0 * PI * half_width * half_width),
-        StressState::PlaneStrain | StressState::PlaneStress => step.force() / (PI * half_width),
+    let half_width = step.field.rounded_edge?.half_width;
+    let mean = match step.field.stress_state {
+        StressState::Axisymmetric => step.figures.force / (2.0 * PI * half_width * half_width),
+        StressState::PlaneStrain | StressState::PlaneStress => {
+            step.figures.force / (PI * half_width)
+        }
     };
     let off = |pair: &PairState| {
         let part = pair.x.abs() / half_width;
         (part < 0.5).then(|| pair.pressure * (1.0 - part * part).sqrt() / mean - 1.0)
     };
-    let off: Vec<f64> = step.pairs.iter().filter_map(off).collect();
+    let off: Vec<f64> = step.field.pairs.iter().filter_map(off).collect();
     Some(EDGE_ERROR + (off.iter().sum::<f64>() / off.len() as f64).abs())
 }
 
@@ -97,12 +99,12 @@ fn highest_within(
     problem: &Problem,
     counts: &dyn Fn([f64; 2]) -> bool,
 ) -> Option<Utilization> {
-    let solutions = step.bodies.iter().zip(&problem.bodies).enumerate();
+    let solutions = step.field.bodies.iter().zip(&problem.bodies).enumerate();
     let highest = solutions.filter_map(|(body, (solution, limits))| {
         let (solution, (least, greatest)) = (solution.as_ref()?, limits.strength_range());
         let surface = surface_points(step, solution, limits);
         let inside = if least < greatest || limits.initial_stress.is_some() {
-            highest_of_graded(solution, step.symmetric, limits, &surface, counts)?
+            highest_of_graded(solution, step.field.symmetric, limits, &surface, counts)?
         } else {
             highest_of_elements(solution, limits, counts)?
         };

@@ -11,14 +11,13 @@ use super::problem::RollingProblem;
 use super::system::Track;
 use crate::contact::{ConjugateGradientSolver, ContactLoad};
 use crate::job;
-use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
+use crate::solver::method::contact_system::BlockVector;
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
-use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::Held;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
+use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf};
 use crate::solver::{SolveError, strategy};
 
 /// Enlargements of a track at most.
@@ -106,32 +105,9 @@ pub(super) struct Answer<C: Course> {
     pub fault: Option<TrackFault>,
 }
 
-impl<C: Course> solve::Answer for Answer<C> {
-    type System = Track<C>;
-
-    fn system(&self) -> &Track<C> {
-        &self.track
-    }
-
-    fn outcome(&self) -> &Outcome {
-        &self.outcome
-    }
-
-    fn outcome_mut(&mut self) -> &mut Outcome {
-        &mut self.outcome
-    }
-
-    fn into_parts(self) -> (Track<C>, Outcome) {
-        (self.track, self.outcome)
-    }
-
-    fn figures(&self) -> Figures {
-        let contact = &self.outcome.state.response.contact;
-        let ContactFigures { force, approach, peak_pressure, .. } = self.track.figures(contact);
-        Figures { force, approach, peak_pressure, ..Figures::default() }
-    }
-
-    fn has_collapsed(&self) -> bool {
+impl<C: Course> Answer<C> {
+    /// Whether strains have outgrown the theory of small strains.
+    pub fn has_collapsed(&self) -> bool {
         let n = self.track.grid.n_columns();
         let bodies = self.track.bodies.borrow();
         let mut layers = bodies.iter().flat_map(|body| body.strains().chunks_exact(n));

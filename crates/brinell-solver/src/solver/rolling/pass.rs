@@ -12,7 +12,6 @@ use crate::solver::method::contact_system::{ContactFigures, ContactSystem};
 use crate::solver::method::couplings::iteration::{norm, relative};
 use crate::solver::method::final_check::{Evidence, LeastScales, judge};
 use crate::solver::method::observer::IterationRecord;
-use crate::solver::method::solve::Answer as _;
 use crate::solver::watch::never;
 
 /// One pass of the load. Lengths in mm, stresses in MPa, forces and works per length of travel in
