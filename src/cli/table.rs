@@ -11,7 +11,7 @@ use std::fmt::Write;
 
 use super::style::Style;
 use brinell_solver::job::fields::Figure;
-use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure};
+use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure, measure_of};
 use brinell_solver::report::{
     Answer, AnswerQuantity, FlowReport, LoadReport, PlasticityReport, Report, StepReport,
     TargetReport, Timings, VerdictLevel,
@@ -114,7 +114,7 @@ impl Page {
     /// The force that the job asked for by what it does.
     fn target(&mut self, job: &Job, target: &TargetReport) {
         let Load::Target(Target { figure, .. }) = &job.load else { return };
-        let unit = match figure.figure() {
+        let unit = match measure_of(*figure) {
             Figure::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
             Figure::Pure(_) => String::new(),
         };

@@ -3,9 +3,9 @@
 use serde::Serialize;
 use utoipa::ToSchema;
 
+use brinell_solver::inputs::{elastic_reference, elliptic_reference};
 use brinell_solver::job::{FieldError, Job, Load, Quantity, Sweep, Units};
-use brinell_solver::report::EllipticReference;
-use brinell_solver::solver::ElasticReference;
+use brinell_solver::solver::half_spaces::EllipticReference;
 
 /// Hertz's contact of the bodies of a job, in the units of the job.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
@@ -54,13 +54,13 @@ impl ClosedForm {
             return Err(vec![FieldError::not_solvable("/load", detail)]);
         };
         let (units, force_unit) = (job.units, job.analysis.force());
-        if let Some(reference) = EllipticReference::of(job) {
+        if let Some(reference) = elliptic_reference(job) {
             return Ok(Self::of_ellipse(job.units, &reference, forces));
         }
         let mut whole = None;
         let mut steps = Vec::with_capacity(forces.len());
         for force in forces.iter().map(|force| force.get()) {
-            let reference = ElasticReference::of(job, force).ok_or_else(not_hertzian)?;
+            let reference = elastic_reference(job, force).ok_or_else(not_hertzian)?;
             steps.push(ClosedFormStep {
                 force: force_unit.to_wire(units, force),
                 half_width: Quantity::Length.to_wire(units, reference.half_width),

@@ -10,6 +10,7 @@
 //! - [`StreamLaw`] follows the rows of a body that passes under a load;
 //! - [`Inhomogeneous`] gives one of these models a strength that varies over depth, and a residual
 //!   stress of the unloaded body;
+//! - [`Solid`] is the material of a body, from which a model is made;
 //! - [`tensile`] makes a curve of a tensile test;
 //! - [`analytical`]: closed forms of Hertz, McEwen, Hill, Prandtl, Persson and others, for
 //!   comparison.
@@ -20,10 +21,12 @@ mod flow;
 pub mod hardening;
 pub mod hardness;
 mod inhomogeneous;
+mod initial_stress;
 mod interpolant;
 mod model;
 mod moduli;
 mod return_mapping;
+mod solid;
 mod stream;
 mod strength;
 mod tangent;
@@ -34,9 +37,11 @@ pub use deformation::DeformationPlasticity;
 pub use flow::{BackstressTerm, FlowPlasticity, FlowState, Flowing};
 pub use hardening::{HardeningLaw, Inverse};
 pub use inhomogeneous::{Inhomogeneous, scaled};
+pub use initial_stress::InitialStressProfile;
 pub use model::{ConstitutiveModel, PerPoint, PointOrigin, PointResponse};
 pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};
 pub use return_mapping::{ReturnMapping, body_flows, flows, stress_of_yield};
+pub use solid::Solid;
 pub use stream::{Deviators, Rows, StreamLaw, StreamOfLayers, TrackFrame};
 pub use strength::{Depth, DepthStrength, StrengthProfile, interpolate};
 

@@ -2,6 +2,8 @@
 
 use nalgebra::{Matrix4, Vector4};
 
+use crate::analytical::ElasticConstants;
+
 /// A symmetric matrix over `[ε_xx, ε_yy, ε_zz, γ_xy]` \[MPa\].
 pub type Moduli = Matrix4<f64>;
 
@@ -31,6 +33,12 @@ pub struct ElasticModuli {
     pub bulk: f64,
     /// G \[MPa\].
     pub shear: f64,
+}
+
+impl From<ElasticConstants> for ElasticModuli {
+    fn from(elastic: ElasticConstants) -> Self {
+        Self { bulk: elastic.bulk_modulus(), shear: elastic.shear_modulus() }
+    }
 }
 
 impl ElasticModuli {

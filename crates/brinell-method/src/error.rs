@@ -60,12 +60,39 @@ pub struct Unreachable {
 /// Why no force gives the figure its wanted value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum UnreachableReason {
-    /// Larger forces cannot be solved; the text gives the reason.
-    Limit(String),
+    /// Larger forces cannot be solved.
+    Limit(Limit),
     /// The figure is too small under the largest force.
     LargestForce,
     /// The figure is too large under the smallest force.
     SmallestForce,
     /// The figure is the same under all forces nearby.
     Insensitive,
+}
+
+/// Why larger forces cannot be solved.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Limit {
+    /// The contact has no room on the surfaces.
+    NoRoom {
+        /// Half-width of the contact zone \[mm\].
+        half_width: f64,
+        /// Half-span of the narrower surface \[mm\].
+        available: f64,
+    },
+    /// A surface is too steep for a mesh.
+    TooSteep {
+        /// Where \[mm\].
+        x: f64,
+        /// Slope there.
+        slope: f64,
+    },
+    /// Another reason, as the end of a sentence without a figure that has a unit.
+    Other(String),
+}
+
+impl From<&str> for Limit {
+    fn from(reason: &str) -> Self {
+        Self::Other(reason.to_owned())
+    }
 }

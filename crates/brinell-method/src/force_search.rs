@@ -111,7 +111,7 @@ fn coarse<F, E: From<Error>>(
             }
             Ok(trial) => {
                 if bracket.limit(force) {
-                    reason = UnreachableReason::Limit(trial.why_not_converged().to_owned());
+                    reason = UnreachableReason::Limit(trial.why_not_converged().into());
                 }
             }
             Err(why) => {

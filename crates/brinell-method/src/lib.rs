@@ -21,8 +21,10 @@ pub mod observer;
 pub mod phases;
 pub mod progress;
 pub mod run;
+pub mod settings;
 pub mod slope;
 pub mod solve;
+pub mod sought;
 pub mod steps;
 
-pub use error::{Error, Interrupted, Unreachable, UnreachableReason};
+pub use error::{Error, Interrupted, Limit, Unreachable, UnreachableReason};

@@ -3,7 +3,7 @@
 use super::observer::{Interrupt, SolveStatus};
 use super::run::Run;
 use super::steps::{Step, StepReceiver};
-use crate::{Error, Interrupted};
+use crate::{Error, Interrupted, Limit};
 use brinell_contact::ContactLoad;
 
 /// Solves independent loads in order; `solve` takes a load and the next one.
@@ -43,7 +43,7 @@ pub struct Wanted<'a, F, E> {
     /// The figure at the end of the loads over its wanted value.
     pub ratio: &'a dyn Fn(&Step<F>) -> f64,
     /// Why the force of an error is too large to be solved; other errors come back.
-    pub too_large: &'a dyn Fn(E) -> Result<String, E>,
+    pub too_large: &'a dyn Fn(E) -> Result<Limit, E>,
 }
 
 impl<F, E: From<Error>> Wanted<'_, F, E> {
@@ -67,7 +67,7 @@ impl<F, E: From<Error>> Wanted<'_, F, E> {
             return Err(Error::Interrupted(interrupt).into());
         }
         if steps.iter().any(|step| step.checks.has_collapsed) {
-            return Ok(Err("a body collapses: its plastic strain is above 100 %".to_owned()));
+            return Ok(Err("a body collapses: its plastic strain is above 100 %".into()));
         }
         let ratio = steps.last().map_or(0.0, |step| (self.ratio)(step));
         Ok(Ok(Trial { ratio, steps }))
@@ -83,7 +83,7 @@ pub struct Trial<F> {
 }
 
 /// A trial, or the reason why its force is too large to be solved.
-pub type Tried<F> = Result<Trial<F>, String>;
+pub type Tried<F> = Result<Trial<F>, Limit>;
 
 impl<F> Trial<F> {
     /// Whether all steps have converged.

@@ -13,9 +13,10 @@ use std::time::{Duration, Instant};
 use brinell_solver::contact::{
     ContactError, ContactProblem, ContactSolution, ContactSolver, SimplexSolver, StopHook,
 };
+use brinell_solver::inputs;
 use brinell_solver::job::{Coupling, Job, Named, PositiveF64};
 use brinell_solver::solver::{
-    self, Interrupt, IterationRecord, Observer, Options, SolveStatus, StepSolution,
+    Interrupt, IterationRecord, Observer, Options, SolveStatus, StepSolution,
 };
 
 /// Elastic peak pressure of three yield stresses, diametral planes clamped.
@@ -186,7 +187,7 @@ fn solve_once(job: &Job) -> (Counts, StepSolution, Watch) {
     let simplex = CountedSimplex::default();
     let options = Options { contact_solver: Some(&simplex), ..Options::default() };
     let mut watch = Watch::start();
-    let mut solution = solver::run_with(job, options, &mut watch).unwrap();
+    let mut solution = inputs::run_with(job, options, &mut watch).unwrap();
     watch.finished = watch.elapsed();
     let step = solution.steps.remove(0);
     assert_eq!(step.status, SolveStatus::Converged, "{:?}", job.solver.coupling);

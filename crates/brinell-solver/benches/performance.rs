@@ -15,13 +15,14 @@ use std::time::{Duration, Instant};
 use brinell_solver::fem::assembly::{Equations, Restraint, StiffnessAssembler};
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::Mesh;
+use brinell_solver::inputs;
 use brinell_solver::job::{
     Coupling, History, HistoryLoad, Job, Load, Material, MeshSettings, Named, NonNegativeF64,
     PositiveF64, Target, TargetFigure, Theory,
 };
 use brinell_solver::report;
 use brinell_solver::solver::{
-    self, FactorCache, Observer, Options, Phase, PhaseTimes, Solution, SolveStatus, Unobserved,
+    FactorCache, Observer, Options, Phase, PhaseTimes, Solution, SolveStatus, Unobserved,
 };
 use serde_json::{Value, json};
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, SymbolicCholesky};
@@ -106,7 +107,7 @@ impl Observer for Clock {
 /// A job solved once, and how long it took \[ms\].
 fn timed(job: &Job) -> (f64, Solution) {
     let mut clock = Clock(Instant::now());
-    let solution = solver::run(job, &mut clock).unwrap();
+    let solution = inputs::run(job, &mut clock).unwrap();
     let time = milliseconds(clock.elapsed());
     assert!(solution.steps.iter().all(|step| step.status == SolveStatus::Converged));
     (time, solution)
@@ -365,7 +366,7 @@ fn write_workers(text: &mut String) -> std::fmt::Result {
             for _ in 0..workers {
                 scope.spawn(|| {
                     while next.fetch_add(1, Ordering::Relaxed) < JOBS {
-                        black_box(solver::run(&job, &mut Unobserved).unwrap());
+                        black_box(inputs::run(&job, &mut Unobserved).unwrap());
                     }
                 });
             }

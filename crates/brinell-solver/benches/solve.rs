@@ -5,8 +5,9 @@
 use std::hint::black_box;
 use std::time::Duration;
 
+use brinell_solver::inputs;
 use brinell_solver::job::{Job, Load, MeshSettings, PositiveF64};
-use brinell_solver::solver::{self, SolveStatus, Unobserved};
+use brinell_solver::solver::{SolveStatus, Unobserved};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
 /// The default job: accelerated, active set, 1e-6.
@@ -39,7 +40,7 @@ fn whole_jobs(criterion: &mut Criterion) {
                 BenchmarkId::new(format!("{elements} elements"), format!("p0 = {yields} σ_y"));
             group.bench_with_input(name, &job, |b, job| {
                 b.iter(|| {
-                    let solution = solver::run(black_box(job), &mut Unobserved).unwrap();
+                    let solution = inputs::run(black_box(job), &mut Unobserved).unwrap();
                     assert_eq!(solution.steps[0].status, SolveStatus::Converged);
                     solution
                 });

@@ -42,6 +42,7 @@
 //! | module | what it is for |
 //! |---|---|
 //! | [`report`] | what a caller reads: figures, error bars, warnings; [`report::run`] is the way in |
+//! | [`inputs`] | from a job to two bodies, their loads and settings |
 //! | [`solver`] | finite elements and half-spaces as engines of `brinell-method`: sizes, factors, final fields |
 //! | [`contact`] | solvers of the contact conditions and the check that all have to pass |
 //! | [`fem`] | mesh, B-bar element, equations, stiffness, initial-stress loads, stresses |
@@ -53,6 +54,7 @@
 //! only.
 
 pub use brinell_fem as fem;
+pub mod inputs;
 pub mod job;
 pub mod report;
 pub mod solver;

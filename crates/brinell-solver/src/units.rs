@@ -1,7 +1,7 @@
 //! Conversion of figures to the units of the job.
 
 use crate::job::fields::Figure;
-use crate::job::{Analysis, Quantity, TargetFigure, Units};
+use crate::job::{Analysis, Quantity, TargetFigure, Units, measure_of};
 
 /// Converts figures of the solver to the units of a job.
 #[derive(Debug, Clone, Copy)]
@@ -59,13 +59,13 @@ impl UnitConverter {
 
     /// Converts the figure of a target to its own unit.
     pub fn of_target(self, figure: TargetFigure, core: f64) -> f64 {
-        figure.figure().to_wire(self.units, core)
+        measure_of(figure).to_wire(self.units, core)
     }
 
     /// Returns the figure of a target with its unit, to five digits, for sentences.
     pub fn target_text(self, figure: TargetFigure, core: f64) -> String {
         let value = rounded(self.of_target(figure, core));
-        match figure.figure() {
+        match measure_of(figure) {
             Figure::Quantity(quantity) => format!("{value} {}", quantity.symbol(self.units)),
             Figure::Pure(_) => value,
         }

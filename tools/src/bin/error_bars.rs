@@ -29,13 +29,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use brinell_solver::inputs;
 use brinell_solver::job::Job;
-use brinell_solver::report::{
-    estimate_error, name_of, problem_of, scales_of_floors, unknown_figures,
-};
+use brinell_solver::report::{estimate_error, name_of, scales_of_floors, unknown_figures};
 use brinell_solver::solver::floors::floors;
 use brinell_solver::solver::{
-    self, Figure, FigureSet, Figures, Interrupt, Observer, SolveStatus, half_spaces,
+    Figure, FigureSet, Figures, Interrupt, Observer, SolveStatus, half_spaces,
 };
 use random_job::Random;
 use rustix::time::{ClockId, clock_gettime};
@@ -174,7 +173,7 @@ fn places() -> impl Iterator<Item = (Figure, usize)> {
 /// Solves a job; `None` where a load does not converge or takes too long.
 fn solve(job: &Value) -> Option<Vec<Solved>> {
     let job = Job::from_json(job.to_string().as_bytes()).ok()?;
-    if let Some(problem) = problem_of(&job) {
+    if let Some(problem) = inputs::half_spaces(&job) {
         let mut steps = Vec::new();
         let run = half_spaces::run_each(&problem, &mut Patience::new(), &mut steps).ok()?;
         let is_solved = run.interrupted.is_none()
@@ -206,7 +205,7 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
         });
         return is_solved.then(|| solved.collect());
     }
-    let solution = solver::run(&job, &mut Patience::new()).ok()?;
+    let solution = inputs::run(&job, &mut Patience::new()).ok()?;
     let is_solved = solution.interrupted.is_none()
         && solution.steps.iter().all(|step| step.status == SolveStatus::Converged);
     let mut unknown = FigureSet::default();

@@ -12,9 +12,10 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+use brinell_solver::inputs::run;
 use brinell_solver::job::Job;
 use brinell_solver::report::{self, StepReport};
-use brinell_solver::solver::{Interrupt, Observer, SolveStatus, run};
+use brinell_solver::solver::{Interrupt, Observer, SolveStatus};
 use serde_json::{Value, json};
 
 #[path = "../../../crates/brinell-solver/tests/support/contacts.rs"]

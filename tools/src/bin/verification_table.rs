@@ -14,8 +14,9 @@ use brinell_solver::analytical::{
     ElasticConstants, HertzLine, HertzPoint, disc_approach, prandtl_mean_pressure,
     shear_yield_von_mises,
 };
+use brinell_solver::inputs::elliptic_reference;
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, EllipticReference, StepReport};
+use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
@@ -202,7 +203,7 @@ fn half_spaces(
     let mut job = json!({"analysis": "three_dimensional", "load": {"force": 1.0}, "lower": lower,
         "upper": {"shape": shape, "material": {"rigid": true}},
         "mesh": {"elements_per_half_width": cells}});
-    let reference = EllipticReference::of(&Job::from_value(&job)?).ok_or("no half-spaces")?;
+    let reference = elliptic_reference(&Job::from_value(&job)?).ok_or("no half-spaces")?;
     let force = (peak_pressure / reference.under(1.0).peak_pressure).powi(3);
     job["load"]["force"] = json!(force);
     let hertz = reference.under(force);

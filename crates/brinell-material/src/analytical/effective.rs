@@ -9,6 +9,23 @@ pub struct ElasticConstants {
     pub poisson_ratio: f64,
 }
 
+impl ElasticConstants {
+    /// Shear modulus `G = E / (2 (1 + ν))` \[MPa\].
+    pub fn shear_modulus(&self) -> f64 {
+        self.young_modulus / (2.0 * (1.0 + self.poisson_ratio))
+    }
+
+    /// Bulk modulus `K = E / (3 (1 - 2ν))` \[MPa\].
+    pub fn bulk_modulus(&self) -> f64 {
+        self.young_modulus / (3.0 * (1.0 - 2.0 * self.poisson_ratio))
+    }
+
+    /// Plane-strain modulus `E / (1 - ν²)` \[MPa\].
+    pub fn plane_strain_modulus(&self) -> f64 {
+        self.young_modulus / (1.0 - self.poisson_ratio.powi(2))
+    }
+}
+
 /// Effective modulus `E* [MPa]` in plane strain and axisymmetry; `None` is a rigid body.
 ///
 /// `1/E* = Σ (1 - ν²)/E`. Infinite if both are rigid.

@@ -40,4 +40,4 @@ pub use punch::{prandtl_mean_pressure, shear_yield_tresca, shear_yield_von_mises
 pub use rounded_edge::RoundedEdge;
 pub use stress::{CylinderStress, Stress, von_mises};
 pub use thick_cylinder::{LoadedCylinder, ThickCylinder};
-pub use yield_onset::YieldOnset;
+pub use yield_onset::{YieldOnset, factor_of_onset};

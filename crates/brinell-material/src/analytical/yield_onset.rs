@@ -125,6 +125,23 @@ pub(super) fn maximum(f: impl Fn(f64) -> f64, end: f64) -> (f64, f64) {
     best
 }
 
+/// Returns the factor on a yield stress that makes `force` the force of first yield, and the depth
+/// of first yield with this factor. `onset` returns both forces and depths for a factor.
+pub fn factor_of_onset(onset: impl Fn(f64) -> (f64, f64), force: f64) -> (f64, f64) {
+    let mut factor = 1.0;
+    let mut found = onset(factor);
+    // The force of first yield grows with the square to the cube of a uniform yield stress.
+    for _ in 0..60 {
+        let off = force / found.0;
+        if (off - 1.0).abs() < 1e-9 || !off.is_finite() {
+            break;
+        }
+        factor *= off.powf(0.4);
+        found = onset(factor);
+    }
+    (factor, found.1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

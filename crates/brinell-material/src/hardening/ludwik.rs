@@ -1,6 +1,6 @@
 //! Ludwik's law.
 
-use super::HardeningLaw;
+use super::{HardeningLaw, is_same};
 
 /// `q = σ_y + k ε_p^n`.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,5 +37,9 @@ impl HardeningLaw for Ludwik {
             self.coefficient
         };
         (self.yield_stress + hardening, slope)
+    }
+
+    fn is_like(&self, other: &(dyn HardeningLaw + 'static)) -> bool {
+        is_same(self, other)
     }
 }

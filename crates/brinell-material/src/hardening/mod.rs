@@ -10,6 +10,7 @@ mod straight_line;
 mod swift;
 mod voce;
 
+use std::any::Any;
 use std::fmt::Debug;
 
 pub use ludwik::Ludwik;
@@ -20,7 +21,7 @@ pub use swift::Swift;
 pub use voce::Voce;
 
 /// A uniaxial curve `q(ε_p)` of stress \[MPa\] against plastic strain, rising and concave.
-pub trait HardeningLaw: Debug + Send + Sync {
+pub trait HardeningLaw: Any + Debug + Send + Sync {
     /// Returns the elastic limit \[MPa\]; 0 where plastic strain begins at once.
     fn yield_stress(&self) -> f64;
 
@@ -63,6 +64,17 @@ pub trait HardeningLaw: Debug + Send + Sync {
     fn largest_stress(&self) -> f64 {
         f64::INFINITY
     }
+
+    /// Whether another law is the same curve: bodies of such laws share their stiffness. A law
+    /// that cannot tell says no.
+    fn is_like(&self, _other: &(dyn HardeningLaw + 'static)) -> bool {
+        false
+    }
+}
+
+/// Whether another law is of the same kind with the same constants.
+fn is_same<L: HardeningLaw + PartialEq>(law: &L, other: &(dyn HardeningLaw + 'static)) -> bool {
+    (other as &dyn Any).downcast_ref() == Some(law)
 }
 
 /// Plastic strain at a stress.

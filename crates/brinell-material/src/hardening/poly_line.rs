@@ -1,6 +1,6 @@
 //! A hardening curve given by points.
 
-use super::HardeningLaw;
+use super::{HardeningLaw, is_same};
 
 /// Piecewise linear through points of plastic strain and stress; constant beyond the last.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,5 +48,9 @@ impl HardeningLaw for PolyLine {
 
     fn polyline(&self) -> Option<Vec<[f64; 2]>> {
         Some(self.points.clone())
+    }
+
+    fn is_like(&self, other: &(dyn HardeningLaw + 'static)) -> bool {
+        is_same(self, other)
     }
 }

@@ -1,6 +1,6 @@
 //! Ramberg and Osgood's power law.
 
-use super::{HardeningLaw, Inverse};
+use super::{HardeningLaw, Inverse, is_same};
 
 /// `ε_p = ε_0 (q/σ_0)^m`.
 ///
@@ -82,5 +82,9 @@ impl HardeningLaw for RambergOsgood {
         let plastic_strain =
             self.reference_strain * (stress / self.reference_stress).powf(self.exponent);
         Some(Inverse { plastic_strain, slope: self.exponent * plastic_strain / stress })
+    }
+
+    fn is_like(&self, other: &(dyn HardeningLaw + 'static)) -> bool {
+        is_same(self, other)
     }
 }

@@ -1,6 +1,6 @@
 //! Straight hardening.
 
-use super::HardeningLaw;
+use super::{HardeningLaw, is_same};
 
 /// `q = σ_y + H ε_p`.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,5 +40,9 @@ impl HardeningLaw for StraightLine {
 
     fn polyline(&self) -> Option<Vec<[f64; 2]>> {
         Some(vec![[0.0, self.yield_stress]])
+    }
+
+    fn is_like(&self, other: &(dyn HardeningLaw + 'static)) -> bool {
+        is_same(self, other)
     }
 }

@@ -1,6 +1,6 @@
 //! Swift's law.
 
-use super::HardeningLaw;
+use super::{HardeningLaw, is_same};
 
 /// `q = σ_y (1 + ε_p/ε_0)^n`.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,5 +29,9 @@ impl HardeningLaw for Swift {
     fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
         let stress = self.stress(plastic_strain);
         (stress, self.exponent * stress / (self.strain_offset + plastic_strain))
+    }
+
+    fn is_like(&self, other: &(dyn HardeningLaw + 'static)) -> bool {
+        is_same(self, other)
     }
 }

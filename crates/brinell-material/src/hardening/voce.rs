@@ -1,6 +1,6 @@
 //! Voce's law.
 
-use super::HardeningLaw;
+use super::{HardeningLaw, is_same};
 
 /// `q = σ_y + (σ_s - σ_y) (1 - exp(-b ε_p))`.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,5 +40,9 @@ impl HardeningLaw for Voce {
         let range = self.saturation_stress - self.yield_stress;
         let gained = -(-self.rate * plastic_strain).exp_m1();
         (self.yield_stress + range * gained, self.rate * range * (1.0 - gained))
+    }
+
+    fn is_like(&self, other: &(dyn HardeningLaw + 'static)) -> bool {
+        is_same(self, other)
     }
 }

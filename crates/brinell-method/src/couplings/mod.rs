@@ -15,7 +15,7 @@
 //! stalls, `newton` takes over.
 //!
 //! A coupling is one file with a type that implements [`Coupling`], and a line in
-//! `solver/strategy.rs` of `brinell-solver`.
+//! `inputs/settings.rs` of `brinell-solver`.
 
 pub mod anderson;
 pub mod iteration;

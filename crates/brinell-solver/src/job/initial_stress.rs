@@ -5,7 +5,7 @@ use super::over_depth::faults_of_depths;
 use super::reader::Cursor;
 use super::reader::text::five_digits;
 use super::{Analysis, FaultCode, FieldError, NonNegativeF64, Quantity, Units};
-use crate::material::{HardeningLaw, StrengthProfile, interpolate};
+use crate::material::{HardeningLaw, InitialStressProfile, StrengthProfile};
 
 record! {
     /// Stress along the surface at one depth, before any load; straight between depths, constant
@@ -40,6 +40,13 @@ impl InitialStress {
         })
     }
 
+    /// Returns rows in the order of depth as a profile.
+    pub(super) fn profile(rows: &[Self]) -> InitialStressProfile {
+        InitialStressProfile::new(
+            rows.iter().map(|row| [row.depth.get(), row.sigma_x, row.sigma_z]),
+        )
+    }
+
     /// Returns the faults of rows with a hardening curve and its factors over depth.
     pub(super) fn faults(
         rows: &[Self],
@@ -64,7 +71,7 @@ impl InitialStress {
         }
         // Between the depths of both profiles, the stress is convex and its limit linear in the
         // depth, so that the largest ratio lies at one of these depths.
-        let profile = InitialStressProfile::new(rows);
+        let profile = Self::profile(rows);
         let knots = strength.map_or(&[][..], StrengthProfile::points);
         let depths =
             rows.iter().map(|row| row.depth.get()).chain(knots.iter().map(|[depth, _]| *depth));
@@ -105,32 +112,5 @@ impl InitialStress {
         };
         let faulty = rows.iter().enumerate().filter(|(_, row)| is_wrong(row));
         faulty.map(|(k, _)| FieldError::new(format!("/{k}/sigma_z"), detail)).collect()
-    }
-}
-
-/// Initial stress over depth: linear between points, constant above the first and below the last.
-#[derive(Debug, Clone, PartialEq)]
-pub struct InitialStressProfile {
-    sigma_x: Vec<[f64; 2]>,
-    sigma_z: Vec<[f64; 2]>,
-}
-
-impl InitialStressProfile {
-    /// Builds the profile from rows in the order of depth.
-    pub fn new(rows: &[InitialStress]) -> Self {
-        let component = |of: fn(&InitialStress) -> f64| -> Vec<[f64; 2]> {
-            rows.iter().map(|row| [row.depth.get(), of(row)]).collect()
-        };
-        Self { sigma_x: component(|row| row.sigma_x), sigma_z: component(|row| row.sigma_z) }
-    }
-
-    /// Returns the depths of the rows \[mm\].
-    pub fn depths(&self) -> impl Iterator<Item = f64> {
-        self.sigma_x.iter().map(|[depth, _]| *depth)
-    }
-
-    /// Returns `[σ_x, σ_z]` at a depth \[MPa\].
-    pub fn at(&self, depth: f64) -> [f64; 2] {
-        [&self.sigma_x, &self.sigma_z].map(|points| interpolate(points, depth).unwrap_or(0.0))
     }
 }

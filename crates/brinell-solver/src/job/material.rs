@@ -11,7 +11,8 @@ use super::{
     BackstressTerm, FaultCode, FieldError, Hardening, InitialStress, OverDepth, PoissonRatio,
     PositiveF64, Quantity, Units,
 };
-use crate::material::{ElasticModuli, HardeningLaw, StrengthProfile};
+use crate::analytical::ElasticConstants;
+use crate::material::{ElasticModuli, HardeningLaw, InitialStressProfile, Solid, StrengthProfile};
 
 /// The material of a body.
 #[derive(Debug, Clone, PartialEq)]
@@ -138,6 +139,11 @@ impl Deformable {
         &self.initial_stress
     }
 
+    /// Returns the initial stress over depth.
+    pub fn initial_stress_profile(&self) -> InitialStressProfile {
+        InitialStress::profile(&self.initial_stress)
+    }
+
     /// Returns the material with an initial stress by depth; none if `rows` is empty.
     ///
     /// # Errors
@@ -159,19 +165,6 @@ impl Deformable {
             fault.pointer.insert_str(0, "/initial_stress");
         }
         Err(faults)
-    }
-
-    /// Returns the material without its hardening curve, with elastic constants and initial
-    /// stress.
-    #[must_use]
-    pub fn without_plasticity(&self) -> Self {
-        Self {
-            elastic: self.elastic,
-            plasticity: None,
-            backstress: Vec::new(),
-            over_depth: None,
-            initial_stress: self.initial_stress.clone(),
-        }
     }
 
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
@@ -214,26 +207,49 @@ record! {
     }
 }
 
+impl From<&Deformable> for Solid {
+    fn from(material: &Deformable) -> Self {
+        let elastic = Self::new(material.elastic.into())
+            .with_initial_stress(material.initial_stress_profile());
+        let Some(law) = material.hardening_law() else { return elastic };
+        let backstress = material.backstress.iter().map(Into::into).collect();
+        let solid = elastic.with_hardening(law).with_backstress(backstress);
+        match material.strength() {
+            Some(strength) => solid.with_strength(strength),
+            None => solid,
+        }
+    }
+}
+
+impl From<Elastic> for ElasticConstants {
+    fn from(elastic: Elastic) -> Self {
+        Self {
+            young_modulus: elastic.young_modulus.get(),
+            poisson_ratio: elastic.poisson_ratio.get(),
+        }
+    }
+}
+
 impl From<&Elastic> for ElasticModuli {
     fn from(elastic: &Elastic) -> Self {
-        Self { bulk: elastic.bulk_modulus(), shear: elastic.shear_modulus() }
+        ElasticConstants::from(*elastic).into()
     }
 }
 
 impl Elastic {
     /// Returns the shear modulus `G = E / (2 (1 + ν))` \[MPa\].
     pub fn shear_modulus(&self) -> f64 {
-        self.young_modulus.get() / (2.0 * (1.0 + self.poisson_ratio.get()))
+        ElasticConstants::from(*self).shear_modulus()
     }
 
     /// Returns the bulk modulus `K = E / (3 (1 - 2ν))` \[MPa\].
     pub fn bulk_modulus(&self) -> f64 {
-        self.young_modulus.get() / (3.0 * (1.0 - 2.0 * self.poisson_ratio.get()))
+        ElasticConstants::from(*self).bulk_modulus()
     }
 
     /// Returns the plane-strain modulus `E / (1 - ν²)` \[MPa\].
     pub fn plane_strain_modulus(&self) -> f64 {
-        self.young_modulus.get() / (1.0 - self.poisson_ratio.get().powi(2))
+        ElasticConstants::from(*self).plane_strain_modulus()
     }
 }
 

@@ -55,7 +55,7 @@ pub use hardening::{
     BackstressTerm, Bilinear, Hardening, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,
 };
 pub use hardness::{HardnessTest, TestScale};
-pub use initial_stress::{InitialStress, InitialStressProfile};
+pub use initial_stress::InitialStress;
 pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
 pub use named::Named;
@@ -74,5 +74,5 @@ pub use shape::{
 };
 pub use surface::{Detrend, Surface};
 pub use suspicions::{Finding, Guess, Suspicion};
-pub use target::{Target, TargetFigure};
+pub use target::{Target, TargetFigure, label_of, measure_of};
 pub use units::Units;

@@ -13,7 +13,7 @@ use super::{
     Hardening, HardnessProfile, HardnessScale, HardnessTest, InitialStress, Interpolation, Job,
     Load, MeshSettings, Named, OutputSettings, OverDepth, PositiveF64, Quantity, RollerProfile,
     Rolling, Shape, SolverSettings, Support, Surface, Sweep, TargetFigure, TestScale, Theory,
-    Units, Until, name, tags,
+    Units, Until, name, tags, target,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -642,9 +642,9 @@ impl Schemas<'_> {
             &NAMES,
         );
         let each = NAMES.into_iter().zip(TargetFigure::ALL).map(|(name, figure)| {
-            let (key, description) = (figure.name(), figure.description());
-            let mut schema = figure_schema(&figure.figure(), description);
-            schema["examples"] = json!([figure.example()]);
+            let (key, description) = (figure.name(), target::description(*figure));
+            let mut schema = figure_schema(&target::measure_of(*figure), description);
+            schema["examples"] = json!([target::example(*figure)]);
             let mut entries = vec![Entry { key, schema, required: true }];
             let others = TargetFigure::ALL.iter().filter(|other| *other != figure);
             entries.extend(others.map(|other| never(other.name())));

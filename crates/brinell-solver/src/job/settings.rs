@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::fields::{Field, record};
 use super::{Analysis, Named, PositiveF64};
+pub use brinell_method::settings::Theory;
 
 record! {
     /// The mesh.
@@ -95,18 +96,6 @@ impl Named for ContactMethod {
             Self::Simplex => "simplex",
         }
     }
-}
-
-/// The theory of plasticity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Theory {
-    /// Stress is a function of the total strain (Hencky): the paper's theory, for rising loads.
-    #[default]
-    Deformation,
-    /// Stress follows the history of strain (Prandtl and Reuss): the loads of a job form a
-    /// history.
-    Flow,
 }
 
 impl Named for Theory {

@@ -15,7 +15,7 @@ use super::{
     Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field,
     FieldTable, Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings, Named,
     NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape, SolverSettings,
-    Support, Sweep, Target, TargetFigure, Theory, Units, Until,
+    Support, Sweep, Target, TargetFigure, Theory, Units, Until, target,
 };
 
 /// Generates a positive number within two decades of a typical one, which is in range in both unit
@@ -164,9 +164,9 @@ fn history() -> impl Strategy<Value = History> {
     })
 }
 
-fn target() -> impl Strategy<Value = Target> {
+fn sought() -> impl Strategy<Value = Target> {
     any_of(TargetFigure::ALL).prop_flat_map(|figure| {
-        near(figure.example()).prop_map(move |value| Target { figure, value })
+        near(target::example(figure)).prop_map(move |value| Target { figure, value })
     })
 }
 
@@ -191,7 +191,7 @@ fn load() -> impl Strategy<Value = Load> {
         sweep(0.02).prop_map(Load::Approaches),
         history().prop_map(Load::History),
         Just(Load::Onset),
-        target().prop_map(Load::Target),
+        sought().prop_map(Load::Target),
         rolling().prop_map(Load::Rolling)
     ]
 }

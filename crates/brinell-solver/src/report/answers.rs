@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::findings::Finding;
 use super::{ErrorEstimate, FlowReport, PerBody, PlasticityReport, Side, StepReport};
-use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory};
+use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory, label_of};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::{Figure, Figures, Measure};
 use crate::units::{UnitConverter, about, rounded};
@@ -537,7 +537,7 @@ impl Facts<'_> {
                     step.contact.force,
                 )
                 .error(self.bars().and_then(|bars| bars.force))
-                .text(format!("for a {} of {figure}", target.figure.label())),
+                .text(format!("for a {} of {figure}", label_of(target.figure))),
             );
         }
         if let Some(onset) = &step.yield_onset {

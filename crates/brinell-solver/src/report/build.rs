@@ -20,13 +20,14 @@ use crate::solver::method::figures::FigureSet;
 use crate::solver::method::observer::ask;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes,
-    Solution, SolveStatus, StepSolution, has_yielded,
+    Problem, Solution, SolveStatus, StepSolution, has_yielded,
 };
 use crate::units::UnitConverter;
 
 /// Writes the report of each load step when the step ends, and the rest of the report at the end.
 pub(super) struct ReportBuilder<'a> {
     job: &'a Job,
+    problem: &'a Problem,
     write: UnitConverter,
     status: Option<SolveStatus>,
     /// Points of the converged load steps.
@@ -48,10 +49,11 @@ pub(super) struct ReportBuilder<'a> {
 }
 
 impl<'a> ReportBuilder<'a> {
-    pub(super) fn new(job: &'a Job) -> Self {
+    pub(super) fn new(job: &'a Job, problem: &'a Problem) -> Self {
         let write = UnitConverter::new(job.units, job.analysis);
         Self {
             job,
+            problem,
             write,
             status: None,
             curve: Vec::new(),
@@ -68,7 +70,7 @@ impl<'a> ReportBuilder<'a> {
 
     /// Discards all load steps so far and keeps the time that their reports took.
     pub(super) fn begin_anew(&mut self) {
-        *self = Self { time: self.time, ..Self::new(self.job) };
+        *self = Self { time: self.time, ..Self::new(self.job, self.problem) };
     }
 
     /// Returns the report of the next load step. If the observer interrupts the report, the load
@@ -87,8 +89,8 @@ impl<'a> ReportBuilder<'a> {
             FieldReports::NONE
         });
         let step = &step;
-        let reference = ElasticReference::of(self.job, step.figures.force);
-        let mut findings = validity::findings(self.job, step, reference.as_ref());
+        let reference = ElasticReference::of(self.problem, step.figures.force);
+        let mut findings = validity::findings(self.job, self.problem, step, reference.as_ref());
         let bars = error_bars::estimate(self.job, step, &findings);
         let approach_bar = bars.and_then(|bars| bars.approach);
         findings.extend(validity::small_approach(step, approach_bar));
@@ -117,7 +119,7 @@ impl<'a> ReportBuilder<'a> {
         self.hardness.see(self.job, step, &findings);
         let measured = Measured {
             is_dented: is_dented(self.dented_under, step.figures.force),
-            ..measured(self.job, step, reference.as_ref(), &findings)
+            ..measured(self.job, self.problem, step, reference.as_ref(), &findings)
         };
         if step.path.energy.is_some()
             && step.field.bodies.iter().flatten().any(|body| body.has_yielded())
@@ -125,12 +127,13 @@ impl<'a> ReportBuilder<'a> {
             self.dented_under = self.dented_under.max(step.figures.force);
         }
         let over_friction = reference.as_ref().map(|reference| {
-            let limits = || over_friction(self.job, reference, self.write);
+            let limits =
+                || over_friction(&reference.limits_over_friction(self.problem), self.write);
             &**self.over_friction.get_or_insert_with(limits)
         });
         let over_friction = over_friction.unwrap_or_default();
         let judged = Judged { reference, over_friction, bars, findings: &findings };
-        let report = step_report(self.job, step, judged, fields, self.write);
+        let report = step_report((self.job, self.problem), step, judged, fields, self.write);
         let report = report.answered(self.job, &measured, &findings, self.write).with_hardness(
             self.job,
             &self.hardness,
@@ -233,7 +236,7 @@ struct Judged<'a> {
 }
 
 fn step_report(
-    job: &Job,
+    (job, problem): (&Job, &Problem),
     step: &StepSolution,
     Judged { reference, over_friction, bars, findings }: Judged<'_>,
     fields: FieldReports,
@@ -259,7 +262,7 @@ fn step_report(
         plasticity,
         hertz: reference.as_ref().map(|reference| hertz(reference, over_friction, write)),
         validity: validity::remarks(findings, write),
-        yield_onset: onset::onset(job, step, findings, write),
+        yield_onset: onset::onset((job, problem), step, findings, write),
         estimated_error: bars,
         fields,
         layers: None,
@@ -288,17 +291,15 @@ pub(super) fn hertz(
 
 /// Returns the limits of shakedown over friction of a job.
 pub(super) fn over_friction(
-    job: &Job,
-    reference: &ElasticReference,
+    limits: &[(f64, DepthLimit)],
     write: UnitConverter,
 ) -> Vec<ShakedownLimit> {
-    let limits = reference.limits_over_friction(job).into_iter();
-    let limit = |(friction, limit): (f64, DepthLimit)| ShakedownLimit {
+    let limit = |&(friction, limit): &(f64, DepthLimit)| ShakedownLimit {
         friction,
         pressure: write.stress(limit.peak_pressure),
         depth: write.length(limit.depth),
     };
-    limits.map(limit).collect()
+    limits.iter().map(limit).collect()
 }
 
 fn plasticity_report(

@@ -25,10 +25,13 @@ use super::surface_stress::UncertainStress;
 use super::{PerBody, validity};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
+use crate::inputs::meshed_contact;
 use crate::job::{Job, Load, TargetFigure};
 use crate::solver::bars::Bars;
 use crate::solver::method::figures::{Figure, FigureSet, Figures};
-use crate::solver::{ElasticReference, SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, StepSolution};
+use crate::solver::{
+    ElasticReference, MeshedContact, SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, StepSolution,
+};
 
 /// Returns the name in `docs/validity.md` of a figure that has a bar.
 pub const fn name_of(figure: Figure) -> Option<&'static str> {
@@ -157,8 +160,9 @@ pub(super) fn estimate(
 /// Returns the error bars of a load step, and the figures of the bodies that it leaves unknown to
 /// the loads that follow it in a history.
 pub fn estimate_error(job: &Job, step: &StepSolution) -> (Option<ErrorEstimate>, FigureSet) {
-    let reference = ElasticReference::of(job, step.figures.force);
-    let findings = validity::findings(job, step, reference.as_ref());
+    let MeshedContact { problem, .. } = &meshed_contact(job);
+    let reference = ElasticReference::of(problem, step.figures.force);
+    let findings = validity::findings(job, problem, step, reference.as_ref());
     (estimate(job, step, &findings), left_unknown(step.path.unknown_before, &findings))
 }
 

@@ -15,6 +15,7 @@ use crate::solver::{
 /// Measures what the report of a load step does not have.
 pub(super) fn measured(
     job: &Job,
+    problem: &Problem,
     step: &StepSolution,
     reference: Option<&ElasticReference>,
     findings: &[Finding],
@@ -40,10 +41,10 @@ pub(super) fn measured(
     });
     let is_half_space = !findings.contains(&Finding::NearSupport) && !is_sought;
     let reference = reference.filter(|_| is_half_space);
-    let closed = reference.and_then(|_| elastic_utilization(job, step.figures.force));
+    let closed = reference.and_then(|_| elastic_utilization(problem, step.figures.force));
     let is_elastic = !step.field.bodies.iter().flatten().any(|body| body.has_yielded());
     let utilization = closed.or_else(|| {
-        let found = highest_utilization(step, &Problem::of(job)).filter(|_| is_elastic)?;
+        let found = highest_utilization(step, problem).filter(|_| is_elastic)?;
         let frame = step.field.bodies[found.body].as_ref()?.mesh.frame;
         let [x, depth] = frame.place(found.position);
         Some((found.ratio, [x, depth], found.body))

@@ -23,6 +23,8 @@ mod rolling;
 mod run;
 mod sentences;
 mod side;
+mod solve_error;
+mod status;
 mod strength;
 mod subsurface;
 mod surface_stress;
@@ -42,8 +44,8 @@ pub use field_arrays::{
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
-    EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport,
-    RoughContactReport, SectionReport, ThreeDimensionalReport, problem_of, unknown_figures,
+    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
+    SectionReport, ThreeDimensionalReport, unknown_figures,
 };
 pub use hardness::{HardnessReport, OliverPharrReport};
 pub use layer_fields::{LAYER_NAMES, LayersReport};

@@ -36,22 +36,26 @@ const KNOWN: f64 = 0.15;
 
 /// Returns the reason why elastic bodies yield under a smaller force than the mesh of a load step
 /// shows. Returns `None` if the mesh resolves the onset, or if a body has yielded.
-pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<Finding> {
+pub(super) fn why_unknown(job: &Job, problem: &Problem, step: &StepSolution) -> Option<Finding> {
     if step.field.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
         return None;
     }
     let is_sought = job.load == Load::Onset;
-    let cause = cause(job, step, is_sought)?;
+    let cause = cause((job, problem), step, is_sought)?;
     Some(Finding::OnsetUnknown { cause, is_sought })
 }
 
-fn cause(job: &Job, step: &StepSolution, is_sought: bool) -> Option<OnsetUnknown> {
+fn cause(
+    (job, problem): (&Job, &Problem),
+    step: &StepSolution,
+    is_sought: bool,
+) -> Option<OnsetUnknown> {
     let spacing = step.field.spacing;
     if let Some(edge) = &step.field.rounded_edge {
         if is_sought && step.search.force_error.is_some_and(|error| error <= KNOWN) {
             return None;
         }
-        let used = at_narrow_edge(step, &Problem::of(job))?.ratio;
+        let used = at_narrow_edge(step, problem)?.ratio;
         if !is_sought && used <= 1.0 {
             return None;
         }
@@ -61,7 +65,7 @@ fn cause(job: &Job, step: &StepSolution, is_sought: bool) -> Option<OnsetUnknown
     // Elements that resolve the edge of a punch find the peak pressure on the edge.
     let is_punch =
         [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
-    let can_yield = || Problem::of(job).bodies.iter().any(|body| body.yield_stress().is_some());
+    let can_yield = || problem.bodies.iter().any(|body| body.yield_stress().is_some());
     if !is_punch && peak_is_next_to_end(step) && can_yield() {
         return Some(OnsetUnknown::NextToEnd { x: step.field.peak_position, spacing });
     }
@@ -72,7 +76,7 @@ fn cause(job: &Job, step: &StepSolution, is_sought: bool) -> Option<OnsetUnknown
 /// Returns the onset of yield for a job that asks for it, or `None` if the mesh does not resolve
 /// it.
 pub(super) fn onset(
-    job: &Job,
+    (job, problem): (&Job, &Problem),
     step: &StepSolution,
     findings: &[Finding],
     write: UnitConverter,
@@ -82,8 +86,7 @@ pub(super) fn onset(
     if job.load != Load::Onset || is_unknown {
         return None;
     }
-    let problem = Problem::of(job);
-    let first = highest_utilization(step, &problem)?;
+    let first = highest_utilization(step, problem)?;
     let solution = step.field.bodies.get(first.body)?.as_ref()?;
     let [x, depth] = solution.mesh.frame.place(first.position);
     // The prescribed force. The sum of the nodal forces differs from it by rounding.
@@ -91,7 +94,7 @@ pub(super) fn onset(
         ContactLoad::Force(force) => force,
         ContactLoad::Approach(_) => step.figures.force,
     };
-    let at_edge = at_narrow_edge(step, &problem).filter(|edge| edge.ratio >= first.ratio);
+    let at_edge = at_narrow_edge(step, problem).filter(|edge| edge.ratio >= first.ratio);
     let peak_pressure = match step.field.rounded_edge.filter(|_| at_edge.is_some()) {
         Some(edge) => edge.elastic.peak_pressure(),
         None => step.figures.peak_pressure,

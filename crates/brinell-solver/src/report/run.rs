@@ -9,15 +9,20 @@ use thiserror::Error;
 use super::build::{ReportBuilder, in_units};
 use super::sentences::CONFORMING_ADVICE;
 use super::validity::lies_in_groove;
-use super::{Report, StepReport, half_spaces, rolling, target};
+use super::{Report, StepReport, half_spaces, rolling, solve_error, target};
 use brinell_halfspace::track::TrackFault;
 
 use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
+use crate::inputs::SolveError::{self, HalfSpaces, Meshed, Track};
+use crate::inputs::{self, meshed_contact, of_small_mesh, small_solves};
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
+use crate::solver::half_spaces::HalfSpaceError;
+use crate::solver::method;
+use crate::solver::rolling::TrackError;
 use crate::solver::{
-    self, Estimate, Held, Interrupt, IterationRecord, Observer, Options, SectionField, SolveError,
-    StepReceiver, StepSolution, of_small_mesh, small_solves,
+    self, Estimate, Held, Interrupt, IterationRecord, MeshedError, Observer, Options,
+    SectionField, StepReceiver, StepSolution,
 };
 use crate::units::UnitConverter;
 
@@ -41,7 +46,8 @@ fn summary(errors: &[FieldError]) -> String {
 
 impl RunError {
     /// Returns the error of a job and names the fields that cause it.
-    pub(super) fn of(job: &Job, error: &SolveError) -> Self {
+    pub(super) fn of(job: &Job, error: impl Into<SolveError>) -> Self {
+        let error = &error.into();
         let sides = [("upper", &job.upper), ("lower", &job.lower)];
         // Surfaces given by points: of deformable bodies or of all bodies.
         let faces = |deformable: bool| -> Vec<String> {
@@ -51,39 +57,47 @@ impl RunError {
             });
             faces.map(|(side, _)| format!("/{side}/shape/points")).collect()
         };
+        let sought = || match &job.load {
+            Load::Target(target) => format!("/load/target/{}", target.figure.name()),
+            _ => "/load/onset".to_owned(),
+        };
         let pointers = match error {
-            SolveError::Interrupted(interrupt) => return Self::Interrupted(*interrupt),
-            SolveError::TooWide { .. }
-            | SolveError::TooFarRound { .. }
-            | SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
-                vec!["/load".to_owned()]
-            }
-            SolveError::NoLoad | SolveError::Overloaded { .. } => {
+            error if error.method().is_some() => match error.method() {
+                Some(method::Error::Interrupted(interrupt)) => {
+                    return Self::Interrupted(*interrupt);
+                }
+                Some(method::Error::NoLoad) => vec![format!("/load/{}", job.load.kind())],
+                Some(method::Error::Unreachable(_)) => vec![sought()],
+                _ => Vec::new(),
+            },
+            Meshed(
+                MeshedError::TooWide { .. }
+                | MeshedError::TooFarRound { .. }
+                | MeshedError::Mesh(MeshError::ZoneBeyondBody { .. }),
+            ) => vec!["/load".to_owned()],
+            HalfSpaces(HalfSpaceError::Overloaded { .. }) => {
                 vec![format!("/load/{}", job.load.kind())]
             }
-            SolveError::ShortRoller { .. } => {
+            HalfSpaces(HalfSpaceError::ShortRoller { .. }) => {
                 let rollers =
                     sides.iter().filter(|(_, body)| matches!(body.shape, Shape::Roller(_)));
                 rollers.map(|(side, _)| format!("/{side}/shape/length")).collect()
             }
-            SolveError::NoYieldPoint | SolveError::Unreachable(_) => match &job.load {
-                Load::Target(target) => vec![format!("/load/target/{}", target.figure.name())],
-                _ => vec!["/load/onset".to_owned()],
-            },
-            SolveError::Track(TrackFault::Traction { .. }) => {
+            Meshed(MeshedError::NoYieldPoint) | HalfSpaces(HalfSpaceError::NoYieldPoint) => {
+                vec![sought()]
+            }
+            Track(TrackError::Track(TrackFault::Traction { .. })) => {
                 vec!["/load/rolling/friction".to_owned()]
             }
-            SolveError::NoTrack
-            | SolveError::NoRaceway(_)
-            | SolveError::Conforming { .. }
-            | SolveError::TouchesAtEnd { .. } => {
+            Track(TrackError::NoTrack | TrackError::NoRaceway(_))
+            | Meshed(MeshedError::Conforming { .. } | MeshedError::TouchesAtEnd { .. }) => {
                 sides.map(|(side, _)| format!("/{side}/shape")).to_vec()
             }
-            SolveError::AmbiguousCorner { side, .. } => {
+            Meshed(MeshedError::AmbiguousCorner { side, .. }) => {
                 let side = if *side == 0 { "upper" } else { "lower" };
                 vec![format!("/{side}/shape/interpolation")]
             }
-            SolveError::TraceTooFine { .. } => {
+            Meshed(MeshedError::TraceTooFine { .. }) => {
                 let radii = sides.iter().filter_map(|(side, body)| match body.shape {
                     Shape::Punch(_) => Some(format!("/{side}/shape/edge_radius")),
                     Shape::Wedge(_) | Shape::Cone(_) => Some(format!("/{side}/shape/tip_radius")),
@@ -91,25 +105,34 @@ impl RunError {
                 });
                 faces(false).into_iter().chain(radii).collect()
             }
-            SolveError::Mesh(MeshError::TooSteep { .. }) => faces(true),
+            Meshed(MeshedError::Mesh(MeshError::TooSteep { .. })) => faces(true),
             _ => Vec::new(),
         };
         let write = UnitConverter::new(job.units, job.analysis);
         let detail = match error {
-            SolveError::Unreachable(found) => target::unreachable(found, &job.load, write),
-            SolveError::TooWide { .. } | SolveError::Conforming { .. } if lies_in_groove(job) => {
-                format!("{}; {CONFORMING_ADVICE}", error.text(write))
+            Meshed(MeshedError::TooWide { .. } | MeshedError::Conforming { .. })
+                if lies_in_groove(job) =>
+            {
+                format!("{}; {CONFORMING_ADVICE}", solve_error::text(error, write))
             }
-            // The author of the job cannot act on errors from inside the contact solver.
-            SolveError::Contact(
-                ContactError::NotPositiveDefinite { .. }
-                | ContactError::NoEnergy { .. }
-                | ContactError::Ray { .. }
-                | ContactError::IllConditioned { .. },
-            ) => "rounding leaves the contact without an answer: lengths, stiffness and load of \
-                  the job differ by too many orders of magnitude for numbers of double precision"
-                .to_owned(),
-            error => error.text(write),
+            error => match error.method() {
+                Some(method::Error::Unreachable(found)) => {
+                    target::unreachable(found, &job.load, write)
+                }
+                // The author of the job cannot act on errors from inside the contact solver.
+                Some(method::Error::Contact(
+                    ContactError::NotPositiveDefinite { .. }
+                    | ContactError::NoEnergy { .. }
+                    | ContactError::Ray { .. }
+                    | ContactError::IllConditioned { .. },
+                )) => {
+                    "rounding leaves the contact without an answer: lengths, stiffness and load \
+                       of the job differ by too many orders of magnitude for numbers of double \
+                       precision"
+                        .to_owned()
+                }
+                _ => solve_error::text(error, write),
+            },
         };
         if pointers.is_empty() {
             return Self::Failed(detail);
@@ -149,7 +172,7 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     if job.analysis == Analysis::ThreeDimensional {
         return half_spaces::preflight(job);
     }
-    match solver::estimate(job).map_err(|error| RunError::of(job, &error)) {
+    match inputs::estimate(job).map_err(|error| RunError::of(job, error)) {
         Ok(estimate) => Ok(with_result(job, estimate)),
         Err(RunError::Input(errors)) => Err(errors),
         Err(other) => Err(vec![FieldError::not_solvable("", other.to_string())]),
@@ -297,9 +320,11 @@ pub fn run_each(
     if job.analysis == Analysis::ThreeDimensional {
         return half_spaces::run_each(job, observer, on_step);
     }
-    let mut reports = Reports { builder: ReportBuilder::new(job), number: 0, on_step };
-    let solution = solver::run_each(job, options, observer, &mut reports)
-        .map_err(|error| RunError::of(job, &error))?;
+    let contact = meshed_contact(job);
+    let builder = ReportBuilder::new(job, &contact.problem);
+    let mut reports = Reports { builder, number: 0, on_step };
+    let solution = solver::run_each(&contact, options, observer, &mut reports)
+        .map_err(|error| RunError::of(job, error))?;
     Ok(reports.builder.finish(&solution, observer))
 }
 
@@ -334,11 +359,12 @@ mod tests {
         let job =
             Job::from_json(include_bytes!("../../../../api/examples/two_cylinders.json")).unwrap();
         let job = Job { mesh: crate::job::MeshSettings { elements_per_half_width: 4 }, ..job };
-        let step = solver::run(&job, &mut Unobserved).unwrap().steps.remove(0);
+        let step = inputs::run(&job, &mut Unobserved).unwrap().steps.remove(0);
         let mut numbers = Vec::new();
         let mut on_step = |number, _| numbers.push(number);
-        let mut reports =
-            Reports { builder: ReportBuilder::new(&job), number: 0, on_step: &mut on_step };
+        let problem = meshed_contact(&job).problem;
+        let builder = ReportBuilder::new(&job, &problem);
+        let mut reports = Reports { builder, number: 0, on_step: &mut on_step };
         for anew in [false, false, true, false] {
             if anew {
                 reports.begin_anew();

@@ -4,8 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::error_bars;
 use super::findings::Finding;
+use super::solve_error::limit_text;
 use crate::fem::element::StressState;
-use crate::job::{Job, Load, Named as _, Target};
+use crate::job::{Job, Load, Named as _, Target, label_of};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 use crate::units::UnitConverter;
 
@@ -87,7 +88,9 @@ pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter
     let Load::Target(target) = load else {
         let (ratio, force) = (found.nearest, write.force_text(found.force));
         return match &found.reason {
-            UnreachableReason::Limit(why) => format!("the contact does not yield: {why}"),
+            UnreachableReason::Limit(why) => {
+                format!("the contact does not yield: {}", limit_text(why, write))
+            }
             UnreachableReason::LargestForce => {
                 "the contact does not yield under any force that is solved".to_owned()
             }
@@ -102,7 +105,7 @@ pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter
             ),
         };
     };
-    let name = target.figure.label();
+    let name = label_of(target.figure);
     let figure = |value: f64| write.target_text(target.figure, value);
     let (nearest, force) =
         (figure(found.nearest * target.value.get()), write.force_text(found.force));
@@ -131,7 +134,9 @@ pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter
                 bound
             };
             match &found.reason {
-                UnreachableReason::Limit(why) => format!("{bound}; under a larger one {why}"),
+                UnreachableReason::Limit(why) => {
+                    format!("{bound}; under a larger one {}", limit_text(why, write))
+                }
                 _ => bound,
             }
         }
@@ -153,7 +158,7 @@ mod tests {
             nearest: 0.6,
             force: 90.0,
             largest_force,
-            reason: UnreachableReason::Limit("the iteration does not converge".to_owned()),
+            reason: UnreachableReason::Limit("the iteration does not converge".into()),
         };
         let told = |found: &Unreachable| {
             unreachable(found, &load, UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain))

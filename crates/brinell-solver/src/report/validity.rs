@@ -14,13 +14,13 @@ use super::{onset, plastic_strain, strength};
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
+use crate::inputs::outline_of;
 use crate::job::{
     Coupling, HistoryLoad, Job, Load, Material, PositiveF64, Shape, SolverSettings, Theory,
 };
-use crate::solver::outline_of;
 use crate::solver::{
-    ElasticReference, IterationRecord, LastIncrement, PairState, SolveStatus, StepSolution,
-    TIP_ELEMENTS,
+    ElasticReference, IterationRecord, LastIncrement, PairState, Problem, SolveStatus,
+    StepSolution, TIP_ELEMENTS,
 };
 use crate::units::UnitConverter;
 
@@ -112,6 +112,7 @@ pub(super) fn remarks(findings: &[Finding], write: UnitConverter) -> Vec<Validit
 /// Returns the findings on a load step.
 pub(super) fn findings(
     job: &Job,
+    problem: &Problem,
     step: &StepSolution,
     reference: Option<&ElasticReference>,
 ) -> Vec<Finding> {
@@ -158,7 +159,7 @@ pub(super) fn findings(
         of_mesh(job, step, half_width, &mut findings);
     }
     findings.extend(plastic_strain::findings(job, step));
-    findings.extend(onset::why_unknown(job, step));
+    findings.extend(onset::why_unknown(job, problem, step));
     findings.extend(strength::findings(job, step));
     let mut depths = step.field.bodies.iter().flatten().map(|body| body.depth());
     if depths.any(|depth| depth < NEAR_SUPPORT * half_width) {
@@ -469,12 +470,14 @@ pub(super) fn lies_in_groove(job: &Job) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solver::{Unobserved, run};
+    use crate::inputs::{meshed_contact, run};
+    use crate::solver::Unobserved;
 
     fn notes(job: &Job, step: &StepSolution) -> Vec<ValidityNote> {
-        let reference = ElasticReference::of(job, step.figures.force);
+        let problem = meshed_contact(job).problem;
+        let reference = ElasticReference::of(&problem, step.figures.force);
         let write = UnitConverter::new(job.units, job.analysis);
-        remarks(&findings(job, step, reference.as_ref()), write)
+        remarks(&findings(job, &problem, step, reference.as_ref()), write)
     }
 
     #[test]

@@ -3,9 +3,9 @@
 
 use super::floors::floors;
 use super::method::figures::{Figure, Figures};
+use super::method::sought::TargetFigure;
 use super::solution::StepSolution;
 use crate::fem::element::StressState;
-use crate::job::TargetFigure;
 
 /// Returns the place of an analysis among the floors of a figure.
 const fn class_of(state: StressState) -> usize {

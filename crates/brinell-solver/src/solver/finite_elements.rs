@@ -2,9 +2,9 @@
 
 use crate::fem::mesh::{ContactZone, MeshError};
 use crate::material::ReferenceModuli;
-use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::system::{Design, System};
+use crate::solver::error::MeshedError;
 use crate::solver::mesh_solve::{
     MeshSolve, MeshSolveRequest, enlarged, fields, most_columns, narrow,
 };
@@ -14,7 +14,6 @@ use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf, solve};
 use crate::solver::problem::Problem;
-use crate::solver::strategy::coupling;
 
 /// Narrowings of a zone that cannot be meshed, at most.
 const MAX_NARROWINGS: usize = 12;
@@ -59,8 +58,8 @@ impl FiniteElements<'_> {
         system: &mut System,
         at: Option<&BlockVector>,
         run: &mut Run<'_>,
-    ) -> Result<(), SolveError> {
-        if coupling(self.request.solver.coupling).uses_tangent_moduli() {
+    ) -> Result<(), MeshedError> {
+        if self.request.solver.coupling.uses_tangent_moduli() {
             system.linearize(at.map(|at| (at, ReferenceModuli::Tangent)), run)?;
         }
         Ok(())
@@ -73,7 +72,7 @@ impl FiniteElements<'_> {
         is_first: bool,
         under: Round,
         run: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, MeshedError> {
         let search_region = if is_first {
             let envelope = solve.yielded_envelope().joined(&solve.system.accepted.plastic);
             PlasticSearchRegion::Within(envelope.scaled(WIDENING))
@@ -116,19 +115,19 @@ impl Engine for FiniteElements<'_> {
     type System = System;
     type Design = MeshDesign;
     type Answer = MeshSolve;
-    type Error = SolveError;
+    type Error = MeshedError;
 
     fn build(
         &self,
         design: &mut MeshDesign,
         run: &mut Run<'_>,
-    ) -> Result<(System, Option<BlockVector>), SolveError> {
+    ) -> Result<(System, Option<BlockVector>), MeshedError> {
         let MeshSolveRequest { refinement, cache, previous, .. } = *self.request;
         loop {
             let MeshDesign { zone, search_region, .. } = &*design;
             let plan = Design { zone, refinement, search_region: *search_region, cache };
             match System::build(self.problem, plan, previous, run) {
-                Err(SolveError::Mesh(MeshError::Inverted { .. }))
+                Err(MeshedError::Mesh(MeshError::Inverted { .. }))
                     if design.narrowings < MAX_NARROWINGS =>
                 {
                     design.narrowings += 1;
@@ -146,7 +145,7 @@ impl Engine for FiniteElements<'_> {
         design: &MeshDesign,
         mut system: System,
         run: &mut Run<'_>,
-    ) -> Result<(System, Option<BlockVector>), SolveError> {
+    ) -> Result<(System, Option<BlockVector>), MeshedError> {
         let start = system.extrapolated(self.request.load.magnitude());
         run.time(Phase::Plasticity, || system.set_plastic_region(design.search_region));
         if let Some(previous) = self.request.previous {
@@ -164,7 +163,7 @@ impl Engine for FiniteElements<'_> {
         mut outcome: Outcome,
         under: Round,
         run: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, MeshedError> {
         let fields =
             run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
         let mut solve =
@@ -192,9 +191,9 @@ pub(crate) fn run(
     request: &MeshSolveRequest<'_>,
     known: Option<System>,
     run: &mut Run<'_>,
-) -> Result<MeshSolve, SolveError> {
+) -> Result<MeshSolve, MeshedError> {
     let engine = FiniteElements { problem, request, is_history: false };
-    let coupling = coupling(request.solver.coupling);
+    let coupling = request.solver.coupling;
     let design = MeshDesign::new(request.zone.clone(), request.search_region);
     solve(&engine, design, known, run, |mesh, system, start, run| {
         mesh.solve(system, start, coupling, request.controls(), run)

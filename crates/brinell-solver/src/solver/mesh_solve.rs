@@ -11,7 +11,6 @@ use std::sync::Arc;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::StressField;
 use crate::fem::mesh::{ContactZone, ROUNDING, Refinement};
-use crate::job::SolverSettings;
 use crate::solver::body_solution::BodySolution;
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
@@ -24,6 +23,7 @@ use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::figures::{BodyFigures, Figures};
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::ask;
+use crate::solver::method::settings::Settings;
 use crate::solver::problem::Problem;
 use crate::solver::solution::pressure_in_middle;
 use crate::solver::{IncrementNumber, Interrupt, Observer};
@@ -37,7 +37,7 @@ pub(crate) struct MeshSolveRequest<'a> {
     pub search_region: PlasticSearchRegion,
     /// Load of both sides of the axis together.
     pub load: ContactLoad,
-    pub solver: SolverSettings,
+    pub solver: Settings,
     /// The answer on another mesh as initial state, one field for each model.
     pub previous: Option<&'a [NodalField<'a>]>,
     /// Bodies and factors of earlier jobs.
@@ -54,8 +54,8 @@ impl MeshSolveRequest<'_> {
         Controls {
             contact: self.contact,
             load: self.load,
-            tolerance: self.solver.tolerance.get(),
-            max_iterations: self.solver.max_iterations as usize,
+            tolerance: self.solver.tolerance,
+            max_iterations: self.solver.max_iterations,
             renewable: false,
             scales: self.scales,
             increment: self.increment,

@@ -23,14 +23,13 @@ mod load_stepping;
 mod loads;
 mod mesh_sizing;
 mod mesh_solve;
-mod outline;
+mod meshed_contact;
 mod problem;
 pub(crate) mod recovery;
 mod reference;
 pub mod rolling;
 mod slopes;
 mod solution;
-mod strategy;
 mod surface_recovery;
 pub(crate) mod watch;
 
@@ -42,15 +41,17 @@ pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use conforming::ConformingPair;
 pub(crate) use conforming::MAX_HALF_ANGLE;
-pub use error::SolveError;
-pub(crate) use error::track_text;
+pub use error::MeshedError;
 pub(crate) use final_check::TIP_ELEMENTS;
 pub(crate) use load_stepping::force_search::target_figure;
-pub use load_stepping::run::{Options, run, run_each, run_with};
+pub use load_stepping::run::Options;
+pub(crate) use load_stepping::run::run_each;
 pub(crate) use load_stepping::utilization::{
     EDGE_UTILIZATION, at_narrow_edge, highest_utilization,
 };
-pub use mesh_sizing::estimate::{Estimate, estimate};
+pub use mesh_sizing::estimate::Estimate;
+pub(crate) use mesh_sizing::estimate::estimate;
+pub(crate) use meshed_contact::{Asked, MeshedContact};
 pub use method::figures::{BodyFigures, Figure, FigureSet, Figures};
 pub use method::increments::LastIncrement;
 pub use method::observer::{
@@ -58,15 +59,12 @@ pub use method::observer::{
 };
 pub use method::phases::{Phase, PhaseTimes};
 pub use method::steps::{Checks, Energy, IncrementRecord, Path, Search, Step, StepReceiver};
-pub use method::{Unreachable, UnreachableReason};
-pub use outline::outline_of;
+pub use method::{Limit, Unreachable, UnreachableReason};
 pub use problem::ModelOf;
-pub(crate) use problem::Problem;
+pub(crate) use problem::{GivenBody, Problem};
 pub use reference::ElasticReference;
-pub(crate) use reference::{elastic_utilization, factor_of_onset};
-pub(crate) use slopes::{
-    SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, of_small_mesh, small, small_solves,
-};
+pub(crate) use reference::elastic_utilization;
+pub(crate) use slopes::{SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS};
 pub use solution::{NarrowEdge, PairState, RoundedTip, SectionField, Solution, StepSolution};
 pub use surface_recovery::{SurfaceStress, surface_stresses};
 pub(crate) use surface_recovery::{

@@ -1,22 +1,21 @@
-//! The mechanical problem of a job: two outlines with materials and supports.
+//! The mechanical problem: two outlines with materials and supports.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_plane_stress};
+use crate::analytical::{effective_modulus, effective_modulus_plane_stress};
 use crate::fem::assembly::{MaterialModel, Support, out_of_plane};
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Corner, Outline};
-use crate::job::{self, Analysis, Body, Deformable, InitialStressProfile, Job, Material, Shape};
 use crate::material::{
-    BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, ElasticModuli,
-    FlowPlasticity, HardeningLaw, Inhomogeneous, OutOfPlane, ReturnMapping,
+    BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, FlowPlasticity,
+    HardeningLaw, Inhomogeneous, InitialStressProfile, OutOfPlane, ReturnMapping, Solid,
 };
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::first_contact::smallest_gap;
-use crate::solver::outline::outlines_of;
 
 /// Two bodies whose surfaces first touch where their gap is smallest.
+#[derive(Clone)]
 pub(crate) struct Problem {
     pub stress_state: StressState,
     /// Upper and lower body.
@@ -35,16 +34,27 @@ pub(crate) struct Problem {
     pub conforming: Option<ConformingPair>,
 }
 
+/// A body as it is given.
+pub(crate) struct GivenBody {
+    pub outline: Outline,
+    /// `None` for a rigid body.
+    pub material: Option<Solid>,
+    pub support: Support,
+    /// Whether it is a profile of which nothing says how it runs between its points.
+    pub interpolation_is_open: bool,
+}
+
+#[derive(Clone)]
 pub(crate) struct ProblemBody {
     pub outline: Outline,
     /// `None` for a rigid body.
-    pub material: Option<Deformable>,
+    pub material: Option<Solid>,
     /// Its constitutive model.
     pub model: Option<Arc<dyn MaterialModel>>,
     /// Its stress before any load.
     pub initial_stress: Option<Arc<GivenStress>>,
     pub support: Support,
-    /// Whether it is a profile whose job does not give the interpolation between its points.
+    /// Whether it is a profile of which nothing says how it runs between its points.
     interpolation_is_open: bool,
 }
 
@@ -56,10 +66,10 @@ pub(crate) struct GivenStress {
 }
 
 impl GivenStress {
-    fn of(material: &Deformable, outline: &Outline) -> Option<Arc<Self>> {
-        let rows = material.initial_stress();
-        let given = || Self { profile: InitialStressProfile::new(rows), outline: outline.clone() };
-        (!rows.is_empty()).then(|| Arc::new(given()))
+    fn of(material: &Solid, outline: &Outline) -> Option<Arc<Self>> {
+        let profile = material.initial_stress();
+        let given = || Self { profile: profile.clone(), outline: outline.clone() };
+        (!profile.is_empty()).then(|| Arc::new(given()))
     }
 
     /// `[σ_xx, σ_yy, σ_zz, τ_xy]` at a place \[MPa\].
@@ -85,21 +95,21 @@ impl GivenStress {
 }
 
 /// Makes the constitutive model of a material in a body of this outline.
-pub type ModelOf = fn(&Deformable, &Outline, OutOfPlane) -> Arc<dyn MaterialModel>;
+pub type ModelOf = fn(&Solid, &Outline, OutOfPlane) -> Arc<dyn MaterialModel>;
 
 /// The paper's theory of plasticity.
 pub(crate) fn deformation_theory(
-    material: &Deformable,
+    material: &Solid,
     outline: &Outline,
     out_of_plane: OutOfPlane,
 ) -> Arc<dyn MaterialModel> {
-    let elastic = ElasticModuli::from(material.elastic());
+    let elastic = material.moduli();
     in_body(material, outline, |law| DeformationPlasticity::with_law(elastic, law, out_of_plane))
 }
 
 /// Flow theory, which follows a history of loads.
 pub(crate) fn flow_theory(
-    material: &Deformable,
+    material: &Solid,
     outline: &Outline,
     out_of_plane: OutOfPlane,
 ) -> Arc<dyn MaterialModel> {
@@ -114,16 +124,15 @@ pub(crate) fn flow_theory(
 }
 
 fn flow_theory_with<const N: usize>(
-    material: &Deformable,
+    material: &Solid,
     outline: &Outline,
     out_of_plane: OutOfPlane,
-    backstress: [job::BackstressTerm; N],
+    terms: [BackstressTerm; N],
 ) -> Arc<dyn MaterialModel> {
-    let Some(law) = material.hardening_law() else {
+    let Some(law) = material.hardening_law().cloned() else {
         return deformation_theory(material, outline, out_of_plane);
     };
-    let elastic = ElasticModuli::from(material.elastic());
-    let terms = backstress.each_ref().map(BackstressTerm::from);
+    let elastic = material.moduli();
     in_body(material, outline, |scaled| {
         let law = scaled.unwrap_or_else(|| Arc::clone(&law));
         FlowPlasticity::new(elastic, ReturnMapping::new(law, elastic.shear), terms, out_of_plane)
@@ -133,12 +142,13 @@ fn flow_theory_with<const N: usize>(
 /// A model of the hardening law of a material; of its scaled laws where strength varies over
 /// depth, and from its stress before any load.
 fn in_body<M: ConstitutiveModel>(
-    material: &Deformable,
+    material: &Solid,
     outline: &Outline,
     model: impl Fn(Option<Arc<dyn HardeningLaw>>) -> M,
 ) -> Arc<dyn MaterialModel> {
-    let law = material.hardening_law();
-    let strength = material.strength().map(|profile| DepthStrength::new(profile, outline.clone()));
+    let law = material.hardening_law().cloned();
+    let strength = material.strength().cloned();
+    let strength = strength.map(|profile| DepthStrength::new(profile, outline.clone()));
     if strength.is_none() && material.initial_stress().is_empty() {
         return Arc::new(model(law));
     }
@@ -158,41 +168,13 @@ const FORCE_STEPS: u32 = 48;
 const PRESSURE_STEPS: u32 = 400;
 
 impl Problem {
-    pub fn of(job: &Job) -> Self {
-        Self::with_models(job, deformation_theory)
-    }
-
-    /// The problem of a job with other constitutive models than those of its materials.
-    pub fn with_models(job: &Job, model: ModelOf) -> Self {
-        let stress_state = match job.analysis {
-            Analysis::PlaneStrain => StressState::PlaneStrain,
-            Analysis::PlaneStress => StressState::PlaneStress,
-            // The engine of half-spaces has no stress state of its own.
-            Analysis::Axisymmetric | Analysis::ThreeDimensional => StressState::Axisymmetric,
-        };
-        let [upper_outline, lower_outline] = outlines_of([&job.upper.shape, &job.lower.shape]);
-        let conforming = ConformingPair::of([&upper_outline, &lower_outline]);
-        let body = |body: &Body, outline: Outline| {
-            let material = match &body.material {
-                Material::Rigid => None,
-                Material::Deformable(material) => Some(material.clone()),
-            };
-            ProblemBody {
-                model: material
-                    .as_ref()
-                    .map(|material| model(material, &outline, out_of_plane(stress_state))),
-                initial_stress: material
-                    .as_ref()
-                    .and_then(|material| GivenStress::of(material, &outline)),
-                outline,
-                material,
-                support: body.support.into(),
-                interpolation_is_open: matches!(&body.shape, Shape::Profile(p) if p.interpolation().is_none()),
-            }
-        };
+    /// Two bodies by deformation theory, the upper one first.
+    pub fn new(stress_state: StressState, bodies: [GivenBody; 2]) -> Self {
+        let conforming = ConformingPair::of(bodies.each_ref().map(|body| &body.outline));
+        let out_of_plane = out_of_plane(stress_state);
         let mut problem = Self {
             stress_state,
-            bodies: [body(&job.upper, upper_outline), body(&job.lower, lower_outline)],
+            bodies: bodies.map(|body| ProblemBody::of(body, out_of_plane)),
             use_symmetry: true,
             first_contact_x: 0.0,
             smallest_gap: 0.0,
@@ -213,28 +195,29 @@ impl Problem {
         problem
     }
 
+    /// The same bodies with other constitutive models of their materials.
+    pub fn with_models(&self, model: ModelOf) -> Self {
+        let out_of_plane = out_of_plane(self.stress_state);
+        let with_model = |body: &ProblemBody| ProblemBody {
+            model: model_of(model, body.material.as_ref(), &body.outline, out_of_plane),
+            ..body.clone()
+        };
+        Self { bodies: self.bodies.each_ref().map(with_model), ..self.clone() }
+    }
+
+    /// The same bodies, of which a symmetry is not used.
+    pub fn as_whole(&self) -> Self {
+        Self { use_symmetry: false, ..self.clone() }
+    }
+
     /// The same bodies without their hardening curves.
     pub fn without_plasticity(&self) -> Self {
-        let out_of_plane = out_of_plane(self.stress_state);
-        let elastic = |body: &ProblemBody| {
-            let material = body.material.as_ref().map(Deformable::without_plasticity);
-            ProblemBody {
-                outline: body.outline.clone(),
-                model: material
-                    .as_ref()
-                    .map(|material| deformation_theory(material, &body.outline, out_of_plane)),
-                material,
-                initial_stress: body.initial_stress.clone(),
-                support: body.support,
-                interpolation_is_open: body.interpolation_is_open,
-            }
+        let elastic = |body: &ProblemBody| ProblemBody {
+            material: body.material.as_ref().map(Solid::without_plasticity),
+            ..body.clone()
         };
-        Self {
-            bodies: self.bodies.each_ref().map(elastic),
-            knots: self.knots.clone(),
-            corners: self.corners.clone(),
-            ..*self
-        }
+        Self { bodies: self.bodies.each_ref().map(elastic), ..self.clone() }
+            .with_models(deformation_theory)
     }
 
     /// Force over the area of a contact of this half-width \[MPa\].
@@ -483,13 +466,8 @@ impl Problem {
 
     /// Effective modulus E* \[MPa\]; infinite for two rigid bodies.
     pub fn effective_modulus(&self) -> f64 {
-        let constants = self.bodies.each_ref().map(|body| {
-            let elastic = body.material.as_ref()?.elastic();
-            Some(ElasticConstants {
-                young_modulus: elastic.young_modulus.get(),
-                poisson_ratio: elastic.poisson_ratio.get(),
-            })
-        });
+        let constants =
+            self.bodies.each_ref().map(|body| body.material.as_ref().map(Solid::elastic));
         match self.stress_state {
             StressState::PlaneStrain | StressState::Axisymmetric => effective_modulus(constants),
             StressState::PlaneStress => effective_modulus_plane_stress(constants),
@@ -526,7 +504,32 @@ impl Problem {
     }
 }
 
+/// The constitutive model of a material in a body.
+fn model_of(
+    model: ModelOf,
+    material: Option<&Solid>,
+    outline: &Outline,
+    out_of_plane: OutOfPlane,
+) -> Option<Arc<dyn MaterialModel>> {
+    material.map(|material| model(material, outline, out_of_plane))
+}
+
 impl ProblemBody {
+    /// A body by deformation theory.
+    fn of(given: GivenBody, out_of_plane: OutOfPlane) -> Self {
+        let GivenBody { outline, material, support, interpolation_is_open } = given;
+        Self {
+            model: model_of(deformation_theory, material.as_ref(), &outline, out_of_plane),
+            initial_stress: material
+                .as_ref()
+                .and_then(|material| GivenStress::of(material, &outline)),
+            outline,
+            material,
+            support,
+            interpolation_is_open,
+        }
+    }
+
     /// The hardening law of a body that can yield.
     pub fn hardening(&self) -> Option<&dyn HardeningLaw> {
         self.model.as_ref()?.hardening()
@@ -545,16 +548,7 @@ impl ProblemBody {
 
     /// Smallest and largest factor of the hardening curve.
     pub fn strength_range(&self) -> (f64, f64) {
-        let strength = self.material.as_ref().and_then(Deformable::strength);
+        let strength = self.material.as_ref().and_then(Solid::strength);
         strength.map_or((1.0, 1.0), |strength| strength.range())
-    }
-}
-
-impl From<job::Support> for Support {
-    fn from(support: job::Support) -> Self {
-        match support {
-            job::Support::Clamped => Self::Clamped,
-            job::Support::Roller => Self::Roller,
-        }
     }
 }

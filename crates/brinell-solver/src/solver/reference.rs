@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::analytical::{DepthLimit, HertzLine, HertzPoint, YieldOnset};
+use crate::analytical::{DepthLimit, HertzLine, HertzPoint, YieldOnset, factor_of_onset};
 use crate::fem::element::StressState;
-use crate::job::{Analysis, Job};
 use crate::solver::problem::{Problem, ProblemBody};
 
 /// Hertz's contact and the onset of yield.
@@ -27,14 +26,10 @@ pub struct ElasticReference {
 }
 
 impl ElasticReference {
-    /// The reference for a job under a force \[N/mm, or N in axisymmetry\]; `None` where Hertz's
-    /// theory does not apply: a pin in its hole, surfaces that are no arcs or do not open away
-    /// from the origin, half-spaces.
-    pub fn of(job: &Job, force: f64) -> Option<Self> {
-        if job.analysis == Analysis::ThreeDimensional {
-            return None;
-        }
-        let problem = Problem::of(job);
+    /// The reference for two bodies under a force \[N/mm, or N in axisymmetry\]; `None` where
+    /// Hertz's theory does not apply: a pin in its hole, surfaces that are no arcs or do not open
+    /// away from the origin.
+    pub(crate) fn of(problem: &Problem, force: f64) -> Option<Self> {
         if problem.conforming.is_some() {
             return None;
         }
@@ -67,11 +62,10 @@ impl ElasticReference {
 impl ElasticReference {
     /// The elastic shakedown limit of a line contact for several frictions, of both bodies the
     /// lower; empty where there is no [`Self::rolling_limit`].
-    pub fn limits_over_friction(&self, job: &Job) -> Vec<(f64, DepthLimit)> {
+    pub(crate) fn limits_over_friction(&self, problem: &Problem) -> Vec<(f64, DepthLimit)> {
         if self.rolling_limit.is_none() {
             return Vec::new();
         }
-        let problem = Problem::of(job);
         let half_width = 2.0 * self.effective_radius / problem.effective_modulus();
         let bodies = problem.bodies.iter().filter_map(|body| sliding_limits(body, half_width));
         let lower = |(friction, one): (f64, DepthLimit), other: DepthLimit| {
@@ -89,8 +83,10 @@ impl ElasticReference {
 /// `[x, depth]` \[mm\] and the body, by Hertz's theory: the factor on both yield stresses that
 /// makes the force that of first yield. `None` where [`ElasticReference::of`] has no onset of
 /// yield.
-pub(crate) fn elastic_utilization(job: &Job, force: f64) -> Option<(f64, [f64; 2], usize)> {
-    let problem = Problem::of(job);
+pub(crate) fn elastic_utilization(
+    problem: &Problem,
+    force: f64,
+) -> Option<(f64, [f64; 2], usize)> {
     let (curvature, modulus) = (problem.curvature()?, problem.effective_modulus());
     if problem.bodies.iter().any(|body| body.initial_stress.is_some()) {
         return None;
@@ -105,23 +101,6 @@ pub(crate) fn elastic_utilization(job: &Job, force: f64) -> Option<(f64, [f64; 2
     let used = bodies.filter_map(|(side, body)| Some((of_body(body)?, side)));
     let ((ratio, depth), side) = used.max_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
     Some((ratio, [0.0, depth], side))
-}
-
-/// Returns the factor on a yield stress that makes `force` the force of first yield, and the depth
-/// of first yield with this factor. `onset` returns both forces and depths for a factor.
-pub(crate) fn factor_of_onset(onset: impl Fn(f64) -> (f64, f64), force: f64) -> (f64, f64) {
-    let mut factor = 1.0;
-    let mut found = onset(factor);
-    // The force of first yield grows with the square to the cube of a uniform yield stress.
-    for _ in 0..60 {
-        let off = force / found.0;
-        if (off - 1.0).abs() < 1e-9 || !off.is_finite() {
-            break;
-        }
-        factor *= off.powf(0.4);
-        found = onset(factor);
-    }
-    (factor, found.1)
 }
 
 /// Half-width and peak pressure.
@@ -181,7 +160,7 @@ fn onset(
     if yield_stress <= 0.0 {
         return None;
     }
-    let poisson_ratio = material.elastic().poisson_ratio.get();
+    let poisson_ratio = material.elastic().poisson_ratio;
     if let Some(strength) = material.strength() {
         let yield_stress = |depth: f64| yield_stress * strength.factor(depth);
         let limit = match stress_state {

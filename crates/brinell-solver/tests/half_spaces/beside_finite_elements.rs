@@ -39,7 +39,7 @@ fn axisymmetric(bodies: [&Value; 2], theory: &str, load: &Value) -> Report {
     report
 }
 
-fn in_job(material: &Value) -> Option<Deformable> {
+fn in_job(material: &Value) -> Option<Solid> {
     let flat = json!({"type": "block", "width": 40.0, "depth": 20.0});
     let job = json!({
         "analysis": "axisymmetric",
@@ -49,7 +49,7 @@ fn in_job(material: &Value) -> Option<Deformable> {
     });
     match Job::from_value(&job).unwrap().upper.material {
         Material::Rigid => None,
-        Material::Deformable(material) => Some(material),
+        Material::Deformable(material) => Some(Solid::from(&material)),
     }
 }
 
@@ -101,8 +101,7 @@ fn compare_cycles(upper: &Value, lower: &Value, ratio: f64, cycles: usize) -> bo
     let expected = axisymmetric([upper, lower], "flow", &json!({"history": loads}));
     println!("{upper} on {lower}, {cycles} cycles");
     problem.solver.theory = Theory::Flow;
-    let load = |force| HistoryLoad::Force(NonNegativeF64::new(force).unwrap());
-    problem.load = Load::History(History::new(forces.into_iter().map(load).collect()).unwrap());
+    problem.loads = super::forces(forces);
     let found = solved(&problem);
     let last = 2 * cycles - 1;
     loaded_alike(&found[last - 1], &expected.steps[last - 1], elastic);

@@ -1,6 +1,6 @@
 //! What is known of limits: long contacts, one increment, energies.
 
-use brinell_solver::job::{Job, NonNegativeF64};
+use brinell_solver::job::Job;
 use brinell_solver::report;
 use serde_json::json;
 
@@ -49,13 +49,12 @@ fn the_middle_of_a_long_ellipse_is_in_plane_strain() {
 fn one_increment_from_rest_is_deformation_theory() {
     let mut problem = on_flat(3.0 * RADIUS, steel(Some(0.05)), 4);
     let force = force_of(&problem, 6.0);
-    problem.solver.tolerance = positive(1e-11);
-    problem.load = Load::Forces(positive(force).into());
+    problem.solver.tolerance = 1e-11;
+    problem.loads = forces([force]);
     let whole = solved(&problem).remove(0);
     problem.solver.theory = Theory::Flow;
     problem.solver.increments = Some(1);
-    let load = HistoryLoad::Force(NonNegativeF64::new(force).unwrap());
-    problem.load = Load::History(History::new(vec![load]).unwrap());
+    problem.loads = forces([force]);
     let flow = solved(&problem).remove(0);
     near(flow.field.surface.grid.hx(), whole.field.surface.grid.hx(), 1e-12, "cells");
     near(flow.figures.approach, whole.figures.approach, 1e-9, "approach");

@@ -10,15 +10,20 @@ mod limits;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+use brinell_method::Error;
+use brinell_method::couplings::{Coupling, Strong, Weak};
+use brinell_method::settings::{Settings, Theory};
+use brinell_method::sought::{Loads, Sought, Target, TargetFigure};
+use brinell_solver::contact::ContactLoad;
 use brinell_solver::job::{
-    Bilinear, Coupling, Deformable, Elastic, Hardening, History, HistoryLoad, Load,
-    NonNegativeF64, PoissonRatio, PositiveF64, SolverSettings, Target, TargetFigure, Theory,
+    Bilinear, Deformable, Elastic, Hardening, NonNegativeF64, PoissonRatio, PositiveF64,
 };
+use brinell_solver::material::Solid;
 use brinell_solver::solver::half_spaces::{
-    HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
+    HalfSpaceError, HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
 };
 use brinell_solver::solver::{
-    Held, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, Unobserved,
+    Held, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 
 const YIELD_STRESS: f64 = 500.0;
@@ -29,7 +34,7 @@ fn positive(value: f64) -> PositiveF64 {
 }
 
 /// Steel with a tangent modulus of this part of Young's modulus beyond yield, or without yield.
-fn steel(tangent: Option<f64>) -> Deformable {
+fn steel(tangent: Option<f64>) -> Solid {
     let elastic = Elastic {
         young_modulus: positive(210_000.0),
         poisson_ratio: PoissonRatio::new(0.3).unwrap(),
@@ -40,11 +45,16 @@ fn steel(tangent: Option<f64>) -> Deformable {
             tangent_modulus: NonNegativeF64::new(tangent * 210_000.0).unwrap(),
         })
     });
-    Deformable::new(elastic, hardening).unwrap()
+    Solid::from(&Deformable::new(elastic, hardening).unwrap())
+}
+
+/// Forces in their order \[N\].
+fn forces(forces: impl IntoIterator<Item = f64>) -> Loads {
+    Loads::Given(forces.into_iter().map(ContactLoad::Force).collect())
 }
 
 /// A rigid ellipsoid of radii 10 mm and `radius_y` on a body, elastic at first.
-fn on_flat(radius_y: f64, material: Deformable, cells: u32) -> HalfSpaceProblem {
+fn on_flat(radius_y: f64, material: Solid, cells: u32) -> HalfSpaceProblem {
     HalfSpaceProblem {
         cells_of_slopes: None,
         onset: None,
@@ -52,9 +62,9 @@ fn on_flat(radius_y: f64, material: Deformable, cells: u32) -> HalfSpaceProblem 
         curvature: [RADIUS.recip(), radius_y.recip(), 0.0],
         rollers: Vec::new(),
         heights: None,
-        load: Load::Onset,
+        loads: Loads::Sought(Sought::Onset),
         cells_per_semi_axis: cells,
-        solver: SolverSettings::default(),
+        solver: Settings::default(),
     }
 }
 
@@ -85,7 +95,7 @@ fn solved(problem: &HalfSpaceProblem) -> Vec<HalfSpaceStep> {
 }
 
 fn under(mut problem: HalfSpaceProblem, ratio: f64) -> HalfSpaceStep {
-    problem.load = Load::Forces(positive(force_of(&problem, ratio)).into());
+    problem.loads = forces([force_of(&problem, ratio)]);
     solved(&problem).remove(0)
 }
 
@@ -133,7 +143,7 @@ fn soft_bodies_keep_to_the_estimate() {
         [(10.0, 0.0, 6.0), (10.0, 0.0, 14.0), (10.0, 0.05, 10.0), (100.0, 0.0, 6.0)]
     {
         let mut problem = on_flat(radius_y, steel(Some(tangent)), 4);
-        problem.load = Load::Forces(positive(force_of(&problem, ratio)).into());
+        problem.loads = forces([force_of(&problem, ratio)]);
         let expected = estimate(&problem).unwrap();
         let (mut watch, mut steps): (_, Vec<HalfSpaceStep>) = (Watch::default(), Vec::new());
         run_each(&problem, &mut watch, &mut steps).unwrap();
@@ -157,7 +167,7 @@ fn soft_bodies_keep_to_the_estimate() {
 #[test]
 fn a_large_grid_keeps_within_4_gb() {
     let mut problem = on_flat(10.0, steel(Some(0.05)), 40);
-    problem.load = Load::Forces(positive(force_of(&problem, 4.0)).into());
+    problem.loads = forces([force_of(&problem, 4.0)]);
     let expected = estimate(&problem).unwrap();
     println!("{expected:?}");
     assert!(expected.cells[0] >= 128 && expected.cells[1] >= 128 && expected.layers >= 48);
@@ -167,8 +177,8 @@ fn a_large_grid_keeps_within_4_gb() {
 #[test]
 fn loads_that_no_small_strain_bears_are_refused() {
     let mut problem = on_flat(10.0, steel(Some(0.0)), 10);
-    problem.load = Load::Forces(positive(force_of(&problem, 41.0)).into());
-    let refused = |error| matches!(error, SolveError::Overloaded { most, .. } if most < 41.0);
+    problem.loads = forces([force_of(&problem, 41.0)]);
+    let refused = |error| matches!(error, HalfSpaceError::Overloaded { most, .. } if most < 41.0);
     assert!(refused(estimate(&problem).unwrap_err()));
     let mut steps: Vec<HalfSpaceStep> = Vec::new();
     assert!(refused(run_each(&problem, &mut Unobserved, &mut steps).unwrap_err()));
@@ -178,7 +188,7 @@ fn loads_that_no_small_strain_bears_are_refused() {
 #[test]
 fn a_solve_stops_within_an_evaluation() {
     let mut problem = on_flat(10.0, steel(Some(0.0)), 6);
-    problem.load = Load::Forces(positive(force_of(&problem, 4.0)).into());
+    problem.loads = forces([force_of(&problem, 4.0)]);
     let (mut watch, mut steps): (_, Vec<HalfSpaceStep>) = (Watch::default(), Vec::new());
     run_each(&problem, &mut watch, &mut steps).unwrap();
     // A question for each layer and each wave number, there and back.
@@ -189,7 +199,7 @@ fn a_solve_stops_within_an_evaluation() {
         steps.clear();
         let ended = run_each(&problem, &mut stopped, &mut steps);
         assert!(
-            ended == Err(SolveError::Interrupted(Interrupt::Cancelled))
+            ended == Err(HalfSpaceError::Method(Error::Interrupted(Interrupt::Cancelled)))
                 || steps[0].status == SolveStatus::Cancelled
         );
         assert!(stopped.asked <= most + 3, "{} after {most}", stopped.asked);
@@ -207,12 +217,9 @@ fn a_solve_asks_twice_a_second_at_least() {
         let mut problem = on_flat(RADIUS, steel(Some(0.05)), cells);
         problem.solver.theory = theory;
         let force = force_of(&problem, 4.0);
-        problem.load = match theory {
-            Theory::Flow => {
-                let load = |force| HistoryLoad::Force(NonNegativeF64::new(force).unwrap());
-                Load::History(History::new([force, 0.0].map(load).to_vec()).unwrap())
-            }
-            Theory::Deformation => Load::Forces(positive(force).into()),
+        problem.loads = match theory {
+            Theory::Flow => forces([force, 0.0]),
+            Theory::Deformation => forces([force]),
         };
         let (mut watch, mut steps): (_, Vec<HalfSpaceStep>) = (Watch::default(), Vec::new());
         let begin = Instant::now();
@@ -232,8 +239,7 @@ fn a_solve_asks_twice_a_second_at_least() {
 fn loaded_and_unloaded(mut problem: HalfSpaceProblem, ratio: f64) -> [HalfSpaceStep; 2] {
     let force = force_of(&problem, ratio);
     problem.solver.theory = Theory::Flow;
-    let loads = [force, 0.0].map(|force| HistoryLoad::Force(NonNegativeF64::new(force).unwrap()));
-    problem.load = Load::History(History::new(loads.to_vec()).unwrap());
+    problem.loads = forces([force, 0.0]);
     solved(&problem).try_into().unwrap()
 }
 
@@ -282,7 +288,7 @@ fn elastic_ellipses_agree_with_hertz_on_finer_grids() {
 fn force_and_approach_are_one_contact() {
     let mut problem = on_flat(30.0, steel(None), 6);
     let step = under(problem.clone(), 3.0);
-    problem.load = Load::Approaches(positive(step.figures.approach).into());
+    problem.loads = Loads::Given(vec![ContactLoad::Approach(step.figures.approach)]);
     let other = solved(&problem).remove(0);
     near(other.figures.force, step.figures.force, 1e-4, "force");
 }
@@ -317,13 +323,12 @@ fn a_ball_under_deformation_theory_on_a_finer_grid() {
     near(step.figures.peak_pressure, 1259.5, 3e-3, "peak");
     near(step.figures.approach, 2.0555e-3, 2e-3, "approach");
     near(step.figures.bodies[1].max_plastic_strain, 5.12e-3, 2e-2, "plastic strain");
-    let by = |coupling| {
+    let by = |coupling: &'static (dyn Coupling + Sync)| {
         let mut problem = on_flat(RADIUS, steel(Some(0.05)), 12);
         problem.solver.coupling = coupling;
         under(problem, 4.0)
     };
-    for coupling in [Coupling::Strong, Coupling::Weak] {
-        let other = by(coupling);
+    for other in [by(&Strong), by(&Weak)] {
         near(other.figures.approach, step.figures.approach, 1e-6, "approach");
         near(
             other.figures.bodies[1].max_plastic_strain,
@@ -429,7 +434,7 @@ fn the_onset_of_yield_is_that_of_johnson() {
     near(highest.position[2], 0.481 * steps[0].figures.semi_axes()[0], 0.12, "depth");
     problem.materials[1] = Some(steel(None));
     let refused = run_each(&problem, &mut Unobserved, &mut steps).unwrap_err();
-    assert_eq!(refused, SolveError::NoYieldPoint);
+    assert_eq!(refused, HalfSpaceError::NoYieldPoint);
 }
 
 #[test]
@@ -437,8 +442,8 @@ fn the_onset_of_yield_is_that_of_johnson() {
 fn a_force_is_found_by_the_dent_that_it_leaves() {
     let mut problem = on_flat(RADIUS, steel(Some(0.05)), 10);
     problem.solver.theory = Theory::Flow;
-    let value = positive(5.92e-4);
-    problem.load = Load::Target(Target { figure: TargetFigure::DentDepth, value });
+    let target = Target { figure: TargetFigure::DentDepth, value: 5.92e-4 };
+    problem.loads = Loads::Sought(Sought::Target(target));
     let steps = solved(&problem);
     near(steps[0].figures.force, force_of(&problem, 4.0), 2e-2, "force");
     near(steps[1].figures.bodies[1].dent, 5.92e-4, 1e-3, "dent");
@@ -465,7 +470,7 @@ fn two_equal_bodies_are_one_that_counts_twice() {
         yield_stress: positive(YIELD_STRESS * (1.0 + 1e-12)),
         tangent_modulus: NonNegativeF64::new(0.05 * 210_000.0).unwrap(),
     });
-    both.materials[0] = Some(Deformable::new(elastic, Some(harder)).unwrap());
+    both.materials[0] = Some(Solid::from(&Deformable::new(elastic, Some(harder)).unwrap()));
     let apart = under(both, 3.0);
     near(apart.figures.approach, two.figures.approach, 1e-6, "approach");
     near(apart.figures.bodies[0].dent, apart.figures.bodies[1].dent, 1e-6, "dent");

@@ -2,11 +2,12 @@
 
 use brinell_solver::analytical::ElasticConstants;
 use brinell_solver::analytical::effective_modulus;
+use brinell_solver::inputs::{run, run_with};
 use brinell_solver::job::{Coupling, Job, JobError};
 use brinell_solver::report::{self, Report, StepReport};
 use serde_json::json;
 
-use brinell_solver::solver::{Options, Solution, SolveStatus, Unobserved, run, run_with};
+use brinell_solver::solver::{Options, Solution, SolveStatus, Unobserved};
 
 use crate::contacts::{ANALYSES, job, laws, surfaces};
 use crate::problems::{assert_within, parse};

@@ -1,8 +1,9 @@
 //! Jobs that several verification problems share.
 
+use brinell_solver::inputs;
 use brinell_solver::job::Job;
 use brinell_solver::report::{self, Report, StepReport};
-use brinell_solver::solver::{self, Options, Solution, Unobserved};
+use brinell_solver::solver::{Options, Solution, Unobserved};
 use serde_json::{Value, json};
 
 /// Reference force of the paper's problem: elastic peak pressure of three yield stresses \[N/mm\].
@@ -49,11 +50,11 @@ pub fn report(job: &Value) -> Report {
 }
 
 pub fn solve(job: &Value) -> Solution {
-    solver::run(&parse(job), &mut Unobserved).unwrap()
+    inputs::run(&parse(job), &mut Unobserved).unwrap()
 }
 
 pub fn solve_with(job: &Value, options: Options<'_>) -> Solution {
-    solver::run_with(&parse(job), options, &mut Unobserved).unwrap()
+    inputs::run_with(&parse(job), options, &mut Unobserved).unwrap()
 }
 
 /// Every figure that a solution has, to the last bit.

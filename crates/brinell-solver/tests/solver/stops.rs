@@ -2,12 +2,17 @@
 
 use std::ops::ControlFlow;
 
+use brinell_method::Error;
+use brinell_solver::inputs::{SolveError, run};
 use brinell_solver::job::Job;
 use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::{
-    IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, Unobserved,
-    run,
+    IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
+
+fn is_cancelled(error: &SolveError) -> bool {
+    error.method() == Some(&Error::Interrupted(Interrupt::Cancelled))
+}
 use serde_json::{Value, json};
 
 /// Says stop at the n-th question, and counts the iterations that it has seen.
@@ -67,7 +72,7 @@ fn a_sweep_that_is_stopped_keeps_the_steps_before() {
     let (mut most, mut stopped) = (0, 0);
     for questions in 0.. {
         match run(&job, &mut StopSweepAt(questions)) {
-            Err(SolveError::Interrupted(Interrupt::Cancelled)) => {
+            Err(error) if is_cancelled(&error) => {
                 assert_eq!(most, 0, "question {questions}");
             }
             Err(error) => panic!("stopped at question {questions}: {error}"),
@@ -125,7 +130,7 @@ fn a_history_that_is_stopped_keeps_the_loads_that_are_finished() {
     for questions in (0..asked).step_by(asked / 150 + 1) {
         let steps = match run(&job, &mut StopSweepAt(questions)) {
             Ok(solution) => solution.steps,
-            Err(SolveError::Interrupted(Interrupt::Cancelled)) => Vec::new(),
+            Err(error) if is_cancelled(&error) => Vec::new(),
             Err(error) => panic!("stopped at question {questions}: {error}"),
         };
         let converged =
@@ -252,7 +257,7 @@ fn a_job_that_is_stopped_keeps_its_iterations() {
         for questions in (0..).step_by(every) {
             let mut observer = StopAt { questions, iterations: 0 };
             match run(&job, &mut observer) {
-                Err(SolveError::Interrupted(Interrupt::Cancelled)) => {
+                Err(error) if is_cancelled(&error) => {
                     assert_eq!(
                         observer.iterations, 0,
                         "{coupling}, stopped at question {questions}"

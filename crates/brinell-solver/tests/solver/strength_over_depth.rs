@@ -7,6 +7,7 @@ use brinell_solver::analytical::{DepthLimit, HertzLine};
 use brinell_solver::fem::assembly::MaterialModel;
 use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
+use brinell_solver::inputs::outline_of;
 use brinell_solver::job::{
     Bilinear, Groove, Hardening, Job, JobError, NonNegativeF64, OverDepth, Shape,
 };
@@ -14,7 +15,7 @@ use brinell_solver::material::{
     DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity, Inhomogeneous,
     OutOfPlane, ReturnMapping,
 };
-use brinell_solver::solver::{BodySolution, SolveStatus, outline_of};
+use brinell_solver::solver::{BodySolution, SolveStatus};
 use serde_json::{Value, json};
 
 use crate::bodies::{Specimen, grid, material, positive};

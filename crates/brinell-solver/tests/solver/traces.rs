@@ -2,8 +2,9 @@
 //! sharp profiles.
 
 use brinell_solver::analytical::PowerIndenter;
+use brinell_solver::inputs::{self, SolveError, estimate};
 use brinell_solver::report::{self, StepReport};
-use brinell_solver::solver::{self, SolveError, SolveStatus, Unobserved, estimate};
+use brinell_solver::solver::{MeshedError, SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
 use crate::problems::{assert_within, parse, report, solve};
@@ -44,8 +45,11 @@ fn a_corner_in_the_contact_is_asked_about() {
     {
         job["analysis"] = json!(analysis);
         job["load"] = json!({"force": force});
-        let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err();
-        assert!(matches!(refused, SolveError::AmbiguousCorner { x, .. } if x == 0.0), "{refused}");
+        let refused = inputs::run(&parse(&job), &mut Unobserved).unwrap_err();
+        assert!(
+            matches!(refused, SolveError::Meshed(MeshedError::AmbiguousCorner { x, .. }) if x == 0.0),
+            "{refused}"
+        );
         let fault = report::preflight(&parse(&job)).unwrap_err().remove(0);
         assert_eq!(fault.pointer, "/upper/shape/interpolation");
         let sharp = step(&with_interpolation(job.clone(), "linear"));
@@ -99,7 +103,7 @@ fn a_rough_trace_costs_what_was_estimated() {
 fn a_very_rough_trace_is_known_to_be_dear() {
     let job = on_block(&rough(4000, 5e-4), 300.0, 20);
     let asked = estimate(&parse(&job)).unwrap_err();
-    assert!(matches!(asked, SolveError::AmbiguousCorner { .. }), "{asked}");
+    assert!(matches!(asked, SolveError::Meshed(MeshedError::AmbiguousCorner { .. })), "{asked}");
     for interpolation in ["smooth", "linear"] {
         let cost = estimate(&parse(&with_interpolation(job.clone(), interpolation))).unwrap();
         assert!((3_000_000..8_000_000).contains(&cost.equations), "{cost:?}");
@@ -111,9 +115,9 @@ fn a_trace_that_no_mesh_resolves_is_refused_with_the_size_it_needs() {
     let points: Vec<[f64; 2]> =
         rough(5000, 1e-3).into_iter().filter(|[x, _]| x.abs() < 9.0).collect();
     let job = with_interpolation(on_block(&points, 20_000.0, 20), "smooth");
-    let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err();
+    let refused = inputs::run(&parse(&job), &mut Unobserved).unwrap_err();
     assert!(
-        matches!(refused, SolveError::TraceTooFine { spacing, finest, .. } if spacing < finest),
+        matches!(refused, SolveError::Meshed(MeshedError::TraceTooFine { spacing, finest, .. }) if spacing < finest),
         "{refused}"
     );
     assert!(refused.to_string().contains("elements of"), "{refused}");

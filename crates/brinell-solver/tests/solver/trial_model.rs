@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use brinell_solver::fem::assembly::MaterialModel;
 use brinell_solver::fem::mesh::Outline;
-use brinell_solver::job::{Deformable, Job};
+use brinell_solver::inputs::run_with;
+use brinell_solver::job::Job;
 use brinell_solver::material::{
     ConstitutiveModel, ElasticModuli, FlowPlasticity, HardeningLaw, OutOfPlane, PointResponse,
-    ReturnMapping, von_mises,
+    ReturnMapping, Solid, von_mises,
 };
-use brinell_solver::solver::{ModelOf, Options, Solution, SolveStatus, Unobserved, run_with};
+use brinell_solver::solver::{ModelOf, Options, Solution, SolveStatus, Unobserved};
 
 use crate::problems::assert_within;
 
@@ -77,11 +78,11 @@ impl ConstitutiveModel for LinearIsotropicFlow {
     }
 }
 
-fn trial_model(material: &Deformable, _: &Outline, _: OutOfPlane) -> Arc<dyn MaterialModel> {
-    let law = material.hardening_law().unwrap();
+fn trial_model(material: &Solid, _: &Outline, _: OutOfPlane) -> Arc<dyn MaterialModel> {
+    let law = Arc::clone(material.hardening_law().unwrap());
     // E = 210 GPa and a tangent modulus of 5 %: H = E E_t / (E - E_t).
     Arc::new(LinearIsotropicFlow {
-        elastic: ElasticModuli::from(material.elastic()),
+        elastic: material.moduli(),
         yield_stress: law.yield_stress(),
         plastic_modulus: 210_000.0 * 0.05 / 0.95,
         law,
@@ -89,13 +90,9 @@ fn trial_model(material: &Deformable, _: &Outline, _: OutOfPlane) -> Arc<dyn Mat
 }
 
 /// The solver's own flow theory, backward Euler over an increment as a whole.
-fn own_model(
-    material: &Deformable,
-    _: &Outline,
-    out_of_plane: OutOfPlane,
-) -> Arc<dyn MaterialModel> {
-    let elastic = ElasticModuli::from(material.elastic());
-    let mapping = ReturnMapping::new(material.hardening_law().unwrap(), elastic.shear);
+fn own_model(material: &Solid, _: &Outline, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
+    let elastic = material.moduli();
+    let mapping = ReturnMapping::new(Arc::clone(material.hardening_law().unwrap()), elastic.shear);
     Arc::new(FlowPlasticity::new(elastic, mapping, [], out_of_plane).with_substeps(1))
 }
 

@@ -1,13 +1,13 @@
 //! Estimate of memory and work of a job in three dimensions.
 
+use crate::inputs::{of_small_mesh, small_solves};
 use crate::job::{Job, Theory};
 use crate::report::run::{
     FIELD_COPIES, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
     steps_and_solves,
 };
 use crate::report::{JobEstimate, LAYER_NAMES};
-use crate::solver::half_spaces::{self, HalfSpaceProblem};
-use crate::solver::{SolveError, of_small_mesh, small_solves};
+use crate::solver::half_spaces::{self, HalfSpaceError, HalfSpaceProblem};
 
 /// Bytes of the report of a load step: for each cell of the maps, if the job asks for them, and
 /// for each row and layer. A row along a roller counts twice.
@@ -24,15 +24,18 @@ const WORK_UNIT: u64 = 1000;
 /// Returns the estimate of a job.
 ///
 /// # Errors
-/// [`SolveError`] if no grid fits the job.
-pub(super) fn estimate(job: &Job, problem: &HalfSpaceProblem) -> Result<JobEstimate, SolveError> {
+/// [`HalfSpaceError`] if no grid fits the job.
+pub(super) fn estimate(
+    job: &Job,
+    problem: &HalfSpaceProblem,
+) -> Result<JobEstimate, HalfSpaceError> {
     let grid = half_spaces::estimate(problem)?;
     let [columns, rows] = grid.cells.map(|count| count as u64);
     let layers = grid.layers as u64;
     let (surface, volume) = (columns * rows, columns * rows * layers);
     let are_equal = problem.materials[0] == problem.materials[1];
     let materials = problem.materials.iter().flatten();
-    let yielding = materials.filter(|material| material.plasticity().is_some()).count() as u64;
+    let yielding = materials.filter(|material| material.can_yield()).count() as u64;
     let yielding = if are_equal { yielding.min(1) } else { yielding };
     let [steps, solves] = steps_and_solves(job);
     let bodies = problem.materials.iter().flatten().count() as u64;

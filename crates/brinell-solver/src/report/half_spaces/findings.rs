@@ -1,7 +1,7 @@
 //! Findings on an answer in three dimensions.
 
 use super::step::largest_strain;
-use crate::job::{Body, Deformable, Job, Load, Material, MeshSettings, Roller, Theory};
+use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
 use crate::report::findings::{
     CasePlace, ContactOutline, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged,
     Wide, Work, left_unknown,
@@ -16,6 +16,7 @@ use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, Row, SurfaceMap,
 };
 use crate::solver::method::figures::FigureSet;
+use crate::solver::method::sought::{Loads, Sought};
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
@@ -135,7 +136,7 @@ fn of_shapes(problem: &HalfSpaceProblem, step: &HalfSpaceStep, findings: &mut Ve
     }
     if let Some(end) = roller_end(problem, step) {
         findings.push(end);
-        if problem.load == Load::Onset {
+        if problem.loads == Loads::Sought(Sought::Onset) {
             let cause = OnsetUnknown::AtRollerEnd;
             findings.push(Finding::OnsetUnknown { cause, is_sought: true });
         }

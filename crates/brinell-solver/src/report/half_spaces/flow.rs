@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use super::elastic::EllipticReference;
 use super::step::{of_bodies, section_along_x};
 use crate::job::{Job, Material, Theory};
 use crate::report::flow::NOTICEABLE;
 use crate::report::{EnergyReport, FlowReport, IncrementsReport, PerBody, SurfaceReport};
-use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceStep};
+use crate::solver::half_spaces::{EllipticReference, HalfSpaceBody, HalfSpaceStep};
 use crate::units::UnitConverter;
 
 /// State of a history after its loads so far.

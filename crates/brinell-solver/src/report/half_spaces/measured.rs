@@ -2,14 +2,13 @@
 
 use std::f64::consts::FRAC_PI_3;
 
-use super::elastic::EllipticReference;
 use super::findings::reaches_rim;
 use crate::job::{Deformable, Job, Load, Material};
 use crate::report::answers::{Largest, Measured};
 use crate::report::findings::Finding;
 use crate::report::measured::case_depth;
 use crate::solver::half_spaces::{
-    HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, SurfaceMap, von_mises,
+    EllipticReference, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, SurfaceMap, von_mises,
 };
 
 /// Measures what the report of a load step does not have.

@@ -2,7 +2,6 @@
 //! load steps of the engine to the report.
 
 mod document;
-mod elastic;
 mod estimate;
 mod findings;
 mod flow;
@@ -15,6 +14,5 @@ pub use document::{
     EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
     SectionReport, ThreeDimensionalReport,
 };
-pub use elastic::{EllipticReference, problem_of};
 pub use findings::unknown_figures;
 pub(super) use run::{preflight, run_each};

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use super::elastic::{EllipticReference, problem_of};
 use super::estimate::estimate;
 use super::findings::findings;
 use super::flow::FlowState;
 use super::measured::measured;
 use super::step::StepWriter;
+use crate::inputs::{half_spaces, half_spaces_with_reference};
 use crate::job::{FieldError, Job, Load, Named as _, Theory};
 use crate::report::answers::{Measured, is_dented};
 use crate::report::build::{timings, worse};
@@ -17,7 +17,7 @@ use crate::report::run::RunError;
 use crate::report::target::TargetSeen;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
 use crate::solver::half_spaces::{
-    self, HalfSpaceField, HalfSpaceStep, errors, target_error, target_figure,
+    HalfSpaceField, HalfSpaceStep, errors, run_each as solve_each, target_error, target_figure,
 };
 use crate::solver::method::figures::{FigureSet, Figures};
 use crate::solver::{Observer, SolveStatus, StepReceiver};
@@ -28,8 +28,8 @@ use crate::units::UnitConverter;
 /// # Errors
 /// The fields of the job that describe a contact outside the theory.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    let problem = problem_of(job).ok_or_else(Vec::new)?;
-    estimate(job, &problem).map_err(|error| match RunError::of(job, &error) {
+    let problem = half_spaces(job).ok_or_else(Vec::new)?;
+    estimate(job, &problem).map_err(|error| match RunError::of(job, error) {
         RunError::Input(faults) => faults,
         other => vec![FieldError::not_solvable("/mesh", other.to_string())],
     })
@@ -42,7 +42,7 @@ pub fn run_each(
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
-    let (Some(problem), Some(reference)) = (problem_of(job), EllipticReference::of(job)) else {
+    let Some((problem, reference)) = half_spaces_with_reference(job) else {
         return Err(RunError::Failed("the shapes are no half-spaces".to_owned()));
     };
     let write = UnitConverter::new(job.units, job.analysis);
@@ -50,8 +50,8 @@ pub fn run_each(
     let writer = StepWriter { job, write, problem: &problem, reference: &reference, orientation };
     let seen = Seen::default();
     let mut steps = Steps { writer, on_step, number: 0, seen, time: Duration::ZERO };
-    let done = half_spaces::run_each(&problem, observer, &mut steps)
-        .map_err(|error| RunError::of(job, &error))?;
+    let done =
+        solve_each(&problem, observer, &mut steps).map_err(|error| RunError::of(job, error))?;
     let Steps { seen, time, .. } = steps;
     let interrupted = done.interrupted.map(SolveStatus::from);
     let status = interrupted.map_or(seen.status, |interrupted| worse(seen.status, interrupted));

@@ -4,10 +4,9 @@ use super::document::{
     EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
     SectionReport, ThreeDimensionalReport,
 };
-use super::elastic::EllipticReference;
 use super::layers::layers;
 use crate::contact::ContactLoad;
-use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity};
+use crate::job::{Deformable, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
 use crate::report::error_bars::BESIDE;
 use crate::report::findings::{Finding, Known};
@@ -17,7 +16,8 @@ use crate::report::{
     Patch, PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
-    self, ColumnPoint, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap, von_mises,
+    self, ColumnPoint, EllipticReference, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row,
+    SurfaceMap, von_mises,
 };
 use crate::solver::method::figures::{Figure, Figures};
 use crate::solver::{SLOPE_ERROR, bounded_strain};
@@ -334,7 +334,7 @@ impl StepWriter<'_> {
 
     /// Returns the stresses before the load, `[along x, normal, along y]`.
     fn initial_stress(&self, material: &Deformable, points: &[ColumnPoint]) -> [Vec<f64>; 3] {
-        let profile = InitialStressProfile::new(material.initial_stress());
+        let profile = material.initial_stress_profile();
         let (sine, cosine) = self.orientation.sin_cos();
         let at = |depth: f64| {
             let [x, y] = profile.at(depth);

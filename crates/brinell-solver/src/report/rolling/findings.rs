@@ -16,6 +16,7 @@ const REACH: f64 = 5.0;
 pub(super) fn findings(
     job: &Job,
     problem: &RollingProblem,
+    reference: Option<&ElasticReference>,
     solution: &RollingSolution,
 ) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -27,7 +28,7 @@ pub(super) fn findings(
             findings.push(Finding::AtEdge { in_hole: false });
         }
         SolveStatus::NotConverged => {
-            let has_room = last.iterations < problem.solver.max_iterations as usize;
+            let has_room = last.iterations < problem.solver.max_iterations;
             findings.push(Finding::NotConverged(Unconverged::Iteration {
                 iterations: last.iterations,
                 residual: last.residual,
@@ -37,9 +38,7 @@ pub(super) fn findings(
         status => findings.push(Finding::Stopped { status, is_preliminary: false }),
     }
     let half_width = last.half_width();
-    let reference = ElasticReference::of(job, problem.load.force.get());
-    let ratio =
-        half_width / smallest_radius(job, reference.as_ref()).min(problem.smallest_radius());
+    let ratio = half_width / smallest_radius(job, reference).min(problem.smallest_radius());
     if ratio > WIDE_CONTACT {
         findings.push(Finding::Wide(Wide::OverRadius { ratio, in_groove: false }));
     }

@@ -1,13 +1,13 @@
 //! Entry points of jobs whose load rolls: they estimate, solve and report a job.
 
 use super::step::StepWriter;
-use crate::job::{Analysis, FieldError, Job, Named as _};
+use crate::inputs::{RollingInput, rolling};
+use crate::job::{FieldError, Job, Named as _};
 use crate::report::build::timings;
-use crate::report::half_spaces::problem_of;
 use crate::report::run::{RunError, SOLVER_BYTES, STEP_BYTES};
 use crate::report::{JobEstimate, MeshReport, Report, StepReport};
+use crate::solver::Observer;
 use crate::solver::rolling::{RollingProblem, RollingSolution, TrackEstimate, estimate, run};
-use crate::solver::{Observer, SolveError};
 use crate::units::UnitConverter;
 
 /// Bytes of the report of a pass, and of a column of the window or a layer.
@@ -18,21 +18,14 @@ const SECTION_NUMBERS: u64 = 14;
 /// Cells of a track whose pass counts as one unit of work.
 const WORK_UNIT: u64 = 10_000;
 
-/// Returns the problem of a job.
-fn problem(job: &Job) -> Result<RollingProblem, SolveError> {
-    if job.analysis != Analysis::ThreeDimensional {
-        return RollingProblem::of(job);
-    }
-    RollingProblem::of_half_spaces(&problem_of(job).ok_or(SolveError::NoTrack)?)
-}
-
 /// Estimates the cost of a job.
 ///
 /// # Errors
 /// The fields of the job that describe a track without an answer.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    let problem = problem(job).and_then(|problem| Ok((estimate(&problem)?, problem)));
-    match problem.map_err(|error| RunError::of(job, &error)) {
+    let problem = rolling(job).map(|input| input.problem);
+    let problem = problem.and_then(|problem| Ok((estimate(&problem)?, problem)));
+    match problem.map_err(|error| RunError::of(job, error)) {
         Ok((track, problem)) => Ok(cost(job, &problem, track)),
         Err(RunError::Input(faults)) => Err(faults),
         Err(other) => Err(vec![FieldError::not_solvable("/load/rolling", other.to_string())]),
@@ -64,8 +57,9 @@ pub fn run_each(
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
-    let problem = problem(job).map_err(|error| RunError::of(job, &error))?;
-    let solution = run(&problem, observer).map_err(|error| RunError::of(job, &error))?;
+    let input = rolling(job).map_err(|error| RunError::of(job, error))?;
+    let RollingInput { problem, .. } = &input;
+    let solution = run(problem, observer).map_err(|error| RunError::of(job, error))?;
     let start = observer.elapsed();
     let write = UnitConverter::new(job.units, job.analysis);
     let RollingSolution { phases, tracks, enlargements, .. } = &solution;
@@ -81,7 +75,7 @@ pub fn run_each(
         enlargements: *enlargements,
         ..MeshReport::NONE
     };
-    let report = StepWriter { job, write, problem: &problem, solution: &solution }.report();
+    let report = StepWriter { job, write, input: &input, problem, solution: &solution }.report();
     let reporting = observer.elapsed().saturating_sub(start);
     let status = report.status;
     on_step(0, report);

@@ -11,19 +11,21 @@ use super::document::{
 use super::findings::findings;
 use super::section::section;
 use super::verdicts::{word, worst};
-use crate::job::{InitialStressProfile, Job};
+use crate::inputs::RollingInput;
+use crate::job::Job;
 use crate::report::answers::Measured;
 use crate::report::build::{HALF_SPACE_DATUM, hertz, in_units, over_friction};
+use crate::report::solve_error::track_text;
 use crate::report::validity;
 use crate::report::{
     ContactNodes, ContactReport, ErrorEstimate, HertzReport, LayersReport, LoadReport, Patch,
     PerBody, Side, StepReport, SubsurfaceReport,
 };
+use crate::solver::SolveStatus;
 use crate::solver::rolling::{
     BodyPass, BodyPassErrors, FrictionLimit, Limit, Pass, PassErrors, RollingProblem,
     RollingSolution,
 };
-use crate::solver::{ElasticReference, SolveStatus};
 use crate::units::UnitConverter;
 
 /// What an approach would be counted between, had a line contact that rolls one.
@@ -37,6 +39,7 @@ const SAME_FRICTION: f64 = 1e-9;
 pub(super) struct StepWriter<'a> {
     pub job: &'a Job,
     pub write: UnitConverter,
+    pub input: &'a RollingInput,
     pub problem: &'a RollingProblem,
     pub solution: &'a RollingSolution,
 }
@@ -45,16 +48,19 @@ impl StepWriter<'_> {
     /// Returns the report of the step.
     pub fn report(&self) -> StepReport {
         let (job, write, solution) = (self.job, self.write, self.solution);
-        let reference = ElasticReference::of(job, self.problem.load.force.get());
+        let reference = self.input.reference();
         let hertz = reference
             .as_ref()
-            .map(|reference| hertz(reference, &over_friction(job, reference, write), write))
+            .map(|reference| {
+                let limits = over_friction(&self.input.over_friction(reference), write);
+                hertz(reference, &limits, write)
+            })
             .or_else(|| self.ellipse());
-        let findings = findings(job, self.problem, solution);
+        let findings = findings(job, self.problem, reference.as_ref(), solution);
         let report = StepReport {
             verdict: None,
             answers: Vec::new(),
-            load: LoadReport::Force(write.force(self.problem.load.force.get())),
+            load: LoadReport::Force(write.force(self.problem.load.force)),
             status: solution.status,
             approach: solution.last.approach.map(|approach| write.length(approach)),
             approach_datum: if self.problem.is_line() { DATUM_OF_LINE } else { HALF_SPACE_DATUM }
@@ -99,7 +105,7 @@ impl StepWriter<'_> {
     fn contact(&self) -> ContactReport {
         let (write, solution, last) = (self.write, self.solution, &self.solution.last);
         let force = match last.half_width_across {
-            Some(_) => self.problem.load.force.get(),
+            Some(_) => self.problem.load.force,
             None => solution.pressure.iter().map(|p| p * solution.column).sum(),
         };
         let [left, right] = last.ends.map(|x| write.length(x));
@@ -224,7 +230,7 @@ impl StepWriter<'_> {
         match (solution.status, &solution.fault) {
             (SolveStatus::Converged, _) => {}
             (SolveStatus::NotConverged, Some(fault)) => {
-                let fault = crate::solver::track_text(fault, self.write);
+                let fault = track_text(fault, self.write);
                 return Some(format!("pass {} has no answer: {fault}", number + 1));
             }
             (SolveStatus::NotConverged, None) => {
@@ -264,7 +270,7 @@ impl StepWriter<'_> {
             half_width_across: pass.half_width_across.map(|width| write.length(width)),
             approach: pass.approach.map(|approach| write.length(approach)),
             rolling_force: write.force(pass.rolling_force),
-            loss: pass.rolling_force / self.problem.load.force.get(),
+            loss: pass.rolling_force / self.problem.load.force,
             plastic_work: write.force(pass.plastic_work()),
             stored_energy: write.force(pass.stored_energy()),
             traction_work: write.force(pass.work_of_traction),
@@ -332,7 +338,7 @@ impl StepWriter<'_> {
         let rows = outlet.across.len();
         let accumulated =
             |layer: usize| passes().map(|body| body.outlet.accumulated[layer * rows]).sum();
-        let initial = InitialStressProfile::new(material.initial_stress());
+        let initial = material.initial_stress();
         let is_stressed = !material.initial_stress().is_empty();
         let before = |k: usize| {
             let at = |depth: &f64| write.stress(initial.at(*depth)[k]);

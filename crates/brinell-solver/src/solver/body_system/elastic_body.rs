@@ -4,16 +4,17 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::analytical::ElasticConstants;
 use crate::fem::assembly::Support;
 use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler};
 use crate::fem::element::{
     QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness,
 };
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
-use crate::job::Elastic;
+use crate::solver::error::MeshedError;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::{Observer, SolveError, method};
+use crate::solver::{Observer, method};
 use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
 
@@ -24,7 +25,7 @@ pub(crate) struct BodyKey {
     pub zone: ContactZone,
     pub refinement: Refinement,
     pub stress_state: StressState,
-    pub constants: Elastic,
+    pub constants: ElasticConstants,
     pub support: Support,
 }
 
@@ -55,7 +56,7 @@ impl ElasticBody {
         key: BodyKey,
         like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
         run: &mut Run<'_>,
-    ) -> Result<Self, SolveError> {
+    ) -> Result<Self, MeshedError> {
         let BodyKey { outline, zone, refinement, constants, support, .. } = &key;
         let mesh = run.time(Phase::Mesh, || Mesh::generate(outline, zone, *refinement))?;
         run.checkpoint()?;
@@ -349,20 +350,15 @@ pub(crate) fn refactor(
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::job::{PoissonRatio, PositiveF64};
 
     /// A cylinder with a contact of a hundredth of its radius.
     pub(crate) fn key(radius: f64, young: f64, support: Support) -> BodyKey {
-        let positive = |value: f64| PositiveF64::new(value).unwrap();
         BodyKey {
             outline: Outline::arc(radius.recip(), radius, radius),
             zone: ContactZone::uniform(0.0, 0.01 * radius, 8, true),
             refinement: Refinement { growth: 1.3 },
             stress_state: StressState::PlaneStrain,
-            constants: Elastic {
-                young_modulus: positive(young),
-                poisson_ratio: PoissonRatio::new(0.3).unwrap(),
-            },
+            constants: ElasticConstants { young_modulus: young, poisson_ratio: 0.3 },
             support,
         }
     }

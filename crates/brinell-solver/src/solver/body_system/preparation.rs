@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::elastic_body::{BodyKey, ElasticBody};
 use super::factor_cache::FactorCache;
-use crate::solver::SolveError;
+use crate::solver::error::MeshedError;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 
@@ -15,7 +15,7 @@ pub(crate) fn prepare(
     other: Option<&Arc<ElasticBody>>,
     cache: Option<&FactorCache>,
     run: &mut Run<'_>,
-) -> Result<Arc<ElasticBody>, SolveError> {
+) -> Result<Arc<ElasticBody>, MeshedError> {
     if let Some(body) = other.filter(|other| other.key == key) {
         return Ok(Arc::clone(body));
     }

@@ -13,12 +13,13 @@ use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, Rad
 use crate::solver::body_system::preparation::prepare;
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::conforming::ConformingPair;
+use crate::solver::error::MeshedError;
+use crate::solver::method;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::observer::Held;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
-use crate::solver::{SolveError, method};
 use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::Cholesky;
 
@@ -79,7 +80,7 @@ impl System {
         design: Design<'_>,
         previous: Option<&[NodalField<'_>]>,
         run: &mut Run<'_>,
-    ) -> Result<(Self, Option<BlockVector>), SolveError> {
+    ) -> Result<(Self, Option<BlockVector>), MeshedError> {
         let Design { zone, refinement, search_region, cache } = design;
         let mut models: Vec<(BodyKey, BodyMaterial<'_>)> = Vec::new();
         let mut bodies_represented: Vec<usize> = Vec::new();
@@ -96,7 +97,7 @@ impl System {
                 zone: zone.clone(),
                 refinement,
                 stress_state: problem.stress_state,
-                constants: *material.elastic(),
+                constants: material.elastic(),
                 support: body.support,
             };
             model_of[side] = Some(models.len());

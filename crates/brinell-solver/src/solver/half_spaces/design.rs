@@ -2,8 +2,8 @@
 
 use brinell_halfspace::{Layers, SurfaceGrid};
 
+use super::error::HalfSpaceError;
 use super::problem::{Expected, MOST_CELLS_ALONG};
-use crate::solver::SolveError;
 
 /// Half a side of the grid over the semi-axis. From the prototype in Python.
 const REACH: f64 = 1.6;
@@ -152,7 +152,7 @@ impl GridDesign {
     }
 
     /// Cells of the surface and layers below them.
-    pub fn grid(&self) -> Result<(SurfaceGrid, Layers), SolveError> {
+    pub fn grid(&self) -> Result<(SurfaceGrid, Layers), HalfSpaceError> {
         if let Some((cells, asked)) = self.patch {
             return self.grid_of_patch(cells, self.cells / asked);
         }
@@ -190,7 +190,7 @@ impl GridDesign {
         &self,
         cells: [usize; 2],
         part: f64,
-    ) -> Result<(SurfaceGrid, Layers), SolveError> {
+    ) -> Result<(SurfaceGrid, Layers), HalfSpaceError> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 512")]
         let counts = cells.map(|count| ((count as f64 * part).round() as usize).clamp(2, count));
         let sides = [0, 1].map(|k| 2.0 * self.semi_axes[k] / counts[k] as f64);

@@ -9,24 +9,25 @@ use brinell_halfspace::{
 };
 
 use super::design::GridDesign;
+use super::error::HalfSpaceError;
 use super::law::{initial_stress, law_of_cells};
 use super::measure::{place, reach, semi_axes};
 use super::operators::{bytes, is_symmetric};
 use super::problem::HalfSpaceProblem;
 use super::system::{CONTACT_TOLERANCE, ElasticBody, HalfSpaces, Yielding};
 use crate::contact::{ConjugateGradientSolver, ContactLoad};
-use crate::job::{self, Deformable, Theory};
+use crate::material::Solid;
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
-use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
+use crate::solver::method::couplings::{Accelerated, Coupling};
 use crate::solver::method::figures::Figures;
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::Held;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::Theory;
 use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf};
 use crate::solver::watch::watched;
-use crate::solver::{SolveError, strategy};
 
 /// Enlargements of a grid at most.
 const MAX_ENLARGEMENTS: usize = 8;
@@ -41,17 +42,16 @@ pub(super) struct HalfSpaceEngine<'a> {
 }
 
 impl<'a> HalfSpaceEngine<'a> {
-    /// Iterated as the job asks for.
+    /// Iterated as the problem asks for.
     pub fn new(problem: &'a HalfSpaceProblem, theory: Theory) -> Self {
-        let coupling = strategy::coupling(problem.solver.coupling);
-        Self { coupling, ..Self::auxiliary(problem, theory, problem.solver.tolerance.get()) }
+        let coupling = problem.solver.coupling;
+        Self { coupling, ..Self::auxiliary(problem, theory, problem.solver.tolerance) }
     }
 
     /// Iterated as is best for grids that nothing is reported of.
     pub fn auxiliary(problem: &'a HalfSpaceProblem, theory: Theory, tolerance: f64) -> Self {
-        let coupling = strategy::coupling(job::Coupling::Accelerated);
         let contact = ConjugateGradientSolver::new(CONTACT_TOLERANCE);
-        Self { problem, theory, coupling, tolerance, contact }
+        Self { problem, theory, coupling: &Accelerated, tolerance, contact }
     }
 
     /// The load is filled in.
@@ -60,7 +60,7 @@ impl<'a> HalfSpaceEngine<'a> {
             contact: &self.contact,
             load: ContactLoad::Force(0.0),
             tolerance: self.tolerance,
-            max_iterations: self.problem.solver.max_iterations as usize,
+            max_iterations: self.problem.solver.max_iterations,
             renewable: false,
             scales: Scales::default(),
             increment: None,
@@ -93,7 +93,11 @@ impl Answer {
 }
 
 impl HalfSpaceEngine<'_> {
-    fn system(&self, design: &GridDesign, run: &mut Run<'_>) -> Result<HalfSpaces, SolveError> {
+    fn system(
+        &self,
+        design: &GridDesign,
+        run: &mut Run<'_>,
+    ) -> Result<HalfSpaces, HalfSpaceError> {
         let (grid, layers) = design.grid()?;
         let problem = self.problem;
         run.hold(Held::Bodies, bytes(problem, &grid, &layers))?;
@@ -102,7 +106,7 @@ impl HalfSpaceEngine<'_> {
         let are_equal =
             problem.materials[0].is_some() && problem.materials[0] == problem.materials[1];
         let mut bodies = Vec::new();
-        let mut body = |material: &Option<Deformable>, count: u8| {
+        let mut body = |material: &Option<Solid>, count: u8| {
             let material = material.as_ref();
             let count = (count, is_symmetric);
             let built = material
@@ -141,15 +145,14 @@ impl HalfSpaceEngine<'_> {
     /// A body that deforms, put among `bodies` if it can yield.
     fn body(
         &self,
-        material: &Deformable,
+        material: &Solid,
         grid: &SurfaceGrid,
         layers: &Layers,
         ((count, is_symmetric), run): ((u8, bool), &mut Run<'_>),
         bodies: &mut Vec<YieldingBody>,
-    ) -> Result<ElasticBody, SolveError> {
+    ) -> Result<ElasticBody, HalfSpaceError> {
         let constants = material.elastic();
-        let constants =
-            Elasticity::new(constants.young_modulus.get(), constants.poisson_ratio.get())?;
+        let constants = Elasticity::new(constants.young_modulus, constants.poisson_ratio)?;
         let initial = initial_stress(material, self.problem.orientation(), layers);
         let law = law_of_cells(material, self.theory, layers, grid.n_cells());
         let build = if law.is_some() { HalfSpace::new } else { HalfSpace::periodic };
@@ -232,13 +235,13 @@ impl Engine for HalfSpaceEngine<'_> {
     type System = HalfSpaces;
     type Design = GridDesign;
     type Answer = Answer;
-    type Error = SolveError;
+    type Error = HalfSpaceError;
 
     fn build(
         &self,
         design: &mut GridDesign,
         run: &mut Run<'_>,
-    ) -> Result<(HalfSpaces, Option<BlockVector>), SolveError> {
+    ) -> Result<(HalfSpaces, Option<BlockVector>), HalfSpaceError> {
         Ok((self.system(design, run)?, None))
     }
 
@@ -249,7 +252,7 @@ impl Engine for HalfSpaceEngine<'_> {
         outcome: Outcome,
         _: Round,
         _: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, HalfSpaceError> {
         let reached = ends_reached(&system, &outcome.state.response.contact.force);
         let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;
         if !may_enlarge || reached == [false; 3] {

@@ -11,10 +11,10 @@
 
 use super::step::HalfSpaceStep;
 use crate::contact::ContactLoad;
-use crate::job::TargetFigure;
 use crate::solver::SolveStatus;
 use crate::solver::floors::floors;
 use crate::solver::method::figures::{Figure, Figures};
+use crate::solver::method::sought::TargetFigure;
 
 /// Place of half-spaces among the floors of a figure.
 const HALF_SPACES: usize = 3;

@@ -1,18 +1,19 @@
 //! Given loads: each first on a grid of half the cells, then on the grid of all cells.
 
 use super::engine::HalfSpaceEngine;
+use super::error::HalfSpaceError;
 use super::history::coarse;
 use super::problem::HalfSpaceProblem;
 use super::sizing::{interrupted, size, under};
 use super::step::{HalfSpaceField, HalfSpaceStep};
 use crate::contact::ContactLoad;
-use crate::job::Theory;
+use crate::solver::SolveStatus;
 use crate::solver::method::history;
 use crate::solver::method::loads::each_load;
 use crate::solver::method::observer::Interrupt;
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::Theory;
 use crate::solver::method::steps::StepReceiver;
-use crate::solver::{SolveError, SolveStatus};
 
 /// Solves given loads in their order.
 pub(super) fn given(
@@ -20,7 +21,7 @@ pub(super) fn given(
     loads: &[ContactLoad],
     run: &mut Run<'_>,
     receiver: &mut dyn StepReceiver<HalfSpaceField>,
-) -> Result<Option<Interrupt>, SolveError> {
+) -> Result<Option<Interrupt>, HalfSpaceError> {
     if problem.solver.theory == Theory::Flow {
         let coarse = coarse(problem, loads, run)?;
         return history::run(coarse, loads, problem.solver.increments, run, receiver);
@@ -33,9 +34,9 @@ fn step(
     problem: &HalfSpaceProblem,
     load: ContactLoad,
     run: &mut Run<'_>,
-) -> Result<HalfSpaceStep, SolveError> {
+) -> Result<HalfSpaceStep, HalfSpaceError> {
     let engine =
-        HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance.get());
+        HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance);
     let design = size(problem, load, run)?;
     let (coarse, design) = run.preliminarily(|run| {
         under(&engine, load, design.with_cells(0.5 * problem.cells()), run)

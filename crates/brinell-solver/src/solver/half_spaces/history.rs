@@ -3,15 +3,14 @@
 
 use super::design::GridDesign;
 use super::engine::{Answer, HalfSpaceEngine};
+use super::error::HalfSpaceError;
 use super::measure::{measure, place, stresses};
 use super::problem::HalfSpaceProblem;
 use super::sizing::size;
 use super::step::{HalfSpaceField, HalfSpaceStep};
 use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
-use crate::job::Theory;
-use crate::solver::SolveError;
-use crate::solver::loads::largest_loads;
+use crate::solver::method;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome};
@@ -21,6 +20,8 @@ use crate::solver::method::history::{Memory, NextIncrement};
 use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::Theory;
+use crate::solver::method::sought::largest_loads;
 use crate::solver::watch::never;
 
 /// Exponents of the growth of force and approach with the semi-axes, between the elastic and the
@@ -111,7 +112,7 @@ impl Memory for HalfSpaceEngine<'_> {
         system: &mut HalfSpaces,
         _: &NextIncrement<'_, GridMemory>,
         _: &mut Run<'_>,
-    ) -> Result<BlockVector, SolveError> {
+    ) -> Result<BlockVector, HalfSpaceError> {
         Ok(system.accepted().clone())
     }
 
@@ -148,13 +149,13 @@ pub(super) fn coarse<'a>(
     problem: &'a HalfSpaceProblem,
     loads: &[ContactLoad],
     run: &mut Run<'_>,
-) -> Result<(HalfSpaceEngine<'a>, GridDesign), SolveError> {
+) -> Result<(HalfSpaceEngine<'a>, GridDesign), HalfSpaceError> {
     let mut design: Option<GridDesign> = None;
     for load in largest_loads(loads) {
         let next = size(problem, load, run)?;
         design = Some(design.map_or(next, |design| design.union(next)));
     }
-    let design = design.ok_or(SolveError::NoLoad)?;
-    let engine = HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance.get());
+    let design = design.ok_or(HalfSpaceError::Method(method::Error::NoLoad))?;
+    let engine = HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance);
     Ok((engine, design.with_cells(0.5 * problem.cells())))
 }

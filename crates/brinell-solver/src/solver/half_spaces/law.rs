@@ -4,37 +4,37 @@ use std::sync::Arc;
 
 use brinell_halfspace::{Layers, PlasticLaw};
 
-use crate::job::{Deformable, InitialStressProfile, Theory};
 use crate::material::{
-    BackstressTerm, ElasticModuli, FlowPlasticity, Flowing, HardeningLaw, OutOfPlane,
-    ReturnMapping, scaled,
+    BackstressTerm, FlowPlasticity, Flowing, HardeningLaw, OutOfPlane, ReturnMapping, Solid,
+    scaled,
 };
+use crate::solver::method::settings::Theory;
 
 /// Returns the plastic law of a material in the cells, if the material can yield. Each layer has
 /// the strength at its middle.
 ///
 /// Deformation theory follows one path from the stress-free state in one part, without backstress.
 pub(super) fn law_of_cells(
-    material: &Deformable,
+    material: &Solid,
     theory: Theory,
     layers: &Layers,
     n_cells: usize,
 ) -> Option<Box<dyn PlasticLaw>> {
-    let curve = material.hardening_law()?;
+    let curve = Arc::clone(material.hardening_law()?);
     let of = Making { material, curve, theory, layers, n_cells };
     let terms = if theory == Theory::Flow { material.backstress() } else { &[] };
     // The number of terms is a type parameter: every cell stores one tensor for each term.
     Some(match *terms {
         [] => of.cells([]),
-        [a] => of.cells([a].each_ref().map(BackstressTerm::from)),
-        [a, b] => of.cells([a, b].each_ref().map(BackstressTerm::from)),
-        [a, b, c] => of.cells([a, b, c].each_ref().map(BackstressTerm::from)),
-        [a, b, c, d, ..] => of.cells([a, b, c, d].each_ref().map(BackstressTerm::from)),
+        [a] => of.cells([a]),
+        [a, b] => of.cells([a, b]),
+        [a, b, c] => of.cells([a, b, c]),
+        [a, b, c, d, ..] => of.cells([a, b, c, d]),
     })
 }
 
 struct Making<'a> {
-    material: &'a Deformable,
+    material: &'a Solid,
     curve: Arc<dyn HardeningLaw>,
     theory: Theory,
     layers: &'a Layers,
@@ -43,14 +43,14 @@ struct Making<'a> {
 
 impl Making<'_> {
     fn cells<const N: usize>(self, backstress: [BackstressTerm; N]) -> Box<dyn PlasticLaw> {
-        let elastic = ElasticModuli::from(self.material.elastic());
+        let elastic = self.material.moduli();
         let model = |factor: f64| {
             let mapping = ReturnMapping::new(scaled(&self.curve, factor), elastic.shear);
             Arc::new(FlowPlasticity::new(elastic, mapping, backstress, OutOfPlane::Strained))
         };
         let strength = self.material.strength();
         let same = model(1.0);
-        let of_layer = |layer: usize| match &strength {
+        let of_layer = |layer: usize| match strength {
             Some(strength) => model(strength.factor(self.layers.middle(layer))),
             None => Arc::clone(&same),
         };
@@ -142,17 +142,14 @@ impl<const N: usize> PlasticLaw for Cells<N> {
     }
 }
 /// `xx yy xy` of each layer before any load, in axes turned by an angle.
-pub(super) fn initial_stress(material: &Deformable, angle: f64, layers: &Layers) -> Vec<[f64; 3]> {
+pub(super) fn initial_stress(material: &Solid, angle: f64, layers: &Layers) -> Vec<[f64; 3]> {
     let at = initial_stress_over_depth(material, angle);
     (0..layers.len()).map(|layer| at(layers.middle(layer))).collect()
 }
 
 /// `xx yy xy` at a depth before any load, in axes turned by an angle.
-pub(super) fn initial_stress_over_depth(
-    material: &Deformable,
-    angle: f64,
-) -> impl Fn(f64) -> [f64; 3] {
-    let profile = InitialStressProfile::new(material.initial_stress());
+pub(super) fn initial_stress_over_depth(material: &Solid, angle: f64) -> impl Fn(f64) -> [f64; 3] {
+    let profile = material.initial_stress();
     let (sin, cos) = angle.sin_cos();
     move |depth| {
         let [x, y] = profile.at(depth);

@@ -1,6 +1,6 @@
 //! Contact in three dimensions: two half-spaces as an engine of the method.
 //!
-//! A [`HalfSpaceProblem`] holds the input of a job. [`run_each`] solves it and hands over one
+//! A [`HalfSpaceProblem`] holds the input. [`run_each`] solves it and hands over one
 //! [`HalfSpaceStep`] per load.
 //!
 //! In all maps and fields, x runs along the shorter semi-axis of the contact, y along the longer
@@ -10,6 +10,7 @@
 mod answer;
 mod design;
 mod engine;
+mod error;
 mod errors;
 mod estimate;
 mod gap;
@@ -20,6 +21,7 @@ mod measure;
 mod moment;
 mod operators;
 mod problem;
+mod reference;
 mod run;
 mod search;
 mod sizing;
@@ -27,12 +29,14 @@ mod step;
 mod system;
 mod tilting;
 
+pub use error::HalfSpaceError;
 pub(crate) use errors::figure_of;
 pub use errors::{errors, scales_of_floors, target_error};
 pub use estimate::{HalfSpaceEstimate, estimate};
 pub use gap::{HeightMap, Relief, RollerGap};
 pub use measure::Row;
 pub use problem::HalfSpaceProblem;
+pub use reference::EllipticReference;
 pub use run::{HalfSpaceRun, run_each};
 pub use search::HighestUtilization;
 pub(crate) use search::target_figure;

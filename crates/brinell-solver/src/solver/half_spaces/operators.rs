@@ -39,12 +39,8 @@ pub(super) fn bytes(problem: &HalfSpaceProblem, grid: &SurfaceGrid, layers: &Lay
     let operators = HalfSpace::bytes(grid, layers.len(), is_symmetric);
     let are_equal = problem.materials[0] == problem.materials[1];
     let bodies = if are_equal { 1 } else { problem.materials.iter().flatten().count() };
-    let yielding = problem
-        .materials
-        .iter()
-        .flatten()
-        .filter(|material| material.plasticity().is_some())
-        .count();
+    let yielding =
+        problem.materials.iter().flatten().filter(|material| material.can_yield()).count();
     let yielding = if are_equal { yielding.min(1) } else { yielding };
     #[expect(
         clippy::cast_possible_truncation,

@@ -4,12 +4,14 @@ use std::f64::consts::PI;
 
 use brinell_halfspace::{EllipticContact, SurfaceGrid};
 
+use super::error::HalfSpaceError;
 use super::gap::{HeightMap, RollerGap};
 use super::moment::PrescribedMoment;
+use crate::analytical::ElasticConstants;
 use crate::contact::ContactLoad;
-use crate::job::{Deformable, Load, SolverSettings};
-use crate::material::HardeningLaw;
-use crate::solver::SolveError;
+use crate::material::{HardeningLaw, Solid};
+use crate::solver::method::settings::Settings;
+use crate::solver::method::sought::Loads;
 
 /// Cells along a roller over those across it, at most.
 pub(super) const MOST_CELLS_ALONG: f64 = 8.0;
@@ -40,8 +42,8 @@ const MOST_OVERLOAD: f64 = 40.0;
 pub struct HalfSpaceProblem {
     /// Upper and lower body; `None` for a rigid body. At least one body deforms.
     ///
-    /// Of an initial stress, `sigma_x` acts along the job's x, and `sigma_z` along its y.
-    pub materials: [Option<Deformable>; 2],
+    /// Of an initial stress, `sigma_x` acts along the given x, and `sigma_z` along the given y.
+    pub materials: [Option<Solid>; 2],
     /// `[k_xx, k_yy, k_xy]` of the gap `(k_xx x² + k_yy y²)/2 + k_xy x y`, the sum over both
     /// surfaces \[1/mm\]; positive definite, or zero along the axis of a straight roller.
     pub curvature: [f64; 3],
@@ -51,7 +53,7 @@ pub struct HalfSpaceProblem {
     /// axes of the job.
     pub heights: Option<HeightMap>,
     /// Loads \[N, mm\].
-    pub load: Load,
+    pub loads: Loads,
     /// Cells over each semi-axis of the contact.
     pub cells_per_semi_axis: u32,
     /// Cells of the small grids that tell the contact stiffness, where it is asked for.
@@ -59,7 +61,7 @@ pub struct HalfSpaceProblem {
     /// Force at the onset of yield, where it has a closed form \[N\].
     pub onset: Option<f64>,
     /// Theory, coupling, tolerance, increments and iteration limit.
-    pub solver: SolverSettings,
+    pub solver: Settings,
 }
 
 impl HalfSpaceProblem {
@@ -89,7 +91,7 @@ impl HalfSpaceProblem {
 
     /// Whether at least one body has a hardening curve.
     pub(super) fn can_yield(&self) -> bool {
-        self.materials.iter().flatten().any(|material| material.plasticity().is_some())
+        self.materials.iter().flatten().any(Solid::can_yield)
     }
 
     /// Returns the lowest nominal yield stress over the depth of both bodies \[MPa\].
@@ -100,9 +102,9 @@ impl HalfSpaceProblem {
     /// Returns the least value of a stress of the hardening curves over the depth of both bodies
     /// \[MPa\].
     fn least_stress(&self, of: impl Fn(&dyn HardeningLaw) -> f64) -> Option<f64> {
-        let least = |material: &Deformable| {
+        let least = |material: &Solid| {
             let factor = material.strength().map_or(1.0, |strength| strength.range().0);
-            material.hardening_law().map(|law| factor * of(&*law))
+            material.hardening_law().map(|law| factor * of(&**law))
         };
         self.materials.iter().flatten().filter_map(least).reduce(f64::min)
     }
@@ -297,7 +299,7 @@ impl HalfSpaceProblem {
         });
         Some(PrescribedMoment {
             moment: along?,
-            whole_from: self.load.least_force()?,
+            whole_from: self.loads.least_force()?,
             half_length: self.half_length()?,
         })
     }
@@ -354,23 +356,22 @@ impl Expected {
     /// Refuses loads beyond small strains, and rollers too short for a grid.
     ///
     /// # Errors
-    /// [`SolveError::Overloaded`], [`SolveError::ShortRoller`].
-    pub fn bearable(self) -> Result<Self, SolveError> {
+    /// [`HalfSpaceError::Overloaded`], [`HalfSpaceError::ShortRoller`].
+    pub fn bearable(self) -> Result<Self, HalfSpaceError> {
         let half_width = self.semi_axes[0];
         if let Some(half_length) = self.half_length
             && MOST_CELLS_ALONG * half_length < half_width
         {
             let (length, least) = (2.0 * half_length, 2.0 * half_width / MOST_CELLS_ALONG);
-            return Err(SolveError::ShortRoller { length, least });
+            return Err(HalfSpaceError::ShortRoller { length, least });
         }
         let (overload, most) = (self.over_flow, MOST_OVERLOAD);
-        if overload > most { Err(SolveError::Overloaded { overload, most }) } else { Ok(self) }
+        if overload > most { Err(HalfSpaceError::Overloaded { overload, most }) } else { Ok(self) }
     }
 }
 
 /// Returns `(1 - ν²)/E` \[1/MPa\].
-pub(super) fn plane_compliance(material: &Deformable) -> f64 {
-    let (young, poisson) =
-        (material.elastic().young_modulus.get(), material.elastic().poisson_ratio.get());
-    (1.0 - poisson * poisson) / young
+pub(super) fn plane_compliance(material: &Solid) -> f64 {
+    let ElasticConstants { young_modulus, poisson_ratio } = material.elastic();
+    (1.0 - poisson_ratio * poisson_ratio) / young_modulus
 }

@@ -1,19 +1,20 @@
 //! Solves a problem: its given loads, or the force of a sought figure.
 
+use super::error::HalfSpaceError;
 use super::given::given;
 use super::problem::HalfSpaceProblem;
 use super::search;
 use super::step::{HalfSpaceField, HalfSpaceStep};
 use crate::contact::ContactLoad;
-use crate::job::Theory;
-use crate::solver::loads::{Loads, history_of, loads};
+use crate::solver::SolveStatus;
 use crate::solver::method::observer::{Interrupt, Observer};
 use crate::solver::method::phases::PhaseTimes;
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::Theory;
 use crate::solver::method::slope::Slopes;
+use crate::solver::method::sought::{Loads, history_of};
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::slopes::reached;
-use crate::solver::{SolveError, SolveStatus};
 
 /// Times, counts and the end of a run, beside its steps.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -33,19 +34,19 @@ pub struct HalfSpaceRun {
 /// each load starts from the state after the load before.
 ///
 /// # Errors
-/// [`SolveError`]. An iteration that does not converge is no error: its step has the
+/// [`HalfSpaceError`]. An iteration that does not converge is no error: its step has the
 /// [`SolveStatus`].
 pub fn run_each(
     problem: &HalfSpaceProblem,
     observer: &mut dyn Observer,
     receiver: &mut dyn StepReceiver<HalfSpaceField>,
-) -> Result<HalfSpaceRun, SolveError> {
+) -> Result<HalfSpaceRun, HalfSpaceError> {
     let Some(cells_per_semi_axis) = problem.cells_of_slopes else {
         return solve(problem, observer, receiver);
     };
     let mut under = |loads: &[ContactLoad], observer: &mut dyn Observer| {
-        let Some(load) = history_of(loads) else { return Ok(None) };
-        let problem = HalfSpaceProblem { load, cells_per_semi_axis, ..problem.clone() };
+        let Some(loads) = history_of(loads) else { return Ok(None) };
+        let problem = HalfSpaceProblem { loads, cells_per_semi_axis, ..problem.clone() };
         let mut steps: Vec<HalfSpaceStep> = Vec::new();
         let interrupt = solve(&problem, observer, &mut steps).map(|done| done.interrupted);
         reached(&interrupt, &steps)
@@ -64,13 +65,13 @@ fn solve(
     problem: &HalfSpaceProblem,
     observer: &mut dyn Observer,
     receiver: &mut dyn StepReceiver<HalfSpaceField>,
-) -> Result<HalfSpaceRun, SolveError> {
+) -> Result<HalfSpaceRun, HalfSpaceError> {
     let mut done = HalfSpaceRun::default();
     let mut run = Run { phases: &mut done.phases, passes: &mut done.grids, observer };
-    match loads(&problem.load) {
-        Loads::Given(loads) => done.interrupted = given(problem, &loads, &mut run, receiver)?,
+    match &problem.loads {
+        Loads::Given(loads) => done.interrupted = given(problem, loads, &mut run, receiver)?,
         Loads::Sought(sought) => {
-            let (steps, sensitivity) = search::run(problem, sought, &mut run)?;
+            let (steps, sensitivity) = search::run(problem, *sought, &mut run)?;
             for step in steps {
                 receiver.step(step, run.observer);
             }

@@ -3,19 +3,21 @@
 
 use brinell_halfspace::EllipticContact;
 
+use super::error::HalfSpaceError;
 use super::errors::{errors, target_error};
 use super::given::given;
 use super::law::initial_stress_over_depth;
 use super::problem::HalfSpaceProblem;
 use super::step::{HalfSpaceBody, HalfSpaceField, HalfSpaceStep, von_mises};
 use crate::contact::ContactLoad;
-use crate::job::{Deformable, TargetFigure};
-use crate::solver::SolveError;
-use crate::solver::loads::Sought;
+use crate::material::Solid;
+use crate::solver::method;
+use crate::solver::method::Limit;
 use crate::solver::method::figures::Figures;
 use crate::solver::method::force_search::{Density, Terms, find};
 use crate::solver::method::loads::{Tried, Wanted};
 use crate::solver::method::run::Run;
+use crate::solver::method::sought::{Sought, TargetFigure};
 
 /// Factor by which the coarse grids of the search have fewer cells than the job asks for, and
 /// their least number of cells over a semi-axis.
@@ -38,23 +40,22 @@ const PARTS: usize = 16;
 /// relative change of the figure over the relative change of the force.
 ///
 /// # Errors
-/// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and the errors of a solve.
+/// [`HalfSpaceError::NoYieldPoint`], [`method::Error::Unreachable`], and the errors of a solve.
 pub(super) fn run(
     problem: &HalfSpaceProblem,
     sought: Sought,
     run: &mut Run<'_>,
-) -> Result<(Vec<HalfSpaceStep>, f64), SolveError> {
+) -> Result<(Vec<HalfSpaceStep>, f64), HalfSpaceError> {
     let mut solved = problem.clone();
     if sought == Sought::Onset {
-        let without = |material: &Deformable| material.without_plasticity();
-        solved.materials =
-            problem.materials.each_ref().map(|material| material.as_ref().map(without));
+        let elastic = |material: &Option<Solid>| material.as_ref().map(Solid::without_plasticity);
+        solved.materials = problem.materials.each_ref().map(elastic);
     }
     if let (Sought::Onset, Some(force)) = (sought, problem.onset) {
         let mut steps: Vec<HalfSpaceStep> = Vec::new();
         let interrupt = given(&solved, &[ContactLoad::Force(force)], run, &mut steps)?;
         return match interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt())) {
-            Some(interrupt) => Err(SolveError::Interrupted(interrupt)),
+            Some(interrupt) => Err(HalfSpaceError::Method(method::Error::Interrupted(interrupt))),
             None => Ok((steps, ONSET_SLOPE)),
         };
     }
@@ -78,31 +79,34 @@ pub(super) fn run(
 /// Returns the force of the first trial \[N\].
 ///
 /// # Errors
-/// [`SolveError::NoYieldPoint`].
-pub(super) fn first_force(problem: &HalfSpaceProblem, sought: Sought) -> Result<f64, SolveError> {
+/// [`HalfSpaceError::NoYieldPoint`].
+pub(super) fn first_force(
+    problem: &HalfSpaceProblem,
+    sought: Sought,
+) -> Result<f64, HalfSpaceError> {
     let weakest = problem.weakest();
     let under_peak = |peak: f64| problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
     let highest = weakest.map_or(f64::INFINITY, |weakest| HIGHEST_START * weakest);
     match sought {
-        Sought::Onset => problem.yield_force().ok_or(SolveError::NoYieldPoint),
+        Sought::Onset => problem.yield_force().ok_or(HalfSpaceError::NoYieldPoint),
         Sought::Target(target) => match target.figure {
             TargetFigure::HalfWidth => {
                 let shorter = |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);
-                Ok(problem.force_where(shorter, target.value.get(), 3.0))
+                Ok(problem.force_where(shorter, target.value, 3.0))
             }
-            TargetFigure::PeakPressure => Ok(under_peak(target.value.get().min(highest))),
-            TargetFigure::MeanPressure => Ok(under_peak((1.5 * target.value.get()).min(highest))),
+            TargetFigure::PeakPressure => Ok(under_peak(target.value.min(highest))),
+            TargetFigure::MeanPressure => Ok(under_peak((1.5 * target.value).min(highest))),
             TargetFigure::PermanentApproach
             | TargetFigure::DentDepth
             | TargetFigure::MaxPlasticStrain => weakest
                 .map(|weakest| under_peak(PLASTIC_START * weakest))
-                .ok_or(SolveError::NoYieldPoint),
+                .ok_or(HalfSpaceError::NoYieldPoint),
         },
     }
 }
 
 struct ForceSearch<'a> {
-    /// The problem of the job.
+    /// The problem as it is given.
     problem: &'a HalfSpaceProblem,
     /// The problem that the trials solve: without plasticity if the onset of yield is sought.
     solved: HalfSpaceProblem,
@@ -110,7 +114,7 @@ struct ForceSearch<'a> {
 }
 
 impl ForceSearch<'_> {
-    fn terms(&self) -> Result<Terms, SolveError> {
+    fn terms(&self) -> Result<Terms, HalfSpaceError> {
         let (tolerance, most_fine, missed) =
             if self.sought == Sought::Onset { ONSET } else { TARGET };
         let first_force = first_force(self.problem, self.sought)?;
@@ -143,7 +147,7 @@ impl ForceSearch<'_> {
         density: Density,
         force: f64,
         run: &mut Run<'_>,
-    ) -> Result<Tried<HalfSpaceField>, SolveError> {
+    ) -> Result<Tried<HalfSpaceField>, HalfSpaceError> {
         let mut problem = self.solved.clone();
         if density == Density::Coarse {
             let cells = problem.cells_per_semi_axis;
@@ -153,7 +157,7 @@ impl ForceSearch<'_> {
             is_permanent: self.sought.is_permanent(),
             ratio: &|step| self.ratio(step),
             too_large: &|error| match error {
-                SolveError::Overloaded { .. } => Ok(error.to_string()),
+                HalfSpaceError::Overloaded { .. } => Ok(Limit::Other(error.to_string())),
                 error => Err(error),
             },
         };
@@ -166,9 +170,7 @@ impl ForceSearch<'_> {
             Sought::Onset => {
                 self.problem.highest_utilization(step).map_or(0.0, |highest| highest.ratio)
             }
-            Sought::Target(target) => {
-                target_figure(&step.figures, target.figure) / target.value.get()
-            }
+            Sought::Target(target) => target_figure(&step.figures, target.figure) / target.value,
         }
     }
 }
@@ -201,7 +203,7 @@ impl HalfSpaceProblem {
 /// and strength are those of the depth.
 fn highest_in(
     side: usize,
-    material: &Deformable,
+    material: &Solid,
     angle: f64,
     body: &HalfSpaceBody,
 ) -> Option<HighestUtilization> {
@@ -209,8 +211,7 @@ fn highest_in(
     let initial = initial_stress_over_depth(material, angle);
     let (layers, n_cells, ny) = (&body.layers, body.grid.n_cells(), body.grid.ny());
     let limit = |depth: f64| {
-        law.nominal_yield_stress()
-            * strength.as_ref().map_or(1.0, |strength| strength.factor(depth))
+        law.nominal_yield_stress() * strength.map_or(1.0, |strength| strength.factor(depth))
     };
     let of_layer = |layer: usize| {
         let cell = (0..n_cells)

@@ -2,15 +2,17 @@
 
 use super::design::GridDesign;
 use super::engine::{Answer, HalfSpaceEngine};
+use super::error::HalfSpaceError;
 use super::problem::HalfSpaceProblem;
 use super::step::HalfSpaceStep;
 use crate::contact::ContactLoad;
-use crate::job::Theory;
+use crate::solver::SolveStatus;
+use crate::solver::method;
 use crate::solver::method::couplings::iteration::Controls;
 use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::Theory;
 use crate::solver::method::solve::solve;
-use crate::solver::{SolveError, SolveStatus};
 
 /// Cells over a semi-axis, and tolerance, of the solve that determines the contact size.
 const SIZING_CELLS: f64 = 4.0;
@@ -22,9 +24,9 @@ pub(super) fn size(
     problem: &HalfSpaceProblem,
     load: ContactLoad,
     run: &mut Run<'_>,
-) -> Result<GridDesign, SolveError> {
+) -> Result<GridDesign, HalfSpaceError> {
     let design = GridDesign::new(
-        problem.expected(load).ok_or(SolveError::NoLoad)?.bearable()?,
+        problem.expected(load).ok_or(HalfSpaceError::Method(method::Error::NoLoad))?.bearable()?,
         SIZING_CELLS,
         problem.cells(),
     );
@@ -44,7 +46,7 @@ pub(super) fn under(
     load: ContactLoad,
     design: GridDesign,
     run: &mut Run<'_>,
-) -> Result<(HalfSpaceStep, GridDesign), SolveError> {
+) -> Result<(HalfSpaceStep, GridDesign), HalfSpaceError> {
     let answer: Answer = solve(engine, design, None, run, |grid, system, start, run| {
         grid.solve(system, start, engine.coupling, Controls { load, ..engine.controls() }, run)
     })?;
@@ -53,6 +55,8 @@ pub(super) fn under(
 }
 
 /// Returns an error if the observer stopped an auxiliary solve, which has no step to report.
-pub(super) fn interrupted(status: SolveStatus) -> Result<(), SolveError> {
-    status.interrupt().map_or(Ok(()), |interrupt| Err(SolveError::Interrupted(interrupt)))
+pub(super) fn interrupted(status: SolveStatus) -> Result<(), HalfSpaceError> {
+    status.interrupt().map_or(Ok(()), |interrupt| {
+        Err(HalfSpaceError::Method(method::Error::Interrupted(interrupt)))
+    })
 }

@@ -8,19 +8,22 @@ use super::utilization::{
     at_narrow_edge, error_at_narrow_edge, highest_at_ends, highest_utilization,
 };
 use crate::contact::{ActiveSetSolver, ContactLoad};
-use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
+use crate::fem::mesh::MeshError;
+use crate::solver::SolveStatus;
 use crate::solver::bars::Bars;
 use crate::solver::body_solution::BodySolution;
-use crate::solver::loads::Sought;
+use crate::solver::error::MeshedError;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
+use crate::solver::meshed_contact::Asked;
+use crate::solver::method::Limit;
 use crate::solver::method::force_search::{Density, ForceFound, Terms, find};
 use crate::solver::method::loads::{Trial, Tried, Wanted};
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::Settings;
+use crate::solver::method::sought::{Sought, TargetFigure};
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{SectionField, StepSolution};
-use crate::solver::{SolveError, SolveStatus};
-use crate::units::UnitConverter;
 
 /// Error at least of the force under which yield begins, over h/a; where it begins at an end of
 /// the contact, 0.51 on 10 elements and 0.4 on 20 and 40.
@@ -35,6 +38,8 @@ const MOST_HIDDEN: f64 = 0.15;
 const COARSER: u32 = 3;
 const COARSER_FOR_WIDTH: u32 = 2;
 const FEWEST_ELEMENTS: u32 = 6;
+/// Fewest elements of a mesh by which the error of the onset of yield is told.
+const FEWEST_BESIDE: u32 = 4;
 /// Most fine solves.
 const MAX_FINE: usize = 4;
 const MAX_FINE_OF_ONSET: usize = 8;
@@ -62,18 +67,18 @@ const MEAN_OF_PEAK: f64 = 0.75;
 /// figure over that of the force.
 ///
 /// # Errors
-/// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
+/// [`MeshedError::NoYieldPoint`], [`method::Error::Unreachable`], and those of a solve.
 pub(super) fn run(
     sought: Sought,
     sequence: &LoadSequence<'_>,
     run: &mut Run<'_>,
-) -> Result<(Vec<StepSolution>, f64), SolveError> {
+) -> Result<(Vec<StepSolution>, f64), MeshedError> {
     let problem = sequence.problem;
     if sought != Sought::Onset {
         return ForceSearch { sought, problem, sequence: *sequence }.run(run);
     }
     if weakest(problem).is_none() {
-        return Err(SolveError::NoYieldPoint);
+        return Err(MeshedError::NoYieldPoint);
     }
     let elastic = problem.without_plasticity();
     let sequence = LoadSequence { problem: &elastic, with_memory: None, ..*sequence };
@@ -102,15 +107,15 @@ pub(crate) fn starts_from_pressure(sought: Sought, problem: &Problem) -> bool {
 /// A force to start from, by what closed forms say of the size of the contact.
 ///
 /// # Errors
-/// [`SolveError::Conforming`] or [`SolveError::TouchesAtEnd`].
-pub(crate) fn first_force(sought: Sought, problem: &Problem) -> Result<f64, SolveError> {
+/// [`MeshedError::Conforming`] or [`MeshedError::TouchesAtEnd`].
+pub(crate) fn first_force(sought: Sought, problem: &Problem) -> Result<f64, MeshedError> {
     let weakest = weakest(problem).unwrap_or(f64::INFINITY);
     let mean = match sought {
         Sought::Onset => weakest,
         Sought::Target(target) => match target.figure {
-            TargetFigure::HalfWidth => return force_below(problem, |_, a| a < target.value.get()),
-            TargetFigure::PeakPressure => MEAN_OF_PEAK * target.value.get(),
-            TargetFigure::MeanPressure => target.value.get(),
+            TargetFigure::HalfWidth => return force_below(problem, |_, a| a < target.value),
+            TargetFigure::PeakPressure => MEAN_OF_PEAK * target.value,
+            TargetFigure::MeanPressure => target.value,
             _ => PLASTIC_START * weakest,
         },
     };
@@ -120,16 +125,16 @@ pub(crate) fn first_force(sought: Sought, problem: &Problem) -> Result<f64, Solv
 
 struct ForceSearch<'a> {
     sought: Sought,
-    /// The bodies with the plasticity that the job gives them.
+    /// The bodies with the plasticity that they are given.
     problem: &'a Problem,
     sequence: LoadSequence<'a>,
 }
 
 impl ForceSearch<'_> {
-    fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), SolveError> {
+    fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), MeshedError> {
         let before = *run.passes;
-        let coarse = self.coarse_job();
-        let coarse = LoadSequence { job: &coarse, contact: &ActiveSetSolver, ..self.sequence };
+        let coarse = self.coarse();
+        let coarse = LoadSequence { asked: coarse, contact: &ActiveSetSolver, ..self.sequence };
         let trial = |density, force, run: &mut Run<'_>| {
             let is_asked = density == Density::Asked;
             self.trial_by(if is_asked { &self.sequence } else { &coarse }, force, run)
@@ -159,7 +164,7 @@ impl ForceSearch<'_> {
         Ok((trial.steps, sensitivity))
     }
 
-    fn terms(&self) -> Result<Terms, SolveError> {
+    fn terms(&self) -> Result<Terms, MeshedError> {
         let (tolerance, most_fine) = match self.sought {
             Sought::Onset => (ONSET_TOLERANCE, MAX_FINE_OF_ONSET),
             Sought::Target(_) => (TOLERANCE, MAX_FINE),
@@ -177,17 +182,17 @@ impl ForceSearch<'_> {
         found: &Trial<SectionField>,
         slope: f64,
         run: &mut Run<'_>,
-    ) -> Result<f64, SolveError> {
+    ) -> Result<f64, MeshedError> {
         let last = found.steps.last();
         let at_edge = last.and_then(|step| at_narrow_edge(step, self.problem));
         if at_edge.is_some_and(|edge| edge.ratio >= found.ratio) {
             let error = last.and_then(error_at_narrow_edge).unwrap_or_default();
             return Ok(found.ratio.ln().abs() / slope + error);
         }
-        let elements = self.sequence.job.mesh.elements_per_half_width;
-        let half = elements.div_ceil(2).max(MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH);
-        let job = self.coarser_job(half);
-        let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
+        let elements = self.sequence.asked.elements;
+        let half = elements.div_ceil(2).max(FEWEST_BESIDE);
+        let asked = self.coarser(half);
+        let sequence = LoadSequence { asked, contact: &ActiveSetSolver, ..self.sequence };
         let Some(force) = found.steps.last().map(|step| step.figures.force) else {
             return Ok(0.0);
         };
@@ -221,8 +226,7 @@ impl ForceSearch<'_> {
             let (least, greatest) = body.strength_range();
             least < greatest
         });
-        let reference =
-            is_graded.then(|| ElasticReference::of(self.sequence.job, force)).flatten();
+        let reference = is_graded.then(|| ElasticReference::of(self.problem, force)).flatten();
         let onset = reference.and_then(|reference| reference.yield_onset_force);
         onset.map_or(0.0, |onset| force / onset - 1.0)
     }
@@ -233,15 +237,18 @@ impl ForceSearch<'_> {
         sequence: &LoadSequence<'_>,
         force: f64,
         run: &mut Run<'_>,
-    ) -> Result<Tried<SectionField>, SolveError> {
-        let too_large = |error: SolveError| match error {
-            SolveError::TooWide { .. } | SolveError::TooFarRound { .. } => {
-                Ok("the contact would spread over more of the surfaces than is solved".to_owned())
+    ) -> Result<Tried<SectionField>, MeshedError> {
+        let too_large = |error: MeshedError| match error {
+            MeshedError::TooWide { .. } | MeshedError::TooFarRound { .. } => {
+                Ok("the contact would spread over more of the surfaces than is solved".into())
             }
-            SolveError::Mesh(_) => {
-                let job = sequence.job;
-                Ok(error.text(UnitConverter::new(job.units, job.analysis)))
+            MeshedError::Mesh(MeshError::ZoneBeyondBody { half_width, available }) => {
+                Ok(Limit::NoRoom { half_width, available })
             }
+            MeshedError::Mesh(MeshError::TooSteep { x, slope }) => {
+                Ok(Limit::TooSteep { x, slope })
+            }
+            MeshedError::Mesh(error) => Ok(Limit::Other(error.to_string())),
             error => Err(error),
         };
         let wanted = Wanted {
@@ -258,7 +265,7 @@ impl ForceSearch<'_> {
             Sought::Onset => {
                 highest_utilization(step, self.problem).map_or(0.0, |highest| highest.ratio)
             }
-            Sought::Target(target) => target_figure(step, target.figure) / target.value.get(),
+            Sought::Target(target) => target_figure(step, target.figure) / target.value,
         }
     }
 
@@ -270,7 +277,7 @@ impl ForceSearch<'_> {
 
     /// Deviation from which on the value counts as missed.
     fn missed(&self) -> f64 {
-        let elements = f64::from(self.sequence.job.mesh.elements_per_half_width);
+        let elements = f64::from(self.sequence.asked.elements);
         match self.sought {
             Sought::Onset => ONSET_MISSED,
             Sought::Target(_) if self.is_of_width() => {
@@ -294,22 +301,16 @@ impl ForceSearch<'_> {
         }
     }
 
-    /// The job on the meshes on which the force is looked for.
-    fn coarse_job(&self) -> Job {
-        let job = self.sequence.job;
+    /// The meshes on which the force is looked for.
+    fn coarse(&self) -> Asked {
         let coarser = if self.is_of_width() { COARSER_FOR_WIDTH } else { COARSER };
-        self.coarser_job((job.mesh.elements_per_half_width / coarser).max(FEWEST_ELEMENTS))
+        self.coarser((self.sequence.asked.elements / coarser).max(FEWEST_ELEMENTS))
     }
 
-    /// The job with other elements.
-    fn coarser_job(&self, elements: u32) -> Job {
-        let job = self.sequence.job;
-        let SolverSettings { theory, increments, .. } = job.solver;
-        Job {
-            mesh: MeshSettings { elements_per_half_width: elements },
-            solver: SolverSettings { theory, increments, ..auxiliary() },
-            ..job.clone()
-        }
+    /// Auxiliary meshes of other elements.
+    fn coarser(&self, elements: u32) -> Asked {
+        let Settings { theory, increments, .. } = self.sequence.asked.solver;
+        Asked { elements, solver: Settings { theory, increments, ..auxiliary() } }
     }
 }
 
@@ -330,10 +331,10 @@ pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
 
 /// The largest force of which something is expected to hold that holds for small ones; `holds`
 /// takes the force and the half-width that is expected under it.
-fn force_below(problem: &Problem, holds: impl Fn(f64, f64) -> bool) -> Result<f64, SolveError> {
+fn force_below(problem: &Problem, holds: impl Fn(f64, f64) -> bool) -> Result<f64, MeshedError> {
     let (mut low, mut high) = (1e-9, 1e9);
     let expected = |force: f64| ContactSizeEstimate::expected(problem, ContactLoad::Force(force));
-    if let Err(error @ (SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. })) =
+    if let Err(error @ (MeshedError::Conforming { .. } | MeshedError::TouchesAtEnd { .. })) =
         expected(low)
     {
         return Err(error);

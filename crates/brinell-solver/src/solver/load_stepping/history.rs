@@ -12,14 +12,16 @@ use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::GaussPoint;
 use crate::fem::element::StressState;
 use crate::fem::mesh::ContactZone;
-use crate::job::Job;
 use crate::material::{ReferenceModuli, body_flows, flows};
 use crate::solver::body_system::system::System;
 use crate::solver::body_system::transfer::NodalField;
+use crate::solver::error::MeshedError;
+use crate::solver::final_check;
 use crate::solver::finite_elements::{FiniteElements, MeshDesign};
-use crate::solver::loads::largest_loads;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::mesh_solve::{MeshSolve, MeshSolveRequest};
+use crate::solver::meshed_contact::Asked;
+use crate::solver::method;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _, Linearize as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome};
@@ -30,11 +32,10 @@ use crate::solver::method::increments::Growth;
 use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Engine, Round, VerdictOf};
+use crate::solver::method::sought::largest_loads;
 use crate::solver::problem::Problem;
 use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{SectionField, StepSolution};
-use crate::solver::strategy::coupling;
-use crate::solver::{SolveError, final_check};
 
 /// What a history is solved with.
 #[derive(Clone, Copy)]
@@ -43,7 +44,7 @@ pub(super) struct MeshedHistory<'a> {
     pub problem: &'a Problem,
     /// The same bodies under deformation theory, and how their meshes are sized.
     pub sizing: &'a LoadStepper<'a>,
-    pub job: &'a Job,
+    pub asked: Asked,
     pub contact: &'a dyn ContactSolver,
     /// The loads in order, at least one of them above zero.
     pub loads: &'a [ContactLoad],
@@ -51,7 +52,10 @@ pub(super) struct MeshedHistory<'a> {
 
 impl<'a> MeshedHistory<'a> {
     /// The engine on coarse meshes, sized for the largest loads, and its first mesh.
-    pub fn coarse(self, run: &mut Run<'_>) -> Result<(HistoryOnMesh<'a>, MeshDesign), SolveError> {
+    pub fn coarse(
+        self,
+        run: &mut Run<'_>,
+    ) -> Result<(HistoryOnMesh<'a>, MeshDesign), MeshedError> {
         let largest = self.largest()?;
         let mut widest: Option<ContactSizeEstimate> = None;
         for load in largest_loads(self.loads) {
@@ -60,15 +64,18 @@ impl<'a> MeshedHistory<'a> {
                 widest = Some(size);
             }
         }
-        let size = widest.ok_or(SolveError::NoLoad)?;
-        let elements = (self.job.mesh.elements_per_half_width as usize / 2).max(2);
+        let size = widest.ok_or(MeshedError::Method(method::Error::NoLoad))?;
+        let elements = (self.asked.elements as usize / 2).max(2);
         let mesh = self.sizing.request(largest, size, elements, 1.0, auxiliary());
         Ok(HistoryOnMesh { history: self, mesh, size, keeps_path: true }.with_design())
     }
 
     /// The load that meshes are made for.
-    fn largest(&self) -> Result<ContactLoad, SolveError> {
-        largest_loads(self.loads).first().copied().ok_or(SolveError::NoLoad)
+    fn largest(&self) -> Result<ContactLoad, MeshedError> {
+        largest_loads(self.loads)
+            .first()
+            .copied()
+            .ok_or(MeshedError::Method(method::Error::NoLoad))
     }
 }
 
@@ -119,13 +126,13 @@ impl Engine for HistoryOnMesh<'_> {
     type System = System;
     type Design = MeshDesign;
     type Answer = MeshSolve;
-    type Error = SolveError;
+    type Error = MeshedError;
 
     fn build(
         &self,
         design: &mut MeshDesign,
         run: &mut Run<'_>,
-    ) -> Result<(System, Option<BlockVector>), SolveError> {
+    ) -> Result<(System, Option<BlockVector>), MeshedError> {
         self.elements().build(design, run)
     }
 
@@ -134,7 +141,7 @@ impl Engine for HistoryOnMesh<'_> {
         design: &MeshDesign,
         system: System,
         run: &mut Run<'_>,
-    ) -> Result<(System, Option<BlockVector>), SolveError> {
+    ) -> Result<(System, Option<BlockVector>), MeshedError> {
         self.elements().resume(design, system, run)
     }
 
@@ -145,7 +152,7 @@ impl Engine for HistoryOnMesh<'_> {
         outcome: Outcome,
         under: Round,
         run: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, MeshedError> {
         self.elements().verdict(design, system, outcome, under, run)
     }
 }
@@ -155,7 +162,7 @@ impl Memory for HistoryOnMesh<'_> {
     type Record = MeshMemory;
 
     fn coupling(&self) -> &dyn Coupling {
-        coupling(self.mesh.solver.coupling)
+        self.mesh.solver.coupling
     }
 
     fn controls(&self) -> Controls<'_> {
@@ -212,9 +219,9 @@ impl Memory for HistoryOnMesh<'_> {
 
     fn finer(&self, found: &MeshMemory) -> (Self, MeshDesign) {
         let (history, size) = (self.history, found.size);
-        let MeshedHistory { sizing, job, contact, .. } = history;
-        let elements = job.mesh.elements_per_half_width as usize;
-        let mesh = sizing.request(self.mesh.load, size, elements, 1.0, job.solver);
+        let MeshedHistory { sizing, asked, contact, .. } = history;
+        let elements = asked.elements as usize;
+        let mesh = sizing.request(self.mesh.load, size, elements, 1.0, asked.solver);
         let mesh = MeshSolveRequest { contact, ..mesh };
         Self { history, mesh, size, keeps_path: false }.with_design()
     }
@@ -226,7 +233,7 @@ impl Memory for HistoryOnMesh<'_> {
                 Some(f64::INFINITY)
             }
             ContactLoad::Force(force) => {
-                ElasticReference::of(self.history.job, force.max(f64::MIN_POSITIVE))
+                ElasticReference::of(problem, force.max(f64::MIN_POSITIVE))
                     .and_then(|reference| reference.yield_onset_force)
             }
             ContactLoad::Approach(_) => None,
@@ -246,7 +253,7 @@ impl Memory for HistoryOnMesh<'_> {
         system: &mut System,
         increment: &NextIncrement<'_, MeshMemory>,
         run: &mut Run<'_>,
-    ) -> Result<BlockVector, SolveError> {
+    ) -> Result<BlockVector, MeshedError> {
         let &NextIncrement { target, time, leg, progress, guide } = increment;
         let start = system.accepted().clone();
         if !self.coupling().uses_tangent_moduli() {
@@ -311,7 +318,7 @@ impl Memory for HistoryOnMesh<'_> {
         progress: &Progress,
         run: &mut Run<'_>,
     ) -> StepSolution {
-        let tolerance = self.mesh.solver.tolerance.get();
+        let tolerance = self.mesh.solver.tolerance;
         let least =
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         let [largest_pressure, at, middle] = memory.peak;
@@ -333,7 +340,7 @@ impl Memory for HistoryOnMesh<'_> {
     }
 
     fn step_as_iterated(&self, solve: &MeshSolve, load: ContactLoad) -> StepSolution {
-        final_check::as_iterated(solve, load, self.mesh.solver.tolerance.get())
+        final_check::as_iterated(solve, load, self.mesh.solver.tolerance)
     }
 }
 

@@ -1,19 +1,20 @@
-//! Loads one after the other, by the theory of the job.
+//! Loads one after the other, by the theory that is asked for.
 
 use std::sync::Arc;
 
 use super::history::MeshedHistory;
 use super::load_stepper::LoadStepper;
 use crate::contact::{ContactLoad, ContactSolver};
-use crate::job::Job;
+use crate::solver::Interrupt;
 use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::error::MeshedError;
+use crate::solver::meshed_contact::Asked;
 use crate::solver::method::history;
 use crate::solver::method::loads::each_load;
 use crate::solver::method::run::Run;
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::Problem;
 use crate::solver::solution::SectionField;
-use crate::solver::{Interrupt, SolveError};
 
 /// The bodies, and how loads on them are solved.
 #[derive(Clone, Copy)]
@@ -22,7 +23,7 @@ pub(super) struct LoadSequence<'a> {
     pub problem: &'a Problem,
     /// The same bodies with models that have a memory, if the loads are to be a history.
     pub with_memory: Option<&'a Problem>,
-    pub job: &'a Job,
+    pub asked: Asked,
     pub contact: &'a dyn ContactSolver,
     pub cache: Option<&'a Arc<FactorCache>>,
 }
@@ -37,13 +38,13 @@ impl LoadSequence<'_> {
         loads: &[ContactLoad],
         run: &mut Run<'_>,
         receiver: &mut dyn StepReceiver<SectionField>,
-    ) -> Result<Option<Interrupt>, SolveError> {
-        let mut stepper = LoadStepper::new(self.problem, self.job, self.contact, self.cache);
+    ) -> Result<Option<Interrupt>, MeshedError> {
+        let mut stepper = LoadStepper::new(self.problem, self.asked, self.contact, self.cache);
         if let Some(problem) = self.with_memory {
-            let (job, contact) = (self.job, self.contact);
-            let bodies = MeshedHistory { problem, sizing: &stepper, job, contact, loads };
+            let (asked, contact) = (self.asked, self.contact);
+            let bodies = MeshedHistory { problem, sizing: &stepper, asked, contact, loads };
             let coarse = bodies.coarse(run)?;
-            return history::run(coarse, loads, job.solver.increments, run, receiver);
+            return history::run(coarse, loads, asked.solver.increments, run, receiver);
         }
         each_load(loads, receiver, run, |load, next, run| stepper.step(load, next, run))
     }

@@ -5,23 +5,26 @@ use std::sync::Arc;
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver};
 use crate::fem::element::StressState;
 use crate::fem::mesh::ContactZone;
-use crate::job::{ContactMethod, Coupling, Job, PositiveF64, SolverSettings};
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::system::System;
+use crate::solver::error::MeshedError;
 use crate::solver::loads::resolution_reserve;
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
 use crate::solver::mesh_sizing::end_of_contact::EndSearch;
 use crate::solver::mesh_sizing::trace;
 use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest};
+use crate::solver::meshed_contact::Asked;
+use crate::solver::method;
+use crate::solver::method::couplings::Accelerated;
 use crate::solver::method::couplings::iteration::Scales;
 use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::{Settings, Theory};
 use crate::solver::problem::Problem;
 use crate::solver::solution::StepSolution;
-use crate::solver::strategy::coupling;
-use crate::solver::{Interrupt, SolveError, SolveStatus, final_check, finite_elements};
+use crate::solver::{Interrupt, SolveStatus, final_check, finite_elements};
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
@@ -50,7 +53,7 @@ const MAX_NARROWINGS: usize = 60;
 /// Solves load after load.
 pub(crate) struct LoadStepper<'a> {
     problem: &'a Problem,
-    job: &'a Job,
+    asked: Asked,
     contact: &'a dyn ContactSolver,
     cache: Option<&'a Arc<FactorCache>>,
     last: Option<LastStep>,
@@ -69,11 +72,11 @@ struct LastStep {
 impl<'a> LoadStepper<'a> {
     pub fn new(
         problem: &'a Problem,
-        job: &'a Job,
+        asked: Asked,
         contact: &'a dyn ContactSolver,
         cache: Option<&'a Arc<FactorCache>>,
     ) -> Self {
-        Self { problem, job, contact, cache, last: None }
+        Self { problem, asked, contact, cache, last: None }
     }
 
     /// One load; `next` is the one after it, for which the mesh may be made to serve as well.
@@ -82,7 +85,7 @@ impl<'a> LoadStepper<'a> {
         load: ContactLoad,
         next: Option<ContactLoad>,
         run: &mut Run<'_>,
-    ) -> Result<StepSolution, SolveError> {
+    ) -> Result<StepSolution, MeshedError> {
         let reserve = resolution_reserve(load, next);
         let last = self.last.take();
         let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
@@ -97,7 +100,7 @@ impl<'a> LoadStepper<'a> {
         };
         let (coarse, fine) = last.filter(|_| serves).map(|last| (last.coarse, last.fine)).unzip();
         let previous = sizing.as_ref().map(MeshSolve::nodal_fields).unwrap_or_default();
-        let elements = self.job.mesh.elements_per_half_width as usize;
+        let elements = self.asked.elements as usize;
         let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
         request.previous = (!previous.is_empty()).then_some(&previous);
         let coarse = self.solve_auxiliary(&request, coarse, run)?;
@@ -106,14 +109,13 @@ impl<'a> LoadStepper<'a> {
         let figures = coarse.patch.map(|_| coarse.measure());
 
         let previous = coarse.nodal_fields();
-        let mut request = self.request(load, extent, elements, reserve, self.job.solver);
+        let mut request = self.request(load, extent, elements, reserve, self.asked.solver);
         request.contact = self.contact;
-        request.previous =
-            coupling(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
+        request.previous = request.solver.coupling.uses_tangent_moduli().then_some(&previous);
         let mut pass = finite_elements::run(self.problem, &request, fine, run)?;
         // Before the stresses are handed over.
         let found = run.time(Phase::Output, || extent.found_by(&pass));
-        let (tolerance, yields) = (request.solver.tolerance.get(), pass.yields());
+        let (tolerance, yields) = (request.solver.tolerance, pass.yields());
         let mut step = final_check::finish(
             self.problem,
             &mut pass,
@@ -160,7 +162,7 @@ impl<'a> LoadStepper<'a> {
     /// Whether the meshes of the last load serve for a load whose contact is expected to have this
     /// extent.
     fn serves(&self, last: &LastStep, load: ContactLoad, extent: ContactSizeEstimate) -> bool {
-        let elements = self.job.mesh.elements_per_half_width as usize;
+        let elements = self.asked.elements as usize;
         let zone = &last.fine.zone;
         // What is found of an extent jumps by an element: a search would go from mesh to mesh and
         // never settle.
@@ -175,8 +177,8 @@ impl<'a> LoadStepper<'a> {
         &self,
         load: ContactLoad,
         run: &mut Run<'_>,
-    ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
-        let elements = self.job.mesh.elements_per_half_width as usize;
+    ) -> Result<(ContactSizeEstimate, MeshSolve), MeshedError> {
+        let elements = self.asked.elements as usize;
         let expect = || {
             ContactSizeEstimate::expected(self.problem, load)?.resolved(
                 self.problem,
@@ -220,7 +222,7 @@ impl<'a> LoadStepper<'a> {
         mut found: ContactSizeEstimate,
         mut pass: MeshSolve,
         run: &mut Run<'_>,
-    ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
+    ) -> Result<(ContactSizeEstimate, MeshSolve), MeshedError> {
         let mut search = EndSearch::default();
         for _ in 0..SETTLING_PASSES {
             // Elements that are small for the sake of a trace are not sized by the contact.
@@ -245,7 +247,7 @@ impl<'a> LoadStepper<'a> {
         extent: ContactSizeEstimate,
         previous: Option<&MeshSolve>,
         run: &mut Run<'_>,
-    ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
+    ) -> Result<(ContactSizeEstimate, MeshSolve), MeshedError> {
         let previous = previous.map(MeshSolve::nodal_fields);
         let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
         request.search_region = PlasticSearchRegion::WholeBody;
@@ -263,7 +265,7 @@ impl<'a> LoadStepper<'a> {
         if pass.has_collapsed() {
             return found;
         }
-        let found = found.refined(self.problem, self.job.mesh.elements_per_half_width as usize);
+        let found = found.refined(self.problem, self.asked.elements as usize);
         // Where summits yield they grow together.
         if pass.yields() { found } else { found.with_parts(self.problem, pass.figures().force) }
     }
@@ -273,13 +275,17 @@ impl<'a> LoadStepper<'a> {
         request: &MeshSolveRequest<'_>,
         known: Option<System>,
         run: &mut Run<'_>,
-    ) -> Result<MeshSolve, SolveError> {
+    ) -> Result<MeshSolve, MeshedError> {
         let pass =
             run.preliminarily(|run| finite_elements::run(self.problem, request, known, run))?;
         // One that was stopped has no fields that the next mesh could start from.
         match pass.outcome.status {
-            SolveStatus::Cancelled => Err(SolveError::Interrupted(Interrupt::Cancelled)),
-            SolveStatus::TimedOut => Err(SolveError::Interrupted(Interrupt::TimedOut)),
+            SolveStatus::Cancelled => {
+                Err(MeshedError::Method(method::Error::Interrupted(Interrupt::Cancelled)))
+            }
+            SolveStatus::TimedOut => {
+                Err(MeshedError::Method(method::Error::Interrupted(Interrupt::TimedOut)))
+            }
             SolveStatus::Converged | SolveStatus::NotConverged => Ok(pass),
         }
     }
@@ -302,13 +308,12 @@ impl<'a> LoadStepper<'a> {
         extent: ContactSizeEstimate,
         elements: usize,
         reserve: f64,
-        solver: SolverSettings,
+        solver: Settings,
     ) -> MeshSolveRequest<'a> {
         let spacing = extent.spacing(elements) / reserve;
         // An envelope of distances from the middle of the contact does not follow a surface that
         // bends round.
-        let is_whole =
-            coupling(solver.coupling).needs_whole_body() || self.problem.conforming.is_some();
+        let is_whole = solver.coupling.needs_whole_body() || self.problem.conforming.is_some();
         let search_region = if is_whole {
             PlasticSearchRegion::WholeBody
         } else {
@@ -335,15 +340,14 @@ fn has_answer(pass: &MeshSolve) -> bool {
     pass.outcome.status == SolveStatus::Converged && !pass.has_collapsed()
 }
 
-/// How the auxiliary passes are iterated, whatever the job asks for.
-pub(super) fn auxiliary() -> SolverSettings {
-    let default = SolverSettings::default();
-    SolverSettings {
-        theory: default.theory,
+/// How the auxiliary passes are iterated, whatever is asked for.
+pub(super) fn auxiliary() -> Settings {
+    Settings {
+        theory: Theory::Deformation,
         increments: None,
-        coupling: Coupling::Accelerated,
-        contact: ContactMethod::ActiveSet,
-        tolerance: PositiveF64::new(AUXILIARY_TOLERANCE).unwrap_or(default.tolerance),
+        coupling: &Accelerated,
+        contact: &ActiveSetSolver,
+        tolerance: AUXILIARY_TOLERANCE,
         max_iterations: 200,
     }
 }

@@ -1,22 +1,24 @@
-//! From a job to its solution.
+//! From two bodies and their loads to the solution.
 
 use std::sync::Arc;
 
 use super::force_search;
 use super::load_sequence::LoadSequence;
-use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
+use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::element::StressState;
-use crate::job::{ContactMethod, Job, Theory};
+use crate::solver::SolveStatus;
 use crate::solver::body_system::factor_cache::FactorCache;
-use crate::solver::loads::{Loads, loads};
+use crate::solver::error::MeshedError;
+use crate::solver::meshed_contact::{Asked, MeshedContact};
 use crate::solver::method::observer::Observer;
 use crate::solver::method::run::Run;
+use crate::solver::method::settings::Theory;
 use crate::solver::method::slope::Slopes;
+use crate::solver::method::sought::{Loads, history_of};
 use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
-use crate::solver::slopes::{reached, small_job};
+use crate::solver::slopes::reached;
 use crate::solver::solution::{SectionField, Solution, StepSolution};
-use crate::solver::{SolveError, SolveStatus};
 
 /// What the wire format does not offer: for the service, for verification, and for trying out
 /// methods.
@@ -24,11 +26,11 @@ use crate::solver::{SolveError, SolveStatus};
 pub struct Options<'a> {
     /// Whether a symmetric problem is solved on one half. Default true.
     pub use_symmetry: bool,
-    /// Contact method of the final mesh in place of the one that the job names.
+    /// Contact method of the final mesh in place of the one that is asked for.
     pub contact_solver: Option<&'a dyn ContactSolver>,
     /// Bodies and factors that other jobs have left and this one leaves. Default none.
     pub cache: Option<&'a Arc<FactorCache>>,
-    /// Makes the constitutive model of a material in place of the theory that the job names.
+    /// Makes the constitutive model of a material in place of the theory that is asked for.
     /// Default none.
     pub model: Option<ModelOf>,
 }
@@ -39,7 +41,8 @@ impl Default for Options<'_> {
     }
 }
 
-/// Solves a job.
+/// Solves a contact and hands over each step as soon as it is finished, so that a long sweep need
+/// not be kept in memory. The solution that is returned has none.
 ///
 /// Three meshes: a small one that finds out how wide the contact is, one of half the requested
 /// density for error estimates, and the one that was asked for. Only the last is shown to the
@@ -47,49 +50,29 @@ impl Default for Options<'_> {
 /// and factors while the contact fits on them, and each starts from the state of the one before.
 ///
 /// # Errors
-/// [`SolveError`]. An iteration that does not converge is no error: see
+/// [`MeshedError`]. An iteration that does not converge is no error: see
 /// [`crate::solver::SolveStatus`].
-pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-    run_with(job, Options::default(), observer)
-}
-
-/// [`run`] with options.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_with(
-    job: &Job,
-    options: Options<'_>,
-    observer: &mut dyn Observer,
-) -> Result<Solution, SolveError> {
-    let mut steps = Vec::new();
-    let solution = run_each(job, options, observer, &mut steps)?;
-    Ok(Solution { steps, ..solution })
-}
-
-/// [`run_with`] that hands over each step as soon as it is finished, so that a long sweep need not
-/// be kept in memory. The solution that is returned has none.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_each(
-    job: &Job,
+pub(crate) fn run_each(
+    contact: &MeshedContact,
     options: Options<'_>,
     observer: &mut dyn Observer,
     receiver: &mut dyn StepReceiver<SectionField>,
-) -> Result<Solution, SolveError> {
-    if !job.output.contact_stiffness {
-        return solve(job, options, observer, receiver);
-    }
+) -> Result<Solution, MeshedError> {
+    let MeshedContact { problem, loads, asked, elements_of_slopes } = contact;
+    let Some(elements) = *elements_of_slopes else {
+        return solve(problem, loads, *asked, options, observer, receiver);
+    };
     let mut under = |loads: &[ContactLoad], observer: &mut dyn Observer| {
-        let Some(job) = small_job(job, loads) else { return Ok(None) };
+        let Some(loads) = history_of(loads) else { return Ok(None) };
+        let small = Asked { elements, ..*asked };
         let mut steps: Vec<StepSolution> = Vec::new();
-        let solution = solve(&job, options, observer, &mut steps);
+        let solution = solve(problem, &loads, small, options, observer, &mut steps);
         let interrupt = solution.map(|solution| solution.interrupted);
         reached(&interrupt, &steps)
     };
-    let is_history = job.solver.theory == Theory::Flow;
-    solve(job, options, observer, &mut Slopes::new(receiver, lacks_slope, is_history, &mut under))
+    let is_history = asked.solver.theory == Theory::Flow;
+    let mut slopes = Slopes::new(receiver, lacks_slope, is_history, &mut under);
+    solve(problem, loads, *asked, options, observer, &mut slopes)
 }
 
 /// Returns whether a step has a slope that is not known yet.
@@ -100,33 +83,28 @@ fn lacks_slope(step: &StepSolution) -> bool {
 }
 
 fn solve(
-    job: &Job,
+    problem: &Problem,
+    loads: &Loads,
+    asked: Asked,
     options: Options<'_>,
     observer: &mut dyn Observer,
     receiver: &mut dyn StepReceiver<SectionField>,
-) -> Result<Solution, SolveError> {
-    let mut problem = Problem::of(job);
-    problem.use_symmetry = options.use_symmetry;
-    let contact = options.contact_solver.unwrap_or(match job.solver.contact {
-        ContactMethod::ActiveSet => &ActiveSetSolver,
-        ContactMethod::Simplex => &SimplexSolver,
-    });
-    let model = options.model.or((job.solver.theory == Theory::Flow).then_some(flow_theory));
-    let with_memory = model.map(|model| {
-        let mut bodies = Problem::with_models(job, model);
-        bodies.use_symmetry = options.use_symmetry;
-        bodies
-    });
+) -> Result<Solution, MeshedError> {
+    let whole = (!options.use_symmetry).then(|| problem.as_whole());
+    let problem = whole.as_ref().unwrap_or(problem);
+    let contact = options.contact_solver.unwrap_or(asked.solver.contact);
+    let model = options.model.or((asked.solver.theory == Theory::Flow).then_some(flow_theory));
+    let with_memory = model.map(|model| problem.with_models(model));
     let (with_memory, cache) = (with_memory.as_ref(), options.cache);
-    let sequence = LoadSequence { problem: &problem, with_memory, job, contact, cache };
+    let sequence = LoadSequence { problem, with_memory, asked, contact, cache };
     let mut solution = Solution::default();
     let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
-    match loads(&job.load) {
+    match loads {
         Loads::Given(loads) => {
-            solution.interrupted = sequence.solve(&loads, &mut run, receiver)?;
+            solution.interrupted = sequence.solve(loads, &mut run, receiver)?;
         }
         Loads::Sought(sought) => {
-            let (steps, sensitivity) = force_search::run(sought, &sequence, &mut run)?;
+            let (steps, sensitivity) = force_search::run(*sought, &sequence, &mut run)?;
             for step in steps {
                 receiver.step(step, run.observer);
             }

@@ -58,7 +58,7 @@ pub(crate) fn at_narrow_edge(step: &StepSolution, problem: &Problem) -> Option<U
         let out_of_plane = match step.field.stress_state {
             StressState::PlaneStress => 0.0,
             StressState::PlaneStrain | StressState::Axisymmetric => {
-                body.material.as_ref()?.elastic().poisson_ratio.get()
+                body.material.as_ref()?.elastic().poisson_ratio
             }
         };
         let (von_mises_over_peak, [along, depth]) = RoundedEdge::von_mises_over_peak(out_of_plane);

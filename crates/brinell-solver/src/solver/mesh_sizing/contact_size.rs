@@ -10,11 +10,11 @@ use crate::fem::element::StressState;
 #[cfg(doc)]
 use crate::fem::mesh::MeshError;
 use crate::fem::mesh::{ContactZone, ROUNDING, Refinement};
-use crate::solver::SolveError;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::contact_patch::LEAST_PART;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
 use crate::solver::conforming::ConformingPair;
+use crate::solver::error::MeshedError;
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::problem::Problem;
 
@@ -81,10 +81,10 @@ impl ContactSizeEstimate {
     /// would overlap, which is too much.
     ///
     /// # Errors
-    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TouchesAtEnd`]
-    /// where they end, [`SolveError::TooWide`] or [`SolveError::TooFarRound`] where the contact
+    /// [`MeshedError::Conforming`] where the surfaces do not open, [`MeshedError::TouchesAtEnd`]
+    /// where they end, [`MeshedError::TooWide`] or [`MeshedError::TooFarRound`] where the contact
     /// would take up more of the surfaces than is solved.
-    pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, SolveError> {
+    pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, MeshedError> {
         if let Some(pair) = &problem.conforming {
             return Self::round(problem, pair, load);
         }
@@ -100,15 +100,15 @@ impl ContactSizeEstimate {
         let is_apart = symmetric && touch > 0.0;
         let farthest = if is_apart { limit.min(touch) } else { limit };
         if limit > 0.0 && problem.opening(touch, farthest) <= 0.0 {
-            return Err(SolveError::Conforming { limit: farthest });
+            return Err(MeshedError::Conforming { limit: farthest });
         }
         let room = problem.room();
         if touch > room.1 || touch < room.0 {
-            return Err(SolveError::TouchesAtEnd { x: touch, left: room.0, right: room.1 });
+            return Err(MeshedError::TouchesAtEnd { x: touch, left: room.0, right: room.1 });
         }
         if !is_apart {
             return Self::at(problem, load, touch, limit)?
-                .map_err(|half_width| SolveError::TooWide { half_width, available });
+                .map_err(|half_width| MeshedError::TooWide { half_width, available });
         }
         // Two places that are mirror images of each other, or a ring, until the contact has closed
         // between them.
@@ -123,7 +123,7 @@ impl ContactSizeEstimate {
             return Ok(apart);
         }
         let limit = MAX_HALF_WIDTH * right;
-        let too_wide = |half_width: f64| SolveError::TooWide { half_width, available: right };
+        let too_wide = |half_width: f64| MeshedError::TooWide { half_width, available: right };
         if touch > limit {
             return Err(too_wide(touch));
         }
@@ -140,7 +140,7 @@ impl ContactSizeEstimate {
         load: ContactLoad,
         touch: f64,
         limit: f64,
-    ) -> Result<Result<Self, f64>, SolveError> {
+    ) -> Result<Result<Self, f64>, MeshedError> {
         let bears = |a: f64| match load {
             ContactLoad::Force(force) => problem.elastic_force(touch, a) >= force,
             ContactLoad::Approach(approach) => 0.5 * problem.opening(touch, a) >= approach,
@@ -156,7 +156,7 @@ impl ContactSizeEstimate {
             Some(elastic) if elastic.max(plastic) <= limit => {
                 let a = elastic.max(plastic);
                 if let Some((side, corner)) = problem.ambiguous_corner(touch, a) {
-                    return Err(SolveError::AmbiguousCorner {
+                    return Err(MeshedError::AmbiguousCorner {
                         side,
                         x: corner.x,
                         opening: corner.opening(),
@@ -188,7 +188,7 @@ impl ContactSizeEstimate {
         problem: &Problem,
         pair: &ConformingPair,
         load: ContactLoad,
-    ) -> Result<Self, SolveError> {
+    ) -> Result<Self, MeshedError> {
         let limit = pair.largest_arc();
         let bears = |a: f64| match load {
             ContactLoad::Force(force) => problem.elastic_force(0.0, a) >= force,
@@ -201,14 +201,14 @@ impl ContactSizeEstimate {
                     let ratio = 2.0 * problem.effective_modulus() * pair.clearance / force;
                     let half_angle =
                         PinInHole::of_clearance_ratio(ratio).half_angle().to_degrees();
-                    return Err(SolveError::TooFarRound { half_angle });
+                    return Err(MeshedError::TooFarRound { half_angle });
                 };
                 (elastic, pair.arc_of_chord(plastic_half_width(problem, force, 0.0)))
             }
             ContactLoad::Approach(_) => (elastic.unwrap_or(limit), 0.0),
         };
         if plastic > limit {
-            return Err(SolveError::TooFarRound { half_angle: pair.angle(plastic).to_degrees() });
+            return Err(MeshedError::TooFarRound { half_angle: pair.angle(plastic).to_degrees() });
         }
         Ok(Self::around(0.0, elastic.max(plastic), elastic, true))
     }
@@ -229,14 +229,14 @@ impl ContactSizeEstimate {
     /// over a half-width.
     ///
     /// # Errors
-    /// [`SolveError::TraceTooFine`] where that is smaller than what is solved,
+    /// [`MeshedError::TraceTooFine`] where that is smaller than what is solved,
     /// [`MeshError::TooSteep`] where a face that deforms is too steep within the contact.
     pub fn resolved(
         self,
         problem: &Problem,
         load: ContactLoad,
         elements: usize,
-    ) -> Result<Self, SolveError> {
+    ) -> Result<Self, MeshedError> {
         let (left, right) = (self.centre - self.half_width, self.centre + self.half_width);
         for outline in problem.deformable_outlines() {
             outline.require_contact_slope(left, right)?;
@@ -245,7 +245,7 @@ impl ContactSizeEstimate {
         let (wanted, spacing) = extent.spacings(problem, elements);
         let finest = extent.half_width / MAX_ELEMENTS;
         if spacing < wanted && spacing < finest {
-            return Err(SolveError::TraceTooFine {
+            return Err(MeshedError::TraceTooFine {
                 half_width: extent.half_width,
                 spacing,
                 finest,
@@ -253,7 +253,7 @@ impl ContactSizeEstimate {
         }
         let radius = problem.edge_radius();
         if radius < finest && extent.half_width >= problem.walls()[1] - radius {
-            return Err(SolveError::TraceTooFine {
+            return Err(MeshedError::TraceTooFine {
                 half_width: extent.half_width,
                 spacing: radius,
                 finest,

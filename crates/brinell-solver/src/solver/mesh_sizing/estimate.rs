@@ -1,13 +1,16 @@
-//! What a job will cost, without meshing it.
+//! What a contact will cost, without meshing it.
 
 use crate::contact::ContactLoad;
 use crate::fem::mesh::{Mesh, MeshError, estimated_nodes};
-use crate::job::{Job, Target, TargetFigure, Theory};
-use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
+use crate::solver::error::MeshedError;
 use crate::solver::load_stepping::force_search::{first_force, starts_from_pressure};
-use crate::solver::loads::{Loads, Sought, largest_loads, loads, resolution_reserve};
+use crate::solver::loads::resolution_reserve;
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, MAX_HALF_WIDTH, refinement};
+use crate::solver::meshed_contact::MeshedContact;
+use crate::solver::method;
+use crate::solver::method::settings::Theory;
+use crate::solver::method::sought::{Loads, Sought, Target, TargetFigure, largest_loads};
 use crate::solver::problem::Problem;
 
 /// Bytes of factor for each equation and binary digit of their number.
@@ -17,7 +20,7 @@ const LEAST_LOAD: ContactLoad = ContactLoad::Force(1e-9);
 /// Bytes of everything else for each equation.
 const OTHER_BYTES: f64 = 2000.0;
 
-/// What a job will cost.
+/// What a contact will cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Estimate {
     /// Equations of both bodies together.
@@ -26,34 +29,32 @@ pub struct Estimate {
     pub bytes: u64,
 }
 
-/// Estimates the cost of a job without meshing it, but for steep faces.
+/// Estimates the cost of a contact without meshing it, but for steep faces.
 ///
 /// # Errors
-/// [`SolveError`] for contacts that are not solved: too wide, conforming, of traces too fine or
+/// [`MeshedError`] for contacts that are not solved: too wide, conforming, of traces too fine or
 /// faces too steep, with a corner that may be none.
-pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
-    let problem = Problem::of(job);
-    let elements = job.mesh.elements_per_half_width as usize;
+pub(crate) fn estimate(contact: &MeshedContact) -> Result<Estimate, MeshedError> {
+    let MeshedContact { problem, loads, asked, .. } = contact;
+    let elements = asked.elements as usize;
     let mut worst = Estimate { equations: 0, bytes: 0 };
-    let mut loads = match loads(&job.load) {
-        Loads::Given(loads) => loads,
-        Loads::Sought(sought) => return nominal(&problem, sought, elements),
-    };
-    let is_history = job.solver.theory == Theory::Flow;
-    if is_history {
+    let is_history = asked.solver.theory == Theory::Flow;
+    let loads = match loads {
         // One mesh for all of a history.
-        loads = largest_loads(&loads);
-        if loads.is_empty() {
-            return Err(SolveError::NoLoad);
-        }
+        Loads::Given(loads) if is_history => largest_loads(loads),
+        Loads::Given(loads) => loads.clone(),
+        Loads::Sought(sought) => return nominal(problem, *sought, elements),
+    };
+    if is_history && loads.is_empty() {
+        return Err(MeshedError::Method(method::Error::NoLoad));
     }
     for (k, &load) in loads.iter().enumerate() {
-        let extent = ContactSizeEstimate::expected(&problem, load)?
-            .resolved(&problem, load, elements)?
-            .of_trace(&problem, load, elements);
+        let extent = ContactSizeEstimate::expected(problem, load)?
+            .resolved(problem, load, elements)?
+            .of_trace(problem, load, elements);
         let spacing = extent.spacing(elements)
             / resolution_reserve(load, loads.get(k + 1).filter(|_| !is_history).copied());
-        let zone = extent.zone(&problem, spacing);
+        let zone = extent.zone(problem, spacing);
         for outline in problem.deformable_outlines().filter(|outline| outline.is_steep()) {
             // Where there is no mesh for another reason, a narrower zone is tried.
             if let Err(error @ MeshError::TooSteep { .. }) =
@@ -63,7 +64,7 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
             }
         }
         let nodes = |outline| estimated_nodes(outline, &zone, refinement(&zone));
-        let found = cost(&problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>());
+        let found = cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>());
         worst.equations = worst.equations.max(found.equations);
         worst.bytes = worst.bytes.max(found.bytes);
     }
@@ -72,27 +73,27 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
 
 /// Where the load is yet to be found: the contact under the force from which the search begins; of
 /// bodies of which no closed form tells one, a contact of a hundredth of the surface.
-fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimate, SolveError> {
+fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimate, MeshedError> {
     if sought == Sought::Onset && problem.bodies.iter().all(|body| body.yield_stress().is_none()) {
-        return Err(SolveError::NoYieldPoint);
+        return Err(MeshedError::NoYieldPoint);
     }
-    if let Err(error @ (SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. })) =
+    if let Err(error @ (MeshedError::Conforming { .. } | MeshedError::TouchesAtEnd { .. })) =
         ContactSizeEstimate::expected(problem, LEAST_LOAD)
     {
         return Err(error);
     }
     let available = problem.span().1;
     let half_width = match sought {
-        Sought::Target(Target { figure: TargetFigure::HalfWidth, value }) => value.get(),
+        Sought::Target(Target { figure: TargetFigure::HalfWidth, value }) => value,
         _ => 0.01 * available,
     };
     let limit = problem.conforming.map_or(MAX_HALF_WIDTH * available, |pair| pair.largest_arc());
     if half_width > limit {
         return Err(match &problem.conforming {
             Some(pair) => {
-                SolveError::TooFarRound { half_angle: pair.angle(half_width).to_degrees() }
+                MeshedError::TooFarRound { half_angle: pair.angle(half_width).to_degrees() }
             }
-            None => SolveError::TooWide { half_width, available },
+            None => MeshedError::TooWide { half_width, available },
         });
     }
     // Of surfaces that touch at two places, as far apart as these are.

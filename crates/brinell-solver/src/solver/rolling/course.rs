@@ -12,13 +12,11 @@ use brinell_halfspace::{Elasticity, Layers, SurfaceFlexibility};
 use brinell_material::{Deviators, StreamLaw, TrackFrame};
 
 use super::design::TrackDesign;
+use super::error::TrackError;
 use super::memory::{bytes_of_ellipse, bytes_of_line};
 use super::problem::{Limit, RollingProblem, initial_stress, law_of_rows};
-use crate::contact::{
-    ActiveSetSolver, ConjugateGradientSolver, ContactSolution, ContactSolver, SimplexSolver,
-};
-use crate::job::{ContactMethod, Deformable};
-use crate::solver::SolveError;
+use crate::contact::{ConjugateGradientSolver, ContactSolution, ContactSolver};
+use crate::material::Solid;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::watch::watched;
@@ -31,19 +29,19 @@ pub(super) trait Course: Copy {
     type Surface: Flexibility;
 
     /// Cells and layers of a design.
-    fn lay(design: &TrackDesign) -> Result<(Self, Layers), SolveError>;
+    fn lay(design: &TrackDesign) -> Result<(Self, Layers), TrackError>;
 
     /// The flexibility of both surfaces with the modulus E\* \[MPa\].
-    fn surface(&self, modulus: f64) -> Result<Self::Surface, SolveError>;
+    fn surface(&self, modulus: f64) -> Result<Self::Surface, TrackError>;
 
     /// A body of a material; `count` is how many bodies it stands for.
     fn body(
         &self,
         layers: &Layers,
-        material: &Deformable,
+        material: &Solid,
         count_and_friction: (u8, f64),
         run: &mut Run<'_>,
-    ) -> Result<Self::Body, SolveError>;
+    ) -> Result<Self::Body, TrackError>;
 
     /// The gap between the undeformed bodies \[mm\].
     fn gap(&self, problem: &RollingProblem) -> Vec<f64>;
@@ -83,7 +81,7 @@ pub(super) trait Course: Copy {
     /// The approach of a contact; a line has none.
     fn approach(contact: &ContactSolution) -> Option<f64>;
 
-    /// The contact solver of a job.
+    /// The contact solver of a problem.
     fn solver<'s>(
         problem: &RollingProblem,
         iterative: &'s ConjugateGradientSolver,
@@ -98,49 +96,49 @@ pub(super) trait Course: Copy {
         problem: &RollingProblem,
         bodies: &[Self::Body],
         run: &mut Run<'_>,
-    ) -> Result<Option<Limit>, SolveError>;
+    ) -> Result<Option<Limit>, TrackError>;
 }
 
-fn elasticity(material: &Deformable) -> Result<Elasticity, SolveError> {
+fn elasticity(material: &Solid) -> Result<Elasticity, TrackError> {
     let elastic = material.elastic();
-    Ok(Elasticity::new(elastic.young_modulus.get(), elastic.poisson_ratio.get())?)
+    Ok(Elasticity::new(elastic.young_modulus, elastic.poisson_ratio)?)
 }
 
 /// The law of the rows of a body, each as strong as its layer.
 fn law<const D: usize, const R: usize>(
-    material: &Deformable,
+    material: &Solid,
     layers: &Layers,
     rows: usize,
-) -> Result<Box<dyn StreamLaw<D, R>>, SolveError>
+) -> Result<Box<dyn StreamLaw<D, R>>, TrackError>
 where
     TrackFrame: Deviators<D, R>,
 {
     let depths: Vec<f64> = (0..layers.len()).map(|layer| layers.middle(layer)).collect();
-    law_of_rows(material, &depths, rows).ok_or(SolveError::NoTrack)
+    law_of_rows(material, &depths, rows).ok_or(TrackError::NoTrack)
 }
 
 impl Course for TrackGrid {
     type Body = RollingBody;
     type Surface = LineFlexibility;
 
-    fn lay(design: &TrackDesign) -> Result<(Self, Layers), SolveError> {
+    fn lay(design: &TrackDesign) -> Result<(Self, Layers), TrackError> {
         let (factor, columns) = design.extent();
         let half_width = factor * design.semi_axes[0];
         let grid = Self::of_contact(half_width, columns, design.length)?;
         Ok((grid, grid.layers(half_width, design.friction)?))
     }
 
-    fn surface(&self, modulus: f64) -> Result<LineFlexibility, SolveError> {
+    fn surface(&self, modulus: f64) -> Result<LineFlexibility, TrackError> {
         Ok(LineFlexibility::new(self, modulus))
     }
 
     fn body(
         &self,
         layers: &Layers,
-        material: &Deformable,
+        material: &Solid,
         (count, friction): (u8, f64),
         run: &mut Run<'_>,
-    ) -> Result<RollingBody, SolveError> {
+    ) -> Result<RollingBody, TrackError> {
         let (elastic, law) = (elasticity(material)?, law::<4, 3>(material, layers, 1)?);
         let space = watched(run, Phase::Flexibility, |stop| {
             TrackSpace::new(*self, layers.clone(), elastic, stop)
@@ -202,10 +200,7 @@ impl Course for TrackGrid {
         problem: &RollingProblem,
         _: &'s ConjugateGradientSolver,
     ) -> &'s dyn ContactSolver {
-        match problem.solver.contact {
-            ContactMethod::ActiveSet => &ActiveSetSolver,
-            ContactMethod::Simplex => &SimplexSolver,
-        }
+        problem.solver.contact
     }
 
     fn bytes(&self, problem: &RollingProblem, layers: usize) -> usize {
@@ -217,13 +212,11 @@ impl Course for TrackGrid {
         problem: &RollingProblem,
         bodies: &[RollingBody],
         run: &mut Run<'_>,
-    ) -> Result<Option<Limit>, SolveError> {
+    ) -> Result<Option<Limit>, TrackError> {
         let [a, _] = problem.semi_axes();
         let pressure = self.sample(|x| (1.0 - (x / a).powi(2)).max(0.0).sqrt());
         let mut least: Option<Limit> = None;
-        let has_yield_point = |material: &Deformable| {
-            material.hardening_law().is_some_and(|law| law.yield_stress() > 0.0)
-        };
+        let has_yield_point = |material: &Solid| material.yield_stress().is_some();
         let limited = problem.yielding().zip(bodies);
         for ((side, _), body) in limited.filter(|((_, material), _)| has_yield_point(material)) {
             let limits = watched(run, Phase::Flexibility, |stop| {
@@ -245,24 +238,24 @@ impl Course for RacewayGrid {
     type Surface = SurfaceFlexibility;
 
     /// A larger track is wider and deeper, and not longer.
-    fn lay(design: &TrackDesign) -> Result<(Self, Layers), SolveError> {
+    fn lay(design: &TrackDesign) -> Result<(Self, Layers), TrackError> {
         let (factor, cells) = design.extent();
         let semi_axes = design.semi_axes.map(|axis| factor * axis);
         let grid = Self::of_contact(semi_axes, cells, design.length / factor)?;
         Ok((grid, grid.layers(semi_axes, design.friction)?))
     }
 
-    fn surface(&self, modulus: f64) -> Result<SurfaceFlexibility, SolveError> {
+    fn surface(&self, modulus: f64) -> Result<SurfaceFlexibility, TrackError> {
         Ok(SurfaceFlexibility::new(Self::surface(self)?, modulus))
     }
 
     fn body(
         &self,
         layers: &Layers,
-        material: &Deformable,
+        material: &Solid,
         (count, friction): (u8, f64),
         run: &mut Run<'_>,
-    ) -> Result<RacewayBody, SolveError> {
+    ) -> Result<RacewayBody, TrackError> {
         let elastic = elasticity(material)?;
         let law: Box<RowLaw> = law(material, layers, Self::n_rows(self))?;
         let space = watched(run, Phase::Flexibility, |stop| {
@@ -346,7 +339,7 @@ impl Course for RacewayGrid {
         _: &RollingProblem,
         _: &[RacewayBody],
         _: &mut Run<'_>,
-    ) -> Result<Option<Limit>, SolveError> {
+    ) -> Result<Option<Limit>, TrackError> {
         Ok(None)
     }
 }

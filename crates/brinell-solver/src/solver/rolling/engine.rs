@@ -7,18 +7,17 @@ use brinell_halfspace::track::{Rolls, TrackFault};
 
 use super::course::Course;
 use super::design::TrackDesign;
+use super::error::TrackError;
 use super::problem::RollingProblem;
 use super::system::Track;
 use crate::contact::{ConjugateGradientSolver, ContactLoad};
-use crate::job;
 use crate::solver::method::contact_system::BlockVector;
-use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
+use crate::solver::method::couplings::{Accelerated, Coupling};
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::observer::Held;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf};
-use crate::solver::{SolveError, strategy};
 
 /// Enlargements of a track at most.
 const MAX_ENLARGEMENTS: usize = 4;
@@ -36,43 +35,43 @@ pub(super) struct TrackEngine<'a, C> {
 }
 
 impl<'a, C: Course> TrackEngine<'a, C> {
-    /// Iterated as the job asks for.
+    /// Iterated as the problem asks for.
     pub fn new(problem: &'a RollingProblem) -> Self {
         Self::with(problem, problem.solver.coupling)
     }
 
     /// Iterated as is best for tracks that nothing is reported of.
     pub fn auxiliary(problem: &'a RollingProblem) -> Self {
-        Self::with(problem, job::Coupling::Accelerated)
+        Self::with(problem, &Accelerated)
     }
 
-    fn with(problem: &'a RollingProblem, coupling: job::Coupling) -> Self {
+    fn with(problem: &'a RollingProblem, coupling: &'static dyn Coupling) -> Self {
         Self {
             problem,
-            coupling: strategy::coupling(coupling),
+            coupling,
             contact: ConjugateGradientSolver::new(CONTACT_TOLERANCE),
             course: PhantomData,
         }
     }
 
     pub fn tolerance(&self) -> f64 {
-        self.problem.solver.tolerance.get()
+        self.problem.solver.tolerance
     }
 
     /// The increment is filled in.
     pub fn controls(&self) -> Controls<'_> {
         Controls {
             contact: C::solver(self.problem, &self.contact),
-            load: ContactLoad::Force(self.problem.load.force.get()),
+            load: ContactLoad::Force(self.problem.load.force),
             tolerance: self.tolerance(),
-            max_iterations: self.problem.solver.max_iterations as usize,
+            max_iterations: self.problem.solver.max_iterations,
             renewable: false,
             scales: Scales::default(),
             increment: None,
         }
     }
 
-    fn track(&self, design: &TrackDesign, run: &mut Run<'_>) -> Result<Track<C>, SolveError> {
+    fn track(&self, design: &TrackDesign, run: &mut Run<'_>) -> Result<Track<C>, TrackError> {
         let (grid, layers) = C::lay(design)?;
         let problem = self.problem;
         run.hold(Held::Bodies, grid.bytes(problem, layers.len()))?;
@@ -119,13 +118,13 @@ impl<C: Course> Engine for TrackEngine<'_, C> {
     type System = Track<C>;
     type Design = TrackDesign;
     type Answer = Answer<C>;
-    type Error = SolveError;
+    type Error = TrackError;
 
     fn build(
         &self,
         design: &mut TrackDesign,
         run: &mut Run<'_>,
-    ) -> Result<(Track<C>, Option<BlockVector>), SolveError> {
+    ) -> Result<(Track<C>, Option<BlockVector>), TrackError> {
         Ok((self.track(design, run)?, None))
     }
 
@@ -136,7 +135,7 @@ impl<C: Course> Engine for TrackEngine<'_, C> {
         outcome: Outcome,
         _: Round,
         _: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, TrackError> {
         let pressure = system.pressure(&outcome.state.response.contact.force);
         let bodies = system.bodies.borrow();
         let held = bodies.iter().try_for_each(Rolls::holds);

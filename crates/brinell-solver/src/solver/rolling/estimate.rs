@@ -5,8 +5,8 @@ use brinell_halfspace::track::TrackGrid;
 
 use super::course::Course;
 use super::design::TrackDesign;
+use super::error::TrackError;
 use super::problem::RollingProblem;
-use crate::solver::SolveError;
 
 /// The track of a problem, as long as contact and plastic strain stay on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,13 +26,13 @@ pub struct TrackEstimate {
 /// Estimates the track that a problem asks for, and its memory.
 ///
 /// # Errors
-/// Those of a grid, and [`SolveError::Track`] where the surfaces do not bear the friction.
-pub fn estimate(problem: &RollingProblem) -> Result<TrackEstimate, SolveError> {
+/// Those of a grid, and [`TrackError::Track`] where the surfaces do not bear the friction.
+pub fn estimate(problem: &RollingProblem) -> Result<TrackEstimate, TrackError> {
     problem.bears()?;
     if problem.is_line() { of::<TrackGrid>(problem) } else { of::<RacewayGrid>(problem) }
 }
 
-fn of<C: Course>(problem: &RollingProblem) -> Result<TrackEstimate, SolveError> {
+fn of<C: Course>(problem: &RollingProblem) -> Result<TrackEstimate, TrackError> {
     let (grid, layers) = C::lay(&TrackDesign::new(problem, problem.columns))?;
     Ok(TrackEstimate {
         columns: grid.n_columns(),

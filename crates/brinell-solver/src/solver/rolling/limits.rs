@@ -3,7 +3,7 @@
 use brinell_halfspace::SlidingContact;
 
 use super::problem::RollingProblem;
-use crate::job::{Deformable, InitialStressProfile};
+use crate::material::Solid;
 
 /// Frictions of the limits.
 const FRICTIONS: [f64; 10] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5];
@@ -24,16 +24,16 @@ impl RollingProblem {
     /// depths of this contact; empty where no body has a yield point.
     pub fn limits_over_friction(&self) -> Vec<FrictionLimit> {
         let [along, across] = self.semi_axes();
-        let of_body = |material: &Deformable, yield_stress: f64| {
+        let of_body = |material: &Solid, yield_stress: f64| {
             let contact = SlidingContact {
                 along,
                 across: (!self.is_line()).then_some(across),
-                poisson: material.elastic().poisson_ratio.get(),
+                poisson: material.elastic().poisson_ratio,
             };
             let strength = material.strength();
-            let initial = InitialStressProfile::new(material.initial_stress());
+            let initial = material.initial_stress();
             let over_depth = |depth: f64| {
-                yield_stress * strength.as_ref().map_or(1.0, |strength| strength.factor(depth))
+                yield_stress * strength.map_or(1.0, |strength| strength.factor(depth))
             };
             contact.limits(&FRICTIONS, over_depth, |depth| initial.at(depth))
         };
@@ -64,7 +64,7 @@ impl RollingProblem {
     }
 
     /// Bodies whose law has a yield point, with their yield stress \[MPa\].
-    fn with_yield_point(&self) -> impl Iterator<Item = (&Deformable, f64)> {
+    fn with_yield_point(&self) -> impl Iterator<Item = (&Solid, f64)> {
         self.yielding().filter_map(|(_, material)| {
             let stress = material.hardening_law()?.yield_stress();
             (stress > 0.0).then_some((material, stress))

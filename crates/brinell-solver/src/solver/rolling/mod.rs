@@ -1,13 +1,14 @@
 //! Contacts that roll or slide over a track, lines and ellipses, as an engine of the method: one
 //! pass is one load.
 //!
-//! A [`RollingProblem`] holds the input of a job, [`run`] solves its passes one after the other,
+//! A [`RollingProblem`] holds the input, [`run`] solves its passes one after the other,
 //! each from what the one before has left, and returns a [`RollingSolution`]. Equations:
 //! `docs/theory_rolling.md`.
 
 mod course;
 mod design;
 mod engine;
+mod error;
 mod errors;
 mod estimate;
 mod limits;
@@ -17,9 +18,10 @@ mod problem;
 mod run;
 mod system;
 
+pub use error::TrackError;
 pub use errors::{BodyPassErrors, PassErrors};
 pub use estimate::{TrackEstimate, estimate};
 pub use limits::FrictionLimit;
 pub use pass::{BodyPass, Pass};
-pub use problem::{Footprint, Limit, RollingProblem};
+pub use problem::{Footprint, Limit, RollingLoad, RollingProblem};
 pub use run::{RollingSolution, run};

@@ -6,16 +6,13 @@ use brinell_halfspace::track::TrackFault;
 use brinell_halfspace::{EllipticContact, Layers};
 use brinell_material::{Deviators, StreamLaw, StreamOfLayers, TrackFrame};
 
+use super::error::TrackError;
 use crate::analytical::{DepthLimit, HertzEllipse, HertzLine};
-use crate::job::{Deformable, InitialStressProfile, Job, Load, Rolling, SolverSettings};
-use crate::material::{
-    BackstressTerm, ElasticModuli, FlowPlasticity, OutOfPlane, ReturnMapping, scaled,
-};
-use crate::solver::SolveError;
+use crate::material::{BackstressTerm, FlowPlasticity, OutOfPlane, ReturnMapping, Solid, scaled};
 use crate::solver::half_spaces::{HalfSpaceProblem, Relief, RollerGap};
-use crate::solver::problem::Problem;
+use crate::solver::method::settings::Settings;
 
-/// Length of a track over the elastic semi-axis along the travel, where the job says none.
+/// Length of a track over the elastic semi-axis along the travel, where none is given.
 const LENGTH_OF_LINE: f64 = 32.0;
 const LENGTH_OF_ELLIPSE: f64 = 12.0;
 /// Curvature that couples both axes over the sum of the curvatures, and sine of a rotation, below
@@ -42,19 +39,37 @@ pub enum Footprint {
     },
 }
 
+/// A contact that passes over its track again and again, in the direction of x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollingLoad {
+    /// Force \[N/mm of a line, N\].
+    pub force: f64,
+    /// Passes at most.
+    pub passes: u32,
+    /// Whether the passes end as soon as three of them running agree on a verdict.
+    pub ends_at_verdict: bool,
+    /// Traction over pressure, positive where the traction on the lower body acts along the
+    /// travel.
+    pub friction: f64,
+    /// Whether every second pass goes back.
+    pub alternating: bool,
+    /// Length of the track over the elastic semi-axis along the travel; `None` for the default.
+    pub track: Option<f64>,
+}
+
 /// Two bodies, the gap between them, and the load that rolls.
 #[derive(Debug, Clone)]
 pub struct RollingProblem {
     /// Upper and lower body; `None` for a rigid body. At least one body deforms.
-    pub materials: [Option<Deformable>; 2],
+    pub materials: [Option<Solid>; 2],
     /// The gap between the undeformed bodies.
     pub footprint: Footprint,
     /// Force, friction and passes.
-    pub load: Rolling,
+    pub load: RollingLoad,
     /// Columns over the elastic half-width, cells over each semi-axis.
     pub columns: usize,
     /// Coupling, tolerance and iteration limit.
-    pub solver: SolverSettings,
+    pub solver: Settings,
 }
 
 /// An elastic peak pressure up to which a track shakes down, and what decides on it.
@@ -69,32 +84,33 @@ pub struct Limit {
 }
 
 impl RollingProblem {
-    /// The problem of a job.
+    /// The problem of lines in plane strain whose surfaces open with a curvature \[1/mm\].
     ///
     /// # Errors
-    /// [`SolveError::NoTrack`]: the load does not roll, or the surfaces do not open as one arc
-    /// from where they touch.
-    pub fn of(job: &Job) -> Result<Self, SolveError> {
-        let Load::Rolling(load) = job.load else { return Err(SolveError::NoTrack) };
-        let problem = Problem::of(job);
-        let curvature = problem.curvature().filter(|_| problem.conforming.is_none());
+    /// [`TrackError::NoTrack`]: the surfaces do not open as one arc from where they touch.
+    pub fn of_lines(
+        materials: [Option<Solid>; 2],
+        curvature: Option<f64>,
+        load: RollingLoad,
+        (columns, solver): (usize, Settings),
+    ) -> Result<Self, TrackError> {
         let radius = curvature.map(f64::recip).filter(|radius| *radius > 0.0);
         Ok(Self {
-            materials: problem.bodies.map(|body| body.material),
+            materials,
             footprint: Footprint::Line {
-                radius: radius.filter(|radius| radius.is_finite()).ok_or(SolveError::NoTrack)?,
+                radius: radius.filter(|radius| radius.is_finite()).ok_or(TrackError::NoTrack)?,
             },
             load,
-            columns: job.mesh.elements_per_half_width as usize,
-            solver: job.solver,
+            columns,
+            solver,
         })
     }
 
     /// The contact modulus E\* \[MPa\], `1/E* = Σ (1 - ν²)/E` over the bodies that deform.
     pub fn effective_modulus(&self) -> f64 {
-        let compliance = |material: &Deformable| {
+        let compliance = |material: &Solid| {
             let elastic = material.elastic();
-            (1.0 - elastic.poisson_ratio.get().powi(2)) / elastic.young_modulus.get()
+            (1.0 - elastic.poisson_ratio.powi(2)) / elastic.young_modulus
         };
         self.materials.iter().flatten().map(compliance).sum::<f64>().recip()
     }
@@ -102,13 +118,15 @@ impl RollingProblem {
     /// The problem of half-spaces in three dimensions over which a load rolls along x.
     ///
     /// # Errors
-    /// [`SolveError::NoRaceway`]: the surfaces do not open as an ellipse whose axes lie along and
+    /// [`TrackError::NoRaceway`]: the surfaces do not open as an ellipse whose axes lie along and
     /// across the travel.
-    pub fn of_half_spaces(shapes: &HalfSpaceProblem) -> Result<Self, SolveError> {
-        let Load::Rolling(load) = shapes.load else { return Err(SolveError::NoTrack) };
+    pub fn of_half_spaces(
+        shapes: &HalfSpaceProblem,
+        load: RollingLoad,
+    ) -> Result<Self, TrackError> {
         let [along, across, mixed] = shapes.curvature;
         let rollers = &shapes.rollers;
-        let refuse = |reason: &'static str| Err(SolveError::NoRaceway(reason));
+        let refuse = |reason: &'static str| Err(TrackError::NoRaceway(reason));
         if shapes.heights.is_some() {
             return refuse("surfaces with heights of their own do not roll");
         }
@@ -193,7 +211,7 @@ impl RollingProblem {
 
     /// The contact of elastic bodies.
     fn elastic(&self) -> Elastic {
-        let (force, modulus) = (self.load.force.get(), self.effective_modulus());
+        let (force, modulus) = (self.load.force, self.effective_modulus());
         match self.footprint {
             Footprint::Line { radius } => Elastic::Line(HertzLine::new(force, radius, modulus)),
             Footprint::Ellipse { curvatures: [kx, ky], .. } => {
@@ -216,7 +234,7 @@ impl RollingProblem {
     }
 
     /// The bodies that can yield, with their side; only the first of two that share one.
-    pub fn yielding(&self) -> impl Iterator<Item = (usize, &Deformable)> {
+    pub fn yielding(&self) -> impl Iterator<Item = (usize, &Solid)> {
         let sides = self.materials.iter().enumerate().take(if self.is_shared() { 1 } else { 2 });
         sides.filter_map(|(side, material)| {
             let material = material.as_ref()?;
@@ -227,15 +245,15 @@ impl RollingProblem {
     /// Checks that the surfaces bear the traction under the pressure of Hertz.
     ///
     /// # Errors
-    /// [`SolveError::Track`].
-    pub fn bears(&self) -> Result<(), SolveError> {
+    /// [`TrackError::Track`].
+    pub fn bears(&self) -> Result<(), TrackError> {
         let traction = self.load.friction.abs() * self.elastic_peak();
         for (_, material) in self.yielding() {
             let law: Option<Box<dyn StreamLaw>> = law_of_rows(material, &[0.0], 1);
             let Some(law) = law else { continue };
             let strength = law.largest_stress(0) / 3f64.sqrt();
             if traction > strength {
-                return Err(SolveError::Track(TrackFault::Traction { traction, strength }));
+                return Err(TrackError::Track(TrackFault::Traction { traction, strength }));
             }
         }
         Ok(())
@@ -245,12 +263,11 @@ impl RollingProblem {
     /// yields, and of an ellipse that slides or is longer along the travel than across it.
     pub fn perfect_limit(&self) -> Option<Limit> {
         let friction = self.load.friction.abs();
-        let of_body = |(side, material): (usize, &Deformable)| {
-            let yield_stress =
-                Some(material.hardening_law()?.yield_stress()).filter(|limit| *limit > 0.0)?;
+        let of_body = |(side, material): (usize, &Solid)| {
+            let yield_stress = material.yield_stress()?;
             let strength = material.strength();
             let over_depth = |depth: f64| {
-                yield_stress * strength.as_ref().map_or(1.0, |strength| strength.factor(depth))
+                yield_stress * strength.map_or(1.0, |strength| strength.factor(depth))
             };
             let limit = match self.elastic() {
                 Elastic::Line(_) => {
@@ -290,9 +307,9 @@ impl RollingProblem {
     }
 
     /// `σ_y/E` of a body; of a curve without a yield point by its nominal yield stress.
-    pub(super) fn yield_strain(material: &Deformable) -> f64 {
+    pub(super) fn yield_strain(material: &Solid) -> f64 {
         let stress = material.hardening_law().map_or(0.0, |law| law.nominal_yield_stress());
-        stress / material.elastic().young_modulus.get()
+        stress / material.elastic().young_modulus
     }
 }
 
@@ -305,27 +322,27 @@ enum Elastic {
 /// The plastic law of so many rows in each of the layers at these depths, if the material can
 /// yield. Each layer has the strength at its depth.
 pub(super) fn law_of_rows<const D: usize, const R: usize>(
-    material: &Deformable,
+    material: &Solid,
     depths: &[f64],
     rows: usize,
 ) -> Option<Box<dyn StreamLaw<D, R>>>
 where
     TrackFrame: Deviators<D, R>,
 {
-    let curve = material.hardening_law()?;
+    let curve = Arc::clone(material.hardening_law()?);
     let of = Making { material, curve, depths, rows };
     // The number of terms is a type parameter, as in the cells of three dimensions.
     Some(match *material.backstress() {
         [] => of.rows([]),
-        [a] => of.rows([a].each_ref().map(BackstressTerm::from)),
-        [a, b] => of.rows([a, b].each_ref().map(BackstressTerm::from)),
-        [a, b, c] => of.rows([a, b, c].each_ref().map(BackstressTerm::from)),
-        [a, b, c, d, ..] => of.rows([a, b, c, d].each_ref().map(BackstressTerm::from)),
+        [a] => of.rows([a]),
+        [a, b] => of.rows([a, b]),
+        [a, b, c] => of.rows([a, b, c]),
+        [a, b, c, d, ..] => of.rows([a, b, c, d]),
     })
 }
 
 struct Making<'a> {
-    material: &'a Deformable,
+    material: &'a Solid,
     curve: Arc<dyn crate::material::HardeningLaw>,
     depths: &'a [f64],
     rows: usize,
@@ -339,10 +356,10 @@ impl Making<'_> {
     where
         TrackFrame: Deviators<D, R>,
     {
-        let elastic = ElasticModuli::from(self.material.elastic());
+        let elastic = self.material.moduli();
         let strength = self.material.strength();
         let of_layer = |depth: &f64| {
-            let factor = strength.as_ref().map_or(1.0, |strength| strength.factor(*depth));
+            let factor = strength.map_or(1.0, |strength| strength.factor(*depth));
             let mapping = ReturnMapping::new(scaled(&self.curve, factor), elastic.shear);
             let model = FlowPlasticity::new(elastic, mapping, backstress, OutOfPlane::Strained);
             std::iter::repeat_n(Arc::new(model), self.rows)
@@ -352,7 +369,7 @@ impl Making<'_> {
 }
 
 /// σxx along the travel and σyy across it in each layer before any load \[MPa\].
-pub(super) fn initial_stress(material: &Deformable, layers: &Layers) -> Vec<[f64; 2]> {
-    let profile = InitialStressProfile::new(material.initial_stress());
+pub(super) fn initial_stress(material: &Solid, layers: &Layers) -> Vec<[f64; 2]> {
+    let profile = material.initial_stress();
     (0..layers.len()).map(|layer| profile.at(layers.middle(layer))).collect()
 }

@@ -6,16 +6,17 @@ use brinell_halfspace::track::{PassStrain, Rolls, TrackFault, TrackGrid, Verdict
 use super::course::Course;
 use super::design::TrackDesign;
 use super::engine::TrackEngine;
+use super::error::TrackError;
 use super::errors::PassErrors;
 use super::pass::Pass;
 use super::problem::{Limit, RollingProblem};
-use crate::job::Until;
+use crate::solver::SolveStatus;
+use crate::solver::method;
 use crate::solver::method::couplings::iteration::Controls;
 use crate::solver::method::observer::{IncrementNumber, Interrupt, IterationRecord, Observer};
 use crate::solver::method::phases::PhaseTimes;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{LeaveOf, solve};
-use crate::solver::{SolveError, SolveStatus};
 
 /// The passes of a load and what becomes of the track.
 #[derive(Debug, Clone)]
@@ -64,12 +65,12 @@ pub struct RollingSolution {
 /// Solves the passes of a load.
 ///
 /// # Errors
-/// [`SolveError`]. A pass that does not converge is no error: it ends the passes, and the
+/// [`TrackError`]. A pass that does not converge is no error: it ends the passes, and the
 /// solution has its status.
 pub fn run(
     problem: &RollingProblem,
     observer: &mut dyn Observer,
-) -> Result<RollingSolution, SolveError> {
+) -> Result<RollingSolution, TrackError> {
     problem.bears()?;
     if problem.is_line() {
         run_on::<TrackGrid>(problem, observer)
@@ -81,22 +82,21 @@ pub fn run(
 fn run_on<C: Course>(
     problem: &RollingProblem,
     observer: &mut dyn Observer,
-) -> Result<RollingSolution, SolveError> {
+) -> Result<RollingSolution, TrackError> {
     let (mut phases, mut tracks) = (PhaseTimes::default(), 0);
     let mut run = Run { phases: &mut phases, passes: &mut tracks, observer };
     let half = (problem.columns / 2).max(2);
     let design = TrackDesign::new(problem, half);
     let auxiliary = TrackEngine::<C>::auxiliary(problem);
     let passes = problem.load.passes as usize;
-    let coarse =
-        run.preliminarily(|run| sequence(&auxiliary, design, (passes, Until::Passes), run))?;
+    let coarse = run.preliminarily(|run| sequence(&auxiliary, design, (passes, false), run))?;
     interrupted(&coarse)?;
     let long = TrackDesign { length: 2.0 * design.length, ..design };
-    let long = run.preliminarily(|run| sequence(&auxiliary, long, (1, Until::Passes), run))?;
+    let long = run.preliminarily(|run| sequence(&auxiliary, long, (1, false), run))?;
     interrupted(&long)?;
     let engine = TrackEngine::<C>::new(problem);
     let fine = TrackDesign::new(problem, problem.columns);
-    let fine = sequence(&engine, fine, (passes, problem.load.until), &mut run)?;
+    let fine = sequence(&engine, fine, (passes, problem.load.ends_at_verdict), &mut run)?;
     let lengths = coarse.passes.first().zip(long.passes.first());
     let errors = fine.passes.iter().enumerate().map(|(k, pass)| {
         let beside = coarse.passes.get(k)?;
@@ -105,7 +105,7 @@ fn run_on<C: Course>(
         Some(PassErrors::of([pass, &fine.passes[0], beside], lengths, columns))
     });
     let errors = errors.collect();
-    let last = fine.last.ok_or(SolveError::NoTrack)?;
+    let last = fine.last.ok_or(TrackError::NoTrack)?;
     Ok(RollingSolution {
         status: last.status,
         errors,
@@ -130,11 +130,11 @@ fn run_on<C: Course>(
 }
 
 /// Returns an error if the observer stopped auxiliary passes, which have nothing to report.
-fn interrupted(passes: &Sequence) -> Result<(), SolveError> {
+fn interrupted(passes: &Sequence) -> Result<(), TrackError> {
     let status = passes.last.as_ref().map(|last| last.status);
     status
         .and_then(SolveStatus::interrupt)
-        .map_or(Ok(()), |interrupt| Err(SolveError::Interrupted(interrupt)))
+        .map_or(Ok(()), |interrupt| Err(TrackError::Method(method::Error::Interrupted(interrupt))))
 }
 
 /// Passes on one track.
@@ -158,9 +158,9 @@ struct Sequence {
 fn sequence<C: Course>(
     engine: &TrackEngine<'_, C>,
     design: TrackDesign,
-    (passes, until): (usize, Until),
+    (passes, ends_at_verdict): (usize, bool),
     run: &mut Run<'_>,
-) -> Result<Sequence, SolveError> {
+) -> Result<Sequence, TrackError> {
     let (problem, load) = (engine.problem, engine.problem.load);
     solve(engine, design, None, run, |on, mut track, mut start, run| {
         let mut done = Sequence {
@@ -190,7 +190,7 @@ fn sequence<C: Course>(
             done.last = Some(pass);
             start = Some(next.accepted.clone());
             track = next;
-            if !is_converged || until == Until::Verdict && is_decided(problem, &done.passes) {
+            if !is_converged || ends_at_verdict && is_decided(problem, &done.passes) {
                 break;
             }
         }

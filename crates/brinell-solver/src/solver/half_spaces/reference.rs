@@ -1,24 +1,15 @@
 //! The elastic reference of a contact of half-spaces, and the load at its onset of yield.
 
-use std::f64::consts::PI;
-
 use brinell_contact::{
     ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver as _, never,
 };
 use brinell_halfspace::{EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
-use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
-use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
-use crate::solver::half_spaces::{
-    HalfSpaceProblem, HalfSpaceStep, HeightMap, Relief, RollerGap, SurfaceMap,
-};
-use crate::solver::{factor_of_onset, small};
-
-/// Factors of the logarithmic profiles of ISO 16281 over the diameter: for rollers up to
-/// `LONG_ROLLER` diameters long, and for longer rollers.
-const ISO_FACTOR: f64 = 0.00035;
-const ISO_FACTOR_LONG: f64 = 0.0005;
-const LONG_ROLLER: f64 = 2.5;
+use super::gap::RollerGap;
+use super::problem::HalfSpaceProblem;
+use super::step::{HalfSpaceStep, SurfaceMap};
+use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset, factor_of_onset};
+use crate::material::Solid;
 
 /// Hertz's theory of two half-spaces, for any force.
 #[derive(Debug, Clone)]
@@ -28,127 +19,17 @@ pub struct EllipticReference {
     rolling: Option<DepthLimit>,
 }
 
-/// Returns the problem of a job for the engine of half-spaces, or `None` if the job is not in
-/// three dimensions.
-pub fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
-    let reference = EllipticReference::of(job)?;
-    let onset = reference.onset_force().filter(|force| {
-        let problem = &reference.problem;
-        problem.heights.is_none() && !problem.is_line(&problem.hertz(*force))
-    });
-    Some(HalfSpaceProblem { onset, ..reference.problem })
-}
-
-/// Returns the problem without its onset of yield.
-fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
-    let [upper, lower] = [&job.upper, &job.lower].map(|body| body.shape.curvatures());
-    let (upper, lower) = (upper?, lower?);
-    let material = |material: &Material| match material {
-        Material::Rigid => None,
-        Material::Deformable(material) => Some(material.clone()),
-    };
-    (job.analysis == Analysis::ThreeDimensional).then(|| HalfSpaceProblem {
-        materials: [material(&job.upper.material), material(&job.lower.material)],
-        curvature: std::array::from_fn(|k| upper[k] + lower[k]),
-        rollers: rollers(job),
-        heights: heights(job),
-        load: job.load.clone(),
-        cells_per_semi_axis: job.mesh.elements_per_half_width,
-        cells_of_slopes: job.output.contact_stiffness.then(|| small(job)),
-        onset: None,
-        solver: job.solver,
-    })
-}
-
-/// Returns the sum of the heights of both bodies.
-fn heights(job: &Job) -> Option<HeightMap> {
-    let mut surfaces =
-        [&job.upper, &job.lower].into_iter().filter_map(|body| body.surface.as_ref());
-    let first = surfaces.next()?;
-    let mut heights = first.levelled();
-    for surface in surfaces {
-        for (sum, height) in heights.iter_mut().zip(surface.levelled()) {
-            *sum += height;
-        }
-    }
-    Some(HeightMap { heights, cells: first.cells(), spacing: first.spacing() })
-}
-
-/// Returns the rollers among the bodies of a job.
-fn rollers(job: &Job) -> Vec<RollerGap> {
-    let bodies = [&job.upper, &job.lower];
-    let compliance = |body: &Body| match &body.material {
-        Material::Rigid => 0.0,
-        Material::Deformable(material) => material.elastic().plane_strain_modulus().recip(),
-    };
-    let modulus = bodies.map(compliance).iter().sum::<f64>().recip();
-    let roller = |body: &&Body| match &body.shape {
-        Shape::Roller(roller) => Some(RollerGap {
-            radius: roller.radius.get(),
-            length: roller.length.get(),
-            rotation: roller.rotation.unwrap_or(0.0).to_radians(),
-            tilt: 1e-3 * roller.tilt.unwrap_or(0.0),
-            moment: roller.moment,
-            relief: relief(roller, modulus),
-        }),
-        _ => None,
-    };
-    bodies.iter().filter_map(roller).collect()
-}
-
-/// Returns the relief of a roller in a contact with the effective modulus E* `modulus`.
-///
-/// A uniform line load `w = Q/L` displaces the surfaces of half-spaces less off its middle.
-/// Lundberg's profile is this difference, `w/(πE*) ln(1/(1 - (2y/L)²))`.
-///
-/// # Reference
-/// G. Lundberg, *Elastische Berührung zweier Halbräume*, Forsch. Ing.-Wes. 10 (1939) 201–211;
-/// ISO/TS 16281:2008, roller profiles.
-fn relief(roller: &Roller, modulus: f64) -> Relief {
-    let (diameter, length) = (2.0 * roller.radius.get(), roller.length.get());
-    match roller.profile {
-        None | Some(RollerProfile::Crowned) => Relief::Straight,
-        Some(RollerProfile::Logarithmic) => {
-            let line_load = roller.design_force.unwrap_or(0.0) / length;
-            Relief::Logarithmic(line_load / (PI * modulus))
-        }
-        Some(RollerProfile::Iso16281) => {
-            let factor =
-                if length <= LONG_ROLLER * diameter { ISO_FACTOR } else { ISO_FACTOR_LONG };
-            Relief::Logarithmic(factor * diameter)
-        }
-        Some(RollerProfile::Points) => {
-            Relief::Points(whole(roller.points.clone().unwrap_or_default()))
-        }
-    }
-}
-
-/// Completes points on one side of the middle by their mirror images.
-fn whole(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    let starts_in_the_middle = points.first().is_some_and(|[y, _]| *y >= 0.0);
-    let ends_in_the_middle = points.last().is_some_and(|[y, _]| *y <= 0.0);
-    let mirrored = points.iter().rev().filter(|[y, _]| *y != 0.0).map(|[y, height]| [-y, *height]);
-    let mirrored: Vec<_> = mirrored.collect();
-    if starts_in_the_middle {
-        points.splice(0..0, mirrored);
-    } else if ends_in_the_middle {
-        points.extend(mirrored);
-    }
-    points
-}
-
 impl EllipticReference {
-    /// Returns the reference for a job, or `None` if the job is not in three dimensions.
-    pub fn of(job: &Job) -> Option<Self> {
-        let problem = shapes_of(job)?;
+    /// Returns the reference for a problem.
+    pub fn of(problem: HalfSpaceProblem) -> Self {
         if !problem.has_hertz() {
-            return Some(Self { onset: None, rolling: None, problem });
+            return Self { onset: None, rolling: None, problem };
         }
         let unit = problem.hertz(1.0);
         let ellipse = (!problem.is_line(&unit))
             .then_some(HertzEllipse { axis_ratio: unit.semi_axis_x / unit.semi_axis_y });
         let half_width = unit.semi_axis_x / unit.peak_pressure;
-        let least = |limit: fn(&Deformable, Option<HertzEllipse>, f64) -> Option<DepthLimit>| {
+        let least = |limit: fn(&Solid, Option<HertzEllipse>, f64) -> Option<DepthLimit>| {
             let bodies = problem.materials.iter().flatten();
             let limits = bodies.filter_map(|material| limit(material, ellipse, half_width));
             limits.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure))
@@ -166,7 +47,16 @@ impl EllipticReference {
             problem.is_line(&problem.hertz(force)) == ellipse.is_none()
         };
         let onset = onset.filter(|limit| !is_stressed && is_alike(limit));
-        Some(Self { onset, rolling: rolling.filter(is_alike), problem })
+        Self { onset, rolling: rolling.filter(is_alike), problem }
+    }
+
+    /// Returns the problem with the force at its onset of yield, where closed forms tell it.
+    pub fn with_onset(&self) -> HalfSpaceProblem {
+        let problem = &self.problem;
+        let onset = self
+            .onset_force()
+            .filter(|force| problem.heights.is_none() && !problem.is_line(&problem.hertz(*force)));
+        HalfSpaceProblem { onset, ..problem.clone() }
     }
 
     /// Returns the contact under a force \[N\].
@@ -175,7 +65,7 @@ impl EllipticReference {
     }
 
     /// Returns the gap before loading at the middles of the cells \[mm\].
-    pub(super) fn initial_gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
+    pub fn initial_gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
         self.problem.gap(grid)
     }
 
@@ -280,22 +170,16 @@ impl EllipticReference {
     }
 }
 
-/// Returns the yield stress of a material, or `None` if it has none.
-fn yield_stress(material: &Deformable) -> Option<f64> {
-    material.hardening_law().map(|law| law.yield_stress()).filter(|stress| *stress > 0.0)
-}
-
 /// Returns peak pressure and depth at the shakedown limit of a body. `half_width` is the shorter
 /// semi-axis at a unit peak pressure. Without an ellipse the contact is a line contact.
 fn rolling(
-    material: &Deformable,
+    material: &Solid,
     ellipse: Option<HertzEllipse>,
     half_width: f64,
 ) -> Option<DepthLimit> {
-    let yield_stress = yield_stress(material)?;
+    let yield_stress = material.yield_stress()?;
     let strength = material.strength();
-    let over_depth =
-        |depth: f64| yield_stress * strength.as_ref().map_or(1.0, |s| s.factor(depth));
+    let over_depth = |depth: f64| yield_stress * strength.map_or(1.0, |s| s.factor(depth));
     Some(match (ellipse, strength.is_some()) {
         (Some(ellipse), true) => DepthLimit::ellipse_rolling(ellipse, half_width, over_depth),
         (Some(ellipse), false) => {
@@ -310,13 +194,13 @@ fn rolling(
 /// semi-axis at a unit peak pressure. Without an ellipse the contact is a line contact. `factor`
 /// multiplies the yield stress.
 fn onset(
-    material: &Deformable,
+    material: &Solid,
     ellipse: Option<HertzEllipse>,
     half_width: f64,
     factor: f64,
 ) -> Option<DepthLimit> {
-    let yield_stress = factor * yield_stress(material)?;
-    let poisson_ratio = material.elastic().poisson_ratio.get();
+    let yield_stress = factor * material.yield_stress()?;
+    let poisson_ratio = material.elastic().poisson_ratio;
     if let Some(strength) = material.strength() {
         let over_depth = |depth: f64| yield_stress * strength.factor(depth);
         return Some(match ellipse {
@@ -336,17 +220,30 @@ fn onset(
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+    use std::sync::Arc;
+
     use super::*;
+    use crate::analytical::ElasticConstants;
+    use crate::material::hardening::StraightLine;
+    use crate::solver::method::settings::Settings;
+    use crate::solver::method::sought::Loads;
 
     #[test]
     fn the_stiffness_of_a_circle_is_that_of_a_round_punch() {
-        let job = br#"{"analysis": "three_dimensional",
-            "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
-            "lower": {"shape": {"type": "flat"},
-                "material": {"young_modulus": 210000, "poisson_ratio": 0.3,
-                "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0}}},
-            "load": {"force": 100}}"#;
-        let reference = EllipticReference::of(&Job::from_json(job).unwrap()).unwrap();
+        let elastic = ElasticConstants { young_modulus: 210_000.0, poisson_ratio: 0.3 };
+        let law = StraightLine { yield_stress: 500.0, plastic_modulus: 0.0 };
+        let reference = EllipticReference::of(HalfSpaceProblem {
+            materials: [None, Some(Solid::new(elastic).with_hardening(Arc::new(law)))],
+            curvature: [0.1, 0.1, 0.0],
+            rollers: Vec::new(),
+            heights: None,
+            loads: Loads::Given(vec![ContactLoad::Force(100.0)]),
+            cells_per_semi_axis: 10,
+            cells_of_slopes: None,
+            onset: None,
+            solver: Settings::default(),
+        });
         let modulus = 210_000.0 / 0.91;
         assert!((reference.of_outline([0.2, 0.2]) / (2.0 * modulus * 0.2) - 1.0).abs() < 1e-14);
         // At the onset p0 = 1.613 σ_y and P = π³ R² p0³/(6 E*²).

@@ -1,0 +1,105 @@
+//! The loads of a solve: given ones, or a force that is sought for its effect.
+
+use brinell_contact::ContactLoad;
+
+/// The loads of a solve.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Loads {
+    /// The loads in order.
+    Given(Vec<ContactLoad>),
+    /// A force that is sought for its effect.
+    Sought(Sought),
+}
+
+/// The effect that defines a force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sought {
+    /// The elastic bodies just reach the yield stress at one point.
+    Onset,
+    /// A figure of the contact has a value.
+    Target(Target),
+}
+
+/// A figure and its target value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// The figure.
+    pub figure: TargetFigure,
+    /// Its target value \[mm, MPa or 1\].
+    pub value: f64,
+}
+
+/// A figure of the contact that determines the force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TargetFigure {
+    /// Approach after unloading.
+    PermanentApproach,
+    /// Depth of the deeper of the two dents after unloading.
+    DentDepth,
+    /// Largest contact pressure.
+    PeakPressure,
+    /// Force over the width, or over the area, of the contact.
+    MeanPressure,
+    /// Half-width, or radius, of the contact.
+    HalfWidth,
+    /// Largest equivalent plastic strain of both bodies.
+    MaxPlasticStrain,
+}
+
+impl Loads {
+    /// Returns the smallest force above zero, if all loads are given as forces.
+    pub fn least_force(&self) -> Option<f64> {
+        let Self::Given(loads) = self else { return None };
+        let force = |load: &ContactLoad| match *load {
+            ContactLoad::Force(force) => Some(force),
+            ContactLoad::Approach(_) => None,
+        };
+        let forces: Vec<f64> = loads.iter().map(force).collect::<Option<_>>()?;
+        forces.into_iter().filter(|force| *force > 0.0).reduce(f64::min)
+    }
+}
+
+/// Returns loads one after the other as given ones; `None` without a load above zero.
+pub fn history_of(loads: &[ContactLoad]) -> Option<Loads> {
+    let are_loads =
+        loads.iter().all(|load| load.magnitude().is_finite() && load.magnitude() >= 0.0);
+    let is_loaded = loads.iter().any(|load| load.magnitude() > 0.0);
+    (are_loads && is_loaded).then(|| Loads::Given(loads.to_vec()))
+}
+
+/// Returns the largest force and the largest approach, if they are above zero.
+pub fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
+    let largest =
+        |of: fn(&ContactLoad) -> Option<f64>| loads.iter().filter_map(of).fold(0.0, f64::max);
+    let force =
+        largest(|load| if let ContactLoad::Force(force) = load { Some(*force) } else { None });
+    let approach =
+        largest(|load| if let ContactLoad::Approach(a) = load { Some(*a) } else { None });
+    let mut found = Vec::new();
+    if force > 0.0 {
+        found.push(ContactLoad::Force(force));
+    }
+    if approach > 0.0 {
+        found.push(ContactLoad::Approach(approach));
+    }
+    found
+}
+
+impl Sought {
+    /// Whether the effect is that of a force that is taken away.
+    pub const fn is_permanent(self) -> bool {
+        matches!(self, Self::Target(target) if target.figure.is_permanent())
+    }
+}
+
+impl TargetFigure {
+    /// Whether the figure is measured after unloading, which needs flow theory.
+    pub const fn is_permanent(self) -> bool {
+        matches!(self, Self::PermanentApproach | Self::DentDepth)
+    }
+
+    /// Whether the figure is zero without plastic flow.
+    pub const fn needs_yield(self) -> bool {
+        self.is_permanent() || matches!(self, Self::MaxPlasticStrain)
+    }
+}

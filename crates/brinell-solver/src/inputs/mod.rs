@@ -1,0 +1,20 @@
+//! The inputs of the engines: a job becomes two bodies, their loads and the settings of the solve,
+//! once per job. Below are engines that know no job.
+
+mod error;
+mod half_spaces;
+mod outline;
+mod plane;
+mod rolling;
+mod settings;
+mod slopes;
+
+pub use error::SolveError;
+pub(crate) use half_spaces::half_spaces_with_reference;
+pub use half_spaces::{elliptic_reference, half_spaces};
+pub use outline::outline_of;
+pub(crate) use plane::meshed_contact;
+pub use plane::{elastic_reference, estimate, run, run_with};
+pub(crate) use rolling::{RollingInput, rolling};
+pub use settings::{loads, settings};
+pub(crate) use slopes::{of_small_mesh, small_solves};

@@ -1,0 +1,65 @@
+//! Settings and loads of a job.
+
+use brinell_method::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
+use brinell_method::settings::Settings;
+use brinell_method::sought::{self, Loads, Sought};
+
+use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
+use crate::job::{ContactMethod, Coupling, HistoryLoad, Load, SolverSettings, Target};
+
+/// Returns the settings of the solve that a job asks for.
+pub fn settings(settings: &SolverSettings) -> Settings {
+    let SolverSettings { theory, increments, coupling, contact, tolerance, max_iterations } =
+        *settings;
+    Settings {
+        theory,
+        increments,
+        coupling: coupling_of(coupling),
+        contact: contact_solver_of(contact),
+        tolerance: tolerance.get(),
+        max_iterations: max_iterations as usize,
+    }
+}
+
+/// Returns the coupling that a job names.
+fn coupling_of(coupling: Coupling) -> &'static (dyn couplings::Coupling + Sync) {
+    match coupling {
+        Coupling::Strong => &Strong,
+        Coupling::Accelerated => &Accelerated,
+        Coupling::Weak => &Weak,
+        Coupling::SecantStiffness => &SecantStiffness,
+    }
+}
+
+/// Returns the contact solver that a job names.
+fn contact_solver_of(method: ContactMethod) -> &'static (dyn ContactSolver + Sync) {
+    match method {
+        ContactMethod::ActiveSet => &ActiveSetSolver,
+        ContactMethod::Simplex => &SimplexSolver,
+    }
+}
+
+/// Returns the loads of a job; of a load that rolls its force.
+pub fn loads(load: &Load) -> Loads {
+    match load {
+        Load::Forces(forces) => {
+            Loads::Given(forces.iter().map(|force| ContactLoad::Force(force.get())).collect())
+        }
+        Load::Approaches(approaches) => Loads::Given(
+            approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect(),
+        ),
+        Load::History(loads) => {
+            let load = |load: &HistoryLoad| match load {
+                HistoryLoad::Force(force) => ContactLoad::Force(force.get()),
+                HistoryLoad::Approach(approach) => ContactLoad::Approach(approach.get()),
+            };
+            Loads::Given(loads.iter().map(load).collect())
+        }
+        Load::Rolling(rolling) => Loads::Given(vec![ContactLoad::Force(rolling.force.get())]),
+        Load::Onset => Loads::Sought(Sought::Onset),
+        Load::Target(Target { figure, value }) => {
+            let target = sought::Target { figure: *figure, value: value.get() };
+            Loads::Sought(Sought::Target(target))
+        }
+    }
+}
