@@ -10,7 +10,8 @@
 //! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and
 //!   what its [`PlasticLaw`] answers;
 //! - [`EllipticContact`] is Hertz;
-//! - [`track`]: line contacts that roll and slide; [`raceway`]: elliptic ones.
+//! - [`track`]: line contacts that roll and slide; [`raceway`]: elliptic ones;
+//! - [`engine`]: half-spaces and tracks as engines of `brinell-method`.
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
 
@@ -18,6 +19,7 @@ mod ball;
 mod body;
 mod eigenstrain_stress;
 mod elasticity;
+pub mod engine;
 mod grid;
 mod half_space;
 mod hertz;

@@ -10,6 +10,7 @@ pub mod couplings;
 mod error;
 pub mod figures;
 pub mod final_check;
+pub mod floors;
 pub mod force_search;
 #[cfg(test)]
 mod half_planes;

@@ -7,12 +7,18 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use super::observer::{Interrupt, Observer};
+use super::observer::{Interrupt, Observer, SolveStatus};
 use super::steps::{Step, StepReceiver};
+use crate::Interrupted;
 use brinell_contact::ContactLoad;
 
 /// Smaller and larger load over that of a step.
 const LESS_AND_MORE: [f64; 2] = [0.95, 1.05];
+
+/// Relative error of the slope.
+pub const SLOPE_ERROR: f64 = 0.02;
+/// The same in plane stress, where plastic flow gathers in bands.
+pub const SLOPE_ERROR_IN_PLANE_STRESS: f64 = 0.05;
 
 /// Force and approach at the end of a load.
 pub type Reached = [f64; 2];
@@ -95,6 +101,26 @@ impl<F> StepReceiver<F> for Slopes<'_, F> {
         self.largest = [0.0; 2];
         self.receiver.begin_anew();
     }
+}
+
+/// Returns what the last of the loads on a small mesh reaches; `None` where one of them has no
+/// answer.
+///
+/// # Errors
+/// Why the observer stopped the solve.
+pub fn reached<F, E: Interrupted>(
+    interrupt: &Result<Option<Interrupt>, E>,
+    steps: &[Step<F>],
+) -> Result<Option<Reached>, Interrupt> {
+    let interrupt = match interrupt {
+        Ok(interrupt) => *interrupt,
+        Err(error) => return error.interrupt().map_or(Ok(None), Err),
+    };
+    let stopped = || steps.iter().find_map(|step| step.status.interrupt());
+    interrupt.or_else(stopped).map_or(Ok(()), Err)?;
+    let is_converged = steps.iter().all(|step| step.status == SolveStatus::Converged);
+    let last = steps.last().filter(|_| is_converged);
+    Ok(last.map(|step| [step.figures.force, step.figures.approach]))
 }
 
 /// Lets a solve be stopped but not seen. It holds less than the job does.

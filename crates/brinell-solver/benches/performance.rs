@@ -470,7 +470,10 @@ impl Floor {
                 let mesh = Arc::clone(&solved.mesh);
                 FloorBody {
                     graph: Graph::from_cells(mesh.nodes.len(), &mesh.elements),
-                    restraint: Restraint::new(&mesh, body.support.into()),
+                    restraint: Restraint::new(
+                        &mesh,
+                        brinell_solver::inputs::support(body.support),
+                    ),
                     bulk: material.elastic().bulk_modulus(),
                     shear: material.elastic().shear_modulus(),
                     equations: solved.equations,

@@ -14,7 +14,7 @@ pub(crate) use half_spaces::half_spaces_with_reference;
 pub use half_spaces::{elliptic_reference, half_spaces};
 pub use outline::outline_of;
 pub(crate) use plane::meshed_contact;
-pub use plane::{elastic_reference, estimate, run, run_with};
+pub use plane::{elastic_reference, estimate, run, run_with, support};
 pub(crate) use rolling::{RollingInput, rolling};
 pub use settings::{loads, settings};
 pub(crate) use slopes::{of_small_mesh, small_solves};

@@ -36,14 +36,19 @@ pub(super) fn problem(job: &Job) -> Problem {
     Problem::new(stress_state, [given(&job.upper, upper), given(&job.lower, lower)])
 }
 
+/// Returns the support of a body.
+pub const fn support(of_body: Support) -> assembly::Support {
+    match of_body {
+        Support::Clamped => assembly::Support::Clamped,
+        Support::Roller => assembly::Support::Roller,
+    }
+}
+
 fn given(body: &Body, outline: Outline) -> GivenBody {
     GivenBody {
         outline,
         material: solid(&body.material),
-        support: match body.support {
-            Support::Clamped => assembly::Support::Clamped,
-            Support::Roller => assembly::Support::Roller,
-        },
+        support: support(body.support),
         interpolation_is_open: matches!(
             &body.shape,
             Shape::Profile(profile) if profile.interpolation().is_none()

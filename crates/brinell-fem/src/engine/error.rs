@@ -1,0 +1,132 @@
+//! Why a contact of meshed bodies has no solution.
+
+use std::fmt;
+
+use crate::mesh::MeshError;
+use brinell_method::Interrupted;
+use brinell_method::observer::Interrupt;
+use sparse_cholesky::FactorizationError;
+
+/// Why a contact of meshed bodies has no solution.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MeshedError {
+    /// The alternation has no answer.
+    Method(brinell_method::Error),
+    /// No mesh.
+    Mesh(MeshError),
+    /// The load would spread the contact over too much of the bodies.
+    TooWide {
+        /// Expected half-width \[mm\].
+        half_width: f64,
+        /// Half-span of the narrower surface \[mm\].
+        available: f64,
+    },
+    /// The load would press a pin round more of its hole than is solved.
+    TooFarRound {
+        /// Expected angle to each side \[degrees\].
+        half_angle: f64,
+    },
+    /// The surfaces do not open away from the contact.
+    Conforming {
+        /// How far from there contacts are solved \[mm\].
+        limit: f64,
+    },
+    /// The surfaces first touch where one of them is about to end.
+    TouchesAtEnd {
+        /// Where they first touch \[mm\].
+        x: f64,
+        /// Where a contact may begin \[mm\].
+        left: f64,
+        /// Where it may end \[mm\].
+        right: f64,
+    },
+    /// A surface that is given by points has details much smaller than the contact.
+    TraceTooFine {
+        /// Expected half-width \[mm\].
+        half_width: f64,
+        /// Element size that resolves the trace \[mm\].
+        spacing: f64,
+        /// Smallest element size that is solved \[mm\].
+        finest: f64,
+    },
+    /// A profile has a corner in the contact, and nothing says whether it is one.
+    AmbiguousCorner {
+        /// The body, 0 for the upper one.
+        side: usize,
+        /// Where \[mm\].
+        x: f64,
+        /// Change of slope.
+        opening: f64,
+    },
+    /// The onset of yield is sought of bodies that do not yield, or do from the first load on.
+    NoYieldPoint,
+}
+
+impl fmt::Display for MeshedError {
+    /// Writes lengths in millimetres.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Method(error) => error.fmt(f),
+            Self::Mesh(error) => error.fmt(f),
+            Self::TooWide { half_width, available } => write!(
+                f,
+                "the contact would reach {half_width} mm to each side on a surface that spans \
+                 {available} mm"
+            ),
+            Self::TooFarRound { half_angle } => {
+                write!(f, "the contact would reach {half_angle:.0}° to each side of a hole")
+            }
+            Self::Conforming { limit } => {
+                write!(f, "the surfaces do not open within {limit} mm of where they first touch")
+            }
+            Self::TouchesAtEnd { x, left, right } => write!(
+                f,
+                "the surfaces first touch at x = {x} mm, but contacts are solved from {left} mm \
+                 to {right} mm"
+            ),
+            Self::TraceTooFine { half_width, spacing, finest } => write!(
+                f,
+                "within a contact of half-width {half_width} mm, the surfaces have details that \
+                 only elements of {spacing} mm resolve, but {finest} mm is the finest that is \
+                 solved"
+            ),
+            Self::AmbiguousCorner { x, opening, .. } => write!(
+                f,
+                "the face turns by {opening} at the point x = {x} mm within the contact, and \
+                 nothing says whether this is a corner"
+            ),
+            Self::NoYieldPoint => f.write_str(
+                "neither body has a yield stress, so there is no onset of yield to find",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for MeshedError {}
+
+impl Interrupted for MeshedError {
+    fn interrupt(&self) -> Option<Interrupt> {
+        match self {
+            Self::Method(error) => error.interrupt(),
+            _ => None,
+        }
+    }
+}
+
+impl From<brinell_method::Error> for MeshedError {
+    fn from(error: brinell_method::Error) -> Self {
+        Self::Method(error)
+    }
+}
+
+impl From<MeshError> for MeshedError {
+    fn from(error: MeshError) -> Self {
+        Self::Mesh(error)
+    }
+}
+
+impl From<FactorizationError> for MeshedError {
+    fn from(error: FactorizationError) -> Self {
+        Self::Method(error.into())
+    }
+}

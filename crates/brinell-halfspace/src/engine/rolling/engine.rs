@@ -1,0 +1,152 @@
+//! A track as an engine of the method: which columns, and what becomes of a pass on them.
+
+use std::cell::RefCell;
+use std::marker::PhantomData;
+
+use crate::track::{Rolls, TrackFault};
+
+use super::course::Course;
+use super::design::TrackDesign;
+use super::error::TrackError;
+use super::problem::RollingProblem;
+use super::system::Track;
+use brinell_contact::{ConjugateGradientSolver, ContactLoad};
+use brinell_method::contact_system::BlockVector;
+use brinell_method::couplings::iteration::{Controls, Outcome, Scales};
+use brinell_method::couplings::{Accelerated, Coupling};
+use brinell_method::final_check::COLLAPSE_STRAIN;
+use brinell_method::observer::Held;
+use brinell_method::run::Run;
+use brinell_method::solve::{Engine, Round, Verdict, VerdictOf};
+
+/// Enlargements of a track at most.
+const MAX_ENLARGEMENTS: usize = 4;
+
+/// Largest violation of a contact condition that an iterative contact solver leaves: half of what
+/// the check lets pass.
+const CONTACT_TOLERANCE: f64 = 5e-9;
+
+/// Two bodies on a track.
+pub(super) struct TrackEngine<'a, C> {
+    pub problem: &'a RollingProblem,
+    pub coupling: &'static dyn Coupling,
+    contact: ConjugateGradientSolver,
+    course: PhantomData<C>,
+}
+
+impl<'a, C: Course> TrackEngine<'a, C> {
+    /// Iterated as the problem asks for.
+    pub fn new(problem: &'a RollingProblem) -> Self {
+        Self::with(problem, problem.solver.coupling)
+    }
+
+    /// Iterated as is best for tracks that nothing is reported of.
+    pub fn auxiliary(problem: &'a RollingProblem) -> Self {
+        Self::with(problem, &Accelerated)
+    }
+
+    fn with(problem: &'a RollingProblem, coupling: &'static dyn Coupling) -> Self {
+        Self {
+            problem,
+            coupling,
+            contact: ConjugateGradientSolver::new(CONTACT_TOLERANCE),
+            course: PhantomData,
+        }
+    }
+
+    pub fn tolerance(&self) -> f64 {
+        self.problem.solver.tolerance
+    }
+
+    /// The increment is filled in.
+    pub fn controls(&self) -> Controls<'_> {
+        Controls {
+            contact: C::solver(self.problem, &self.contact),
+            load: ContactLoad::Force(self.problem.load.force),
+            tolerance: self.tolerance(),
+            max_iterations: self.problem.solver.max_iterations,
+            renewable: false,
+            scales: Scales::default(),
+            increment: None,
+        }
+    }
+
+    fn track(&self, design: &TrackDesign, run: &mut Run<'_>) -> Result<Track<C>, TrackError> {
+        let (grid, layers) = C::lay(design)?;
+        let problem = self.problem;
+        run.hold(Held::Bodies, grid.bytes(problem, layers.len()))?;
+        let count = if problem.is_shared() { 2 } else { 1 };
+        let frictions = problem.frictions();
+        let bodies = problem
+            .yielding()
+            .map(|(side, material)| grid.body(&layers, material, (count, frictions[side]), run));
+        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let initial_gap = grid.gap(problem);
+        Ok(Track {
+            design: *design,
+            flexibility: grid.surface(problem.effective_modulus())?,
+            closing: vec![1.0; initial_gap.len()],
+            initial_gap,
+            accepted: bodies.iter().map(|body| vec![0.0; body.n_numbers()]).collect(),
+            bodies: bodies.into(),
+            outlets: Vec::new(),
+            begun: RefCell::default(),
+            grid,
+        })
+    }
+}
+
+/// A pass on its track.
+pub(super) struct Answer<C: Course> {
+    pub track: Track<C>,
+    pub outcome: Outcome,
+    /// What the track cuts off.
+    pub fault: Option<TrackFault>,
+}
+
+impl<C: Course> Answer<C> {
+    /// Whether strains have outgrown the theory of small strains.
+    pub fn has_collapsed(&self) -> bool {
+        let n = self.track.grid.n_columns();
+        let bodies = self.track.bodies.borrow();
+        let mut layers = bodies.iter().flat_map(|body| body.strains().chunks_exact(n));
+        layers.any(|row| row.iter().sum::<f64>() > COLLAPSE_STRAIN)
+    }
+}
+
+impl<C: Course> Engine for TrackEngine<'_, C> {
+    type System = Track<C>;
+    type Design = TrackDesign;
+    type Answer = Answer<C>;
+    type Error = TrackError;
+
+    fn build(
+        &self,
+        design: &mut TrackDesign,
+        run: &mut Run<'_>,
+    ) -> Result<(Track<C>, Option<BlockVector>), TrackError> {
+        Ok((self.track(design, run)?, None))
+    }
+
+    fn verdict(
+        &self,
+        design: &TrackDesign,
+        system: Track<C>,
+        outcome: Outcome,
+        _: Round,
+        _: &mut Run<'_>,
+    ) -> Result<VerdictOf<Self>, TrackError> {
+        let pressure = system.pressure(&outcome.state.response.contact.force);
+        let bodies = system.bodies.borrow();
+        let held = bodies.iter().try_for_each(Rolls::holds);
+        drop(bodies);
+        let fault = system.grid.holds(&pressure).and(held).err();
+        let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;
+        let larger = TrackDesign { enlargements: design.enlargements + 1, ..*design };
+        Ok(match fault {
+            // The window of a larger track may outgrow its ring.
+            Some(_) if may_enlarge && C::lay(&larger).is_ok() => Verdict::Again(larger),
+            fault => Verdict::Accept(Answer { track: system, outcome, fault }),
+        })
+    }
+}
