@@ -12,7 +12,7 @@ use tokio::sync::mpsc::Sender;
 use super::{FieldsReader, JobId, JobService, JobStore, KeyId, StoreError};
 use brinell_solver::job::Job;
 use brinell_solver::report::export::{
-    Export, ExportError, FieldsFile, Table, VtrFile, VtuFile, surface_vtu,
+    Export, ExportError, Table, VtkContents, VtkFile, VtrFile, VtuFile, surface_vtu,
 };
 use brinell_solver::report::{Report, StepReport};
 
@@ -173,18 +173,18 @@ impl Out {
         }
     }
 
-    async fn fields<F: FieldsFile<Piece: Send + Sync> + Send + 'static>(
+    async fn fields<C: VtkContents + Send>(
         &mut self,
         jobs: &JobService,
         key: Option<KeyId>,
-        mut file: F,
+        mut file: VtkFile<C>,
         fields: Fields,
     ) -> Result<(), StoreError> {
         let pieces = file.pieces();
         let mut readers = vec![fields; ARRAYS];
         for piece in pieces {
             let mut sources = Vec::with_capacity(ARRAYS);
-            for (reader, source) in readers.iter_mut().zip(F::sources(&piece)) {
+            for (reader, source) in readers.iter_mut().zip(piece.sources()) {
                 sources.push(reader.bytes(source.clone()).await?);
             }
             let write = move || {

@@ -4,7 +4,6 @@
 mod chart;
 mod csv;
 mod error;
-mod fields_file;
 mod figures;
 mod format;
 mod layers_vtr;
@@ -16,9 +15,9 @@ mod write;
 
 pub use csv::Table;
 pub use error::ExportError;
-pub use fields_file::FieldsFile;
 pub use figures::{depth_svg, load_approach_svg, pressure_svg, surface_svg};
 pub use format::Export;
 pub use layers_vtr::VtrFile;
 pub use surface_vtu::surface_vtu;
+pub use vtk::{VtkContents, VtkFile};
 pub use vtu::{VtuFile, field_vtu};

@@ -1,33 +1,10 @@
 //! VTK file of the surface of half-spaces: each cell is a rectangle in the plane z = 0.
-//!
-//! # Reference
-//! *VTK XML file formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
 
-use std::fmt::{Display, Write as _};
-use std::iter::once;
 use std::ops::Range;
 
-use super::vtk::{END, QUAD, faces};
+use super::vtk::Type::{Float64, Int64, UInt8};
+use super::vtk::{Array, Encoding, QUAD, Sources, Values, VtkContents, VtkFile, faces};
 use crate::report::{MapsReport, Report};
-
-/// The text before an array, its type, name and number of components, and a function that writes
-/// its values at one x.
-type Array = ([&'static str; 4], fn(&Surface, usize) -> String);
-
-const ARRAYS: [Array; 6] = [
-    (["", "Float64", "pressure", "1"], |surface, column| {
-        spaced(&surface.maps.pressure[surface.cells(column)])
-    }),
-    (["", "Float64", "gap", "1"], |surface, column| {
-        spaced(&surface.maps.gap[surface.cells(column)])
-    }),
-    (["</CellData>\n<Points>\n", "Float64", "Points", "3"], Surface::points),
-    (["</Points>\n<Cells>\n", "Int64", "connectivity", "1"], Surface::corners),
-    (["", "Int64", "offsets", "1"], |surface, column| {
-        spaced(surface.cells(column).map(|cell| 4 * (cell + 1)))
-    }),
-    (["", "UInt8", "types", "1"], |surface, column| spaced(surface.cells(column).map(|_| QUAD))),
-];
 
 /// Returns the pieces of a file with `pressure` \[stress\] and `gap` \[length\] of each cell, in
 /// the units of the job. A piece has the cells of one array at one x. `step` is counted from 0;
@@ -38,32 +15,8 @@ pub fn surface_vtu(
     maps: MapsReport,
 ) -> impl Iterator<Item = String> + Send + use<> {
     let surface = Surface { along_x: faces(&maps.x, &[]), along_y: faces(&maps.y, &[]), maps };
-    let columns = surface.maps.x.len();
-    let head = format!(
-        "<?xml version=\"1.0\"?>\n<!-- brinell {}, {}, units {}, step {} of {steps} -->\n\
-         <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
-         <UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData \
-         Scalars=\"pressure\">\n",
-        report.version,
-        report.analysis,
-        report.units,
-        step + 1,
-        surface.along_x.len() * surface.along_y.len(),
-        columns * surface.maps.y.len(),
-    );
-    let pieces =
-        ARRAYS.into_iter().flat_map(move |array| (0..columns).map(move |column| (array, column)));
-    let pieces = pieces.map(move |(([before, kind, name, components], values), column)| {
-        let values = values(&surface, column);
-        let begin = format!(
-            "{before}<DataArray type=\"{kind}\" Name=\"{name}\" \
-             NumberOfComponents=\"{components}\" format=\"ascii\">"
-        );
-        let begin = if column == 0 { &begin } else { "" };
-        let end = if column + 1 == columns { "</DataArray>\n" } else { "" };
-        [begin, &values, end].concat()
-    });
-    once(head).chain(pieces).chain(once(END.to_owned()))
+    let mut file = VtkFile::of(report, [step, steps], surface);
+    file.pieces().into_iter().map(move |piece| file.write(&piece, &[] as &[&[u8]]))
 }
 
 /// The cells of a surface and the coordinates of their faces.
@@ -74,6 +27,14 @@ struct Surface {
 }
 
 impl Surface {
+    fn n_cells(&self) -> usize {
+        self.maps.x.len() * self.maps.y.len()
+    }
+
+    fn n_points(&self) -> usize {
+        self.along_x.len() * self.along_y.len()
+    }
+
     fn cells(&self, column: usize) -> Range<usize> {
         let rows = self.maps.y.len();
         column * rows..(column + 1) * rows
@@ -81,27 +42,51 @@ impl Surface {
 
     /// Writes the points on the near faces of the cells at one x, and on the far faces of the last
     /// cells.
-    fn points(&self, column: usize) -> String {
+    fn points(&self, &column: &usize, _: Sources, values: &mut Values) {
         let end = if column + 1 == self.maps.x.len() { column + 2 } else { column + 1 };
         let along_x = self.along_x[column..end].iter();
-        spaced(along_x.flat_map(|x| self.along_y.iter().flat_map(|y| [*x, *y, 0.0])))
+        values.floats(along_x.flat_map(|x| self.along_y.iter().flat_map(|y| [*x, *y, 0.0])));
     }
 
-    fn corners(&self, column: usize) -> String {
+    fn corners(&self, &column: &usize, _: Sources, values: &mut Values) {
         let point = |i: usize, j: usize| i * self.along_y.len() + j;
-        let (i, rows) = (column, self.maps.y.len());
-        spaced(
-            (0..rows).flat_map(|j| {
-                [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)]
-            }),
-        )
+        let i = column;
+        let of_cell = |j| [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)];
+        values.integers((0..self.maps.y.len()).flat_map(of_cell));
     }
 }
 
-fn spaced(values: impl IntoIterator<Item: Display>) -> String {
-    let mut text = String::new();
-    for value in values {
-        let _ = write!(text, "{value} ");
+const CELLS: &str = "CellData Scalars=\"pressure\"";
+
+impl VtkContents for Surface {
+    /// The cells at one x.
+    type Block = usize;
+
+    const GRID: &'static str = "UnstructuredGrid";
+    const ENCODING: Encoding = Encoding::Ascii;
+    const ARRAYS: &'static [Array<Self>] = &[
+        Array(CELLS, Float64, "pressure", 1, Self::n_cells, &[], |all, column, _, values| {
+            values.floats(all.maps.pressure[all.cells(*column)].iter().copied());
+        }),
+        Array(CELLS, Float64, "gap", 1, Self::n_cells, &[], |all, column, _, values| {
+            values.floats(all.maps.gap[all.cells(*column)].iter().copied());
+        }),
+        Array("Points", Float64, "Points", 3, Self::n_points, &[], Self::points),
+        Array("Cells", Int64, "connectivity", 1, |all| 4 * all.n_cells(), &[], Self::corners),
+        Array("Cells", Int64, "offsets", 1, Self::n_cells, &[], |all, column, _, values| {
+            values.integers(all.cells(*column).map(|cell| 4 * (cell + 1)));
+        }),
+        Array("Cells", UInt8, "types", 1, Self::n_cells, &[], |all, column, _, values| {
+            values.repeated(QUAD, all.cells(*column).len());
+        }),
+    ];
+
+    fn size(&self) -> [String; 2] {
+        let (points, cells) = (self.n_points(), self.n_cells());
+        [String::new(), format!("NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\"")]
     }
-    text
+
+    fn blocks(&self, _: &Array<Self>) -> Vec<(usize, Vec<Range<usize>>)> {
+        (0..self.maps.x.len()).map(|column| (column, Vec::new())).collect()
+    }
 }

@@ -1,5 +1,4 @@
-//! VTK file of the fields of both bodies on unstructured cells, for programs like ParaView. It is
-//! written piece by piece and need not be in memory as a whole.
+//! VTK file of the fields of both bodies on unstructured cells.
 //!
 //! ```text
 //! image of a half model:  x → -x,  u_x → -u_x,  τ_xy → -τ_xy
@@ -8,24 +7,19 @@
 //! ```
 //!
 //! Both halves share the nodes on the axis. For a body of revolution x is the radius, and there is
-//! no image. Arrays are inline: base64 of a 64-bit count of bytes and the little-endian values
-//! after it.
-//!
-//! # Reference
-//! *VTK XML file formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
+//! no image.
 
-use std::fmt::Write as _;
 use std::ops::Range;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-
+use super::ExportError;
 use super::surface_vtu::surface_vtu;
-use super::vtk::{END, QUAD, TENSOR, unusable};
-use super::{ExportError, FieldsFile};
+use super::vtk::Type::{Float64, Int64, UInt8};
+use super::vtk::{
+    Array, Encoding, Places, QUAD, Sources, Values, VtkContents, VtkFile, places, unusable,
+};
 use crate::job::{Analysis, Named};
 use crate::report::field_arrays::CHUNK;
-use crate::report::{FieldArraysError, FieldLayout, FieldSide, Report, encode_fields};
+use crate::report::{FieldLayout, FieldSide, Report, encode_fields};
 
 /// Writes the mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ,
 /// XZ), `von_mises` and `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in
@@ -38,31 +32,24 @@ use crate::report::{FieldArraysError, FieldLayout, FieldSide, Report, encode_fie
 /// [`ExportError::NoStep`]; [`ExportError::NoFields`] if the job did not ask for fields.
 pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
+    let place = [step, report.steps.len()];
     if let Some(whole) = &shown.three_dimensional {
         let maps = whole.maps.as_ref().ok_or(ExportError::NoFields)?;
-        return Ok(surface_vtu(report, [step, report.steps.len()], maps.clone()).collect());
+        return Ok(surface_vtu(report, place, maps.clone()).collect());
     }
-    let bytes =
-        encode_fields(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
+    let fields = shown.fields.as_ref().ok_or(ExportError::NoFields)?;
+    let bytes = encode_fields(fields).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
-    Ok(VtuFile::new(
-        report,
-        [step, report.steps.len()],
-        shown.approach.unwrap_or_default(),
-        &layout,
-    )?
-    .whole(&bytes))
+    let approach = shown.approach.unwrap_or_default();
+    Ok(VtuFile::new(report, place, approach, &layout)?.whole(&bytes))
 }
 
-/// State of a file between its pieces.
+/// A file of fields.
+pub type VtuFile = VtkFile<Meshes>;
+
+/// The meshes of the deformable bodies, the lower one first.
 #[derive(Debug)]
-pub struct VtuFile {
-    title: String,
-    /// Deformable bodies, the lower one first.
-    bodies: Vec<Body>,
-    /// Bytes of an array that are not yet encoded, because base64 encodes groups of three bytes.
-    pending: Vec<u8>,
-}
+pub struct Meshes(Vec<Body>);
 
 /// A deformable body.
 #[derive(Debug)]
@@ -73,123 +60,17 @@ struct Body {
     descent: f64,
     nodes: usize,
     elements: usize,
-    /// Positions of its arrays in the bytes of the load step, in the order of [`SOURCES`].
-    sources: [Range<usize>; 9],
+    places: Places,
     /// Nodes on the axis of a half model, in ascending order.
     axis: Vec<usize>,
 }
 
-/// Names of the source arrays with their number of bytes for each node or element.
-const SOURCES: [(&str, usize); 9] = [
-    ("nodes", 16),
-    ("elements", 16),
-    ("displacement", 16),
-    ("sigma_x", 8),
-    ("sigma_y", 8),
-    ("sigma_z", 8),
-    ("tau_xy", 8),
-    ("von_mises", 8),
-    ("equivalent_plastic_strain", 8),
-];
-
-/// An array of the file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Array {
-    Displacement,
-    Stress,
-    VonMises,
-    Strain,
-    Body,
-    Points,
-    Connectivity,
-    Offsets,
-    Types,
-}
-
-/// Arrays of the file in order, each with the text before it.
-const ARRAYS: [(&str, Array); 9] = [
-    ("<PointData Scalars=\"von_mises\" Vectors=\"displacement\">\n", Array::Displacement),
-    ("", Array::Stress),
-    ("", Array::VonMises),
-    ("", Array::Strain),
-    ("</PointData>\n<CellData>\n", Array::Body),
-    ("</CellData>\n<Points>\n", Array::Points),
-    ("</Points>\n<Cells>\n", Array::Connectivity),
-    ("", Array::Offsets),
-    ("", Array::Types),
-];
-
-/// A piece of the file. Pieces are written in order.
-#[derive(Debug, Clone)]
-pub struct VtuPiece {
-    what: What,
-    /// Positions of the source numbers in the bytes of the load step.
-    sources: Vec<Range<usize>>,
-}
-
-#[derive(Debug, Clone)]
-enum What {
-    /// Search for the nodes on the axis; it writes nothing.
-    Axis(Items),
-    /// Text before the arrays.
-    Head,
-    Begin(&'static str, Array),
-    Values(Array, Items),
-    End,
-    Foot,
-}
-
 /// Some of the nodes or elements of a body, or of its image.
 #[derive(Debug, Clone)]
-struct Items {
+pub struct Items {
     body: usize,
     is_image: bool,
     range: Range<usize>,
-}
-
-impl Array {
-    /// Returns type, name and attributes of the array.
-    const fn declaration(self) -> [&'static str; 3] {
-        match self {
-            Self::Displacement => ["Float64", "displacement", "NumberOfComponents=\"3\""],
-            Self::Stress => ["Float64", "stress", TENSOR],
-            Self::VonMises => ["Float64", "von_mises", ""],
-            Self::Strain => ["Float64", "equivalent_plastic_strain", ""],
-            Self::Body => ["UInt8", "body", ""],
-            Self::Points => ["Float64", "Points", "NumberOfComponents=\"3\""],
-            Self::Connectivity => ["Int64", "connectivity", ""],
-            Self::Offsets => ["Int64", "offsets", ""],
-            Self::Types => ["UInt8", "types", ""],
-        }
-    }
-
-    /// Returns the number of bytes for each node or element.
-    const fn bytes(self) -> usize {
-        match self {
-            Self::Displacement | Self::Points => 24,
-            Self::Stress => 48,
-            Self::VonMises | Self::Strain | Self::Offsets => 8,
-            Self::Connectivity => 32,
-            Self::Body | Self::Types => 1,
-        }
-    }
-
-    const fn is_of_elements(self) -> bool {
-        matches!(self, Self::Body | Self::Connectivity | Self::Offsets | Self::Types)
-    }
-
-    /// Returns the indices of the source arrays in [`SOURCES`].
-    const fn sources(self) -> &'static [usize] {
-        match self {
-            Self::Points => &[0],
-            Self::Connectivity => &[1],
-            Self::Displacement => &[2],
-            Self::Stress => &[3, 4, 5, 6],
-            Self::VonMises => &[7],
-            Self::Strain => &[8],
-            Self::Body | Self::Offsets | Self::Types => &[],
-        }
-    }
 }
 
 impl Body {
@@ -198,17 +79,15 @@ impl Body {
         layout: &FieldLayout,
         is_half: bool,
         descent: f64,
-    ) -> Result<Option<Self>, FieldArraysError> {
+    ) -> Result<Option<Self>, ExportError> {
         let side = if name == 0 { FieldSide::Lower } else { FieldSide::Upper };
         if !layout.has(side) {
             return Ok(None);
         }
-        let mut sources: [Range<usize>; 9] = Default::default();
-        for (source, (name, _)) in sources.iter_mut().zip(SOURCES) {
-            *source = layout.find(side, name)?;
-        }
-        let [nodes, elements] = [0, 1].map(|k: usize| sources[k].len() / SOURCES[k].1);
-        Ok(Some(Self { name, is_half, descent, nodes, elements, sources, axis: Vec::new() }))
+        let places = places::<Meshes>(layout, side)?;
+        let [nodes, elements] = ["von_mises", "elements"].map(|name| places[name].len());
+        let (nodes, elements) = (nodes / size_of::<f64>(), elements / size_of::<[u32; 4]>());
+        Ok(Some(Self { name, is_half, descent, nodes, elements, places, axis: Vec::new() }))
     }
 
     /// Returns the number of nodes, including the image.
@@ -224,12 +103,26 @@ impl Body {
         }
     }
 
-    /// Returns the position of a range of nodes or elements of a source array.
-    fn source(&self, source: usize, range: &Range<usize>) -> Range<usize> {
-        let (begin, bytes) = (self.sources[source].start, SOURCES[source].1);
-        begin + bytes * range.start..begin + bytes * range.end
+    /// Returns the positions of the sources of some of `count` nodes or elements.
+    fn sources(&self, names: &[&str], range: &Range<usize>, count: usize) -> Vec<Range<usize>> {
+        let of = |name: &&str| {
+            let (begin, bytes) = (self.places[name].start, self.places[name].len() / count);
+            begin + bytes * range.start..begin + bytes * range.end
+        };
+        names.iter().map(of).collect()
+    }
+
+    fn blocks(&self, names: &[&str], count: usize, body: usize, is_image: bool) -> Blocks {
+        let block = |from: usize| {
+            let range = from..(from + CHUNK).min(count);
+            let sources = self.sources(names, &range, count);
+            (Items { body, is_image, range }, sources)
+        };
+        (0..count).step_by(CHUNK).map(block).collect()
     }
 }
+
+type Blocks = Vec<(Items, Vec<Range<usize>>)>;
 
 impl VtuFile {
     /// Returns the file of the load step `step`, counted from 0 and out of `steps`, with its
@@ -246,185 +139,136 @@ impl VtuFile {
         let is_half = report.mesh.symmetric && report.analysis != Analysis::Axisymmetric.name();
         let bodies = [(0, 0.0), (1, approach)]
             .map(|(name, descent)| Body::new(name, layout, is_half, descent));
-        let bodies: Result<Vec<_>, _> = bodies.into_iter().filter_map(Result::transpose).collect();
-        let title = format!(
-            "brinell {}, {}, units {}, step {} of {steps}",
-            report.version,
-            report.analysis,
-            report.units,
-            step + 1
-        );
-        Ok(Self { title, bodies: bodies.map_err(unusable)?, pending: Vec::new() })
+        let bodies: Result<_, _> = bodies.into_iter().filter_map(Result::transpose).collect();
+        Ok(Self::of(report, [step, steps], Meshes(bodies?)))
+    }
+}
+
+impl Meshes {
+    fn n_nodes(&self) -> usize {
+        self.before(self.0.len())[0]
     }
 
-    fn head(&self, text: &mut String) {
-        let [nodes, elements] = self.before(self.bodies.len());
-        let _ = write!(
-            text,
-            "<?xml version=\"1.0\"?>\n\
-             <!-- {} -->\n\
-             <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
-             header_type=\"UInt64\">\n\
-             <UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-            self.title, nodes, elements,
-        );
-    }
-
-    /// Appends the values of an array at nodes or elements.
-    fn values<B: AsRef<[u8]>>(&mut self, array: Array, items: &Items, sources: &[B]) {
-        let Items { body: number, is_image, ref range } = *items;
-        let body = &self.bodies[number];
-        let [first_node, first_element] = self.before(number);
-        let first_element = first_element + if is_image { body.elements } else { 0 };
-        let is_written = |node: &usize| !is_image || body.axis.binary_search(node).is_err();
-        let nodes = range.clone().enumerate().filter(|(_, node)| is_written(node)).map(|(k, _)| k);
-        let at = |source: usize, at: usize| float(sources, source, at);
-        let sign = if is_image { -1.0 } else { 1.0 };
-        let pending = &mut self.pending;
-        match array {
-            Array::Displacement => {
-                floats(
-                    pending,
-                    nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1) - body.descent, 0.0]),
-                );
-            }
-            Array::Points => {
-                floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1), 0.0]));
-            }
-            Array::Stress => {
-                floats(
-                    pending,
-                    nodes.map(|k| [at(0, k), at(1, k), at(2, k), sign * at(3, k), 0.0, 0.0]),
-                );
-            }
-            Array::VonMises | Array::Strain => floats(pending, nodes.map(|k| [at(0, k)])),
-            Array::Body => pending.extend(range.clone().map(|_| body.name)),
-            Array::Types => pending.extend(range.clone().map(|_| QUAD)),
-            Array::Offsets => {
-                integers(pending, range.clone().map(|k| 4 * (first_element + k + 1)));
-            }
-            Array::Connectivity => {
-                let corners =
-                    sources.first().map_or(&[][..], |bytes| bytes.as_ref().as_chunks::<16>().0);
-                let corners = corners.iter().map(|corners| corners.as_chunks::<4>().0);
-                let index =
-                    |corner: &[u8; 4]| body.index(u32::from_le_bytes(*corner) as usize, is_image);
-                let nodes = |corners: &[[u8; 4]]| corners.iter().map(index).collect::<Vec<_>>();
-                let turned = corners.map(nodes).flat_map(|mut nodes| {
-                    if is_image {
-                        nodes.reverse();
-                    }
-                    nodes
-                });
-                integers(pending, turned.map(|node| first_node + node));
-            }
-        }
+    fn n_elements(&self) -> usize {
+        self.before(self.0.len())[1]
     }
 
     /// Returns the numbers of nodes and elements in the bodies before `body`, including their
     /// images.
     fn before(&self, body: usize) -> [usize; 2] {
-        let bodies = self.bodies.iter().take(body);
+        let bodies = self.0.iter().take(body);
         let count =
             |body: &Body| [body.all_nodes(), body.elements * (1 + usize::from(body.is_half))];
         bodies.map(count).fold([0; 2], |[n, e], [nodes, elements]| [n + nodes, e + elements])
     }
-}
 
-impl FieldsFile for VtuFile {
-    type Piece = VtuPiece;
-
-    fn pieces(&self) -> Vec<VtuPiece> {
-        let text = |what| VtuPiece { what, sources: Vec::new() };
-        let mut pieces = Vec::new();
-        for (k, body) in self.bodies.iter().enumerate().filter(|(_, body)| body.is_half) {
-            pieces.extend(items(k, false, body.nodes).map(|items| {
-                let sources = vec![body.source(0, &items.range)];
-                VtuPiece { what: What::Axis(items), sources }
-            }));
-        }
-        pieces.push(text(What::Head));
-        for (before, array) in ARRAYS {
-            pieces.push(text(What::Begin(before, array)));
-            for (k, body) in self.bodies.iter().enumerate() {
-                let count = if array.is_of_elements() { body.elements } else { body.nodes };
-                let halves = [false, true].into_iter().take(1 + usize::from(body.is_half));
-                pieces.extend(halves.flat_map(|is_image| items(k, is_image, count)).map(
-                    |items| {
-                        let of = |source: &usize| body.source(*source, &items.range);
-                        let sources = array.sources().iter().map(of).collect();
-                        VtuPiece { what: What::Values(array, items), sources }
-                    },
-                ));
-            }
-            pieces.push(text(What::End));
-        }
-        pieces.push(text(What::Foot));
-        pieces
+    /// Writes the values at nodes from the place of a node among them and the sign of the image.
+    fn at_nodes<const N: usize>(
+        &self,
+        items: &Items,
+        values: &mut Values,
+        value: impl Fn(usize, f64) -> [f64; N],
+    ) {
+        let (axis, sign) = (&self.0[items.body].axis, if items.is_image { -1.0 } else { 1.0 });
+        let is_written = |node: &usize| !items.is_image || axis.binary_search(node).is_err();
+        let nodes = items.range.clone().enumerate().filter(|(_, node)| is_written(node));
+        values.floats(nodes.flat_map(|(k, _)| value(k, sign)));
     }
 
-    fn sources(piece: &VtuPiece) -> &[Range<usize>] {
-        &piece.sources
+    fn scalar(&self, items: &Items, from: Sources, values: &mut Values) {
+        self.at_nodes(items, values, |k, _| [from.float(0, k)]);
     }
 
-    fn write<B: AsRef<[u8]>>(&mut self, piece: &VtuPiece, sources: &[B]) -> String {
-        let mut text = String::new();
-        match &piece.what {
-            What::Axis(items) => {
-                let on_axis = items
-                    .range
-                    .clone()
-                    .enumerate()
-                    .filter(|(k, _)| float(sources, 0, 2 * k) == 0.0);
-                let on_axis = on_axis.map(|(_, node)| node).collect::<Vec<_>>();
-                self.bodies[items.body].axis.extend(on_axis);
-            }
-            What::Head => self.head(&mut text),
-            What::Begin(before, array) => {
-                let [kind, name, attributes] = array.declaration();
-                let _ = write!(
-                    text,
-                    "{before}<DataArray type=\"{kind}\" Name=\"{name}\" {attributes} \
-                     format=\"binary\">"
-                );
-                let count = self.before(self.bodies.len())[usize::from(array.is_of_elements())];
-                self.pending.extend(((array.bytes() * count) as u64).to_le_bytes());
-            }
-            What::Values(array, items) => {
-                self.values(*array, items, sources);
-                let whole = self.pending.len() / 3 * 3;
-                STANDARD.encode_string(&self.pending[..whole], &mut text);
-                self.pending.drain(..whole);
-            }
-            What::End => {
-                STANDARD.encode_string(std::mem::take(&mut self.pending), &mut text);
-                text.push_str("</DataArray>\n");
-            }
-            What::Foot => text.push_str(END),
-        }
-        text
+    fn displacement(&self, items: &Items, from: Sources, values: &mut Values) {
+        let descent = self.0[items.body].descent;
+        self.at_nodes(items, values, |k, sign| {
+            [sign * from.float(0, 2 * k), from.float(0, 2 * k + 1) - descent, 0.0]
+        });
+    }
+
+    fn stress(&self, items: &Items, from: Sources, values: &mut Values) {
+        self.at_nodes(items, values, |k, sign| {
+            let [xx, yy, zz, xy] = [0, 1, 2, 3].map(|source| from.float(source, k));
+            [xx, yy, zz, sign * xy, 0.0, 0.0]
+        });
+    }
+
+    fn points(&self, items: &Items, from: Sources, values: &mut Values) {
+        self.at_nodes(items, values, |k, sign| {
+            [sign * from.float(0, 2 * k), from.float(0, 2 * k + 1), 0.0]
+        });
+    }
+
+    fn corners(&self, items: &Items, from: Sources, values: &mut Values) {
+        let (body, [first, _]) = (&self.0[items.body], self.before(items.body));
+        let corners = from.0.first().map_or(&[][..], |bytes| bytes.as_chunks::<16>().0);
+        values.integers(corners.iter().flat_map(|corners| {
+            let corner = |k: usize| corners.as_chunks().0[if items.is_image { 3 - k } else { k }];
+            let node = |k| body.index(u32::from_le_bytes(corner(k)) as usize, items.is_image);
+            [0, 1, 2, 3].map(|k| first + node(k))
+        }));
+    }
+
+    fn offsets(&self, items: &Items, _: Sources, values: &mut Values) {
+        let [_, before] = self.before(items.body);
+        let first = before + if items.is_image { self.0[items.body].elements } else { 0 };
+        values.integers(items.range.clone().map(|k| 4 * (first + k + 1)));
     }
 }
 
-/// Returns `count` nodes or elements in pieces.
-fn items(body: usize, is_image: bool, count: usize) -> impl Iterator<Item = Items> {
-    let ranges = (0..count).step_by(CHUNK).map(move |from| from..(from + CHUNK).min(count));
-    ranges.map(move |range| Items { body, is_image, range })
-}
+const NODES: &str = "PointData Scalars=\"von_mises\" Vectors=\"displacement\"";
+const STRESS: &[&str] = &["sigma_x", "sigma_y", "sigma_z", "tau_xy"];
+const MOVED: &str = "displacement";
+const JOINED: &str = "connectivity";
+const STRAIN: &str = "equivalent_plastic_strain";
 
-fn floats<const N: usize>(bytes: &mut Vec<u8>, values: impl Iterator<Item = [f64; N]>) {
-    bytes.extend(values.flatten().flat_map(f64::to_le_bytes));
-}
+impl VtkContents for Meshes {
+    type Block = Items;
 
-fn integers(bytes: &mut Vec<u8>, values: impl Iterator<Item = usize>) {
-    bytes.extend(values.flat_map(|value| (value as u64).to_le_bytes()));
-}
+    const GRID: &'static str = "UnstructuredGrid";
+    const ENCODING: Encoding = Encoding::Base64;
+    const ARRAYS: &'static [Array<Self>] = &[
+        Array(NODES, Float64, MOVED, 3, Self::n_nodes, &[MOVED], Self::displacement),
+        Array(NODES, Float64, "stress", 6, Self::n_nodes, STRESS, Self::stress),
+        Array(NODES, Float64, "von_mises", 1, Self::n_nodes, &["von_mises"], Self::scalar),
+        Array(NODES, Float64, STRAIN, 1, Self::n_nodes, &[STRAIN], Self::scalar),
+        Array("CellData", UInt8, "body", 1, Self::n_elements, &[], |all, items, _, values| {
+            values.repeated(all.0[items.body].name, items.range.len());
+        }),
+        Array("Points", Float64, "Points", 3, Self::n_nodes, &["nodes"], Self::points),
+        Array("Cells", Int64, JOINED, 1, |all| 4 * all.n_elements(), &["elements"], Self::corners),
+        Array("Cells", Int64, "offsets", 1, Self::n_elements, &[], Self::offsets),
+        Array("Cells", UInt8, "types", 1, Self::n_elements, &[], |_, items, _, values| {
+            values.repeated(QUAD, items.range.len());
+        }),
+    ];
 
-/// Returns a number from the bytes of a source array.
-fn float<B: AsRef<[u8]>>(sources: &[B], source: usize, at: usize) -> f64 {
-    let numbers =
-        sources.get(source).map(|bytes| bytes.as_ref().as_chunks::<8>().0).unwrap_or_default();
-    numbers.get(at).map_or(0.0, |bytes| f64::from_le_bytes(*bytes))
+    fn size(&self) -> [String; 2] {
+        let (points, cells) = (self.n_nodes(), self.n_elements());
+        [String::new(), format!("NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\"")]
+    }
+
+    /// Finds the nodes on the axis.
+    fn survey(&self) -> Blocks {
+        let halves = self.0.iter().enumerate().filter(|(_, body)| body.is_half);
+        halves.flat_map(|(k, body)| body.blocks(&["nodes"], body.nodes, k, false)).collect()
+    }
+
+    fn read(&mut self, items: &Items, from: Sources) {
+        let nodes = items.range.clone().enumerate();
+        let on_axis = nodes.filter(|(k, _)| from.float(0, 2 * k) == 0.0).map(|(_, node)| node);
+        self.0[items.body].axis.extend(on_axis);
+    }
+
+    fn blocks(&self, array: &Array<Self>) -> Blocks {
+        let is_of_cells = array.0.starts_with("Cell");
+        let bodies = self.0.iter().enumerate().flat_map(|(k, body)| {
+            let count = if is_of_cells { body.elements } else { body.nodes };
+            let images = [false, true].into_iter().take(1 + usize::from(body.is_half));
+            images.flat_map(move |is_image| body.blocks(array.5, count, k, is_image))
+        });
+        bodies.collect()
+    }
 }
 
 #[cfg(test)]
@@ -451,15 +295,17 @@ mod tests {
         let mut bodies =
             [0, 1].map(|name| Body::new(name, &layout, name == 0, 0.25).unwrap().unwrap());
         bodies[0].axis = vec![0, 3];
-        let mut file =
-            VtuFile { title: String::new(), bodies: bodies.into(), pending: Vec::new() };
-        assert_eq!(file.before(2), [6 + 4, 3]);
-        let mut written = |array: Array, body: usize, is_image, range| {
+        let meshes = Meshes(bodies.into());
+        assert_eq!(meshes.before(2), [6 + 4, 3]);
+        let written = |name: &str, body: usize, is_image, range: Range<usize>| {
+            let array = Meshes::ARRAYS.iter().find(|array| array.2 == name).unwrap();
+            let count = if array.0.starts_with("Cell") { 1 } else { 4 };
+            let places = meshes.0[body].sources(array.5, &range, count);
+            let sources: Vec<_> = places.into_iter().map(|place| &bytes[place]).collect();
+            let mut values = Values::new(Encoding::Base64);
             let items = Items { body, is_image, range };
-            let source = |source: &usize| &bytes[file.bodies[body].source(*source, &items.range)];
-            let sources: Vec<_> = array.sources().iter().map(source).collect();
-            file.values(array, &items, &sources);
-            std::mem::take(&mut file.pending)
+            array.6(&meshes, &items, Sources(&sources), &mut values);
+            values.pending
         };
         let integers = |bytes: Vec<u8>| {
             bytes.as_chunks::<8>().0.iter().map(|b| u64::from_le_bytes(*b)).collect::<Vec<_>>()
@@ -467,13 +313,13 @@ mod tests {
         let floats = |bytes: Vec<u8>| {
             bytes.as_chunks::<8>().0.iter().map(|b| f64::from_le_bytes(*b)).collect::<Vec<_>>()
         };
-        assert_eq!(integers(written(Array::Connectivity, 0, false, 0..1)), [0, 1, 2, 3]);
-        assert_eq!(integers(written(Array::Connectivity, 0, true, 0..1)), [3, 5, 4, 0]);
-        assert_eq!(integers(written(Array::Connectivity, 1, false, 0..1)), [6, 7, 8, 9]);
-        assert_eq!(integers(written(Array::Offsets, 1, false, 0..1)), [12]);
-        assert_eq!(floats(written(Array::Points, 0, true, 0..2)), [-1.0, 0.0, 0.0]);
-        assert_eq!(floats(written(Array::Displacement, 0, true, 1..2)), [-0.5, -1.25, 0.0]);
-        assert_eq!(floats(written(Array::Stress, 0, true, 2..4)), [1.0, 2.0, 3.0, -4.0, 0.0, 0.0]);
-        assert_eq!(written(Array::Body, 1, false, 0..1), [1]);
+        assert_eq!(integers(written("connectivity", 0, false, 0..1)), [0, 1, 2, 3]);
+        assert_eq!(integers(written("connectivity", 0, true, 0..1)), [3, 5, 4, 0]);
+        assert_eq!(integers(written("connectivity", 1, false, 0..1)), [6, 7, 8, 9]);
+        assert_eq!(integers(written("offsets", 1, false, 0..1)), [12]);
+        assert_eq!(floats(written("Points", 0, true, 0..2)), [-1.0, 0.0, 0.0]);
+        assert_eq!(floats(written("displacement", 0, true, 1..2)), [-0.5, -1.25, 0.0]);
+        assert_eq!(floats(written("stress", 0, true, 2..4)), [1.0, 2.0, 3.0, -4.0, 0.0, 0.0]);
+        assert_eq!(written("body", 1, false, 0..1), [1]);
     }
 }
