@@ -2,7 +2,7 @@
 
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use serde_json::Value;
 use tokio::runtime::Runtime;
@@ -149,7 +149,6 @@ fn a_job_that_was_taken_in_is_not_refused_when_the_database_goes_away() {
     let started = Instant::now();
     while !is_taken_in() {
         assert!(started.elapsed() < DEADLINE, "the job is not taken in");
-        thread::sleep(Duration::from_millis(20));
     }
     drop(cluster);
     let text = String::from_utf8(waiting.wait_with_output().unwrap().stdout).unwrap();

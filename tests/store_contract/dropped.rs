@@ -1,21 +1,22 @@
 //! Requests that are dropped at any time before they are answered.
 
+use std::future::poll_fn;
+use std::pin::pin;
 use std::sync::Arc;
-use std::time::Duration;
+use std::task::Poll;
 
 use brinell::jobs::{
     CoreSolver, Idempotency, JobFilter, JobService, KeyLimits, NewJob, Submission,
     SubmissionLimits, SubmitError, Turn,
 };
-use futures_util::FutureExt;
-use tokio::time::{Instant, sleep, timeout};
+use tokio::task::yield_now;
+use tokio::time::{Instant, timeout};
 
 use crate::subject::{DEADLINE, Subject, job};
 
 pub const JOB: &str = include_str!("../../api/examples/two_cylinders.json");
 /// Times a request is polled before it is dropped, at most.
 const POLLS: usize = 40;
-const POLL: Duration = Duration::from_micros(200);
 
 pub fn service(subject: &Subject) -> Arc<JobService> {
     let limits = SubmissionLimits { job_bytes: u64::MAX, result_bytes: u64::MAX };
@@ -31,16 +32,18 @@ pub fn service(subject: &Subject) -> Arc<JobService> {
     ))
 }
 
-/// Polls a request some times and drops it; `true` if it came to its end.
+/// Polls a request some times, each time that it asks for it, and drops it; `true` if it came to
+/// its end.
 async fn dropped_after(polls: usize, request: impl Future) -> bool {
-    let mut request = Box::pin(request);
-    for _ in 0..polls {
-        if (&mut request).now_or_never().is_some() {
-            return true;
+    let (mut request, mut left) = (pin!(request), polls);
+    poll_fn(|context| {
+        if left == 0 {
+            return Poll::Ready(false);
         }
-        sleep(POLL).await;
-    }
-    false
+        left -= 1;
+        request.as_mut().poll(context).map(|_| true)
+    })
+    .await
 }
 
 async fn soon(mut holds: impl AsyncFnMut() -> bool) -> bool {
@@ -49,7 +52,7 @@ async fn soon(mut holds: impl AsyncFnMut() -> bool) -> bool {
         if Instant::now() > deadline {
             return false;
         }
-        sleep(POLL).await;
+        yield_now().await;
     }
     true
 }
