@@ -35,7 +35,8 @@ pub fn service(subject: &Subject) -> Arc<JobService> {
 /// Polls a request some times, each time that it asks for it, and drops it; `true` if it came to
 /// its end.
 async fn dropped_after(polls: usize, request: impl Future) -> bool {
-    let (mut request, mut left) = (pin!(request), polls);
+    let mut request = pin!(request);
+    let mut left = polls;
     poll_fn(|context| {
         if left == 0 {
             return Poll::Ready(false);
