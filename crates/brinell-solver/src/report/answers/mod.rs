@@ -1,6 +1,9 @@
 //! Answers: the figures of a load step in the order in which the job asks for them, and a verdict.
 //! Terminal, page, printed report and Python draw them and compute nothing.
 
+mod contact;
+mod strength;
+
 use serde::{Deserialize, Serialize};
 
 use super::findings::Finding;
@@ -8,7 +11,7 @@ use super::{ErrorEstimate, FlowReport, PerBody, PlasticityReport, Side, StepRepo
 use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory, label_of};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::{Figure, Figures, Measure};
-use crate::units::{UnitConverter, about, rounded};
+use crate::units::{UnitConverter, about};
 
 /// Relative difference of forces that are alike.
 const ROUNDING: f64 = 1e-9;
@@ -438,7 +441,8 @@ impl Facts<'_> {
         }
     }
 
-    /// Returns a value of the report with its unit, to `digits` of [`rounded`] or [`about`].
+    /// Returns a value of the report with its unit, to `digits` of
+    /// [`rounded`](crate::units::rounded) or [`about`].
     pub fn with_unit(
         &self,
         digits: fn(f64) -> String,
@@ -632,182 +636,6 @@ impl Facts<'_> {
         })
     }
 
-    fn of_heights(&self) -> Vec<Answer> {
-        let whole = self.step.three_dimensional.as_ref();
-        let Some(rough) = whole.and_then(|whole| whole.surface.as_ref()) else {
-            return Vec::new();
-        };
-        let mut answers = vec![
-            self.answer(
-                "contact_ratio",
-                "Real contact area",
-                AnswerQuantity::Ratio,
-                rough.contact_ratio,
-            )
-            .text("cells in contact over the area of all heights"),
-            self.answer(
-                "nominal_pressure",
-                "Nominal pressure",
-                AnswerQuantity::Stress,
-                rough.nominal_pressure,
-            )
-            .text("force over the area of all heights"),
-        ];
-        answers.extend(rough.plastic_part.map(|part| {
-            self.answer("yielded_part", "Area that yields", AnswerQuantity::Ratio, part)
-                .text("of the area in contact, below which a body has yielded")
-        }));
-        answers
-    }
-
-    fn of_roller(&self) -> Vec<Answer> {
-        let whole = self.step.three_dimensional.as_ref();
-        let roller = whole.and_then(|whole| Some((whole, whole.roller.as_ref()?)));
-        let Some((whole, roller)) = roller.filter(|_| self.touches()) else {
-            return Vec::new();
-        };
-        let [low, high] = roller.end_pressure;
-        let edge = low.max(high);
-        let text = if edge <= 0.0 {
-            "the contact ends before the roller".to_owned()
-        } else if roller.middle_pressure > 0.0 {
-            format!("{} times the pressure in the middle", about(edge / roller.middle_pressure))
-        } else {
-            "the middle of the roller does not touch".to_owned()
-        };
-        let mut answers = vec![
-            self.answer("edge_pressure", "Edge pressure", AnswerQuantity::Stress, edge).text(text),
-        ];
-        if roller.moment.abs() > 1e-6 * self.step.contact.force * whole.b {
-            answers.push(
-                self.answer("moment", "Moment", AnswerQuantity::Energy, roller.moment)
-                    .text("of the pressure about the middle, positive towards y"),
-            );
-            answers.push(
-                self.answer("tilt", "Tilt", AnswerQuantity::Angle, roller.tilt)
-                    .text("positive where the surfaces are closer at positive y"),
-            );
-        }
-        answers
-    }
-
-    pub fn of_contact(&self) -> Vec<Answer> {
-        let (step, bars) = (self.step, self.bars());
-        let contact = &step.contact;
-        let hertz = step.hertz.as_ref().filter(|_| self.touches() && !self.is_rough());
-        let whole = step.three_dimensional.as_ref();
-        let beside = if self.measured.is_dented { "elastic bodies without a dent" } else { "" };
-        let of_surface = |x: f64, y: Option<f64>| {
-            Some(AnswerPlace { body: AnswerBody::Both, x, y, depth: 0.0 })
-        };
-        let mut answers = Vec::new();
-        let peak = |value: f64| self.figure(Figure::PeakPressure, value);
-        let middle = self.middle_pressure();
-        answers.push(match self.measured.inside_rim {
-            Some((pressure, _)) if pressure <= 0.0 => {
-                let peak =
-                    self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, None);
-                peak.text("not known: only cells of the rim touch")
-            }
-            Some((pressure, [x, y])) => peak(self.write.stress(pressure))
-                .place(of_surface(self.write.length(x), Some(self.write.length(y))))
-                .text("largest pressure of a cell, without the cells of the rim"),
-            None => peak(contact.peak_pressure)
-                .error(bars.and_then(|bars| bars.peak_pressure))
-                .elastic(hertz.map(|hertz| hertz.peak_pressure))
-                .place(of_surface(contact.peak_position, whole.map(|whole| whole.peak_position_y)))
-                .text(self.least_peak().unwrap_or_else(|| beside.to_owned())),
-        });
-        answers.extend(middle);
-        let half_width = self
-            .figure(Figure::HalfWidth, contact.half_width)
-            .error(bars.and_then(|bars| bars.half_width))
-            .elastic(hertz.map(|hertz| hertz.half_width))
-            .text(beside);
-        match whole {
-            Some(_) if self.is_rough() => {}
-            Some(whole) => {
-                answers.push(half_width.named("semi_axis_a", "Shorter semi-axis"));
-                answers.push(
-                    self.figure(Figure::SemiAxisY, whole.b)
-                        .named("semi_axis_b", "Longer semi-axis")
-                        .error(
-                            whole
-                                .estimated_error
-                                .as_ref()
-                                .filter(|_| bars.is_some())
-                                .and_then(|errors| errors.b),
-                        )
-                        .elastic(whole.hertz.filter(|_| self.touches()).map(|hertz| hertz.b))
-                        .text(beside),
-                );
-            }
-            None if self.job.analysis == Analysis::Axisymmetric => {
-                answers.push(half_width.labelled("Contact radius"));
-            }
-            None => answers.push(half_width.text(contact.half_angle.map_or_else(
-                || beside.to_owned(),
-                |angle| format!("along the arc, {}° to each side", about(angle)),
-            ))),
-        }
-        answers.push(self.approach());
-        let force = self.figure(Figure::Force, contact.force);
-        answers.push(force.error(bars.and_then(|bars| bars.force)));
-        // A roller that touches from end to end has Hertz's line contact.
-        let is_roller = whole.is_some_and(|whole| whole.roller.is_some());
-        let over_peak = if is_roller {
-            None
-        } else if self.is_whole() {
-            Some(2.0 / 3.0)
-        } else {
-            Some(std::f64::consts::FRAC_PI_4)
-        };
-        answers.push(
-            self.answer(
-                "mean_pressure",
-                "Mean pressure",
-                AnswerQuantity::Stress,
-                contact.mean_pressure,
-            )
-            .error(self.mean_pressure_bar())
-            .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
-            .text(if self.is_rough() { "over the cells in contact" } else { beside }),
-        );
-        answers
-    }
-
-    /// Returns the pressure in the middle where it has a bar and the peak has none.
-    fn middle_pressure(&self) -> Option<Answer> {
-        let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
-        let pressure = self.step.contact.middle_pressure;
-        let bar = bars.middle_pressure.filter(|_| pressure > 0.0)?;
-        Some(self.figure(Figure::MiddlePressure, pressure).error(Some(bar)))
-    }
-
-    /// Says what a peak without a bar is at least: the larger of the pressures in the middle and in
-    /// the mean, less their bars.
-    fn least_peak(&self) -> Option<String> {
-        let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
-        let contact = &self.step.contact;
-        let less =
-            |pressure: f64, bar: Option<f64>| pressure * (1.0 - bar.unwrap_or(1.0)).max(0.0);
-        let least = less(contact.middle_pressure, bars.middle_pressure)
-            .max(less(contact.mean_pressure, self.mean_pressure_bar()));
-        let unit = self.unit(AnswerQuantity::Stress);
-        (least > 0.0).then(|| format!("at least {} {unit}", about(least)))
-    }
-
-    /// Returns the bar of the mean pressure: under a given force that of the contact area.
-    fn mean_pressure_bar(&self) -> Option<f64> {
-        let bars = self.bars().filter(|_| !self.is_rough())?;
-        let of_area = match &self.step.three_dimensional {
-            Some(whole) => whole.estimated_error.as_ref()?.area,
-            None if self.is_whole() => 2.0 * bars.half_width?,
-            None => bars.half_width?,
-        };
-        Some(of_area + bars.force?)
-    }
-
     fn strain(&self) -> Option<Answer> {
         let (body, zone) = self.most_strained()?;
         let side = if body == AnswerBody::Upper { Side::Upper } else { Side::Lower };
@@ -863,115 +691,6 @@ impl Facts<'_> {
             Measure::Force => write.force(core),
             Measure::Strain => core,
         }
-    }
-
-    /// Returns utilization and margin, which every loaded job has.
-    fn strength(&self) -> Vec<Answer> {
-        if !self.touches() {
-            return Vec::new();
-        }
-        let none = "no yield stress is given";
-        let used = self.measured.utilization.as_ref().filter(|_| !self.flows_from_the_first());
-        let place = used.map(|used| self.place_of(used));
-        let utilization = self
-            .answer(
-                "utilization",
-                "Utilization",
-                AnswerQuantity::Ratio,
-                used.map(|used| used.value),
-            )
-            .place(place)
-            .text(if used.is_some() {
-                "largest von Mises stress of elastic bodies over the yield stress there"
-            } else if self.flows_from_the_first() {
-                "not known: a body has plastic strain under any stress"
-            } else if self.can_yield() {
-                "not known: closed forms do not have these shapes, and the bodies yield or the \
-                 mesh does not tell the onset of yield"
-            } else {
-                none
-            });
-        let utilization = Answer { body: place.map(|place| place.body), ..utilization };
-        let first = self.first_yield();
-        let margin = self
-            .answer(
-                "margin",
-                "Margin to first yield",
-                AnswerQuantity::Number,
-                first.map(|first| first / self.step.contact.force),
-            )
-            .text(match first {
-                Some(first) => format!(
-                    "force of first yield, {}, over this force",
-                    self.with_unit(rounded, self.force_quantity(), first)
-                ),
-                None if self.flows_from_the_first() => {
-                    "not known: a body has plastic strain under any stress".to_owned()
-                }
-                None if self.is_rough() => "not known of rough surfaces".to_owned(),
-                None if self.can_yield() => {
-                    "not known: `load.onset` looks for the force of first yield".to_owned()
-                }
-                None => none.to_owned(),
-            });
-        [utilization, margin].into_iter().chain(self.core()).collect()
-    }
-
-    fn core(&self) -> Option<Answer> {
-        let core = self.measured.core.as_ref()?;
-        let place = self.place_of(core);
-        Some(
-            self.answer("core_utilization", "Core utilization", AnswerQuantity::Ratio, core.value)
-                .of(place.body)
-                .place(Some(place))
-                .text(format!(
-                    "von Mises stress over the yield stress below the case, largest of all {}",
-                    self.measured.points
-                )),
-        )
-    }
-
-    fn of_shapes(&self) -> Vec<Answer> {
-        let mut answers = Vec::new();
-        if let Some((peak, limit)) = self.shakedown() {
-            answers.push(
-                self.answer(
-                    "shakedown_pressure",
-                    "Shakedown pressure",
-                    AnswerQuantity::Stress,
-                    limit,
-                )
-                .text(format!(
-                    "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
-                    about(peak / limit)
-                )),
-            );
-        }
-        answers.extend(self.measured.effective_radius.map(|radius| {
-            self.answer(
-                "effective_radius",
-                "Effective radius",
-                AnswerQuantity::Length,
-                self.write.length(radius),
-            )
-            .text(
-                "reciprocal of the sum of both curvatures across the shorter side of the contact",
-            )
-        }));
-        answers
-    }
-
-    /// Returns Hertz's peak pressure and the shakedown limit, where both are those of the contact.
-    /// Beyond the end of a roller the pressure is larger: a peak below the limit tells nothing.
-    pub fn shakedown(&self) -> Option<(f64, f64)> {
-        let hertz = self.step.hertz.as_ref().filter(|_| self.touches())?;
-        let (peak, limit) = (hertz.peak_pressure, hertz.shakedown_pressure?);
-        let is_known = self.findings.iter().all(|finding| match finding {
-            Finding::NearSupport => false,
-            Finding::RollerEnd { .. } | Finding::Kinks => peak > limit,
-            _ => true,
-        });
-        (is_known && !self.flows_from_the_first()).then_some((peak, limit))
     }
 
     fn stiffness(&self) -> Vec<Answer> {

@@ -1,0 +1,116 @@
+//! Answers on the strength of the bodies: utilization, margin, core, shakedown.
+
+use super::{Answer, AnswerQuantity, Facts};
+use crate::report::findings::Finding;
+use crate::units::{about, rounded};
+
+impl Facts<'_> {
+    /// Returns utilization and margin, which every loaded job has.
+    pub(super) fn strength(&self) -> Vec<Answer> {
+        if !self.touches() {
+            return Vec::new();
+        }
+        let none = "no yield stress is given";
+        let used = self.measured.utilization.as_ref().filter(|_| !self.flows_from_the_first());
+        let place = used.map(|used| self.place_of(used));
+        let utilization = self
+            .answer(
+                "utilization",
+                "Utilization",
+                AnswerQuantity::Ratio,
+                used.map(|used| used.value),
+            )
+            .place(place)
+            .text(if used.is_some() {
+                "largest von Mises stress of elastic bodies over the yield stress there"
+            } else if self.flows_from_the_first() {
+                "not known: a body has plastic strain under any stress"
+            } else if self.can_yield() {
+                "not known: closed forms do not have these shapes, and the bodies yield or the \
+                 mesh does not tell the onset of yield"
+            } else {
+                none
+            });
+        let utilization = Answer { body: place.map(|place| place.body), ..utilization };
+        let first = self.first_yield();
+        let margin = self
+            .answer(
+                "margin",
+                "Margin to first yield",
+                AnswerQuantity::Number,
+                first.map(|first| first / self.step.contact.force),
+            )
+            .text(match first {
+                Some(first) => format!(
+                    "force of first yield, {}, over this force",
+                    self.with_unit(rounded, self.force_quantity(), first)
+                ),
+                None if self.flows_from_the_first() => {
+                    "not known: a body has plastic strain under any stress".to_owned()
+                }
+                None if self.is_rough() => "not known of rough surfaces".to_owned(),
+                None if self.can_yield() => {
+                    "not known: `load.onset` looks for the force of first yield".to_owned()
+                }
+                None => none.to_owned(),
+            });
+        [utilization, margin].into_iter().chain(self.core()).collect()
+    }
+
+    pub(super) fn core(&self) -> Option<Answer> {
+        let core = self.measured.core.as_ref()?;
+        let place = self.place_of(core);
+        Some(
+            self.answer("core_utilization", "Core utilization", AnswerQuantity::Ratio, core.value)
+                .of(place.body)
+                .place(Some(place))
+                .text(format!(
+                    "von Mises stress over the yield stress below the case, largest of all {}",
+                    self.measured.points
+                )),
+        )
+    }
+
+    pub(super) fn of_shapes(&self) -> Vec<Answer> {
+        let mut answers = Vec::new();
+        if let Some((peak, limit)) = self.shakedown() {
+            answers.push(
+                self.answer(
+                    "shakedown_pressure",
+                    "Shakedown pressure",
+                    AnswerQuantity::Stress,
+                    limit,
+                )
+                .text(format!(
+                    "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
+                    about(peak / limit)
+                )),
+            );
+        }
+        answers.extend(self.measured.effective_radius.map(|radius| {
+            self.answer(
+                "effective_radius",
+                "Effective radius",
+                AnswerQuantity::Length,
+                self.write.length(radius),
+            )
+            .text(
+                "reciprocal of the sum of both curvatures across the shorter side of the contact",
+            )
+        }));
+        answers
+    }
+
+    /// Returns Hertz's peak pressure and the shakedown limit, where both are those of the contact.
+    /// Beyond the end of a roller the pressure is larger: a peak below the limit tells nothing.
+    pub fn shakedown(&self) -> Option<(f64, f64)> {
+        let hertz = self.step.hertz.as_ref().filter(|_| self.touches())?;
+        let (peak, limit) = (hertz.peak_pressure, hertz.shakedown_pressure?);
+        let is_known = self.findings.iter().all(|finding| match finding {
+            Finding::NearSupport => false,
+            Finding::RollerEnd { .. } | Finding::Kinks => peak > limit,
+            _ => true,
+        });
+        (is_known && !self.flows_from_the_first()).then_some((peak, limit))
+    }
+}
