@@ -84,12 +84,6 @@ impl Layers {
         }
     }
 
-    /// Writes the faces of cells along x or y, from the middles of the cells; the section of a
-    /// track is as thick as its cells are wide.
-    fn faces(&self, _: &[usize; 2], from: Sources, values: &mut Values) {
-        values.floats(faces(&from.floats(0), &from.floats(1)));
-    }
-
     fn layer_faces(&self, _: &[usize; 2], from: Sources, values: &mut Values) {
         let depths = from.floats(0);
         let has = |is_upper: bool| self.bodies.iter().any(|body| body.0 == is_upper);
@@ -97,6 +91,12 @@ impl Layers {
         let below = depths.iter().skip(1).copied().filter(|_| has(false));
         values.floats(above.chain([0.0]).chain(below));
     }
+}
+
+/// Writes the faces of cells along x or y, from the middles of the cells; the section of a track is
+/// as thick as its cells are wide.
+fn along(_: &Layers, _: &[usize; 2], from: Sources, values: &mut Values) {
+    values.floats(faces(&from.floats(0), &from.floats(1)));
 }
 
 const CELLS: &str = "CellData Scalars=\"von_mises\" Tensors=\"stress\"";
@@ -126,8 +126,8 @@ impl VtkContents for Layers {
         Array(CELLS, UInt8, "body", 1, Self::n_cells, &[], |all, [body, _], _, values| {
             values.repeated(u8::from(all.bodies[*body].0), all.cells[0] * all.cells[1]);
         }),
-        Array(FACES, Float64, "x", 1, |all| all.cells[0] + 1, &["x", "y"], Self::faces),
-        Array(FACES, Float64, "y", 1, |all| all.cells[1] + 1, &["y", "y"], Self::faces),
+        Array(FACES, Float64, "x", 1, |all| all.cells[0] + 1, &["x", "y"], along),
+        Array(FACES, Float64, "y", 1, |all| all.cells[1] + 1, &["y", "y"], along),
         Array(FACES, Float64, "z", 1, |all| all.n_layers() + 1, &["z_faces"], Self::layer_faces),
     ];
 

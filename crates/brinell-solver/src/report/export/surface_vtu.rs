@@ -19,6 +19,10 @@ pub fn surface_vtu(
     file.pieces().into_iter().map(move |piece| file.write(&piece, &[] as &[&[u8]]))
 }
 
+/// The cells at one x.
+#[derive(Debug, Clone)]
+struct Column(usize);
+
 /// The cells of a surface and the coordinates of their faces.
 struct Surface {
     maps: MapsReport,
@@ -42,13 +46,13 @@ impl Surface {
 
     /// Writes the points on the near faces of the cells at one x, and on the far faces of the last
     /// cells.
-    fn points(&self, &column: &usize, _: Sources, values: &mut Values) {
+    fn points(&self, &Column(column): &Column, _: Sources, values: &mut Values) {
         let end = if column + 1 == self.maps.x.len() { column + 2 } else { column + 1 };
         let along_x = self.along_x[column..end].iter();
         values.floats(along_x.flat_map(|x| self.along_y.iter().flat_map(|y| [*x, *y, 0.0])));
     }
 
-    fn corners(&self, &column: &usize, _: Sources, values: &mut Values) {
+    fn corners(&self, &Column(column): &Column, _: Sources, values: &mut Values) {
         let point = |i: usize, j: usize| i * self.along_y.len() + j;
         let i = column;
         let of_cell = |j| [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)];
@@ -59,25 +63,24 @@ impl Surface {
 const CELLS: &str = "CellData Scalars=\"pressure\"";
 
 impl VtkContents for Surface {
-    /// The cells at one x.
-    type Block = usize;
+    type Block = Column;
 
     const GRID: &'static str = "UnstructuredGrid";
     const ENCODING: Encoding = Encoding::Ascii;
     const ARRAYS: &'static [Array<Self>] = &[
         Array(CELLS, Float64, "pressure", 1, Self::n_cells, &[], |all, column, _, values| {
-            values.floats(all.maps.pressure[all.cells(*column)].iter().copied());
+            values.floats(all.maps.pressure[all.cells(column.0)].iter().copied());
         }),
         Array(CELLS, Float64, "gap", 1, Self::n_cells, &[], |all, column, _, values| {
-            values.floats(all.maps.gap[all.cells(*column)].iter().copied());
+            values.floats(all.maps.gap[all.cells(column.0)].iter().copied());
         }),
         Array("Points", Float64, "Points", 3, Self::n_points, &[], Self::points),
         Array("Cells", Int64, "connectivity", 1, |all| 4 * all.n_cells(), &[], Self::corners),
         Array("Cells", Int64, "offsets", 1, Self::n_cells, &[], |all, column, _, values| {
-            values.integers(all.cells(*column).map(|cell| 4 * (cell + 1)));
+            values.integers(all.cells(column.0).map(|cell| 4 * (cell + 1)));
         }),
         Array("Cells", UInt8, "types", 1, Self::n_cells, &[], |all, column, _, values| {
-            values.repeated(QUAD, all.cells(*column).len());
+            values.repeated(QUAD, all.cells(column.0).len());
         }),
     ];
 
@@ -86,7 +89,7 @@ impl VtkContents for Surface {
         [String::new(), format!("NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\"")]
     }
 
-    fn blocks(&self, _: &Array<Self>) -> Vec<(usize, Vec<Range<usize>>)> {
-        (0..self.maps.x.len()).map(|column| (column, Vec::new())).collect()
+    fn blocks(&self, _: &Array<Self>) -> Vec<(Column, Vec<Range<usize>>)> {
+        (0..self.maps.x.len()).map(|column| (Column(column), Vec::new())).collect()
     }
 }

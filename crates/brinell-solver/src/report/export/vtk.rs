@@ -276,7 +276,7 @@ impl<C: VtkContents> VtkFile<C> {
         let text = &mut self.values.text;
         if before.is_none_or(|before| before.0 != *group) {
             let closed = before.map(|before| format!("</{}>\n", before.element()));
-            let _ = write!(text, "{}<{group}>\n", closed.unwrap_or_default());
+            let _ = writeln!(text, "{}<{group}>", closed.unwrap_or_default());
         }
         let (attributes, format) = match (C::ENCODING, components) {
             (Encoding::Base64, 1) => (String::new(), "binary"),
