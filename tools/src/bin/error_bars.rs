@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p brinell-tools --bin error_bars -- fit` solves two sets of random jobs,
 //! each job beside itself on a finer mesh. It takes the smallest floors that cover the errors of
-//! the first set, writes them to `solver/floors.rs` and `docs/validity.md`, judges them by the
+//! the first set, writes them to `brinell-method/src/floors.rs` and `docs/validity.md`, judges them by the
 //! second set and writes `docs/notes/error_bars_counted.md`. A part of a set that has been solved
 //! is kept under `target/error_bars`, in a folder of the program that solved it: a run that is
 //! stopped goes on where it was.
@@ -589,7 +589,7 @@ fn write_floors(floors: &Floors) -> Result<(), Fault> {
         let rest = after.splitn(5, " | ").nth(4).ok_or("a row without cells")?;
         text = format!("{before}{begin}{} | {rest}", cells.join(" | "));
     }
-    let source = Path::new("crates/brinell-solver/src/solver/floors.rs");
+    let source = Path::new("crates/brinell-method/src/floors.rs");
     replace(source, "match figure {", "    }\n}", &code)?;
     Ok(fs::write(document, text)?)
 }
