@@ -44,7 +44,10 @@ impl Bars {
         let mut scales = figures;
         let largest_approach = step.figures.approach.abs().max(step.path.reached[0]);
         scales.approach = largest_approach;
-        scales.force = scales.force.max(step.field.unloading_stiffness * largest_approach);
+        // Where bodies unload, the force follows what is left of the approach.
+        if step.figures.approach < step.path.reached[0] {
+            scales.force = scales.force.max(step.field.unloading_stiffness * largest_approach);
+        }
         for (scales, body) in scales.bodies.iter_mut().zip(&step.field.bodies) {
             let Some(body) = body else { continue };
             let points = body.stress.points.iter().flatten();

@@ -32,6 +32,7 @@ mod slopes;
 mod solution;
 mod strategy;
 mod surface_recovery;
+mod theory_bias;
 pub(crate) mod watch;
 
 pub(crate) use brinell_method as method;
@@ -63,7 +64,7 @@ pub use outline::outline_of;
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
-pub(crate) use reference::{elastic_utilization, factor_of_onset};
+pub(crate) use reference::{elastic_utilization, factor_of_onset, over_yield_stress};
 pub(crate) use slopes::{
     SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, of_small_mesh, small, small_solves,
 };
@@ -72,3 +73,5 @@ pub use surface_recovery::{SurfaceStress, surface_stresses};
 pub(crate) use surface_recovery::{
     recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,
 };
+pub(crate) use theory_bias::LEAST_RATIO;
+pub use theory_bias::TheoryBias;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::analytical::{DepthLimit, HertzLine, HertzPoint, YieldOnset};
 use crate::fem::element::StressState;
-use crate::job::{Analysis, Job};
+use crate::job::{Analysis, Job, Material};
 use crate::solver::problem::{Problem, ProblemBody};
 
 /// Hertz's contact and the onset of yield.
@@ -105,6 +105,26 @@ pub(crate) fn elastic_utilization(job: &Job, force: f64) -> Option<(f64, [f64; 2
     let used = bodies.filter_map(|(side, body)| Some((of_body(body)?, side)));
     let ((ratio, depth), side) = used.max_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
     Some((ratio, [0.0, depth], side))
+}
+
+/// Returns a pressure over the least yield stress of a job, or `None` without a yield stress.
+pub(crate) fn over_yield_stress(job: &Job, pressure: f64) -> Option<f64> {
+    let yield_stress = |material: &Material| match material {
+        Material::Deformable(material) => {
+            material.hardening_law().map(|law| law.nominal_yield_stress())
+        }
+        Material::Rigid => None,
+    };
+    let least = [&job.upper, &job.lower]
+        .into_iter()
+        .filter_map(|body| yield_stress(&body.material))
+        .reduce(f64::min)?;
+    (least > 0.0 && pressure > 0.0).then(|| pressure / least)
+}
+
+/// Returns the peak pressure of elastic bodies over the least yield stress of a job.
+pub(crate) fn elastic_ratio(job: &Job, force: f64) -> Option<f64> {
+    over_yield_stress(job, ElasticReference::of(job, force)?.peak_pressure)
 }
 
 /// Returns the factor on a yield stress that makes `force` the force of first yield, and the depth

@@ -12,6 +12,7 @@ use crate::solver::method::figures::Figures;
 use crate::solver::method::observer::Interrupt;
 use crate::solver::method::phases::PhaseTimes;
 use crate::solver::method::steps::Step;
+use crate::solver::theory_bias::TheoryBias;
 
 /// The answer to a job.
 #[derive(Debug, Clone, Default)]
@@ -68,6 +69,9 @@ pub struct SectionField {
     /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power
     /// below 2.
     pub rounded_tip: Option<RoundedTip>,
+    /// By how much the figures differ from those of flow theory; `None` of elastic bodies, of
+    /// bodies with a memory, and where it was not sought.
+    pub theory_bias: Option<TheoryBias>,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the
     /// elastic one, of the pairs in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,

@@ -76,7 +76,8 @@ pub(super) fn run(
         return Err(SolveError::NoYieldPoint);
     }
     let elastic = problem.without_plasticity();
-    let sequence = LoadSequence { problem: &elastic, with_memory: None, ..*sequence };
+    let sequence =
+        LoadSequence { problem: &elastic, with_memory: None, tells_bias: false, ..*sequence };
     ForceSearch { sought, problem, sequence }.run(run)
 }
 
@@ -129,7 +130,8 @@ impl ForceSearch<'_> {
     fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), SolveError> {
         let before = *run.passes;
         let coarse = self.coarse_job();
-        let coarse = LoadSequence { job: &coarse, contact: &ActiveSetSolver, ..self.sequence };
+        let (contact, tells_bias) = (&ActiveSetSolver, false);
+        let coarse = LoadSequence { job: &coarse, contact, tells_bias, ..self.sequence };
         let trial = |density, force, run: &mut Run<'_>| {
             let is_asked = density == Density::Asked;
             self.trial_by(if is_asked { &self.sequence } else { &coarse }, force, run)

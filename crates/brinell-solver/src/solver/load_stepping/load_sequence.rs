@@ -25,6 +25,8 @@ pub(super) struct LoadSequence<'a> {
     pub job: &'a Job,
     pub contact: &'a dyn ContactSolver,
     pub cache: Option<&'a Arc<FactorCache>>,
+    /// Whether deformation theory is compared with flow theory.
+    pub tells_bias: bool,
 }
 
 impl LoadSequence<'_> {
@@ -38,7 +40,8 @@ impl LoadSequence<'_> {
         run: &mut Run<'_>,
         receiver: &mut dyn StepReceiver<SectionField>,
     ) -> Result<Option<Interrupt>, SolveError> {
-        let mut stepper = LoadStepper::new(self.problem, self.job, self.contact, self.cache);
+        let mut stepper = LoadStepper::new(self.problem, self.job, self.contact, self.cache)
+            .telling_bias(self.tells_bias);
         if let Some(problem) = self.with_memory {
             let (job, contact) = (self.job, self.contact);
             let bodies = MeshedHistory { problem, sizing: &stepper, job, contact, loads };

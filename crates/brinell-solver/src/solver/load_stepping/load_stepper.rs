@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::history::growth;
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver};
 use crate::fem::element::StressState;
 use crate::fem::mesh::ContactZone;
@@ -19,8 +20,10 @@ use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
+use crate::solver::reference::elastic_ratio;
 use crate::solver::solution::StepSolution;
 use crate::solver::strategy::coupling;
+use crate::solver::theory_bias::{FlowOnMesh, LEAST_RATIO};
 use crate::solver::{Interrupt, SolveError, SolveStatus, final_check, finite_elements};
 
 /// Elements over a half-width in the first mesh.
@@ -53,6 +56,8 @@ pub(crate) struct LoadStepper<'a> {
     job: &'a Job,
     contact: &'a dyn ContactSolver,
     cache: Option<&'a Arc<FactorCache>>,
+    /// Whether each step is compared with flow theory.
+    tells_bias: bool,
     last: Option<LastStep>,
 }
 
@@ -73,7 +78,12 @@ impl<'a> LoadStepper<'a> {
         contact: &'a dyn ContactSolver,
         cache: Option<&'a Arc<FactorCache>>,
     ) -> Self {
-        Self { problem, job, contact, cache, last: None }
+        Self { problem, job, contact, cache, tells_bias: false, last: None }
+    }
+
+    /// Compares each step with flow theory, or not.
+    pub fn telling_bias(self, tells_bias: bool) -> Self {
+        Self { tells_bias, ..self }
     }
 
     /// One load; `next` is the one after it, for which the mesh may be made to serve as well.
@@ -131,20 +141,47 @@ impl<'a> LoadStepper<'a> {
             elastic_force,
         );
         let is_converged = step.status == SolveStatus::Converged;
+        let is_compared = self.tells_bias && is_converged && yields;
+        let flow =
+            is_compared.then(|| self.flow_on(&coarse.system, load, step.figures.force)).flatten();
+        let mut coarse = Some(coarse.into_system(load));
+        if let (Some(flow), Some(figures)) = (flow, figures)
+            && let Some(system) = coarse.take()
+        {
+            (step.field.theory_bias, coarse) = flow.compare(self.problem, &figures, system, run);
+        }
         // Memory is freed here, where the time it takes is measured.
         self.last = run.time(Phase::Output, move || {
             drop(sizing);
-            let (extent, coarse, fine) = (found, coarse.into_system(load), pass.into_system(load));
+            let (extent, fine) = (found, pass.into_system(load));
             // Only converged solutions seed the next load.
-            next.filter(|_| is_converged).map(|_| LastStep {
-                load,
-                made_for,
-                extent,
-                coarse,
-                fine,
-            })
+            let coarse = coarse.filter(|_| next.is_some() && is_converged);
+            coarse.map(|coarse| LastStep { load, made_for, extent, coarse, fine })
         });
         Ok(step)
+    }
+
+    /// Flow theory on a mesh that deformation theory was solved on; `None` where both theories
+    /// differ little.
+    fn flow_on(&self, system: &System, load: ContactLoad, force: f64) -> Option<FlowOnMesh<'a>> {
+        if elastic_ratio(self.job, force).is_some_and(|ratio| ratio < LEAST_RATIO) {
+            return None;
+        }
+        let zone = system.zone.clone();
+        let request = MeshSolveRequest {
+            contact: &ActiveSetSolver,
+            refinement: refinement(&zone),
+            zone,
+            search_region: system.search_region,
+            load,
+            solver: auxiliary(),
+            previous: None,
+            cache: self.cache,
+            scales: Scales::default(),
+            increment: None,
+        };
+        let growth = growth(self.job, self.problem, load);
+        Some(FlowOnMesh::new(self.job, self.problem.use_symmetry, growth, request))
     }
 
     /// By how much the contact of an elastic body grows from one load to another.

@@ -79,17 +79,18 @@ pub fn run_each(
     receiver: &mut dyn StepReceiver<SectionField>,
 ) -> Result<Solution, SolveError> {
     if !job.output.contact_stiffness {
-        return solve(job, options, observer, receiver);
+        return solve(job, options, true, observer, receiver);
     }
     let mut under = |loads: &[ContactLoad], observer: &mut dyn Observer| {
         let Some(job) = small_job(job, loads) else { return Ok(None) };
         let mut steps: Vec<StepSolution> = Vec::new();
-        let solution = solve(&job, options, observer, &mut steps);
+        let solution = solve(&job, options, false, observer, &mut steps);
         let interrupt = solution.map(|solution| solution.interrupted);
         reached(&interrupt, &steps)
     };
     let is_history = job.solver.theory == Theory::Flow;
-    solve(job, options, observer, &mut Slopes::new(receiver, lacks_slope, is_history, &mut under))
+    let slopes = &mut Slopes::new(receiver, lacks_slope, is_history, &mut under);
+    solve(job, options, true, observer, slopes)
 }
 
 /// Returns whether a step has a slope that is not known yet.
@@ -99,9 +100,11 @@ fn lacks_slope(step: &StepSolution) -> bool {
     step.status == SolveStatus::Converged && step.contact_stiffness.is_none() && !flows_freely
 }
 
+/// Solves a job. `tells_bias` compares deformation theory with flow theory.
 fn solve(
     job: &Job,
     options: Options<'_>,
+    tells_bias: bool,
     observer: &mut dyn Observer,
     receiver: &mut dyn StepReceiver<SectionField>,
 ) -> Result<Solution, SolveError> {
@@ -118,7 +121,9 @@ fn solve(
         bodies
     });
     let (with_memory, cache) = (with_memory.as_ref(), options.cache);
-    let sequence = LoadSequence { problem: &problem, with_memory, job, contact, cache };
+    let tells_bias = tells_bias && options.model.is_none();
+    let sequence =
+        LoadSequence { problem: &problem, with_memory, job, contact, cache, tells_bias };
     let mut solution = Solution::default();
     let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
     match loads(&job.load) {
