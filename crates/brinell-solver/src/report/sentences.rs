@@ -525,7 +525,8 @@ impl Deformation {
                 )
             }
             KnownBias::Small => "Below twice the yield stress figures differ from those of flow \
-                                 theory (`solver.theory`) by less than their bars or 1 %."
+                                 theory (`solver.theory`) by less than 0.5 %, under Ramberg and \
+                                 Osgood's law by up to 4 %."
                 .to_owned(),
             KnownBias::Unknown => {
                 "Their difference to flow theory (`solver.theory`) is not known \
