@@ -6,6 +6,7 @@
  *
  * @typedef {object} Answer
  * @property {number | null} bias
+ * @property {number | null} bias_error
  * @property {AnswerBody | null} body
  * @property {number | null} elastic
  * @property {number | null} error

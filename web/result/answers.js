@@ -49,6 +49,7 @@ function plainAnswers(step, report) {
             // A force without a bar is the one that the job gives.
             error: (one.bar && barOf(step, one.bar)) ?? (one === force ? 0 : null),
             bias: null,
+            bias_error: null,
             elastic: null,
             place: null,
             text: '',
@@ -74,6 +75,7 @@ const dents = (step, { units }) =>
                 unit: unit('length', units),
                 error: null,
                 bias: null,
+                bias_error: null,
                 elastic: null,
                 place: null,
                 text: '',
@@ -115,14 +117,17 @@ export const valueOf = (answer) =>
   answer.value === null ? '—' : figureOf(answer.value * shareOf(answer), errorOf(answer));
 
 /** Its bound from both sides, for digits. @param {Answer} answer */
-const errorOf = ({ error, bias }) => (error === null ? null : error + Math.abs(bias ?? 0));
+const errorOf = ({ error, bias, bias_error }) =>
+  error === null ? null : error + Math.abs(bias ?? 0) + (bias_error ?? 0);
 
 /** How well it is known. @param {Answer} answer @returns {string} */
-export function errorWords({ value, error, bias, quantity }) {
+export function errorWords({ value, error, bias, bias_error, quantity }) {
   if (value === null) return '';
   const parts = [];
   if (bias)
-    parts.push(`${percent(Math.abs(bias), 2)} ${bias > 0 ? 'above' : 'below'} flow theory`);
+    parts.push(
+      `${percent(Math.abs(bias), 2)} ± ${percent(bias_error ?? 0, 2)} ${bias > 0 ? 'above' : 'below'} flow theory`,
+    );
   if (error === null) parts.push('error not known');
   else if (error > 0) parts.push(`± ${percent(error)}`);
   else if (!bias && quantity !== 'number') parts.push('as given');

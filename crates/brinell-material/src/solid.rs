@@ -52,6 +52,15 @@ impl Solid {
         Self { initial_stress, ..self }
     }
 
+    /// Returns a pressure over the least nominal yield stress of solids; `None` without one, or
+    /// without a pressure.
+    pub fn over_yield_stress(solids: [Option<&Self>; 2], pressure: f64) -> Option<f64> {
+        let yield_stress =
+            |solid: &Self| Some(solid.hardening_law.as_ref()?.nominal_yield_stress());
+        let least = solids.into_iter().flatten().filter_map(yield_stress).reduce(f64::min)?;
+        (least > 0.0 && pressure > 0.0).then(|| pressure / least)
+    }
+
     /// Returns the elastic constants.
     pub const fn elastic(&self) -> ElasticConstants {
         self.elastic

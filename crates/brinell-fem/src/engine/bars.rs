@@ -44,7 +44,10 @@ impl Bars {
         let mut scales = figures;
         let largest_approach = step.figures.approach.abs().max(step.path.reached[0]);
         scales.approach = largest_approach;
-        scales.force = scales.force.max(step.field.unloading_stiffness * largest_approach);
+        let of_stiffness = step.field.unloading_stiffness * largest_approach;
+        let is_loading = step.figures.approach >= step.path.reached[0];
+        let most = if is_loading { most_of_force(step) } else { f64::INFINITY };
+        scales.force = scales.force.max(of_stiffness.min(most));
         for (scales, body) in scales.bodies.iter_mut().zip(&step.field.bodies) {
             let Some(body) = body else { continue };
             let points = body.stress.points.iter().flatten();
@@ -99,5 +102,18 @@ impl Bars {
             TargetFigure::DentDepth => of_bodies(Figure::Dent),
             TargetFigure::MaxPlasticStrain => of_bodies(Figure::MaxPlasticStrain),
         }
+    }
+}
+
+/// Returns the largest scale of the force while loads rise. The force of a fully plastic contact
+/// follows the area, whose error is that of the half-width.
+fn most_of_force(step: &StepSolution) -> f64 {
+    let state = step.field.stress_state;
+    let [of_width, of_force] =
+        [Figure::HalfWidth, Figure::Force].map(|figure| floors(figure)[class_of(state)]);
+    let power = if state == StressState::Axisymmetric { 2.0 } else { 1.0 };
+    match (of_width, of_force) {
+        (Some(width), Some(force)) => power * width / force * step.figures.force.abs(),
+        _ => f64::INFINITY,
     }
 }

@@ -27,6 +27,7 @@ pub mod recovery;
 mod reference;
 mod solution;
 mod surface_recovery;
+mod theory_bias;
 
 pub use body_solution::{BodySolution, bounded_strain, has_yielded};
 pub use body_system::contact_patch::ContactPatch;
@@ -48,3 +49,4 @@ pub use surface_recovery::{
     SurfaceStress, recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,
     surface_stresses,
 };
+pub use theory_bias::{LEAST_RATIO, TheoryBias};

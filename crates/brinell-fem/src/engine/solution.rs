@@ -7,6 +7,7 @@ use crate::element::StressState;
 use crate::engine::body_solution::BodySolution;
 use crate::engine::body_system::contact_patch::{ContactPatch, LEAST_PART};
 use crate::engine::conforming::ConformingPair;
+use crate::engine::theory_bias::TheoryBias;
 use brinell_material::analytical::RoundedEdge;
 use brinell_method::figures::Figures;
 use brinell_method::observer::Interrupt;
@@ -68,6 +69,9 @@ pub struct SectionField {
     /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power
     /// below 2.
     pub rounded_tip: Option<RoundedTip>,
+    /// By how much the figures differ from those of flow theory; `None` of elastic bodies, of
+    /// bodies with a memory, and where it was not sought.
+    pub theory_bias: Option<TheoryBias>,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the
     /// elastic one, of the pairs in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,

@@ -11,7 +11,8 @@
 //!
 //! - approach and dent: the largest approach of the history;
 //! - pile-up: the sum of dent and pile-up;
-//! - force: the product of unloading stiffness and largest approach, if it is larger than |x|;
+//! - force: the product of unloading stiffness and largest approach, if it is larger than |x|; while
+//!   loads rise, with a floor of at most that of the contact area;
 //! - stresses: the largest von Mises stress;
 //! - plastic strains: |x| plus the largest von Mises stress over 3 G.
 //!

@@ -165,19 +165,23 @@ pub(super) enum Density {
     Heights,
 }
 
-/// The elastic peak pressure over the least yield stress, where both are known, and the shape of
-/// the contact.
+/// The elastic peak pressure over the least yield stress, where both are known, and the difference
+/// to flow theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Deformation {
     pub ratio: Option<f64>,
-    pub outline: ContactOutline,
+    pub bias: KnownBias,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum ContactOutline {
-    Line,
-    Ellipse,
-    Circle,
+/// The difference of deformation theory to flow theory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum KnownBias {
+    /// The answers have it. That of the peak pressure and its error.
+    Told([f64; 2]),
+    /// It is small.
+    Small,
+    /// Nothing tells it.
+    Unknown,
 }
 
 /// Why the force at the onset of yield is not known.

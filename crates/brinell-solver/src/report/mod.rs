@@ -30,6 +30,7 @@ mod subsurface;
 mod surface_stress;
 mod suspicions;
 mod target;
+mod theory_bias;
 mod validity;
 mod verdict;
 

@@ -2,7 +2,7 @@
 
 use super::error_bars::name_of;
 use super::findings::{
-    Advice, CasePlace, ContactOutline, Deformation, Density, Finding, MANY_MESHES, OnsetUnknown,
+    Advice, CasePlace, Deformation, Density, Finding, KnownBias, MANY_MESHES, OnsetUnknown,
     Unconverged, Wide, Work,
 };
 use super::suspicions;
@@ -15,11 +15,6 @@ use crate::units::{UnitConverter, about, percent, rounded};
 pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is \
                                             solved as a `cylinder` in a `hole`, up to 80° to each \
                                             side";
-
-/// Elastic peak over yield stress, and by how many per cent the peak pressure of deformation
-/// theory is then above that of flow theory, for steel cylinders and for steel spheres
-/// (docs/theory.md, section 4a).
-const ABOVE_FLOW_THEORY: [[f64; 3]; 3] = [[3.0, 3.0, 5.0], [4.0, 7.0, 10.0], [5.0, 12.0, 13.0]];
 
 const MORE_ELEMENTS: &str = "Ask for more elements (`mesh.elements_per_half_width`).";
 const MEANT: &str =
@@ -516,56 +511,33 @@ impl Wide {
 
 impl Deformation {
     fn text(self) -> String {
-        let above = self.ratio.map_or_else(
-            || {
-                "Below a growing contact they do not, and its peak pressure is some per cent \
-                 above that of flow theory (`solver.theory`)."
-                    .to_owned()
-            },
-            |ratio| {
+        let ratio = self.ratio.map_or_else(String::new, |ratio| {
+            format!(" The elastic peak is {} times the yield stress.", about(ratio))
+        });
+        let bias = match self.bias {
+            KnownBias::Told([bias, error]) => {
+                let side = if bias < 0.0 { "below" } else { "above" };
                 format!(
-                    "Below a growing contact they do not: the elastic peak is {} times the yield \
-                     stress, and there the peak pressure is above that of flow theory \
-                     (`solver.theory`) by {}.",
-                    about(ratio),
-                    self.outline.above_flow_theory(ratio)
+                    "`bias` of the answers is their difference to flow theory (`solver.theory`): \
+                     the peak pressure is {} ± {} {side}.",
+                    percent(bias.abs()),
+                    percent(error)
                 )
-            },
-        );
-        format!(
-            "Plasticity by deformation theory: exact where stresses grow in proportion. {above} \
-             Says nothing about unloading or residual stresses."
-        )
-    }
-}
-
-impl ContactOutline {
-    /// Returns by how much the peak pressure of deformation theory is above that of flow theory
-    /// where the elastic peak is `ratio` times the yield stress.
-    fn above_flow_theory(self, ratio: f64) -> String {
-        let [first, .., last] = ABOVE_FLOW_THEORY;
-        let word = if ratio < first[0] {
-            "less than"
-        } else if ratio > last[0] {
-            "more than"
-        } else {
-            "about"
-        };
-        let of = |column: usize| {
-            let ratio = ratio.clamp(first[0], last[0]);
-            let pairs = ABOVE_FLOW_THEORY.windows(2);
-            let found = pairs.map(|pair| (pair[0], pair[1])).find(|(_, next)| ratio <= next[0]);
-            let (from, to) = found.unwrap_or((last, last));
-            let part = if to[0] > from[0] { (ratio - from[0]) / (to[0] - from[0]) } else { 0.0 };
-            from[column] + part * (to[column] - from[column])
-        };
-        let (line, ball) = (of(1), of(2));
-        match self {
-            Self::Line => format!("{word} {line:.0} % for steel cylinders"),
-            Self::Circle => format!("{word} {ball:.0} % for steel spheres"),
-            Self::Ellipse => {
-                format!("{word} {line:.0} % for steel cylinders, {ball:.0} % for steel spheres")
             }
-        }
+            KnownBias::Small => "Below twice the yield stress figures differ from those of flow \
+                                 theory (`solver.theory`) by less than 0.5 %, under Ramberg and \
+                                 Osgood's law by up to 4 %."
+                .to_owned(),
+            KnownBias::Unknown => {
+                "Their difference to flow theory (`solver.theory`) is not known \
+                                   here."
+                    .to_owned()
+            }
+        };
+        format!(
+            "Plasticity by deformation theory: exact where stresses grow in proportion. Below a \
+             growing contact they do not.{ratio} {bias} Says nothing about unloading or residual \
+             stresses."
+        )
     }
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::findings::{
-    Advice, ContactOutline, Deformation, Density, Finding, MANY_MESHES, Unconverged, Wide, Work,
+    Advice, Deformation, Density, Finding, KnownBias, MANY_MESHES, Unconverged, Wide, Work,
 };
 use super::mesh_effects::{
     COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
@@ -12,15 +12,13 @@ use super::mesh_effects::{
 use super::surface_stress::UncertainStress;
 use super::{onset, plastic_strain, strength};
 use crate::contact::{ContactLoad, KktReport};
-use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
 use crate::inputs::outline_of;
-use crate::job::{
-    Coupling, HistoryLoad, Job, Load, Material, PositiveF64, Shape, SolverSettings, Theory,
-};
+use crate::job::{Coupling, HistoryLoad, Job, Load, PositiveF64, Shape, SolverSettings, Theory};
+use crate::material::Solid;
 use crate::solver::{
-    ElasticReference, IterationRecord, LastIncrement, PairState, Problem, SolveStatus,
-    StepSolution, TIP_ELEMENTS,
+    ElasticReference, IterationRecord, LEAST_RATIO, LastIncrement, PairState, Problem,
+    SolveStatus, StepSolution, TIP_ELEMENTS,
 };
 use crate::units::UnitConverter;
 
@@ -141,12 +139,16 @@ pub(super) fn findings(
         findings.extend(large_strain(strain, step.checks.has_collapsed, last));
     }
     if strain > 0.0 && step.path.energy.is_none() {
+        let ratio = {
+            let solids = problem.bodies.each_ref().map(|body| body.material.as_ref());
+            reference.and_then(|hertz| Solid::over_yield_stress(solids, hertz.peak_pressure))
+        };
         findings.push(Finding::DeformationTheory(Deformation {
-            ratio: reference.and_then(|hertz| over_yield_stress(job, hertz.peak_pressure)),
-            outline: if step.field.stress_state == StressState::Axisymmetric {
-                ContactOutline::Circle
-            } else {
-                ContactOutline::Line
+            ratio,
+            bias: match step.field.theory_bias {
+                Some(of) => KnownBias::Told([of.bias.peak_pressure, of.error.peak_pressure]),
+                None if ratio.is_some_and(|ratio| ratio < LEAST_RATIO) => KnownBias::Small,
+                None => KnownBias::Unknown,
             },
         }));
     }
@@ -182,21 +184,6 @@ pub(super) fn smallest_radius(job: &Job, reference: Option<&ElasticReference>) -
         // the vertical by the curvature of each body.
         |least, curvature| least.min(curvature.abs().recip()),
     )
-}
-
-/// Returns a pressure over the least yield stress of a job, or `None` without a yield stress.
-pub(super) fn over_yield_stress(job: &Job, pressure: f64) -> Option<f64> {
-    let yield_stress = |material: &Material| match material {
-        Material::Deformable(material) => {
-            material.hardening_law().map(|law| law.nominal_yield_stress())
-        }
-        Material::Rigid => None,
-    };
-    let least = [&job.upper, &job.lower]
-        .into_iter()
-        .filter_map(|body| yield_stress(&body.material))
-        .reduce(f64::min)?;
-    (least > 0.0 && pressure > 0.0).then(|| pressure / least)
 }
 
 /// Adds the findings on details of the contact that the mesh does not resolve.

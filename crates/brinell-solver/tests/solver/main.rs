@@ -54,6 +54,7 @@ mod strength_over_depth;
 mod subsurface;
 mod sweeps;
 mod targets;
+mod theory_bias;
 mod thick_cylinder;
 mod traces;
 mod trial_model;

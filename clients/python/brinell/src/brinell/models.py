@@ -3466,7 +3466,14 @@ class Answer(BaseModel):
     bias: Annotated[
         float | None,
         Field(
-            description='Relative difference to flow theory; positive where the figure is larger. `null` where it is not known. Without unit.'
+            description="The figure of deformation theory less that of flow theory, over the figure's size; `null` where the theories do not differ or it is not known. Without unit."
+        ),
+    ]
+    bias_error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of the error of the bias; `null` without one. Without unit.',
+            ge=0.0,
         ),
     ]
     body: Literal['upper', 'lower', 'both'] | None

@@ -60,6 +60,13 @@ pub(crate) struct Accepted {
     pub plastic: RadialEnvelope,
 }
 
+impl Accepted {
+    /// The state before the first increment, with displacements of zero.
+    fn at_rest(displacement: BlockVector) -> Self {
+        Self { displacement, whole: Vec::new(), plastic: RadialEnvelope::NONE }
+    }
+}
+
 /// The requirements on a mesh.
 #[derive(Clone, Copy)]
 pub(crate) struct Design<'a> {
@@ -141,11 +148,7 @@ impl System {
             initial_gap,
             flexibility: SymmetricMatrix::from_fn(0, |_, _| 0.0),
             search_region,
-            accepted: Accepted {
-                displacement: zeros,
-                whole: Vec::new(),
-                plastic: RadialEnvelope::NONE,
-            },
+            accepted: Accepted::at_rest(zeros),
             states: Vec::new(),
         };
         system.sum_flexibility();
@@ -239,6 +242,18 @@ impl System {
             body.set_plastic_region(search_region);
         }
         self.search_region = search_region;
+    }
+
+    /// Puts the bodies at rest and gives them the models of another problem of the same bodies. The
+    /// factors have to be renewed before the next iteration.
+    pub fn begin_with(&mut self, problem: &Problem, search_region: PlasticSearchRegion) {
+        for (model, body) in self.model_of.into_iter().zip(&problem.bodies) {
+            if let (Some(k), Some(model)) = (model, &body.model) {
+                self.bodies[k].model = Arc::clone(model);
+            }
+        }
+        self.set_plastic_region(search_region);
+        self.accepted = Accepted::at_rest(self.zeros());
     }
 
     pub(super) fn sum_flexibility(&mut self) {

@@ -81,7 +81,8 @@ pub(super) fn run(
         return Err(MeshedError::NoYieldPoint);
     }
     let elastic = problem.without_plasticity();
-    let sequence = LoadSequence { problem: &elastic, with_memory: None, ..*sequence };
+    let sequence =
+        LoadSequence { problem: &elastic, with_memory: None, tells_bias: false, ..*sequence };
     ForceSearch { sought, problem, sequence }.run(run)
 }
 
@@ -133,8 +134,9 @@ struct ForceSearch<'a> {
 impl ForceSearch<'_> {
     fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), MeshedError> {
         let before = *run.passes;
-        let coarse = self.coarse();
-        let coarse = LoadSequence { asked: coarse, contact: &ActiveSetSolver, ..self.sequence };
+        let asked = self.coarse();
+        let (contact, tells_bias) = (&ActiveSetSolver, false);
+        let coarse = LoadSequence { asked, contact, tells_bias, ..self.sequence };
         let trial = |density, force, run: &mut Run<'_>| {
             let is_asked = density == Density::Asked;
             self.trial_by(if is_asked { &self.sequence } else { &coarse }, force, run)

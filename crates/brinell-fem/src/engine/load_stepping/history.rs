@@ -226,24 +226,7 @@ impl Memory for HistoryOnMesh<'_> {
     }
 
     fn growth(&self, load: ContactLoad) -> Growth {
-        let problem = self.history.problem;
-        let onset = match load {
-            _ if problem.bodies.iter().all(|body| body.hardening().is_none()) => {
-                Some(f64::INFINITY)
-            }
-            ContactLoad::Force(force) => {
-                ElasticReference::of(problem, force.max(f64::MIN_POSITIVE))
-                    .and_then(|reference| reference.yield_onset_force)
-            }
-            ContactLoad::Approach(_) => None,
-        };
-        // Between the elastic and the fully plastic contact.
-        let exponent = match (problem.stress_state, load) {
-            (StressState::Axisymmetric, ContactLoad::Force(_)) => 2.4,
-            (_, ContactLoad::Force(_)) => 1.6,
-            (_, ContactLoad::Approach(_)) => 2.0,
-        };
-        Growth { onset, exponent }
+        growth(self.history.problem, load)
     }
 
     /// Nothing of the system but its stiffness is changed.
@@ -378,4 +361,21 @@ impl PointHistory {
         point.largest_von_mises = self.von_mises;
         flows(gained, self.von_mises, 3.0 * point.secant_shear)
     }
+}
+
+/// Returns the growth of the contact on the way to a load.
+pub(super) fn growth(problem: &Problem, load: ContactLoad) -> Growth {
+    let onset = match load {
+        _ if problem.bodies.iter().all(|body| body.hardening().is_none()) => Some(f64::INFINITY),
+        ContactLoad::Force(force) => ElasticReference::of(problem, force.max(f64::MIN_POSITIVE))
+            .and_then(|reference| reference.yield_onset_force),
+        ContactLoad::Approach(_) => None,
+    };
+    // Between the elastic and the fully plastic contact.
+    let exponent = match (problem.stress_state, load) {
+        (StressState::Axisymmetric, ContactLoad::Force(_)) => 2.4,
+        (_, ContactLoad::Force(_)) => 1.6,
+        (_, ContactLoad::Approach(_)) => 2.0,
+    };
+    Growth { onset, exponent }
 }

@@ -26,6 +26,8 @@ pub(super) struct LoadSequence<'a> {
     pub asked: Asked,
     pub contact: &'a dyn ContactSolver,
     pub cache: Option<&'a Arc<FactorCache>>,
+    /// Whether deformation theory is compared with flow theory.
+    pub tells_bias: bool,
 }
 
 impl LoadSequence<'_> {
@@ -39,7 +41,8 @@ impl LoadSequence<'_> {
         run: &mut Run<'_>,
         receiver: &mut dyn StepReceiver<SectionField>,
     ) -> Result<Option<Interrupt>, MeshedError> {
-        let mut stepper = LoadStepper::new(self.problem, self.asked, self.contact, self.cache);
+        let mut stepper = LoadStepper::new(self.problem, self.asked, self.contact, self.cache)
+            .telling_bias(self.tells_bias);
         if let Some(problem) = self.with_memory {
             let (asked, contact) = (self.asked, self.contact);
             let bodies = MeshedHistory { problem, sizing: &stepper, asked, contact, loads };

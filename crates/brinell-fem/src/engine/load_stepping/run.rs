@@ -60,19 +60,19 @@ pub fn run_each(
 ) -> Result<Solution, MeshedError> {
     let MeshedContact { problem, loads, asked, elements_of_slopes } = contact;
     let Some(elements) = *elements_of_slopes else {
-        return solve(problem, loads, *asked, options, observer, receiver);
+        return solve(problem, loads, *asked, (options, true), observer, receiver);
     };
     let mut under = |loads: &[ContactLoad], observer: &mut dyn Observer| {
         let Some(loads) = history_of(loads) else { return Ok(None) };
         let small = Asked { elements, ..*asked };
         let mut steps: Vec<StepSolution> = Vec::new();
-        let solution = solve(problem, &loads, small, options, observer, &mut steps);
+        let solution = solve(problem, &loads, small, (options, false), observer, &mut steps);
         let interrupt = solution.map(|solution| solution.interrupted);
         reached(&interrupt, &steps)
     };
     let is_history = asked.solver.theory == Theory::Flow;
     let mut slopes = Slopes::new(receiver, lacks_slope, is_history, &mut under);
-    solve(problem, loads, *asked, options, observer, &mut slopes)
+    solve(problem, loads, *asked, (options, true), observer, &mut slopes)
 }
 
 /// Returns whether a step has a slope that is not known yet.
@@ -82,11 +82,12 @@ fn lacks_slope(step: &StepSolution) -> bool {
     step.status == SolveStatus::Converged && step.contact_stiffness.is_none() && !flows_freely
 }
 
+/// Solves a contact. `tells_bias` compares deformation theory with flow theory.
 fn solve(
     problem: &Problem,
     loads: &Loads,
     asked: Asked,
-    options: Options<'_>,
+    (options, tells_bias): (Options<'_>, bool),
     observer: &mut dyn Observer,
     receiver: &mut dyn StepReceiver<SectionField>,
 ) -> Result<Solution, MeshedError> {
@@ -96,7 +97,8 @@ fn solve(
     let model = options.model.or((asked.solver.theory == Theory::Flow).then_some(flow_theory));
     let with_memory = model.map(|model| problem.with_models(model));
     let (with_memory, cache) = (with_memory.as_ref(), options.cache);
-    let sequence = LoadSequence { problem, with_memory, asked, contact, cache };
+    let tells_bias = tells_bias && options.model.is_none();
+    let sequence = LoadSequence { problem, with_memory, asked, contact, cache, tells_bias };
     let mut solution = Solution::default();
     let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
     match loads {

@@ -2,21 +2,20 @@
 
 use super::step::largest_strain;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
+use crate::material::Solid;
 use crate::report::findings::{
-    CasePlace, ContactOutline, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged,
-    Wide, Work, left_unknown,
+    CasePlace, Deformation, Density, Finding, Known, KnownBias, OnsetUnknown, Unconverged, Wide,
+    Work, left_unknown,
 };
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
-use crate::report::validity::{
-    Unfinished, WIDE_CONTACT, large_strain, long_search, of_history, over_yield_stress,
-};
-use crate::solver::SolveStatus;
+use crate::report::validity::{Unfinished, WIDE_CONTACT, large_strain, long_search, of_history};
 use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, Row, SurfaceMap,
 };
 use crate::solver::method::figures::FigureSet;
 use crate::solver::method::sought::{Loads, Sought};
+use crate::solver::{LEAST_RATIO, SolveStatus};
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
@@ -25,8 +24,6 @@ const COARSE_GRID: f64 = 5.0;
 const REACH: f64 = 3.0;
 /// Number of depths within a layer at which strengths are compared.
 const SAMPLES: u32 = 16;
-/// Axis ratio above which an ellipse is called a circle.
-const ROUND: f64 = 0.9;
 
 /// Returns the findings on a load step.
 pub(super) fn findings(
@@ -59,7 +56,7 @@ pub(super) fn findings(
     let last = is_history.then_some(step.path.last_increment);
     findings.extend(large_strain(strain, step.checks.has_collapsed, last));
     if strain > 0.0 && !is_history {
-        findings.push(Finding::DeformationTheory(deformation(job, problem, step)));
+        findings.push(Finding::DeformationTheory(deformation(problem, step)));
     }
     findings.extend(of_history(job, step.load, step.figures.force > 0.0));
     let bodies = || {
@@ -106,16 +103,16 @@ pub fn unknown_figures(
     [Known::of_job(job, &findings).void(), left_unknown(step.path.unknown_before, &findings)]
 }
 
-/// Returns the elastic peak pressure over the least yield stress, and the outline of the contact.
-fn deformation(job: &Job, problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Deformation {
+/// Returns the elastic peak pressure over the least yield stress. The difference to flow theory is
+/// not computed on half-spaces.
+fn deformation(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Deformation {
     let hertz = step.field.hertz.filter(|_| problem.heights.is_none());
-    let outline = match &hertz {
-        Some(hertz) if problem.is_line(hertz) => ContactOutline::Line,
-        Some(hertz) if hertz.semi_axis_x > ROUND * hertz.semi_axis_y => ContactOutline::Circle,
-        _ => ContactOutline::Ellipse,
-    };
-    let ratio = hertz.and_then(|hertz| over_yield_stress(job, hertz.peak_pressure));
-    Deformation { ratio, outline }
+    let ratio = hertz.and_then(|hertz| {
+        let solids = problem.materials.each_ref().map(Option::as_ref);
+        Solid::over_yield_stress(solids, hertz.peak_pressure)
+    });
+    let is_small = ratio.is_some_and(|ratio| ratio < LEAST_RATIO);
+    Deformation { ratio, bias: if is_small { KnownBias::Small } else { KnownBias::Unknown } }
 }
 
 /// Returns the finding on a contact of few cells.

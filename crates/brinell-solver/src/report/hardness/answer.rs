@@ -47,6 +47,7 @@ impl StepReport {
                 unit: unit.to_owned(),
                 error: found.relative_error,
                 bias: None,
+                bias_error: None,
                 elastic: None,
                 place: None,
                 text: {
