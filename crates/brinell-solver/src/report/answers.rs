@@ -179,6 +179,8 @@ pub(super) struct Measured {
     /// Largest pressure of a cell beside the rim of heights, and its `[x, y]`, where the contact
     /// reaches the rim.
     pub inside_rim: Option<(f64, [f64; 2])>,
+    /// The largest pressure that the flow stress carries, where the peak of heights is above it.
+    pub bearable: Option<f64>,
     /// All figures.
     pub figures: Figures,
     /// Their difference to those of flow theory.
@@ -711,11 +713,14 @@ impl Facts<'_> {
         let mut answers = Vec::new();
         let peak = |value: f64| self.figure(Figure::PeakPressure, value);
         let middle = self.middle_pressure();
+        let unknown =
+            || self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, None);
         answers.push(match self.measured.inside_rim {
+            _ if self.measured.bearable.is_some() => {
+                unknown().text("not known: above what the flow stress carries")
+            }
             Some((pressure, _)) if pressure <= 0.0 => {
-                let peak =
-                    self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, None);
-                peak.text("not known: only cells of the rim touch")
+                unknown().text("not known: only cells of the rim touch")
             }
             Some((pressure, [x, y])) => peak(self.write.stress(pressure))
                 .place(of_surface(self.write.length(x), Some(self.write.length(y))))

@@ -4,6 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 
 mod beside_finite_elements;
+mod conforming;
 mod fits;
 mod limits;
 
@@ -15,7 +16,7 @@ use brinell_solver::job::{
     NonNegativeF64, PoissonRatio, PositiveF64, SolverSettings, Target, TargetFigure, Theory,
 };
 use brinell_solver::solver::half_spaces::{
-    HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
+    Conformity, HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
 };
 use brinell_solver::solver::{
     Held, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, Unobserved,
@@ -50,6 +51,7 @@ fn on_flat(radius_y: f64, material: Deformable, cells: u32) -> HalfSpaceProblem 
         onset: None,
         materials: [None, Some(material)],
         curvature: [RADIUS.recip(), radius_y.recip(), 0.0],
+        conformity: Conformity::default(),
         rollers: Vec::new(),
         heights: None,
         load: Load::Onset,

@@ -10,7 +10,7 @@ use brinell_halfspace::{EllipticContact, SurfaceFlexibility, SurfaceGrid};
 use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
 use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
 use crate::solver::half_spaces::{
-    HalfSpaceProblem, HalfSpaceStep, HeightMap, Relief, RollerGap, SurfaceMap,
+    Conformity, HalfSpaceProblem, HalfSpaceStep, HeightMap, Relief, RollerGap, SurfaceMap,
 };
 use crate::solver::{factor_of_onset, small};
 
@@ -47,9 +47,10 @@ fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
         Material::Rigid => None,
         Material::Deformable(material) => Some(material.clone()),
     };
-    (job.analysis == Analysis::ThreeDimensional).then(|| HalfSpaceProblem {
+    let problem = (job.analysis == Analysis::ThreeDimensional).then(|| HalfSpaceProblem {
         materials: [material(&job.upper.material), material(&job.lower.material)],
         curvature: std::array::from_fn(|k| upper[k] + lower[k]),
+        conformity: Conformity::default(),
         rollers: rollers(job),
         heights: heights(job),
         load: job.load.clone(),
@@ -57,7 +58,20 @@ fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
         cells_of_slopes: job.output.contact_stiffness.then(|| small(job)),
         onset: None,
         solver: job.solver,
-    })
+    })?;
+    if problem.heights.is_some() {
+        return Some(problem);
+    }
+    let [upper, lower] =
+        [upper, lower].map(|curvatures| along_axes(curvatures, problem.orientation()));
+    Some(HalfSpaceProblem { conformity: Conformity::of(upper, lower), ..problem })
+}
+
+/// Returns the curvatures of a surface along axes that are turned by an angle.
+pub(super) fn along_axes([xx, yy, xy]: [f64; 3], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    let along_x = cosine * cosine * xx + sine * sine * yy + 2.0 * sine * cosine * xy;
+    [along_x, xx + yy - along_x]
 }
 
 /// Returns the sum of the heights of both bodies.
@@ -234,7 +248,8 @@ impl EllipticReference {
     pub fn stiffness(&self, step: &HalfSpaceStep) -> f64 {
         let has_outline = self.problem.heights.is_none() && self.problem.rollers.is_empty();
         if has_outline {
-            self.of_outline(step.figures.semi_axes())
+            let semi_axes = step.figures.semi_axes();
+            self.of_outline(semi_axes) * self.problem.conformity.of_stiffness(semi_axes)
         } else {
             self.of_cells(&step.field.surface)
         }

@@ -8,6 +8,7 @@
 //! this x, positive towards the job's y.
 
 mod answer;
+mod conformity;
 mod design;
 mod engine;
 mod errors;
@@ -27,6 +28,7 @@ mod step;
 mod system;
 mod tilting;
 
+pub use conformity::Conformity;
 pub(crate) use errors::figure_of;
 pub use errors::{errors, scales_of_floors, target_error};
 pub use estimate::{HalfSpaceEstimate, estimate};
