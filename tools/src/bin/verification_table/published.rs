@@ -27,8 +27,8 @@ published lies within the error of what is found.
 pub const NOTES: &str = "
 - Published results have errors of their own, which no source states: the two fits of balls differ
   by 1 % at ten critical interferences and 4 % at forty.
-- code_aster's sphere, Dao's cone and the Brinell test were computed or measured with large
-  strains; here strains are small.
+- Dao's cone was computed, and the Brinell number measured, with large strains; here strains are
+  small.
 - Storåkers' area is that of solids `ε = (σ/σ_0)^m` without elasticity; here the elastic strain at
   σ_0 is a ten-thousandth of the plastic one.
 - Deformation theory, the default, has a bias in all of them: `docs/theory.md`, section 4a.
