@@ -19,7 +19,7 @@
 //! method of discrete convolution and FFT (DC-FFT) for contact analyses*, Wear 243 (2000) 101–111.
 
 use std::cell::RefCell;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use brinell_contact::Flexibility;
 use realfft::num_complex::Complex64;
@@ -50,12 +50,33 @@ struct Work {
 impl SurfaceFlexibility {
     /// The surface of two bodies with the modulus `1/E* = Σ (1 - ν²)/E` \[MPa\].
     pub fn new(grid: SurfaceGrid, effective_modulus: f64) -> Self {
+        Self::inclined(grid, effective_modulus, [0.0; 2])
+    }
+
+    /// The surface of two bodies that bend round each other, one convex and one concave. The
+    /// normal turns by `ψ_k = κ_k s_k` over an arc s_k along x and y, with the κ_k of both bodies
+    /// in `curvature` \[1/mm\]. Forces and displacements are along the normals:
+    /// ```text
+    /// F -> F cos ψ r/c,    ψ² = ψ_x² + ψ_y²,    c² = Σ (2/κ_k sin ψ_k/2)²
+    /// ```
+    /// with the arc r and the chord c between two cells; 0 from a right angle on.
+    ///
+    /// In the plane this is the displacement `cos ψ ln c` of a disc and a hole of equal materials,
+    /// but for an even part: A. Persson, *On the stress distribution of cylindrical elastic bodies
+    /// in contact*, dissertation, Chalmers (1964).
+    pub fn inclined(grid: SurfaceGrid, effective_modulus: f64, curvature: [f64; 2]) -> Self {
         let (nx, ny) = (grid.nx(), grid.ny());
         let padded = Transform::new(nx, ny, fast_length(2 * nx), fast_length(2 * ny));
         let mut offsets = Offsets::new(&padded, &grid);
         let mut kernel = [vec![0.0; grid.n_cells()]];
         let factor = 1.0 / (PI * effective_modulus * grid.cell_area());
         offsets.add_corners(&mut kernel, factor, |x, y| [potential(x, y)]);
+        if curvature.iter().any(|curvature| *curvature > 0.0) {
+            for (k, value) in kernel[0].iter_mut().enumerate() {
+                let arc = [(k / ny) as f64 * grid.hx(), (k % ny) as f64 * grid.hy()];
+                *value *= inclination(arc, curvature);
+            }
+        }
         let kernel = offsets.spectrum(Parity::Even, &kernel[0]).flatten().copied().collect();
         let periodic = Transform::new(nx, ny, nx, ny);
         let (dx, dy) = (2.0 * PI / (nx as f64 * grid.hx()), 2.0 * PI / (ny as f64 * grid.hy()));
@@ -116,6 +137,21 @@ impl Flexibility for SurfaceFlexibility {
         multiply(&self.periodic, &self.stiffness, spectrum);
         self.periodic.inverse(spectrum, force, &mut work.periodic);
     }
+}
+
+/// `cos ψ r/c` of two places that are an arc apart along x and y.
+fn inclination(arc: [f64; 2], curvature: [f64; 2]) -> f64 {
+    let turn = [0, 1].map(|k| curvature[k] * arc[k]);
+    let angle = f64::hypot(turn[0], turn[1]);
+    if angle >= FRAC_PI_2 {
+        return 0.0;
+    }
+    let chord = [0, 1].map(|k| {
+        let half = 0.5 * turn[k];
+        if half > 0.0 { arc[k] * half.sin() / half } else { arc[k] }
+    });
+    let [long, short] = [arc, chord].map(|[x, y]| f64::hypot(x, y));
+    angle.cos() * if short > 0.0 { long / short } else { 1.0 }
 }
 
 /// `X asinh(Y/|X|) + Y asinh(X/|Y|)`: ∫∫ dA/r from the origin to the corner `(X, Y)`.

@@ -7,7 +7,7 @@ use super::settings::{loads, settings};
 use super::slopes::of_slopes;
 use crate::job::{Analysis, Body, Job, Material, Roller, RollerProfile, Shape};
 use crate::solver::half_spaces::{
-    EllipticReference, HalfSpaceProblem, HeightMap, Relief, RollerGap,
+    Conformity, EllipticReference, HalfSpaceProblem, HeightMap, Relief, RollerGap,
 };
 
 /// Factors of the logarithmic profiles of ISO 16281 over the diameter: for rollers up to
@@ -39,9 +39,10 @@ pub fn elliptic_reference(job: &Job) -> Option<EllipticReference> {
 fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
     let [upper, lower] = [&job.upper, &job.lower].map(|body| body.shape.curvatures());
     let (upper, lower) = (upper?, lower?);
-    (job.analysis == Analysis::ThreeDimensional).then(|| HalfSpaceProblem {
+    let problem = (job.analysis == Analysis::ThreeDimensional).then(|| HalfSpaceProblem {
         materials: [solid(&job.upper.material), solid(&job.lower.material)],
         curvature: std::array::from_fn(|k| upper[k] + lower[k]),
+        conformity: Conformity::default(),
         rollers: rollers(job),
         heights: heights(job),
         loads: loads(&job.load),
@@ -49,7 +50,20 @@ fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
         cells_of_slopes: of_slopes(job),
         onset: None,
         solver: settings(&job.solver),
-    })
+    })?;
+    if problem.heights.is_some() {
+        return Some(problem);
+    }
+    let [upper, lower] =
+        [upper, lower].map(|curvatures| along_axes(curvatures, problem.orientation()));
+    Some(HalfSpaceProblem { conformity: Conformity::of(upper, lower), ..problem })
+}
+
+/// Returns the curvatures of a surface along axes that are turned by an angle.
+pub(crate) fn along_axes([xx, yy, xy]: [f64; 3], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    let along_x = cosine * cosine * xx + sine * sine * yy + 2.0 * sine * cosine * xy;
+    [along_x, xx + yy - along_x]
 }
 
 /// Returns the sum of the heights of both bodies.

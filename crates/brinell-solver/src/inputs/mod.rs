@@ -10,6 +10,7 @@ mod settings;
 mod slopes;
 
 pub use error::SolveError;
+pub(crate) use half_spaces::along_axes;
 pub(crate) use half_spaces::half_spaces_with_reference;
 pub use half_spaces::{elliptic_reference, half_spaces};
 pub use outline::outline_of;

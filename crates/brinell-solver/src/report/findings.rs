@@ -86,10 +86,23 @@ pub(super) enum Finding {
     RollerEnd { pressure: f64, is_sharp: bool, is_all: bool },
     /// The contact runs to the rim of the heights.
     SurfaceEnd,
+    /// The spots in which heights touch are no smooth summits.
+    Heights(HeightsFinding),
     /// On half the columns something else becomes of the track.
     NearLimit { coarse: TrackVerdict },
     /// The friction of a load that rolls slides over the whole contact.
     FullSliding,
+}
+
+/// Limits of a contact of heights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum HeightsFinding {
+    /// A part of the force is borne by spots of few cells; cells over half of a typical spot.
+    FewCells { number: f64, part: f64 },
+    /// A part of the force is borne by spots beside which the heights have a step.
+    Steps { part: f64 },
+    /// The largest pressure is above what the flow stress carries.
+    Unbearable { pressure: f64, bearable: f64 },
 }
 
 /// Why a load step has not converged.
@@ -153,6 +166,8 @@ pub(super) enum Wide {
     Slope { slope: f64 },
     /// Semi-axis over a radius of curvature, in three dimensions.
     OverCurvature { ratio: f64, radius: f64 },
+    /// Inclination of the common normal at the end of a contact of half-spaces that conform \[rad\].
+    Inclined { angle: f64 },
     /// Tilt of a roller under its moment, and the largest tilt that may be given \[mrad\].
     Tilt { tilt: f64, most: f64 },
 }
@@ -238,9 +253,10 @@ impl Finding {
             Self::DeformationTheory(_) => "deformation_theory",
             Self::FallingLoads => "falling_loads",
             Self::NoContact => "no_contact",
-            Self::ElasticCorner { .. } | Self::YieldingCorner { .. } | Self::Kinks => {
-                "sharp_corner"
-            }
+            Self::ElasticCorner { .. }
+            | Self::YieldingCorner { .. }
+            | Self::Kinks
+            | Self::Heights(HeightsFinding::Steps { .. }) => "sharp_corner",
             Self::AtEdge { .. } => "contact_at_edge",
             Self::FewElements { .. }
             | Self::FewElementsOverPart { .. }
@@ -252,7 +268,8 @@ impl Finding {
             | Self::SmallApproach { .. }
             | Self::RoundedEdge { .. }
             | Self::RoundedTip { .. }
-            | Self::Details { .. } => "coarse_mesh",
+            | Self::Details { .. }
+            | Self::Heights(_) => "coarse_mesh",
             Self::UnboundedStrain { .. } => "unbounded_strain",
             Self::BilinearCurve => "bilinear_curve",
             Self::OnsetUnknown { .. } => "onset_unknown",
@@ -277,14 +294,16 @@ impl Finding {
             | Self::Stopped { .. }
             | Self::Collapse { .. }
             | Self::RingOnFewElements { .. }
-            | Self::OnsetUnknown { is_sought: true, .. } => Voids::Estimate,
+            | Self::OnsetUnknown { is_sought: true, .. }
+            | Self::Heights(HeightsFinding::FewCells { .. }) => Voids::Estimate,
             Self::RoundedEdge { .. } => Voids::Figures(FigureSet::all_but(Figure::MiddlePressure)),
             Self::ElasticCorner { .. }
             | Self::YieldingCorner { .. }
             | Self::Kinks
             | Self::PeakNextToEnd { .. }
             | Self::RoundedTip { .. }
-            | Self::SurfaceEnd => {
+            | Self::SurfaceEnd
+            | Self::Heights(_) => {
                 let peak = FigureSet::of(&[Figure::PeakPressure]);
                 Voids::Figures(peak.with(FigureSet::of(&BELOW)))
             }
@@ -419,6 +438,15 @@ mod tests {
                 "the end of a roller alone",
             ),
             (Finding::SurfaceEnd, "the rim of heights"),
+            (
+                Finding::Heights(HeightsFinding::FewCells { number: 0.0, part: 0.0 }),
+                "spots of few cells",
+            ),
+            (Finding::Heights(HeightsFinding::Steps { part: 0.0 }), "steps of heights"),
+            (
+                Finding::Heights(HeightsFinding::Unbearable { pressure: 0.0, bearable: 0.0 }),
+                "more than the flow stress carries",
+            ),
             (
                 Finding::CoarseCase {
                     change: 0.0,

@@ -2,8 +2,8 @@
 
 use super::error_bars::name_of;
 use super::findings::{
-    Advice, CasePlace, Deformation, Density, Finding, KnownBias, MANY_MESHES, OnsetUnknown,
-    Unconverged, Wide, Work,
+    Advice, CasePlace, Deformation, Density, Finding, HeightsFinding, KnownBias, MANY_MESHES,
+    OnsetUnknown, Unconverged, Wide, Work,
 };
 use super::suspicions;
 use crate::job::{MeshSettings, Named as _, YIELD_OVER_HARDNESS};
@@ -75,6 +75,7 @@ impl Finding {
                  it is missing."
                     .to_owned()
             }
+            Self::Heights(finding) => finding.text(write),
             Self::FewElements { number, advice } => few(*number, *advice),
             Self::FewElementsOverPart { x, number } => format!(
                 "The part of the contact at x = {} has only {number:.1} elements over half of its \
@@ -475,6 +476,32 @@ impl Work {
     }
 }
 
+impl HeightsFinding {
+    fn text(self, write: UnitConverter) -> String {
+        match self {
+            Self::FewCells { number, part } => format!(
+                "Spots of fewer than 5 cells over half of their width bear {:.0} % of the force; \
+                 a typical spot has {number:.1}. Pressure, approach and yield are those of the \
+                 cells, and their errors are not known: finer heights, or heights whose short \
+                 waves are filtered out, tell more.",
+                100.0 * part
+            ),
+            Self::Steps { part } => format!(
+                "Beside spots that bear {:.0} % of the force the heights fall by more than the \
+                 spots are pressed in: such a step is a sharp corner, at which the pressure grows \
+                 with finer cells. The peak pressure is that of the cells.",
+                100.0 * part
+            ),
+            Self::Unbearable { pressure, bearable } => format!(
+                "The largest pressure, {}, is above {}, four times the flow stress, of which a \
+                 square punch carries 3.3 times: it is that of single cells, and no answer.",
+                write.stress_text(pressure),
+                write.stress_text(bearable)
+            ),
+        }
+    }
+}
+
 impl Wide {
     fn text(self, write: UnitConverter) -> String {
         match self {
@@ -498,6 +525,12 @@ impl Wide {
                  for parabolas and bodies for large beside the contact.",
                 rounded(ratio),
                 write.exact_length(radius)
+            ),
+            Self::Inclined { angle } => format!(
+                "At the ends of the contact the common normal is inclined by {:.0}°. Arcs and \
+                 inclined forces are part of the solution, but the displacements are those of \
+                 half-spaces.",
+                angle.to_degrees()
             ),
             Self::Tilt { tilt, most } => format!(
                 "The moment tilts the roller by {} mrad. Beyond {most} mrad, up to which a tilt \

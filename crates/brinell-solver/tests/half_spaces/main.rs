@@ -4,6 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 
 mod beside_finite_elements;
+mod conforming;
 mod fits;
 mod limits;
 
@@ -20,7 +21,7 @@ use brinell_solver::job::{
 };
 use brinell_solver::material::Solid;
 use brinell_solver::solver::half_spaces::{
-    HalfSpaceError, HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
+    Conformity, HalfSpaceError, HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
 };
 use brinell_solver::solver::{
     Held, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
@@ -60,6 +61,7 @@ fn on_flat(radius_y: f64, material: Solid, cells: u32) -> HalfSpaceProblem {
         onset: None,
         materials: [None, Some(material)],
         curvature: [RADIUS.recip(), radius_y.recip(), 0.0],
+        conformity: Conformity::default(),
         rollers: Vec::new(),
         heights: None,
         loads: Loads::Sought(Sought::Onset),

@@ -1,9 +1,10 @@
 //! The bias of deformation theory in the answers, against flow theory on the same mesh.
 
+use brinell_solver::inputs;
 use brinell_solver::job::Job;
 use brinell_solver::report::{Answer, Report, scales_of_floors};
 use brinell_solver::solver::floors::floors;
-use brinell_solver::solver::{self, Figure, Unobserved};
+use brinell_solver::solver::{Figure, Unobserved};
 use serde_json::{Value, json};
 
 use crate::problems::report;

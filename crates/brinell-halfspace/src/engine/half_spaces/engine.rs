@@ -129,8 +129,12 @@ impl HalfSpaceEngine<'_> {
         };
         Ok(HalfSpaces {
             design: *design,
-            surface: SurfaceFlexibility::new(grid, problem.effective_modulus()),
-            closing: vec![1.0; initial_gap.len()],
+            surface: SurfaceFlexibility::inclined(
+                grid,
+                problem.effective_modulus(),
+                problem.conformity.curvature(),
+            ),
+            closing: problem.conformity.closing(&grid),
             moment: problem.moment(),
             last_tilt: 0.0.into(),
             accepted: bodies.iter().map(|body: &YieldingBody| vec![0.0; body.len()]).collect(),

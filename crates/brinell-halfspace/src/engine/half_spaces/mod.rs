@@ -8,6 +8,7 @@
 //! this x, positive towards the job's y.
 
 mod answer;
+mod conformity;
 mod design;
 mod engine;
 mod error;
@@ -29,6 +30,7 @@ mod step;
 mod system;
 mod tilting;
 
+pub use conformity::Conformity;
 pub use error::HalfSpaceError;
 pub use errors::figure_of;
 pub use errors::{errors, scales_of_floors, target_error};

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use crate::{EllipticContact, SurfaceGrid};
 
+use super::conformity::Conformity;
 use super::error::HalfSpaceError;
 use super::gap::{HeightMap, RollerGap};
 use super::moment::PrescribedMoment;
@@ -47,6 +48,8 @@ pub struct HalfSpaceProblem {
     /// `[k_xx, k_yy, k_xy]` of the gap `(k_xx x² + k_yy y²)/2 + k_xy x y`, the sum over both
     /// surfaces \[1/mm\]; positive definite, or zero along the axis of a straight roller.
     pub curvature: [f64; 3],
+    /// Inclination of the common normals of bodies that conform.
+    pub conformity: Conformity,
     /// The ends, relief and tilt of the bodies that are rollers.
     pub rollers: Vec<RollerGap>,
     /// Heights on top of the shapes. With heights, the contact is solved on their grid, in the
@@ -249,7 +252,8 @@ impl HalfSpaceProblem {
         (force > 0.0).then(|| self.hertz(force))
     }
 
-    /// Returns the gap at the middles of cells, x and y in the axes of the fields \[mm\].
+    /// Returns the gap along the common normals at the middles of cells, x and y in the axes of
+    /// the fields \[mm\].
     pub fn gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
         if let Some(map) = &self.heights {
             return self.rough_gap(map, grid);
@@ -259,7 +263,7 @@ impl HalfSpaceProblem {
         grid.sample(|x, y| {
             let place = [cosine * x - sine * y, sine * x + cosine * y];
             let falls = self.rollers.iter().map(|roller| roller.fall(place)).sum::<f64>();
-            0.5 * (kx * x * x + ky * y * y) + falls
+            0.5 * (kx * x * x + ky * y * y) * self.conformity.of_parabola([x, y]) + falls
         })
     }
 

@@ -124,7 +124,8 @@ impl EllipticReference {
     pub fn stiffness(&self, step: &HalfSpaceStep) -> f64 {
         let has_outline = self.problem.heights.is_none() && self.problem.rollers.is_empty();
         if has_outline {
-            self.of_outline(step.figures.semi_axes())
+            let semi_axes = step.figures.semi_axes();
+            self.of_outline(semi_axes) * self.problem.conformity.of_stiffness(semi_axes)
         } else {
             self.of_cells(&step.field.surface)
         }
@@ -220,6 +221,7 @@ fn onset(
 
 #[cfg(test)]
 mod tests {
+    use crate::engine::half_spaces::Conformity;
     use std::f64::consts::PI;
     use std::sync::Arc;
 
@@ -236,6 +238,7 @@ mod tests {
         let reference = EllipticReference::of(HalfSpaceProblem {
             materials: [None, Some(Solid::new(elastic).with_hardening(Arc::new(law)))],
             curvature: [0.1, 0.1, 0.0],
+            conformity: Conformity::default(),
             rollers: Vec::new(),
             heights: None,
             loads: Loads::Given(vec![ContactLoad::Force(100.0)]),

@@ -46,7 +46,7 @@ pub(super) struct HalfSpaces {
     pub surface: SurfaceFlexibility,
     /// Initial gap δ0 \[mm\].
     pub initial_gap: Vec<f64>,
-    /// Components of the normals along the approach, all 1.
+    /// Components of the normals along the approach: 1 but for bodies that conform.
     pub closing: Vec<f64>,
     /// Moment under which a roller tilts; `None` if the tilts are given.
     pub moment: Option<PrescribedMoment>,

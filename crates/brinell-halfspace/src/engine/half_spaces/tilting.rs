@@ -17,16 +17,18 @@ use brinell_method::contact_system::ContactSystem as _;
 use brinell_method::run::Run;
 
 impl HalfSpaces {
-    /// `Σ R y` of forces \[N mm\].
+    /// `Σ R e y` of forces, with the closing e of their normals \[N mm\].
     pub fn moment_of(&self, force: &[f64]) -> f64 {
         let (grid, ny) = (self.grid(), self.grid().ny());
-        force.iter().enumerate().map(|(cell, force)| force * grid.y(cell % ny)).sum()
+        let along = force.iter().zip(&self.closing).map(|(force, closing)| force * closing);
+        along.enumerate().map(|(cell, force)| force * grid.y(cell % ny)).sum()
     }
 
     /// A gap with a tilt of the roller \[mm\].
     pub fn tilted(&self, gap: &[f64], tilt: f64) -> Vec<f64> {
         let (grid, ny) = (self.grid(), self.grid().ny());
-        gap.iter().enumerate().map(|(cell, gap)| gap - tilt * grid.y(cell % ny)).collect()
+        let gaps = gap.iter().zip(&self.closing).enumerate();
+        gaps.map(|(cell, (gap, closing))| gap - tilt * closing * grid.y(cell % ny)).collect()
     }
 
     /// The contact under a force and the moment that goes with it, with its tilt; where the

@@ -77,11 +77,14 @@ impl Facts<'_> {
         let mut answers = Vec::new();
         let peak = |value: f64| self.figure(Figure::PeakPressure, value);
         let middle = self.middle_pressure();
+        let unknown =
+            || self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, None);
         answers.push(match self.measured.inside_rim {
+            _ if self.measured.bearable.is_some() => {
+                unknown().text("not known: above what the flow stress carries")
+            }
             Some((pressure, _)) if pressure <= 0.0 => {
-                let peak =
-                    self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, None);
-                peak.text("not known: only cells of the rim touch")
+                unknown().text("not known: only cells of the rim touch")
             }
             Some((pressure, [x, y])) => peak(self.write.stress(pressure))
                 .place(of_surface(self.write.length(x), Some(self.write.length(y))))

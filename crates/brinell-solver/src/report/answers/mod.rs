@@ -182,6 +182,8 @@ pub(super) struct Measured {
     /// Largest pressure of a cell beside the rim of heights, and its `[x, y]`, where the contact
     /// reaches the rim.
     pub inside_rim: Option<(f64, [f64; 2])>,
+    /// The largest pressure that the flow stress carries, where the peak of heights is above it.
+    pub bearable: Option<f64>,
     /// All figures.
     pub figures: Figures,
     /// Their difference to those of flow theory.

@@ -1,6 +1,8 @@
 //! Findings on an answer in three dimensions.
 
+use super::spots;
 use super::step::largest_strain;
+use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
 use crate::material::Solid;
 use crate::report::findings::{
@@ -22,6 +24,8 @@ const COARSE_GRID: f64 = 5.0;
 /// Distance over the longer semi-axis within which the stress of the contact decays. The bodies
 /// must resemble half-spaces up to this distance beyond the contact.
 const REACH: f64 = 3.0;
+/// Inclination of the common normal at the end of a contact from which the remark says so \[rad\].
+const WIDE_ARC: f64 = 0.5;
 /// Number of depths within a layer at which strengths are compared.
 const SAMPLES: u32 = 16;
 
@@ -33,8 +37,9 @@ pub(super) fn findings(
 ) -> Vec<Finding> {
     let mut findings: Vec<Finding> = Vec::new();
     findings.extend(status(job, step));
-    findings
-        .extend(widest(job, problem.orientation(), step.figures.semi_axes()).map(Finding::Wide));
+    findings.extend(
+        widest(job, problem, problem.orientation(), step.figures.semi_axes()).map(Finding::Wide),
+    );
     findings.extend(problem.half_length().and_then(|_| wide_tilt(step)).map(Finding::Wide));
     if step.checks.reaches_edge {
         findings.push(Finding::AtEdge { in_hole: false });
@@ -47,6 +52,7 @@ pub(super) fn findings(
     };
     findings.extend(long_search(search));
     findings.extend(coarse_grid(problem, step));
+    findings.extend(spots::findings(problem, step));
     if !step.path.unknown_before.is_empty() {
         findings.push(Finding::EarlierLoads { unknown: step.path.unknown_before });
     }
@@ -191,19 +197,28 @@ const fn deformable(body: &Body) -> Option<&Deformable> {
 
 /// Returns the semi-axis and the radius of a body along it with the largest ratio, if the ratio is
 /// too large for surfaces that are approximated by parabolas. `angle` turns the x of the job to
-/// the x of the contact.
-fn widest(job: &Job, angle: f64, semi_axes: [f64; 2]) -> Option<Wide> {
-    let (sine, cosine) = angle.sin_cos();
+/// the x of the contact. Bodies that conform along an axis are arcs along it, and the inclination
+/// of their normals counts instead.
+fn widest(job: &Job, problem: &HalfSpaceProblem, angle: f64, semi_axes: [f64; 2]) -> Option<Wide> {
     let curvatures =
         [&job.upper, &job.lower].into_iter().filter_map(|body| body.shape.curvatures());
-    let ratios = curvatures.flat_map(|[xx, yy, xy]| {
-        let along_x = cosine * cosine * xx + sine * sine * yy + 2.0 * sine * cosine * xy;
-        [(semi_axes[0], along_x), (semi_axes[1], xx + yy - along_x)]
+    let conforms = problem.conformity.curvature().map(|curvature| curvature > 0.0);
+    let ratios = curvatures.flat_map(|curvatures| {
+        let along = along_axes(curvatures, angle);
+        (0..2).filter(|k| !conforms[*k]).map(|k| (semi_axes[k], along[k])).collect::<Vec<_>>()
     });
     let widest = ratios.map(|(size, curvature)| (size, curvature.abs().recip()));
     let widest = widest.map(|(size, radius)| (size / radius, radius));
-    let (ratio, radius) = widest.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (ratio > WIDE_CONTACT).then_some(Wide::OverCurvature { ratio, radius })
+    let widest =
+        widest.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(ratio, _)| *ratio > WIDE_CONTACT);
+    let [a, b] = semi_axes;
+    let conformity = problem.conformity;
+    let inclination = conformity.angle([a, 0.0]).max(conformity.angle([0.0, b]));
+    match widest {
+        _ if inclination > WIDE_ARC => Some(Wide::Inclined { angle: inclination }),
+        Some((ratio, radius)) => Some(Wide::OverCurvature { ratio, radius }),
+        None => None,
+    }
 }
 
 /// Returns the largest ratio of strengths within a stressed layer, and the depth of its middle.

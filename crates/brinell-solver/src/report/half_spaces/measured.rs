@@ -54,6 +54,7 @@ pub(super) fn measured(
         utilization: closed().or_else(of_field).filter(|_| !at_end),
         first_yield: first_yield.filter(|_| is_smooth && (is_sought || !at_end)),
         core,
+        bearable: super::spots::unbearable(problem, step),
         inside_rim: if is_smooth { None } else { inside_rim(&step.field.surface) },
         ..at_rest
     }

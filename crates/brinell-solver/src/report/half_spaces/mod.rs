@@ -8,6 +8,8 @@ mod flow;
 mod layers;
 mod measured;
 mod run;
+mod seats;
+mod spots;
 mod step;
 
 pub use document::{

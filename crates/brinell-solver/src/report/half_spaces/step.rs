@@ -5,6 +5,7 @@ use super::document::{
     SectionReport, ThreeDimensionalReport,
 };
 use super::layers::layers;
+use super::{seats, spots};
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
@@ -102,6 +103,12 @@ impl StepWriter<'_> {
         let touches = figures.force > 0.0;
         let pressure = section_along_x(map, &map.pressure);
         let cell = map.grid.cell_area();
+        // Of inclined forces the force is a part.
+        let borne = if self.problem.conformity.is_conforming() {
+            cell * map.pressure.iter().sum::<f64>()
+        } else {
+            figures.force
+        };
         let places = (0..map.grid.nx()).map(|i| write.length(map.grid.x(i)));
         ContactReport {
             force: write.force(figures.force),
@@ -110,11 +117,7 @@ impl StepWriter<'_> {
             peak_pressure: write.stress(figures.peak_pressure),
             peak_position: write.length(step.field.peak_position[0]),
             middle_pressure: write.stress(figures.middle_pressure),
-            mean_pressure: if touches {
-                write.stress(figures.force / figures.contact_area)
-            } else {
-                0.0
-            },
+            mean_pressure: if touches { write.stress(borne / figures.contact_area) } else { 0.0 },
             patches: touches
                 .then(|| Patch { left: write.length(-a), right: write.length(a) })
                 .into_iter()
@@ -377,16 +380,23 @@ impl StepWriter<'_> {
         let middle = known
             .bar(Figure::MiddlePressure, 0, Some(middle))
             .filter(|_| peak.is_some() || !is_peak_in_middle);
+        let of_spots = spots::error_of_approach(self.problem, step);
+        let of_spots = match step.load {
+            ContactLoad::Force(_) => [of_spots, 0.0],
+            ContactLoad::Approach(_) => [0.0, of_spots],
+        };
         Some(ErrorEstimate {
             peak_pressure: peak,
             middle_pressure: middle.filter(|_| self.problem.heights.is_none()),
             half_width: self.semi_axis_error(step, 0),
-            approach: Some(relative(errors.approach, figures.approach)),
+            approach: Some(relative(errors.approach, figures.approach) + of_spots[0]),
             // The stress at the onset of yield is proportional to the cube root of the force.
             force: match self.job.load {
-                Load::Onset if self.problem.onset.is_some() => Some(CLOSED_FORM),
+                Load::Onset if self.problem.onset.is_some() => {
+                    Some(CLOSED_FORM + seats::error_of_onset(self.job, self.orientation, step))
+                }
                 Load::Onset => peak.map(|peak| 3.0 * peak),
-                _ => Some(relative(errors.force, figures.force)),
+                _ => Some(relative(errors.force, figures.force) + of_spots[1]),
             },
             contact_stiffness: of_stiffness,
             bodies: None,

@@ -5,6 +5,8 @@
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
+mod published;
+
 use std::error::Error;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -386,6 +388,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         rows(case, &mut page)?;
     }
     page.push_str(NOTES);
+    published::table(&mut page)?;
     match std::env::args().nth(1).as_deref() {
         Some("--write") => std::fs::write(PAGE, page)?,
         Some("--check") => compare(&std::fs::read_to_string(PAGE)?, &page)?,
