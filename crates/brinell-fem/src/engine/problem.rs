@@ -202,6 +202,7 @@ impl Problem {
     }
 
     /// The same bodies with other constitutive models of their materials.
+    #[must_use]
     pub fn with_models(&self, model: ModelOf) -> Self {
         let out_of_plane = out_of_plane(self.stress_state);
         let with_model = |body: &ProblemBody| ProblemBody {
@@ -212,11 +213,13 @@ impl Problem {
     }
 
     /// The same bodies, of which a symmetry is not used.
+    #[must_use]
     pub fn as_whole(&self) -> Self {
         Self { use_symmetry: false, ..self.clone() }
     }
 
     /// The same bodies without their hardening curves.
+    #[must_use]
     pub fn without_plasticity(&self) -> Self {
         let elastic = |body: &ProblemBody| ProblemBody {
             material: body.material.as_ref().map(Solid::without_plasticity),
@@ -555,6 +558,6 @@ impl ProblemBody {
     /// Smallest and largest factor of the hardening curve.
     pub fn strength_range(&self) -> (f64, f64) {
         let strength = self.material.as_ref().and_then(Solid::strength);
-        strength.map_or((1.0, 1.0), |strength| strength.range())
+        strength.map_or((1.0, 1.0), brinell_material::StrengthProfile::range)
     }
 }

@@ -99,7 +99,7 @@ impl HalfSpaceProblem {
 
     /// Returns the lowest nominal yield stress over the depth of both bodies \[MPa\].
     pub(super) fn weakest(&self) -> Option<f64> {
-        self.least_stress(|law| law.nominal_yield_stress())
+        self.least_stress(HardeningLaw::nominal_yield_stress)
     }
 
     /// Returns the least value of a stress of the hardening curves over the depth of both bodies

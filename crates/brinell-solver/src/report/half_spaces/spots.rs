@@ -108,7 +108,7 @@ pub(super) fn error_of_approach(problem: &HalfSpaceProblem, step: &HalfSpaceStep
 fn typical(spots: &[Spot]) -> f64 {
     let all: f64 = spots.iter().map(|spot| spot.force).sum();
     let mut sorted: Vec<&Spot> = spots.iter().collect();
-    sorted.sort_by(|a, b| b.cells.len().cmp(&a.cells.len()));
+    sorted.sort_by_key(|spot| std::cmp::Reverse(spot.cells.len()));
     let mut borne = 0.0;
     for spot in &sorted {
         borne += spot.force;
