@@ -10,6 +10,7 @@
 //! ```
 
 pub mod bars;
+mod bias;
 mod body_figures;
 mod body_solution;
 mod body_system;
@@ -29,6 +30,7 @@ mod solution;
 mod surface_recovery;
 mod theory_bias;
 
+pub use bias::TheoryBias;
 pub use body_solution::{BodySolution, bounded_strain, has_yielded};
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
@@ -49,4 +51,4 @@ pub use surface_recovery::{
     SurfaceStress, recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,
     surface_stresses,
 };
-pub use theory_bias::{LEAST_RATIO, TheoryBias};
+pub use theory_bias::LEAST_RATIO;

@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::element::StressState;
+use crate::engine::bias::TheoryBias;
 use crate::engine::body_solution::BodySolution;
 use crate::engine::body_system::contact_patch::{ContactPatch, LEAST_PART};
 use crate::engine::conforming::ConformingPair;
-use crate::engine::theory_bias::TheoryBias;
 use brinell_material::analytical::RoundedEdge;
 use brinell_method::figures::Figures;
 use brinell_method::observer::Interrupt;

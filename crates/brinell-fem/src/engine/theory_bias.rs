@@ -14,6 +14,7 @@
 //!
 //! The bodies of the coarse mesh keep mesh, order and factor; their constitutive models change.
 
+use crate::engine::bias::TheoryBias;
 use crate::engine::body_system::system::System;
 use crate::engine::error::MeshedError;
 use crate::engine::finite_elements::{FiniteElements, MeshDesign};
@@ -24,7 +25,7 @@ use brinell_material::ReferenceModuli;
 use brinell_method::contact_system::{BlockVector, ContactSystem as _, Linearize as _};
 use brinell_method::couplings::Accelerated;
 use brinell_method::couplings::iteration::{Controls, Outcome};
-use brinell_method::figures::{Figure, Figures};
+use brinell_method::figures::Figures;
 use brinell_method::increments::{Growth, Leg};
 use brinell_method::observer::{IncrementNumber, SolveStatus};
 use brinell_method::progress::Progress;
@@ -33,34 +34,8 @@ use brinell_method::solve::{Engine, LeaveOf, OnSystem, Round, VerdictOf, solve};
 
 /// Increments of flow theory.
 const INCREMENTS: u32 = 6;
-/// Uncertainty over the bias: of most figures, and of the force under an approach and the largest
-/// plastic strain, which coarse meshes know least.
-const UNCERTAINTY: f64 = 0.5;
-const UNCERTAINTY_OF_MESH: f64 = 1.0;
-
 /// Elastic peak over yield stress below which the theories are not compared.
 pub const LEAST_RATIO: f64 = 2.0;
-
-/// The difference of both theories, over the figures of deformation theory.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TheoryBias {
-    /// Figures of deformation theory less those of flow theory.
-    pub bias: Figures,
-    /// Bound of the error of the bias.
-    pub error: Figures,
-}
-
-impl TheoryBias {
-    fn of(deformation: &Figures, flow: &Figures) -> Self {
-        let bias = deformation.zip(flow, |d, f| if d == 0.0 { 0.0 } else { (d - f) / d.abs() });
-        let part = |figure: Figure| match figure {
-            Figure::Force | Figure::MaxPlasticStrain => UNCERTAINTY_OF_MESH,
-            _ => UNCERTAINTY,
-        };
-        let error = Figures::by(|figure, side| part(figure) * bias.get(figure, side).abs());
-        Self { bias, error }
-    }
-}
 
 /// Flow theory on the mesh that deformation theory was solved on.
 pub(super) struct FlowOnMesh<'a> {

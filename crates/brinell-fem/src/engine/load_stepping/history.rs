@@ -6,10 +6,10 @@
 
 use std::sync::Arc;
 
+use super::growth::growth;
 use super::load_stepper::{LoadStepper, auxiliary};
 use super::path::Path;
 use crate::assembly::GaussPoint;
-use crate::element::StressState;
 use crate::engine::body_system::system::System;
 use crate::engine::body_system::transfer::NodalField;
 use crate::engine::error::MeshedError;
@@ -19,7 +19,6 @@ use crate::engine::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::engine::mesh_solve::{MeshSolve, MeshSolveRequest};
 use crate::engine::meshed_contact::Asked;
 use crate::engine::problem::Problem;
-use crate::engine::reference::ElasticReference;
 use crate::engine::solution::{SectionField, StepSolution};
 use crate::mesh::ContactZone;
 use brinell_contact::{ContactLoad, ContactSolver};
@@ -361,21 +360,4 @@ impl PointHistory {
         point.largest_von_mises = self.von_mises;
         flows(gained, self.von_mises, 3.0 * point.secant_shear)
     }
-}
-
-/// Returns the growth of the contact on the way to a load.
-pub(super) fn growth(problem: &Problem, load: ContactLoad) -> Growth {
-    let onset = match load {
-        _ if problem.bodies.iter().all(|body| body.hardening().is_none()) => Some(f64::INFINITY),
-        ContactLoad::Force(force) => ElasticReference::of(problem, force.max(f64::MIN_POSITIVE))
-            .and_then(|reference| reference.yield_onset_force),
-        ContactLoad::Approach(_) => None,
-    };
-    // Between the elastic and the fully plastic contact.
-    let exponent = match (problem.stress_state, load) {
-        (StressState::Axisymmetric, ContactLoad::Force(_)) => 2.4,
-        (_, ContactLoad::Force(_)) => 1.6,
-        (_, ContactLoad::Approach(_)) => 2.0,
-    };
-    Growth { onset, exponent }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::history::growth;
+use super::growth::growth;
 use crate::element::StressState;
 use crate::engine::body_system::factor_cache::FactorCache;
 use crate::engine::body_system::plastic_search_region::PlasticSearchRegion;

@@ -1,6 +1,7 @@
 //! From a job to its solution: loads one after the other, each on its meshes.
 
 pub(super) mod force_search;
+mod growth;
 mod history;
 mod load_sequence;
 mod load_stepper;
