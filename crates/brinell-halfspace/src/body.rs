@@ -23,8 +23,8 @@ pub trait PlasticLaw {
     /// \[MPa\].
     fn elastic_limit(&self, layer: usize) -> f64;
 
-    /// `2μ Δε` of a straight path of the stress deviator `xx yy zz xy xz yz` from the accepted
-    /// state of a cell; `None` where it stays elastic. What the cell will then remember is kept
+    /// Returns `2μ Δε` of a straight path of the stress deviator `xx yy zz xy xz yz` from the
+    /// accepted state of a cell; `None` where it stays elastic. The new state of the cell is kept
     /// until the next [`rest`](Self::rest).
     fn flow(
         &mut self,
@@ -57,7 +57,7 @@ pub trait PlasticLaw {
 pub struct YieldingBody {
     space: Arc<HalfSpace>,
     law: Box<dyn PlasticLaw>,
-    /// How many bodies this one stands for.
+    /// Number of bodies for which this one stands.
     count: f64,
     /// dev σ0 of each layer.
     initial: Vec<[f64; DEVIATOR_COMPONENTS]>,
@@ -180,7 +180,7 @@ impl YieldingBody {
         Ok(())
     }
 
-    /// What the plastic law answers a trial with. Calls `flowing` for each cell that flows.
+    /// Answers a trial with `2μ Δε` of the plastic law. Calls `flowing` for each cell that flows.
     pub fn flow(&mut self, trial: &[f64], into: &mut [f64], mut flowing: impl FnMut(usize)) {
         let (n_layers, n_cells) = (self.strain.n_layers(), self.strain.n_cells());
         let layer_len = DEVIATOR_COMPONENTS * n_cells;
@@ -253,7 +253,7 @@ impl YieldingBody {
         0.5 * area * (of_pressure - of_all)
     }
 
-    /// How many bodies this one stands for.
+    /// Returns the number of bodies for which this one stands.
     pub const fn count(&self) -> f64 {
         self.count
     }

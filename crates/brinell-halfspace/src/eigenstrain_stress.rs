@@ -43,9 +43,9 @@
 //! taken.
 //!
 //! # Reference
-//! Own derivation. The same kernel by quadrature over layers: L. Frérot, M. Bonnet, J.-F.
-//! Molinari, G. Anciaux, *A Fourier-accelerated volume integral method for elastoplastic contact*,
-//! Comput. Methods Appl. Mech. Eng. 351 (2019) 951–976.
+//! Own derivation. Kernel by quadrature over layers: L. Frérot, M. Bonnet, J.-F. Molinari, G.
+//! Anciaux, *A Fourier-accelerated volume integral method for elastoplastic contact*, Comput.
+//! Methods Appl. Mech. Eng. 351 (2019) 951–976.
 
 use std::f64::consts::PI;
 
@@ -125,7 +125,8 @@ impl EigenstrainStress {
         self.apply_from(0, iy, block, work);
     }
 
-    /// The same from a wave number q_x on, a multiple of [`WIDTH`]; leaves those below it.
+    /// Turns the strains of one wave number q_y into stresses from a wave number q_x on, a multiple
+    /// of [`WIDTH`]; leaves those below it.
     #[inline(always)]
     pub fn apply_from(&self, first: usize, iy: usize, block: &mut [f64], work: &mut SweepWork) {
         let row_len = block.len() / (COMPONENTS * self.thickness.len());

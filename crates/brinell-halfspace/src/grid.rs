@@ -1,4 +1,4 @@
-//! Where pressures and plastic strains live: cells of the surface, layers below them.
+//! Discretization of pressures and plastic strains: cells of the surface, layers below them.
 
 use thiserror::Error;
 

@@ -13,8 +13,8 @@ use crate::{Elasticity, Layers, SurfaceGrid};
 /// The operators S (pressure to stress), Sᵀ (plastic strain to displacement) and G (plastic strain
 /// to stress) of a body.
 ///
-/// Nothing in it changes; bodies of one material on one grid share it. What changes is in
-/// [`HalfSpaceWork`].
+/// Nothing in it changes; bodies of one material on one grid share it. [`HalfSpaceWork`] holds the
+/// fields that change.
 pub struct HalfSpace {
     grid: SurfaceGrid,
     layers: Layers,
@@ -26,7 +26,7 @@ pub struct HalfSpace {
     arch: pulp::Arch,
 }
 
-/// What an evaluation writes on, and the spectra that it carries from strain to stress.
+/// Work space of an evaluation, with the spectra that it carries from strain to stress.
 pub struct HalfSpaceWork {
     n_components: usize,
     stack: Vec<f64>,
@@ -59,7 +59,7 @@ impl HalfSpace {
         Ok(body)
     }
 
-    /// The same with a G of period two grid sides.
+    /// Returns the operators of a body with a G of period two grid sides.
     ///
     /// # Errors
     /// [`Stopped`].

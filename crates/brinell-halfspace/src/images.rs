@@ -21,8 +21,8 @@ use crate::{Elasticity, Layers, SurfaceGrid};
 
 /// Coarse cells over a side of the grid.
 const COARSE_CELLS: usize = 8;
-/// The same where the contact is longer than [`ELONGATED`] times its width: then its images are
-/// lines.
+/// Coarse cells over a side of the grid where the contact is longer than [`ELONGATED`] times its
+/// width: then its images are lines.
 const COARSE_CELLS_ELONGATED: usize = 16;
 const ELONGATED: f64 = 3.0;
 /// Layers merged into one.

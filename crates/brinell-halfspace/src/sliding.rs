@@ -23,7 +23,7 @@ const FINE_CELLS: usize = 48;
 const STRIPS: usize = 80;
 /// A depth over the shorter semi-axis from which cells are coarse.
 const COARSE_FROM: f64 = 0.05;
-/// How far paths reach on both sides, over the semi-axis along the travel.
+/// Reach of the paths on both sides, over the semi-axis along the travel.
 const REACH: usize = 2;
 /// Depths over the shorter semi-axis.
 const DEPTHS: [f64; 26] = [

@@ -27,7 +27,7 @@ pub(crate) struct Transform {
     inverse_x: Arc<dyn Fft<f64>>,
 }
 
-/// What a transform writes on.
+/// Work space of a transform.
 #[derive(Clone)]
 pub(crate) struct Scratch {
     row: Vec<f64>,

@@ -36,7 +36,7 @@ pub(crate) enum Parity {
     OddInY,
 }
 
-/// How each component behaves where an offset changes its sign.
+/// Parity of each component where an offset changes its sign.
 pub(crate) const PARITIES: [Parity; COMPONENTS] =
     [Parity::Even, Parity::Even, Parity::Even, Parity::Odd, Parity::OddInX, Parity::OddInY];
 
@@ -78,7 +78,7 @@ struct Quarter {
     wide_y: usize,
     /// `2 cos q_y y`: wave number, cell.
     to_y: [Vec<f64>; 2],
-    /// The same over `my`, and half of it at both ends: wave number, cell filled up.
+    /// `2 cos q_y y` over `my`, and half of it at both ends: wave number, cell filled up.
     from_y: [Vec<f64>; 2],
     /// Cell, wave number filled up.
     to_x: [Vec<f64>; 2],
@@ -86,7 +86,7 @@ struct Quarter {
     from_x: [Vec<f64>; 2],
 }
 
-/// What transforms write on.
+/// Work space of the transforms.
 pub(crate) struct WavesScratch {
     complex: Scratch,
     line: Vec<Complex64>,

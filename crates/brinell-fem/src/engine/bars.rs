@@ -25,7 +25,7 @@ pub struct Bars {
     pub found: Figures,
     coarse: Figures,
     increments: Figures,
-    /// What the floors are multiplied by.
+    /// Factors of the floors.
     pub scales: Figures,
 }
 

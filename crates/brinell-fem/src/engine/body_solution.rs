@@ -60,7 +60,7 @@ impl BodySolution {
         }
     }
 
-    /// The same body before the load; `None` without initial stress.
+    /// Returns this body before the load; `None` without initial stress.
     pub fn at_rest(&self) -> Option<Self> {
         let initial = self.initial_stress.as_ref()?;
         let mut at_rest = self.clone();
@@ -91,8 +91,9 @@ impl BodySolution {
         strains.fold(0.0, f64::max)
     }
 
-    /// The same, or `None` if the material no longer hardens there. Plastic flow then gathers in
-    /// bands of the width of one element, and the strain grows with the density of the mesh.
+    /// Returns the largest equivalent plastic strain, or `None` if the material no longer hardens
+    /// there. Plastic flow then gathers in bands of the width of one element, and the strain grows
+    /// with the density of the mesh.
     pub fn bounded_plastic_strain(&self) -> Option<f64> {
         bounded_strain(self.max_plastic_strain(), self.model.hardening())
     }

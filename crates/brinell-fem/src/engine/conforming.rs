@@ -4,7 +4,7 @@
 //! ```text
 //! θ = s/R            angle of the common normal at the arc length s, the same on both bodies
 //! δ0 = ΔR (1 - cos θ)   gap along that normal
-//! e = cos θ          what an approach of 1 closes of it
+//! e = cos θ          closing of the gap per unit of approach
 //! ```
 //! `R = √(R_1 R_2)` is the geometric mean of the radii of pin and hole, `ΔR = R_2 - R_1` the
 //! clearance. Up to second order in `ΔR/R` the gap is the distance of the two circles. In a narrow
@@ -51,7 +51,7 @@ impl ConformingPair {
         2.0 * self.clearance * (0.5 * self.angle(arc)).sin().powi(2)
     }
 
-    /// By how much an approach of 1 closes the gap at an arc length.
+    /// Returns the closing of the gap per unit of approach at an arc length.
     pub fn closing(&self, arc: f64) -> f64 {
         self.angle(arc).cos()
     }

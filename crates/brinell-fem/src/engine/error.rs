@@ -28,16 +28,16 @@ pub enum MeshedError {
     },
     /// The surfaces do not open away from the contact.
     Conforming {
-        /// How far from there contacts are solved \[mm\].
+        /// Distance from the first contact within which contacts are solved \[mm\].
         limit: f64,
     },
     /// The surfaces first touch where one of them is about to end.
     TouchesAtEnd {
-        /// Where they first touch \[mm\].
+        /// Abscissa of the first contact \[mm\].
         x: f64,
-        /// Where a contact may begin \[mm\].
+        /// Left limit of contacts \[mm\].
         left: f64,
-        /// Where it may end \[mm\].
+        /// Right limit of contacts \[mm\].
         right: f64,
     },
     /// A surface that is given by points has details much smaller than the contact.
@@ -53,7 +53,7 @@ pub enum MeshedError {
     AmbiguousCorner {
         /// The body, 0 for the upper one.
         side: usize,
-        /// Where \[mm\].
+        /// Abscissa of the corner \[mm\].
         x: f64,
         /// Change of slope.
         opening: f64,

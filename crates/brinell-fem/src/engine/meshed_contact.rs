@@ -1,10 +1,10 @@
-//! What is solved on meshes: two bodies, their loads, and how.
+//! Contact that is solved on meshes: two bodies, their loads, and the settings.
 
 use crate::engine::problem::Problem;
 use brinell_method::settings::Settings;
 use brinell_method::sought::Loads;
 
-/// Two bodies, their loads, and how they are solved.
+/// Two bodies, their loads, and the settings of the solution.
 pub struct MeshedContact {
     /// The bodies.
     pub problem: Problem,

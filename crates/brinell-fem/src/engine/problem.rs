@@ -41,7 +41,7 @@ pub struct GivenBody {
     pub outline: Outline,
     /// `None` for a rigid body.
     pub material: Option<Solid>,
-    /// How it is held.
+    /// Support.
     pub support: Support,
     /// Whether it is a profile of which nothing says how it runs between its points.
     pub interpolation_is_open: bool,
@@ -58,7 +58,7 @@ pub struct ProblemBody {
     pub model: Option<Arc<dyn MaterialModel>>,
     /// Its stress before any load.
     pub initial_stress: Option<Arc<GivenStress>>,
-    /// How it is held.
+    /// Support.
     pub support: Support,
     /// Whether it is a profile of which nothing says how it runs between its points.
     interpolation_is_open: bool,
@@ -83,7 +83,8 @@ impl GivenStress {
         self.below(self.outline.foot(position))
     }
 
-    /// The same at a depth \[mm\] below the place of a surface where it has this normal.
+    /// Returns `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\] at a depth \[mm\] below the place of a surface
+    /// where it has this normal.
     pub fn below(&self, (depth, [n_x, n_y]): (f64, [f64; 2])) -> [f64; 4] {
         let [along, across] = self.profile.at(depth);
         [along * n_y * n_y, along * n_x * n_x, across, -along * n_x * n_y]
@@ -201,7 +202,7 @@ impl Problem {
         problem
     }
 
-    /// The same bodies with other constitutive models of their materials.
+    /// Returns the same bodies with other constitutive models of their materials.
     #[must_use]
     pub fn with_models(&self, model: ModelOf) -> Self {
         let out_of_plane = out_of_plane(self.stress_state);
@@ -212,13 +213,13 @@ impl Problem {
         Self { bodies: self.bodies.each_ref().map(with_model), ..self.clone() }
     }
 
-    /// The same bodies, of which a symmetry is not used.
+    /// Returns the same bodies, of which a symmetry is not used.
     #[must_use]
     pub fn as_whole(&self) -> Self {
         Self { use_symmetry: false, ..self.clone() }
     }
 
-    /// The same bodies without their hardening curves.
+    /// Returns the same bodies without their hardening curves.
     #[must_use]
     pub fn without_plasticity(&self) -> Self {
         let elastic = |body: &ProblemBody| ProblemBody {
@@ -355,8 +356,8 @@ impl Problem {
         -self.bodies.iter().map(|body| body.outline.height(x)).sum::<f64>() - self.smallest_gap
     }
 
-    /// By how much an approach of 1 closes the gap at an abscissa: nearly 1 where a contact is
-    /// narrow beside the radii.
+    /// Returns the closing of the gap per unit of approach at an abscissa: nearly 1 where a contact
+    /// is narrow beside the radii.
     pub fn closing(&self, x: f64) -> f64 {
         self.conforming.map_or(1.0, |pair| pair.closing(x))
     }
@@ -494,7 +495,8 @@ impl Problem {
         (spans[0].0.max(spans[1].0), spans[0].1.min(spans[1].1))
     }
 
-    /// Where a contact zone has room on both bodies, from left to right \[mm\].
+    /// Returns the ends of the room that a contact zone has on both bodies, from left to right
+    /// \[mm\].
     pub fn room(&self) -> (f64, f64) {
         let room = self.bodies.each_ref().map(|body| ContactZone::room(&body.outline));
         (room[0].0.max(room[1].0), room[0].1.min(room[1].1))

@@ -69,8 +69,8 @@ pub struct SectionField {
     /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power
     /// below 2.
     pub rounded_tip: Option<RoundedTip>,
-    /// By how much the figures differ from those of flow theory; `None` of elastic bodies, of
-    /// bodies with a memory, and where it was not sought.
+    /// Differences of the figures from those of flow theory; `None` of elastic bodies, of bodies
+    /// with a memory, and where they were not sought.
     pub theory_bias: Option<TheoryBias>,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the
     /// elastic one, of the pairs in contact \[N/mm per mm\].
@@ -185,9 +185,9 @@ impl SectionField {
     }
 }
 
-/// Returns the pressure at `middle` from those at ascending x \[MPa\]: interpolated between two pairs,
-/// of a body of revolution by the parabola through the two pairs beside the axis. That on the axis
-/// stands for a circle of half an element.
+/// Returns the pressure at `middle` from those at ascending x \[MPa\]: interpolated between two
+/// pairs, of a body of revolution by the parabola through the two pairs beside the axis. The pair on
+/// the axis stands for a circle of half an element.
 pub(super) fn pressure_in_middle(
     state: StressState,
     middle: f64,

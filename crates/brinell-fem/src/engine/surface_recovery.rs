@@ -1,19 +1,19 @@
 //! Stresses at the surface of bodies that yield.
 //!
 //! Means over elements lie half an element below the surface, and in bodies that yield the stress
-//! there may turn within elements. What is known at the surface does not:
+//! there may turn within elements. The known quantities of the surface do not:
 //! ```text
 //! σ_n = -p                 contact pressure, 0 beside the contact and before the load
 //! ε_t = Δu·t / Δs          strain along the surface; in a body of revolution ε_θ = u_r / r
 //! ε_p                      plastic strain, extended from the means over the elements below;
 //!                          0 in an elastic skin
 //! ```
-//! Hooke's law of `ε - ε_p` gives the other components. A mean is extended by half of the lesser
-//! of the two slopes below it, and never beyond zero, so that no kink of plastic strain is carried
-//! to the surface. Where plastic strain is a hundred times the elastic one its error is a stress
-//! far above yield: where material yields no von Mises stress exceeds the yield stress and the
-//! largest that the elements below have borne. What is above is moved towards the least von Mises
-//! stress under `σ_n`.
+//! Hooke's law of `ε - ε_p` gives the other components. A mean is extended by half of the lesser of
+//! the two slopes below it, and never beyond zero, so that no kink of plastic strain is carried to
+//! the surface. Where plastic strain is a hundred times the elastic one its error is a stress far
+//! above yield: where material yields no von Mises stress exceeds the yield stress and the largest
+//! that the elements below have borne. A stress above this limit is moved towards the least von
+//! Mises stress under `σ_n`.
 //!
 //! # Reference
 //! A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy, *Uniformly high order accurate
@@ -29,7 +29,7 @@ use brinell_material::von_mises;
 /// Elements below the surface whose means are extended to it.
 const ROWS: usize = 3;
 
-/// What is known at a node of the surface.
+/// Recovered state at a node of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceStress {
     /// Index of the node.
@@ -38,18 +38,19 @@ pub struct SurfaceStress {
     pub stress: [f64; 4],
     /// Equivalent plastic strain.
     pub plastic_strain: f64,
-    /// By what von Mises' stress was above the largest that is borne there, to which it is limited
+    /// Excess of von Mises' stress over the largest that is borne there, to which it is limited
     /// \[MPa\].
     pub beyond: f64,
 }
 
-/// Stresses recovered on a body, at the candidate nodes from what is known at the surface.
+/// Returns the stresses recovered on a body, which at the candidate nodes follow from the known
+/// state of the surface.
 pub fn recovered<'a>(step: &StepSolution, body: &'a BodySolution) -> Recovery<'a> {
     let pressure: Vec<f64> = step.field.pairs.iter().map(|pair| pair.pressure).collect();
     recovered_under(step.field.stress_state, step.field.symmetric, body, &pressure)
 }
 
-/// The same under a pressure at each candidate node \[MPa\].
+/// Returns the stresses recovered on a body under a pressure at each candidate node \[MPa\].
 pub(crate) fn recovered_under<'a>(
     state: StressState,
     symmetric: bool,
@@ -63,7 +64,7 @@ pub(crate) fn recovered_under<'a>(
     recovery
 }
 
-/// The same before the load, when no surface carries pressure.
+/// Returns the stresses recovered before the load, when no surface carries pressure.
 pub fn recovered_at_rest(
     state: StressState,
     symmetric: bool,
@@ -174,7 +175,7 @@ fn within(most: f64, stress: [f64; 4], least: [f64; 4]) -> [f64; 4] {
     std::array::from_fn(|k| least[k] + part * beyond[k])
 }
 
-/// What is known half-way between two neighbouring nodes.
+/// Geometry and strains half-way between two neighbouring nodes.
 #[derive(Debug, Clone, Copy)]
 struct Known {
     length: f64,
@@ -201,7 +202,7 @@ impl Known {
     }
 }
 
-/// What is known at the surface below the middle of the contact.
+/// Returns the recovered state at the surface below the middle of the contact.
 pub fn surface_stress_in_middle(
     step: &StepSolution,
     body: &BodySolution,

@@ -30,7 +30,7 @@ type Deviator = [f64; DEVIATOR_COMPONENTS];
 pub struct RacewayBody {
     space: Arc<RacewaySpace>,
     law: Box<RowLaw>,
-    /// How many bodies this one stands for.
+    /// Number of bodies for which this one stands.
     count: f64,
     /// Traction in the direction of travel over pressure.
     friction: f64,
@@ -120,7 +120,7 @@ impl RacewayBody {
         &self.residual
     }
 
-    /// How far the rows of the surface have sunk in all passes \[mm\].
+    /// Returns the depth of the groove at the rows of the surface after all passes \[mm\].
     pub fn groove(&self) -> &[f64] {
         &self.groove
     }
@@ -500,7 +500,7 @@ impl RacewayGrid {
     }
 }
 
-/// Where a cell has its first component in an increment.
+/// Returns the index of the first component of a cell in an increment.
 const fn place(cell: usize, n_cells: usize) -> usize {
     cell / n_cells * DEVIATOR_COMPONENTS * n_cells + cell % n_cells
 }

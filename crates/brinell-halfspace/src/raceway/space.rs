@@ -36,7 +36,7 @@ pub struct RacewaySpace {
     arch: pulp::Arch,
 }
 
-/// What an evaluation writes on, and the spectra that it carries from strain to stress.
+/// Work space of an evaluation, with the spectra that it carries from strain to stress.
 pub struct RacewayWork {
     stack: Vec<f64>,
     wide: Vec<f64>,

@@ -60,15 +60,15 @@ impl UniformTrack {
         Self { rows, normal, tangential }
     }
 
-    /// How far the rows of the surface have sunk, of plastic strains `xx yy xy xz yz` in the rows
-    /// of the layers; in the unit of the layers' depths.
+    /// Returns the depth of the groove at the rows of the surface, of plastic strains
+    /// `xx yy xy xz yz` in the rows of the layers; in the unit of the layers' depths.
     pub fn groove(&self, strain: &[[f64; DEVIATOR_COMPONENTS]]) -> Vec<f64> {
         self.sum(strain, &self.normal, |[xx, yy, yz], strain| {
             xx * strain[0] + yy * strain[1] + yz * strain[4]
         })
     }
 
-    /// How far they have moved in +x, against the depth.
+    /// Returns the displacement of the rows of the surface in +x, against the depth.
     pub fn forward(&self, strain: &[[f64; DEVIATOR_COMPONENTS]]) -> Vec<f64> {
         self.sum(strain, &self.tangential, |[xy, xz], strain| xy * strain[2] + xz * strain[3])
     }

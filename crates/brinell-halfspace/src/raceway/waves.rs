@@ -31,7 +31,7 @@ const WIDE_BOX: usize = 4;
 /// Decay of the first wave that is not low, over the width of the track: exp(-10) is 5e-5.
 const DECAY: f64 = 10.0;
 
-/// How a component is held in planes.
+/// Layout of a component in planes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Planes {
     /// xx, yy, zz, and fields on the surface.
@@ -108,7 +108,7 @@ pub(super) enum Span {
     Wide,
 }
 
-/// What transforms write on.
+/// Work space of the transforms.
 pub(super) struct RingScratch {
     /// Rows of planes of one field.
     pub rows: Vec<f64>,

@@ -25,7 +25,7 @@ use crate::stop::{Stop, Stopped};
 pub struct RollingBody {
     space: Arc<TrackSpace>,
     law: Box<dyn StreamLaw>,
-    /// How many bodies this one stands for.
+    /// Number of bodies for which this one stands.
     count: f64,
     /// Traction in the direction of travel over pressure.
     friction: f64,
@@ -87,7 +87,7 @@ impl RollingBody {
         &*self.law
     }
 
-    /// How many bodies this one stands for.
+    /// Returns the number of bodies for which this one stands.
     pub const fn count(&self) -> f64 {
         self.count
     }
@@ -285,8 +285,8 @@ impl RollingBody {
         [xx - mean, yy - mean, -mean, 0.0]
     }
 
-    /// Accepts an increment that the law has just answered with. What leaves at the back enters
-    /// the next pass.
+    /// Accepts an increment that the law has just answered with. The state at the back enters the
+    /// next pass.
     pub fn accept(&mut self, increment: &[f64]) -> Outlet {
         let n = self.space.grid().n;
         let stored = self.stored_energy();
@@ -340,7 +340,7 @@ impl RollingBody {
         (0..layers.len()).map(|l| layers.thickness(l) * self.law.work_of_pass(l)).sum()
     }
 
-    /// How far the surface of the track has sunk, `(1-λ') ∫ε_zz dz` \[mm\].
+    /// Returns the depth of the groove of the track, `(1-λ') ∫ε_zz dz` \[mm\].
     pub fn groove_depth(&self) -> f64 {
         let (elastic, layers) = (self.space.elastic(), self.space.layers());
         let local = elastic.poisson() / (1.0 - elastic.poisson());

@@ -1,8 +1,8 @@
-//! What a pass leaves, and what it costs.
+//! Residual state of a body after a pass, and the force that the pass takes.
 
 use super::grid::TrackGrid;
 
-/// What a body has at the back of a pass that it did not have at the front.
+/// State of a body at the back of a pass, and its changes from the front to the back.
 ///
 /// Fields have values in the rows of all layers, those of the first layer first. A line has one row
 /// in each layer; a track of finite width those at y > 0, from its axis outwards.
@@ -20,12 +20,12 @@ pub struct Outlet {
     pub strain: Vec<[f64; 5]>,
     /// Plastic strain that has been accumulated in this pass.
     pub accumulated: Vec<f64>,
-    /// How far this pass has moved the surface in the direction of travel, against the depth, on
+    /// Displacement of the surface in the direction of travel by this pass, against the depth, on
     /// the axis: `-2 ∫Δε_xz dz` of a line \[mm\].
     pub forward: f64,
-    /// How far the surface has sunk in all passes, on the axis \[mm\].
+    /// Depth of the groove after all passes, on the axis \[mm\].
     pub groove_depth: f64,
-    /// How far it has risen beside the groove \[mm\]; 0 of a line.
+    /// Pile-up beside the groove \[mm\]; 0 of a line.
     pub pile_up: f64,
     /// Residual stress `xx yy zz xy xz yz` \[MPa\]; σxx and σyy of a line.
     pub residual: Vec<[f64; 6]>,
@@ -74,8 +74,8 @@ impl PassStrain {
         Self::of_rows(pass, &pass.accumulated, pass.change.iter().copied())
     }
 
-    /// The strains of a pass and of the next one, which went the other way. What one moves
-    /// forward, the other may take back.
+    /// The strains of a pass and of the next one, which went the other way. The second pass may
+    /// take back the forward displacement of the first.
     pub fn of_pair(there: &Outlet, back: &Outlet) -> Self {
         let both = there.accumulated.iter().zip(&back.accumulated).map(|(a, b)| a + b);
         // x is the direction of travel in both.

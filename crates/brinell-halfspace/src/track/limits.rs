@@ -26,7 +26,8 @@ pub struct TrackLimits {
     /// Stresses of layers are means over them. The limit lies above that of a continuum, by 1.1,
     /// 0.3 and 0.08 % at 10, 20 and 40 columns a half-width.
     pub perfect: AtDepth,
-    /// The same with kinematic hardening without bound: σ_y over the radius of the smallest ball.
+    /// Factor of the pressure with kinematic hardening without bound: σ_y over the radius of the
+    /// smallest ball.
     pub kinematic: AtDepth,
 }
 

@@ -1,4 +1,4 @@
-//! What a body on a track does in a pass, whether its contact is a line or an ellipse.
+//! Pass of a body on a track, of a contact along a line or over an ellipse.
 
 use super::body::RollingBody;
 use super::fault::TrackFault;
@@ -17,7 +17,7 @@ pub trait Rolls {
     /// Numbers of an increment.
     fn n_numbers(&self) -> usize;
 
-    /// How many bodies this one stands for.
+    /// Returns the number of bodies for which this one stands.
     fn count(&self) -> f64;
 
     /// Begins a pass from an increment: the cells that may change are those that flow in it.
@@ -50,9 +50,9 @@ pub trait Rolls {
     /// Answers a trial with `2μ Δε` of the plastic law.
     fn flow(&mut self, trial: &[f64], into: &mut [f64]);
 
-    /// Accepts an increment that the law has just answered its trial with. What leaves at the back
-    /// enters the next pass, and the trial becomes that of the same path behind the residual
-    /// stress that this pass leaves.
+    /// Accepts an increment that the law has just answered its trial with. The state at the back
+    /// enters the next pass, and the trial becomes that of the same path behind the residual stress
+    /// that this pass leaves.
     fn accept(&mut self, increment: &[f64], trial: &mut [f64]) -> Outlet;
 
     /// Turns the track round: the next pass goes the other way. x is again the direction of

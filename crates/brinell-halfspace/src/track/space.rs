@@ -26,13 +26,13 @@ pub struct TrackSpace {
     inverse: Arc<dyn ComplexToReal<f64>>,
     /// Spectra of deviators of stress under pressure: layer, row, wave number.
     normal: Vec<f64>,
-    /// The same under traction, multiplied by ±i.
+    /// Spectra of deviators of stress under traction, multiplied by ±i.
     tangential: Vec<f64>,
     sweep: Sweep,
     arch: pulp::Arch,
 }
 
-/// What an evaluation writes on, and the spectra that it carries from strain to stress.
+/// Work space of an evaluation, with the spectra that it carries from strain to stress.
 pub struct TrackWork {
     stack: Vec<f64>,
     row: Vec<f64>,

@@ -28,7 +28,8 @@ pub(crate) fn at(x: f64, z: f64, h: f64) -> [[f64; 3]; 2] {
     [[along, -(t + f) / PI, shear], [-(ra / rb).ln() / PI - shear, shear, along]]
 }
 
-/// The same averaged over a layer between two depths.
+/// Returns `σxx σzz σxz` of unit pressure and of unit traction in +x, averaged over a layer between
+/// two depths.
 pub(crate) fn average(x: f64, [top, bottom]: [f64; 2], h: f64) -> [[f64; 3]; 2] {
     let [upper, lower] = GAUSS.map(|g| at(x, top + g * (bottom - top), h));
     std::array::from_fn(|n| std::array::from_fn(|k| 0.5 * (upper[n][k] + lower[n][k])))

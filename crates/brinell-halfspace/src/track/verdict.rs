@@ -35,7 +35,7 @@ const STEADY_NET: f64 = 0.05;
 /// Net over accumulated strain below which a cycle is closed.
 const CLOSED: f64 = 0.01;
 
-/// What becomes of a track.
+/// Verdict on a track: elastic, shakedown, closed cycle or ratcheting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// Nothing yields.

@@ -73,7 +73,7 @@ pub(crate) struct Design<'a> {
     pub zone: &'a ContactZone,
     pub refinement: Refinement,
     pub search_region: PlasticSearchRegion,
-    /// Where it may be already.
+    /// Cache that may hold its bodies and factors.
     pub cache: Option<&'a Arc<FactorCache>>,
 }
 
@@ -270,7 +270,8 @@ impl System {
         self.tributary_within(k, self.zone.abscissae())
     }
 
-    /// Where pairs carry force at a sharp corner of one of the surfaces \[mm\].
+    /// Returns the places \[mm\] of the pairs that carry force at a sharp corner of one of the
+    /// surfaces.
     pub fn loaded_corners(&self, force: &[f64]) -> Vec<f64> {
         let loaded = (0..force.len()).filter(|&k| force[k] > 0.0 && self.zone.is_sharp_corner(k));
         loaded.map(|k| self.zone.edge(k).unwrap_or_else(|| self.zone.abscissa(k))).collect()

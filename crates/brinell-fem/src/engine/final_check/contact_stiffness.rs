@@ -27,7 +27,7 @@ pub(super) fn elastic_stiffness(
     patch.map_or(whole, |patch| whole + at_the_ends(system, &active, patch, whole))
 }
 
-/// That of these pairs.
+/// Returns the elastic contact stiffness of these pairs.
 fn stiffness(system: &System, pairs: &[usize]) -> f64 {
     let Ok(factor) = DenseCholesky::factor(system.flexibility.principal_block(pairs)) else {
         return 0.0;
@@ -46,7 +46,8 @@ fn stiffness(system: &System, pairs: &[usize]) -> f64 {
 /// 10 to 40 elements over the half-width.
 const OVERHANG: f64 = 0.25;
 
-/// What the parts of elements between the outermost active pairs and the ends of the contact add.
+/// Returns the stiffness that the parts of elements between the outermost active pairs and the ends
+/// of the contact add.
 fn at_the_ends(system: &System, active: &[usize], patch: ContactPatch, whole: f64) -> f64 {
     let (Some(&first), Some(&last)) = (active.first(), active.last()) else { return 0.0 };
     let zone = &system.zone;

@@ -8,7 +8,7 @@ use brinell_material::analytical::RoundedEdge;
 /// Elements of a contact on a rounded edge over its width at most.
 const EDGE_ELEMENT: f64 = 0.25;
 
-/// What elastic bodies have there in closed form.
+/// Closed form of the contact of elastic bodies on rounded edges.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EdgeContact {
     pub elastic: RoundedEdge,

@@ -32,9 +32,9 @@ const ONSET_FLOOR_AT_ENDS: f64 = 0.6;
 /// Error of the utilization at the ends of the contact over its change to half the density.
 const ENDS_MARGIN: f64 = 1.5;
 const MOST_HIDDEN: f64 = 0.15;
-/// How much coarser than asked the meshes are on which the force is looked for, the same where the
-/// figure follows the width of the contact, which a mesh knows to half an element, and the fewest
-/// elements.
+/// Factor by which the meshes on which the force is looked for are coarser than asked. Factor where
+/// the figure follows the width of the contact, which a mesh knows to half an element. Fewest
+/// elements of these meshes.
 const COARSER: u32 = 3;
 const COARSER_FOR_WIDTH: u32 = 2;
 const FEWEST_ELEMENTS: u32 = 6;
@@ -46,7 +46,7 @@ const MAX_FINE_OF_ONSET: usize = 8;
 /// Deviation that ends the search. At 20 elements figures scatter by 0.02 % (peak pressure) to 0.4
 /// % (half-width) with the mesh.
 const TOLERANCE: f64 = 1e-3;
-/// The same for the onset of yield, which scatters less.
+/// Deviation that ends the search for the onset of yield, which scatters less.
 const ONSET_TOLERANCE: f64 = 2e-4;
 /// Deviation of the utilization from which on an onset counts as missed: at the edge of a contact
 /// circle it scatters with the radius.
@@ -220,9 +220,9 @@ impl ForceSearch<'_> {
         Ok(found.ratio.ln().abs() / slope + change)
     }
 
-    /// By how much a force is larger than the one under which yield begins below the middle in
-    /// closed form, in bodies whose strength varies over the depth: in a layer thinner than an
-    /// element.
+    /// Returns the relative excess of a force over the one under which yield begins below the
+    /// middle in closed form. In bodies whose strength varies over the depth, yield may begin in a
+    /// layer thinner than an element. The excess is 0 for other bodies.
     fn beyond_closed_form(&self, force: f64) -> f64 {
         let is_graded = self.problem.bodies.iter().any(|body| {
             let (least, greatest) = body.strength_range();
@@ -289,7 +289,7 @@ impl ForceSearch<'_> {
         }
     }
 
-    /// What is expected of `d ln figure / d ln force`.
+    /// Returns the expected `d ln figure / d ln force`.
     fn expected_slope(&self) -> f64 {
         match self.sought {
             Sought::Onset => 0.5,

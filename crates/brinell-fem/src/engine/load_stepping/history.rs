@@ -35,12 +35,12 @@ use brinell_method::run::Run;
 use brinell_method::solve::{Engine, Round, VerdictOf};
 use brinell_method::sought::largest_loads;
 
-/// What a history is solved with.
+/// Input of the solution of a history.
 #[derive(Clone, Copy)]
 pub(super) struct MeshedHistory<'a> {
     /// Bodies with the models of the history.
     pub problem: &'a Problem,
-    /// The same bodies under deformation theory, and how their meshes are sized.
+    /// The bodies under deformation theory, and the sizing of their meshes.
     pub sizing: &'a LoadStepper<'a>,
     pub asked: Asked,
     pub contact: &'a dyn ContactSolver,
@@ -86,7 +86,7 @@ pub(super) struct HistoryOnMesh<'a> {
     keeps_path: bool,
 }
 
-/// What a history on a mesh leaves behind.
+/// Memory of a history on a mesh.
 pub(super) struct MeshMemory {
     zone: ContactZone,
     /// The contact at its widest.
@@ -100,7 +100,7 @@ pub(super) struct MeshMemory {
     is_falling: bool,
     /// Whether a point flowed in the last increment.
     flows: bool,
-    /// What the points of each model have been through.
+    /// Histories of the points of each model.
     points: Vec<Vec<PointHistory>>,
 }
 
@@ -326,7 +326,7 @@ impl Memory for HistoryOnMesh<'_> {
 }
 
 impl MeshMemory {
-    /// What points gain while loads fall counts from where the first of them begins to fall.
+    /// Resets the reverse strains of the points where the load begins to fall.
     fn turn(&mut self, falls: bool) {
         if falls && !self.is_falling {
             self.points.iter_mut().flatten().for_each(|point| point.reverse = 0.0);
@@ -335,12 +335,12 @@ impl MeshMemory {
     }
 }
 
-/// What a point has been through, beyond the state of its law.
+/// History of a point, beyond the state of its law.
 #[derive(Debug, Clone, Copy, Default)]
 struct PointHistory {
     /// Equivalent plastic strain.
     accumulated: f64,
-    /// What of it came since the load last began to fall.
+    /// Part of it that came while the load last fell.
     reverse: f64,
     /// Largest von Mises stress \[MPa\].
     von_mises: f64,

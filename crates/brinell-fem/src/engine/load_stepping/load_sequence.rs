@@ -21,7 +21,7 @@ use brinell_method::steps::StepReceiver;
 pub(super) struct LoadSequence<'a> {
     /// The bodies under deformation theory, by which meshes are sized.
     pub problem: &'a Problem,
-    /// The same bodies with models that have a memory, if the loads are to be a history.
+    /// The bodies with models that have a memory, if the loads are to be a history.
     pub with_memory: Option<&'a Problem>,
     pub asked: Asked,
     pub contact: &'a dyn ContactSolver,

@@ -40,7 +40,7 @@ const SIZING_PASSES: usize = 5;
 const SETTLING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
-/// How far plastic flow is looked for, over how far it reached on the coarser mesh.
+/// Reach of the search for plastic flow over the reach of the flow on the coarser mesh.
 const PLASTIC_MARGIN: f64 = 1.15;
 /// Least width of the zone over that of the contact for which a mesh is used again.
 const ZONE_MARGIN: f64 = 1.12;
@@ -49,7 +49,7 @@ const ZONE_MARGIN: f64 = 1.12;
 /// was found of its extent.
 const RESOLUTION_SLACK: f64 = 1.05;
 
-/// By how much a zone that does not fit on the surfaces is narrowed, again and again.
+/// Factor by which a zone that does not fit on the surfaces is narrowed, again and again.
 const NARROWING: f64 = 0.95;
 const MAX_NARROWINGS: usize = 60;
 
@@ -64,7 +64,7 @@ pub(crate) struct LoadStepper<'a> {
     last: Option<LastStep>,
 }
 
-/// What the next load of a sweep can build on.
+/// State of the last load of a sweep, on which the next load can build.
 struct LastStep {
     load: ContactLoad,
     /// The load for which the meshes were made.
@@ -186,7 +186,7 @@ impl<'a> LoadStepper<'a> {
         Some(FlowOnMesh::new(self.problem, growth, request))
     }
 
-    /// By how much the contact of an elastic body grows from one load to another.
+    /// Returns the contact size of an elastic body under the load `to` over that under `from`.
     fn growth(&self, from: ContactLoad, to: ContactLoad) -> f64 {
         let exponent = match (self.problem.stress_state, to) {
             (StressState::Axisymmetric, ContactLoad::Force(_)) => 0.4,
@@ -201,8 +201,8 @@ impl<'a> LoadStepper<'a> {
     fn serves(&self, last: &LastStep, load: ContactLoad, extent: ContactSizeEstimate) -> bool {
         let elements = self.asked.elements as usize;
         let zone = &last.fine.zone;
-        // What is found of an extent jumps by an element: a search would go from mesh to mesh and
-        // never settle.
+        // The contact size that a mesh finds jumps by an element: a search would go from mesh to
+        // mesh and never settle.
         let is_near = || self.growth(last.made_for, load).ln().abs() <= RESOLUTION_SLACK.ln();
         zone.half_width() >= ZONE_MARGIN * extent.half_width
             && (zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements) || is_near())
@@ -294,9 +294,9 @@ impl<'a> LoadStepper<'a> {
         Ok((found, pass))
     }
 
-    /// What a mesh has found of a contact, with elements as small as the surfaces need them; where
-    /// a body has collapsed these are in contact wherever they happen to be, and no finer mesh
-    /// helps.
+    /// Returns the contact size that a mesh has found, with elements as small as the surfaces need
+    /// them. Where a body has collapsed the surfaces are in contact wherever they happen to be, and
+    /// no finer mesh helps.
     fn found(&self, extent: ContactSizeEstimate, pass: &MeshSolve) -> ContactSizeEstimate {
         let found = extent.found_by(pass);
         if pass.has_collapsed() {
@@ -377,7 +377,7 @@ fn has_answer(pass: &MeshSolve) -> bool {
     pass.outcome.status == SolveStatus::Converged && !pass.has_collapsed()
 }
 
-/// How the auxiliary passes are iterated, whatever is asked for.
+/// Returns the settings of the auxiliary meshes, whatever is asked for.
 pub(super) fn auxiliary() -> Settings {
     Settings {
         theory: Theory::Deformation,

@@ -1,4 +1,4 @@
-//! What a history on one mesh has found, for the next mesh to go by.
+//! Path of a history on one mesh, by which the next mesh goes.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ impl Path {
         self.points.len() * nodes * size_of::<[f64; 2]>()
     }
 
-    /// By how much the displacements change from one time to another.
+    /// Returns the change of the displacements from one time to another.
     pub fn change(&self, from: f64, to: f64) -> Vec<Vec<[f64; 2]>> {
         let (mut change, start) = (self.at(to), self.at(from));
         for (to, from) in change.iter_mut().flatten().zip(start.iter().flatten()) {

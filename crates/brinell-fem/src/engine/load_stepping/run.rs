@@ -20,8 +20,7 @@ use brinell_method::slope::reached;
 use brinell_method::sought::{Loads, history_of};
 use brinell_method::steps::StepReceiver;
 
-/// What the wire format does not offer: for the service, for verification, and for trying out
-/// methods.
+/// Options beyond the wire format: for the service, for verification, and for trying out methods.
 #[derive(Clone, Copy)]
 pub struct Options<'a> {
     /// Whether a symmetric problem is solved on one half. Default true.

@@ -52,7 +52,7 @@ pub(super) fn surface_points(
     points.collect()
 }
 
-/// What the stress before the load is beyond the given one, at the nodes of the surface \[MPa\].
+/// Returns the stress before the load less the given one, at the nodes of the surface \[MPa\].
 fn relaxed_beyond_given(
     step: &StepSolution,
     body: &BodySolution,
@@ -84,7 +84,7 @@ pub(super) fn beyond_given(mut body: BodySolution, given: &GivenStress) -> BodyS
     body
 }
 
-/// The same with it.
+/// Returns a stress with the given one added \[MPa\].
 pub(super) fn with_given(stress: [f64; 4], limits: &ProblemBody, position: [f64; 2]) -> [f64; 4] {
     let given = limits.initial_stress.as_deref().map_or([0.0; 4], |given| given.at(position));
     std::array::from_fn(|k| stress[k] + given[k])
@@ -113,7 +113,7 @@ pub(in crate::engine) fn from_surface([t, n, z]: [f64; 3], [c, s]: [f64; 2]) -> 
     [t * c * c + n * s * s, t * s * s + n * c * c, z, (t - n) * c * s]
 }
 
-/// What is known half-way between two neighbouring nodes of a surface.
+/// Geometry and strains half-way between two neighbouring nodes of a surface.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::engine) struct Segment {
     /// \[mm\].

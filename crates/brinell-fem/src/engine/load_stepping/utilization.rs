@@ -1,4 +1,4 @@
-//! How near a contact is to yield.
+//! Utilization of a contact: von Mises stress over yield stress.
 
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ use crate::engine::solution::{PairState, StepSolution};
 use brinell_material::analytical::RoundedEdge;
 use brinell_material::von_mises;
 
-/// Where a step comes nearest to yield, or is farthest beyond it.
+/// Highest utilization of a step, below yield or beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Utilization {
     /// Von Mises stress over yield stress.
@@ -38,7 +38,7 @@ pub fn highest_utilization(step: &StepSolution, problem: &Problem) -> Option<Uti
 /// Half-widths around the ends of a contact within which stress varies too fast for elements.
 const AROUND_ENDS: f64 = 0.3;
 
-/// The same near the ends of the contact alone.
+/// Returns the highest utilization near the ends of the contact.
 pub(crate) fn highest_at_ends(step: &StepSolution, problem: &Problem) -> Option<Utilization> {
     let patch = step.field.patch?;
     let reach = AROUND_ENDS * patch.half_width();
@@ -93,7 +93,8 @@ pub(crate) fn error_at_narrow_edge(step: &StepSolution) -> Option<f64> {
     Some(EDGE_ERROR + (off.iter().sum::<f64>() / off.len() as f64).abs())
 }
 
-/// The same of the elements with their middle at certain places `[x, depth]` \[mm\].
+/// Returns the highest utilization over the elements with their middle at certain places
+/// `[x, depth]` \[mm\].
 fn highest_within(
     step: &StepSolution,
     problem: &Problem,
@@ -257,8 +258,8 @@ fn even(k: u32) -> f64 {
     2.0 * f64::from(k) / f64::from(PARTS) - 1.0
 }
 
-/// Where lines along both natural directions cross the depth z, depth being interpolated between
-/// the corners of an element.
+/// Returns the crossings of lines along both natural directions with the depth z. Depth is
+/// interpolated between the corners of an element.
 fn crossings(depths: [f64; 4], z: f64) -> impl Iterator<Item = [f64; 2]> {
     (0..2 * (PARTS + 1)).filter_map(move |k| {
         let (axis, fixed) = (usize::from(k > PARTS), even(k % (PARTS + 1)));

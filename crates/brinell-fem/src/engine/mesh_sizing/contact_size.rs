@@ -1,4 +1,4 @@
-//! How large the contact is expected to be: what meshes are sized by.
+//! Expected contact size, by which meshes are sized.
 
 use std::f64::consts::PI;
 
@@ -33,12 +33,12 @@ const RING_GROWTH: f64 = 0.065;
 /// its end in the middle between two nodes if half-widths found on a coarser mesh were not a
 /// little low.
 pub(super) const BEYOND_LAST: f64 = 0.4;
-/// How much finer a mesh may become than what was expected before anything was solved.
+/// Largest refinement of a mesh over the one that was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
 const MAX_ELEMENTS: f64 = 350.0;
-/// How much wider than by closed forms a contact of rough surfaces is to be sized by what
-/// half-spaces say.
+/// Half-width of a contact of rough surfaces over that in closed form, from which on the larger one
+/// sizes the mesh.
 const WIDER_THAN_CLOSED_FORM: f64 = 1.25;
 /// Part of an approach by which a summit is pushed into the other body as it is before it counts
 /// as in contact: away from where they touch bodies hardly give way.
@@ -62,13 +62,13 @@ pub(crate) struct ContactSizeEstimate {
     pub half_width: f64,
     /// Half-width of the smallest connected part \[mm\].
     pub smallest_part: f64,
-    /// Where material yields.
+    /// Plastic region.
     pub plastic: RadialEnvelope,
     /// Half-width of the elastic contact in closed form, which element sizes are rounded to steps
     /// from \[mm\].
     pub hertz_half_width: f64,
-    /// How much smaller elements have to be for the nodes to see surfaces that are given by points
-    /// as they are, at least 1.
+    /// Factor by which elements have to be smaller for the nodes to see surfaces that are given by
+    /// points as they are, at least 1.
     pub refinement: f64,
 }
 
@@ -182,8 +182,8 @@ impl ContactSizeEstimate {
         }
     }
 
-    /// The same of a pin in a hole, by arc lengths. How far it goes round under a prescribed
-    /// approach is not known before a mesh has found it.
+    /// Returns the expected contact size of a pin in a hole, by arc lengths. Under a large
+    /// prescribed approach it is the largest arc, until a mesh has found the size.
     fn round(
         problem: &Problem,
         pair: &ConformingPair,
@@ -274,7 +274,7 @@ impl ContactSizeEstimate {
         let (left, right) = problem.span();
         let available = (right - middle).min(middle - left);
         let near = rough::extent(problem, force, middle, available);
-        // What lies farther to one side than the surfaces reach to the other.
+        // Contact that reaches farther to one side than the surfaces reach to the other.
         let far = rough::extent(problem, force, 0.5 * (left + right), 0.5 * (right - left))
             .filter(|far| far.right > middle + available || far.left < middle - available);
         let Some(found) = far.or(near) else {
@@ -357,7 +357,7 @@ impl ContactSizeEstimate {
         Self { smallest_part: self.smallest_part.min(parts), ..self }
     }
 
-    /// Where half-planes with the surfaces of a trace touch, if that is in several parts.
+    /// Returns the contact of half-planes with the surfaces of a trace, if it is in several parts.
     fn half_planes(&self, problem: &Problem, force: f64) -> Option<Touching> {
         let (left, right) = (self.centre - self.half_width, self.centre + self.half_width);
         if problem.has_arcs() || problem.knots_within(left, right).len() < TRACE_POINTS {
@@ -368,8 +368,8 @@ impl ContactSizeEstimate {
             .filter(|found| found.smallest_part < 0.5 * found.half_width())
     }
 
-    /// The same for a contact that a mesh has found, without becoming much finer than was expected
-    /// and estimated.
+    /// Returns this contact with the refinement that its surfaces need. The mesh does not become
+    /// much finer than was expected and estimated.
     pub fn refined(self, problem: &Problem, elements: usize) -> Self {
         let (wanted, spacing) = self.spacings(problem, elements);
         let finest = (self.half_width / MAX_ELEMENTS).min(wanted);
@@ -524,7 +524,7 @@ fn smallest(largest: f64, ratio: f64, bears: impl Fn(f64) -> bool) -> Option<f64
 
 /// Ratio of the trial half-widths.
 const SEARCH_RATIO: f64 = 1.02;
-/// The same where a force is an integral.
+/// Ratio of the trial half-widths where a force is an integral.
 const ROUGH_RATIO: f64 = 1.1;
 
 /// The least value between `low`, which does not bear, and `high`, which does.

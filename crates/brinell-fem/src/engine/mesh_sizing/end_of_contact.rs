@@ -1,4 +1,4 @@
-//! Where between two nodes a contact ends, and how large elements have to be for it to end there.
+//! End of a contact between two nodes, and the element size that fixes its place.
 //!
 //! The approach depends a little on where between two nodes the contact ends: of bodies that
 //! yield, whose pressure hardly falls towards its end, by a few parts in a thousand. Were it to
@@ -15,14 +15,15 @@ use crate::engine::mesh_solve::MeshSolve;
 const TOLERANCE: f64 = 0.01;
 /// Part of an element within which it moves in proportion to the elements.
 const NEAR: f64 = 0.5;
-/// By how many elements it then goes less far as they grow, over their number and the logarithm of
-/// their growth: 0.6 to 1.3 in eight jobs.
+/// Decrease of the excess of the contact size as elements grow within that part, over the number of
+/// elements and the logarithm of their growth: 0.6 to 1.3 in eight jobs.
 const SLOPE: f64 = 0.8;
 const SLOPES: [f64; 2] = [0.4, 1.6];
 
-/// By how much the contact goes farther than so many elements and a part of one, in steps of an
-/// element: with each node that carries force one more, and in between as its part of the force of
-/// the node before it grows. It grows as elements become smaller.
+/// Returns the excess of the contact size over `elements` and a part of one, in elements. Each
+/// further node that carries force adds one element. In between, the excess grows with the pressure
+/// of the outermost node over that of the node before it. It also grows as elements become
+/// smaller.
 ///
 /// `None` where the contact is in several parts, ends at an edge, or has so few nodes that it has
 /// no inside.
@@ -57,7 +58,7 @@ fn excess(pass: &MeshSolve, elements: usize) -> Option<f64> {
 /// Looks for the element size with which a contact ends where it is to.
 #[derive(Debug, Default)]
 pub(crate) struct EndSearch {
-    /// Logarithm of the last element size, and by how much the contact went too far.
+    /// Logarithm of the last element size, and the excess of the contact size.
     last: Option<[f64; 2]>,
 }
 

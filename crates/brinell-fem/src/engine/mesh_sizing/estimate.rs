@@ -1,4 +1,4 @@
-//! What a contact will cost, without meshing it.
+//! Cost of a contact, estimated without a mesh.
 
 use crate::engine::body_system::plastic_search_region::RadialEnvelope;
 use crate::engine::error::MeshedError;
@@ -19,7 +19,7 @@ const LEAST_LOAD: ContactLoad = ContactLoad::Force(1e-9);
 /// Bytes of everything else for each equation.
 const OTHER_BYTES: f64 = 2000.0;
 
-/// What a contact will cost.
+/// Estimated cost of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Estimate {
     /// Equations of both bodies together.
@@ -70,8 +70,9 @@ pub fn estimate(contact: &MeshedContact) -> Result<Estimate, MeshedError> {
     Ok(worst)
 }
 
-/// Where the load is yet to be found: the contact under the force from which the search begins; of
-/// bodies of which no closed form tells one, a contact of a hundredth of the surface.
+/// Estimates the cost where the load is sought: of the contact under the force from which the
+/// search begins. Without a closed form of that force, the contact has the half-width that is
+/// sought or a hundredth of the surface.
 fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimate, MeshedError> {
     if sought == Sought::Onset && problem.bodies.iter().all(|body| body.yield_stress().is_none()) {
         return Err(MeshedError::NoYieldPoint);

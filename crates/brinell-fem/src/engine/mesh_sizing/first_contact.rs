@@ -1,4 +1,4 @@
-//! Where two surfaces first touch: the smallest gap between them.
+//! First contact of two surfaces: the smallest gap between them.
 
 /// Even samples beside the knots.
 const SAMPLES: u32 = 4000;

@@ -1,4 +1,4 @@
-//! How large contact and plastic zone are expected to be, and what a mesh of that size costs.
+//! Expected sizes of contact and plastic region, and the cost of a mesh of that size.
 
 pub(crate) mod contact_size;
 pub(crate) mod end_of_contact;

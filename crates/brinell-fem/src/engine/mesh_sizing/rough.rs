@@ -1,5 +1,5 @@
-//! How far an elastic contact of rough surfaces reaches: half-spaces instead of bodies, pairs as
-//! close as the elements of the mesh. A trace touches beyond where its mean surface would.
+//! Size of an elastic contact of rough surfaces: half-spaces instead of bodies, pairs as close as
+//! the elements of the mesh. A trace touches beyond where its mean surface would.
 
 use std::f64::consts::PI;
 
@@ -18,12 +18,12 @@ const MAX_PAIRS: f64 = 450.0;
 const LEAST_PART_OF_REACH: f64 = 0.4;
 /// Pairs to each side of the middle that tell the ends of a contact to a few per cent.
 const PAIRS_OF_EXTENT: f64 = 45.0;
-/// How many times closer is looked at most.
+/// Most steps by which the pairs come closer to the contact.
 const MAX_LOOKS: u32 = 40;
-/// How much of what is beside a contact may come to touch as well.
+/// Factor by which the pairs reach farther, in case the surfaces beside a contact touch as well.
 const BESIDE: f64 = 3.0;
 
-/// Where plane half-spaces touch.
+/// Contact size of plane half-spaces.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Touching {
     /// Ends, half of the spacing beyond the outermost pairs \[mm\].
@@ -35,7 +35,7 @@ pub(crate) struct Touching {
 }
 
 impl Touching {
-    /// How far it goes from a place to the farther end.
+    /// Returns the distance from a place to the farther end.
     fn reach(&self, x: f64) -> f64 {
         (self.right - x).max(x - self.left)
     }
@@ -68,9 +68,10 @@ pub(crate) fn contact(
     }
 }
 
-/// That contact on a number of pairs that does not depend on it: first as far as the surfaces are
-/// `available`, then closer and closer to what touches, and then with what is beside it, because a
-/// summit gives way more than the element that stood for it.
+/// Returns the contact under a force around a middle, on a number of pairs that does not depend on
+/// its size. The pairs first reach as far as the surfaces are `available`. Step by step they come
+/// closer to the contact. They then reach beyond it again, because a summit gives way more than the
+/// element that stood for it.
 pub(crate) fn extent(
     problem: &Problem,
     force: f64,

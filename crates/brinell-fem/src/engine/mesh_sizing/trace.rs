@@ -1,11 +1,10 @@
-//! Traces finer than the mesh: how small elements have to be for a surface that is given by
-//! points.
+//! Traces finer than the mesh: element size for a surface that is given by points.
 //!
-//! Pressure follows the slope of the gap. What the straight lines between the nodes leave out of a
-//! surface deviates from them by d within an element of size h, a slope of up to 4 d/h; it is
-//! taken to matter where that is a noticeable part of the slope 2 δ/a with which the gap opens
-//! over the half-width a, δ being the gap at its ends. The deviation `h² δ/4 a²` of a smooth
-//! surface of that opening is what any mesh leaves out, and does not count.
+//! Pressure follows the slope of the gap. The straight lines between the nodes deviate from a
+//! surface by d within an element of size h, and leave out a slope of up to 4 d/h. This slope is
+//! taken to matter where it is a noticeable part of the slope 2 δ/a with which the gap opens over
+//! the half-width a, δ being the gap at its ends. Any mesh leaves out the deviation `h² δ/4 a²` of
+//! a smooth surface of that opening, which does not count.
 //!
 //! The rounded edges of a punch are no such details: the contact ends there, and columns are
 //! graded towards them. Nor is a tip that is rounded off: but for the pressure on it, of which
@@ -15,7 +14,7 @@ use crate::engine::problem::Problem;
 
 /// Slope that may be left out, as a part of the mean slope of the gap.
 const SLOPE_SHARE: f64 = 0.1;
-/// How much smaller elements become from one trial to the next.
+/// Ratio of the element sizes of successive trials.
 pub(crate) const STEP: f64 = 0.8;
 
 /// The largest spacing \[mm\] up to `wanted` with which the nodes of a mesh see the gap over

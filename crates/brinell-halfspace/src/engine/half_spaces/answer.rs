@@ -61,7 +61,7 @@ impl Answer {
         self.reported(engine, load, measured, &evidence, (status, check))
     }
 
-    /// The same as the last iteration has left it.
+    /// Returns the step as the last iteration has left it.
     pub fn step_as_iterated(
         &self,
         engine: &HalfSpaceEngine<'_>,
@@ -75,7 +75,7 @@ impl Answer {
         self.reported(engine, load, measured, &evidence, judged)
     }
 
-    /// What is missing of a prescribed moment, over force and half the length.
+    /// Returns the deviation from a prescribed moment, over force and half the length.
     fn missing_moment(&self) -> f64 {
         let contact = &self.outcome.state.response.contact;
         self.system.moment.map_or(0.0, |moment| {

@@ -7,7 +7,7 @@
 //! κ_k² = max(0, -κ_upper κ_lower)      along the axis k of the fields, 1/κ = √(R_1 R_2)
 //! θ² = Σ (κ_k s_k)²                    inclination at the arc lengths s
 //! δ0 = ½ Σ k_k s_k² (sin θ/2)²/(θ/2)²  gap along the normal; (R_2 - R_1)(1 - cos θ) of two arcs
-//! e = cos θ                            what an approach of 1 closes of it
+//! e = cos θ                            closing of the gap per unit of approach
 //! ```
 //! so that an approach α leaves the gap `(e + α)(1 - cos θ) - α` of two arcs whose radii differ by
 //! e: the contact conforms less the deeper the ball lies. Displacements between inclined normals

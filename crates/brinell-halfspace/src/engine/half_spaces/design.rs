@@ -18,7 +18,7 @@ const DEPTH: f64 = 2.6;
 /// radii 10 and 100 mm, overloads 3 to 30, reach within 0.9 of these grids.
 const WIDE_ZONE: f64 = 8.0;
 const WIDE_ZONE_OF_LINES: f64 = 4.0;
-/// How far a grid reaches beyond the ends of a roller, over the half-width of the contact.
+/// Reach of a grid beyond the ends of a roller, over the half-width of the contact.
 const BEYOND_ENDS: f64 = 1.0;
 /// Sides of cells along a roller over those across it, as long as they are not more than so many
 /// times as many.
@@ -32,8 +32,8 @@ const ENLARGEMENT: f64 = 1.3;
 /// Half a side and depth of a grid over what yields on it.
 const MARGIN: f64 = 1.1;
 
-/// How a grid is laid out. Its cells are as many as its extent asks for: where contact or plastic
-/// strain reaches further than that, the cells grow and not their number, which bounds the memory.
+/// Layout of a grid. The expected reach over the semi-axes sets the number of cells. Where contact
+/// or plastic strain reaches farther, the cells grow and not their number, which bounds the memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GridDesign {
     /// Semi-axes along x and y, or more where plastic strain reaches far beyond them \[mm\].
@@ -96,7 +96,7 @@ impl GridDesign {
         self.patch.is_some()
     }
 
-    /// The same extent in other cells.
+    /// Returns this design with other cells.
     pub fn with_cells(self, cells: f64) -> Self {
         Self { cells, ..self }
     }
@@ -115,8 +115,8 @@ impl GridDesign {
         }
     }
 
-    /// The same number of cells around a contact and what yields below it, by how far both reach
-    /// \[mm\]; this design where nothing touches.
+    /// Returns a design of the same number of cells around a contact and the plastic region below
+    /// it, by the reach of both \[mm\]; this design where nothing touches.
     pub fn fitted(self, contact: [f64; 2], plastic: [f64; 3]) -> Self {
         let mut axes = contact;
         if self.patch.is_some() || axes[0].min(axes[1]) <= 0.0 {

@@ -187,7 +187,7 @@ impl HalfSpaces {
     }
 }
 
-/// How far plastic strain reaches along x, along y and in depth \[mm\].
+/// Returns the reach of the plastic region along x, along y and in depth \[mm\].
 fn plastic_zone(system: &HalfSpaces) -> [f64; 3] {
     let grid = system.grid();
     let mut zone = [0.0_f64; 3];
@@ -209,7 +209,7 @@ fn plastic_zone(system: &HalfSpaces) -> [f64; 3] {
     zone
 }
 
-/// Where contact or plastic strain comes to the end of a grid: along x, along y, in depth.
+/// Returns whether contact or plastic strain reaches the end of a grid: along x, along y, in depth.
 pub(super) fn ends_reached(system: &HalfSpaces, force: &[f64]) -> [bool; 3] {
     let grid = system.grid();
     let (nx, ny, n_cells) = (grid.nx(), grid.ny(), grid.n_cells());

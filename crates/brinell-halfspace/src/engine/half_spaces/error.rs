@@ -22,14 +22,14 @@ pub enum HalfSpaceError {
     Overloaded {
         /// Largest pressure of elastic bodies over the stress under which the material flows.
         overload: f64,
-        /// What is solved.
+        /// Largest ratio that is solved.
         most: f64,
     },
     /// The contact would be many times as wide as a roller is long.
     ShortRoller {
         /// Its length \[mm\].
         length: f64,
-        /// What a grid holds \[mm\].
+        /// Least length that a grid holds \[mm\].
         least: f64,
     },
 }

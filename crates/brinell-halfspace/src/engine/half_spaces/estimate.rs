@@ -1,4 +1,4 @@
-//! What a problem will take, before it is solved.
+//! Grid and memory of a problem, estimated before it is solved.
 
 use super::design::GridDesign;
 use super::error::HalfSpaceError;
@@ -38,7 +38,7 @@ pub fn estimate(problem: &HalfSpaceProblem) -> Result<HalfSpaceEstimate, HalfSpa
     Ok(HalfSpaceEstimate { cells: [grid.nx(), grid.ny()], layers: layers.len(), bytes })
 }
 
-/// What is expected under the largest loads.
+/// Returns the expected contacts under the largest loads.
 fn of_loads(problem: &HalfSpaceProblem) -> Result<Vec<Expected>, HalfSpaceError> {
     Ok(match &problem.loads {
         Loads::Given(loads) => {

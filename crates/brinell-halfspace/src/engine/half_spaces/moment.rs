@@ -17,7 +17,7 @@ impl PrescribedMoment {
         self.moment * (force / self.whole_from).min(1.0)
     }
 
-    /// What is missing of it, over force and half the length.
+    /// Returns the deviation of a moment from the prescribed one, over force and half the length.
     pub fn missing(self, moment: f64, force: f64) -> f64 {
         if force <= 0.0 {
             return 0.0;

@@ -346,7 +346,7 @@ pub(super) struct Expected {
     /// Peak pressure of elastic bodies under the same force over the lowest yield stress; 0 for
     /// elastic bodies.
     pub overload: f64,
-    /// The same peak pressure over the flow stress of the material.
+    /// Peak pressure of elastic bodies under the same force over the flow stress of the material.
     pub over_flow: f64,
 }
 

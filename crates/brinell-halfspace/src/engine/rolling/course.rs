@@ -1,4 +1,4 @@
-//! What lies under a load that rolls: columns of a line, or cells of a track of finite width.
+//! Cells under a load that rolls: columns of a line, or cells of a track of finite width.
 
 use std::sync::Arc;
 
@@ -49,8 +49,8 @@ pub(super) trait Course: Copy {
     /// A surface field with x reversed.
     fn reversed(&self, field: &[f64]) -> Vec<f64>;
 
-    /// What a contact force of a cell is divided by to be a pressure: width of a column \[mm\], or
-    /// area of a cell \[mm²\].
+    /// Returns the divisor that turns a contact force of a cell into a pressure: width of a column
+    /// \[mm\], or area of a cell \[mm²\].
     fn area(&self) -> f64;
 
     /// Why pressures are cut off, if they are.
@@ -191,7 +191,7 @@ impl Course for TrackGrid {
         (Vec::new(), Vec::new())
     }
 
-    /// How far half-planes approach depends on where that is counted from.
+    /// Returns `None`: the approach of half-planes depends on the place from which it is counted.
     fn approach(_: &ContactSolution) -> Option<f64> {
         None
     }

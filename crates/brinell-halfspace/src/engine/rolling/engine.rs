@@ -100,7 +100,7 @@ impl<'a, C: Course> TrackEngine<'a, C> {
 pub(super) struct Answer<C: Course> {
     pub track: Track<C>,
     pub outcome: Outcome,
-    /// What the track cuts off.
+    /// Fault of a track that cuts off contact or plastic region.
     pub fault: Option<TrackFault>,
 }
 

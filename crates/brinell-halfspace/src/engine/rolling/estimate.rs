@@ -1,4 +1,4 @@
-//! What a load that rolls will take, before it is solved.
+//! Track and memory of a load that rolls, estimated before it is solved.
 
 use crate::raceway::RacewayGrid;
 use crate::track::TrackGrid;

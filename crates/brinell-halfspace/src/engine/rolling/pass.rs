@@ -18,7 +18,7 @@ use brinell_method::observer::SolveStatus;
 /// N; of a line contact forces and works on unit thickness in N/mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pass {
-    /// How the iteration ended, including the final check.
+    /// Status of the iteration, including the final check.
     pub status: SolveStatus,
     /// Iterations made.
     pub iterations: usize,
@@ -38,16 +38,16 @@ pub struct Pass {
     pub rolling_force: f64,
     /// Work of the traction on the plastic displacement of the surfaces.
     pub work_of_traction: f64,
-    /// What the pass leaves in each body; of two equal bodies that roll freely in both.
+    /// Residual state of each body after the pass; of two equal bodies that roll freely in both.
     pub bodies: [Option<BodyPass>; 2],
 }
 
-/// What a pass leaves in a body.
+/// Residual state of a body after a pass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyPass {
     /// Changes of this pass and what all passes have left.
     pub outlet: Outlet,
-    /// What a verdict judges.
+    /// Plastic strain of the pass, by which a verdict is found.
     pub strain: PassStrain,
 }
 
@@ -67,7 +67,7 @@ impl Pass {
         self.bodies.iter().flatten().map(|body| body.outlet.stored_energy).sum()
     }
 
-    /// What is missing in the balance of energy over the plastic work; 0 without plastic work.
+    /// Returns the error of the balance of energy over the plastic work; 0 without plastic work.
     ///
     /// Elastic displacements do no work over a steady pass: the work of pressure and traction is
     /// the plastic work and the change of the energy of residual stress.
@@ -159,7 +159,7 @@ impl<C: Course> Answer<C> {
     }
 }
 
-/// Where the pressure ends: p² falls linearly at an end of the contact.
+/// Returns the ends of the pressure: p² falls linearly at an end of the contact.
 fn ends(pressure: &[f64], first: f64, h: f64) -> [f64; 2] {
     let touches: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0).collect();
     let (Some(&left), Some(&right)) = (touches.first(), touches.last()) else { return [0.0; 2] };

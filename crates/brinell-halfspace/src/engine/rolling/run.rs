@@ -28,9 +28,9 @@ pub struct RollingSolution {
     pub last: Pass,
     /// Estimated errors of the passes; `None` where the coarse track has no such pass.
     pub errors: Vec<Option<PassErrors>>,
-    /// What becomes of each body; `None` for one that cannot yield.
+    /// Verdict on each body; `None` for one that cannot yield.
     pub verdicts: [Option<Verdict>; 2],
-    /// The same by all passes on half the columns.
+    /// Verdict by all passes on half the columns.
     pub coarse_verdicts: [Option<Verdict>; 2],
     /// Limit of shakedown of perfectly plastic bodies, and of bodies with kinematic hardening
     /// without bound on these layers.
@@ -204,7 +204,7 @@ fn sequence<C: Course>(
     })
 }
 
-/// What becomes of each body after these passes. Passes there and back are judged by pairs.
+/// Returns the verdict on each body after these passes. Passes there and back are judged by pairs.
 fn verdicts(problem: &RollingProblem, passes: &[Pass]) -> [Option<Verdict>; 2] {
     std::array::from_fn(|side| {
         let material = problem.materials[side].as_ref()?;

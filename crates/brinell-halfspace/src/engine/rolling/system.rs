@@ -35,7 +35,7 @@ pub(super) struct Track<C: Course> {
     pub bodies: RefCell<Vec<C::Body>>,
     /// Trials to start the next pass from.
     pub accepted: BlockVector,
-    /// What the last pass has left, body by body.
+    /// States of the bodies at the back of the last pass.
     pub outlets: Vec<Outlet>,
     /// Body and numbers of the columns that began to flow together, in the order in which they
     /// did.
