@@ -186,8 +186,8 @@ impl SectionField {
 }
 
 /// Returns the pressure at `middle` from those at ascending x \[MPa\]: interpolated between two
-/// pairs, of a body of revolution by the parabola through the two pairs beside the axis. The pair on
-/// the axis stands for a circle of half an element.
+/// pairs, of a body of revolution by the parabola through the two pairs beside the axis. The pair
+/// on the axis stands for a circle of half an element.
 pub(super) fn pressure_in_middle(
     state: StressState,
     middle: f64,
