@@ -86,8 +86,8 @@ const CRATES: [&str; 8] = [
     "sparse-cholesky",
     "brinell-material",
     "brinell-contact",
-    "brinell-fem",
     "brinell-method",
+    "brinell-fem",
     "brinell-halfspace",
     "brinell-solver",
 ];
