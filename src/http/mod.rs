@@ -20,6 +20,7 @@ mod metrics;
 mod negotiation;
 pub mod openapi;
 mod page;
+mod parameters;
 mod preference;
 mod prefix;
 mod problem;

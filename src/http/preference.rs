@@ -3,14 +3,17 @@
 use axum::extract::FromRequestParts;
 use axum::http::HeaderMap;
 use axum::http::request::Parts;
-use utoipa::IntoParams;
 
 use super::HttpState;
+use super::parameters::parameters;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
 
 /// Longest idempotency key.
 const MAX_KEY: usize = 255;
+
+/// Pattern of the header with an idempotency key.
+const PATTERN: &str = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#;
 
 /// Parses `Prefer: wait=N` (RFC 7240): the seconds that the client would wait for the result.
 /// Unknown preferences are ignored, as the RFC requires.
@@ -24,28 +27,29 @@ pub(super) fn preferred_wait(headers: &HeaderMap) -> Option<u64> {
     })
 }
 
-#[derive(IntoParams)]
-#[into_params(parameter_in = Header)]
-#[expect(dead_code, reason = "declares what `preferred_wait` reads")]
-pub(super) struct PreferHeader {
-    /// `wait=N`: as `?wait=N`, which goes before it (RFC 7240). What is not understood is ignored.
-    #[param(rename = "Prefer", example = "wait=10")]
-    prefer: Option<String>,
-}
+/// `Prefer`, which [`preferred_wait`] reads.
+pub(super) enum Prefer {}
 
-#[derive(IntoParams)]
-#[into_params(parameter_in = Header)]
-#[expect(dead_code, reason = "declares what `IdempotencyKey` reads")]
-pub(super) struct IdempotencyHeader {
+parameters! { "header", Prefer {
+    /// `wait=N`: as `?wait=N`, which goes before it (RFC 7240). What is not understood is ignored.
+    "Prefer": {"type": "string"}, "wait=10";
+}}
+
+parameters! { "header", IdempotencyKey {
     /// The client's name for this submission, in visible ASCII characters without spaces, bare or
     /// in quotes. The same body under the same key is the same job; another body is refused.
-    #[param(
-        rename = "Idempotency-Key",
-        example = "press-7",
-        pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#
-    )]
-    key: Option<String>,
-}
+    "Idempotency-Key": {"type": "string", "pattern": PATTERN}, "press-7";
+}}
+
+/// `Idempotency-Key` of several jobs.
+pub(super) enum KeyOfBatch {}
+
+parameters! { "header", KeyOfBatch {
+    #[doc = "The client's name for this submission, in visible ASCII characters without spaces, \
+             bare or in quotes; each job has it with its place in the list. The same body under \
+             the same key is the same job; another body is refused."]
+    "Idempotency-Key": {"type": "string", "pattern": PATTERN}, "press-7";
+}}
 
 /// `Idempotency-Key`: the client's name for this submission, bare or in quotes.
 #[derive(Debug, Clone, PartialEq, Eq)]

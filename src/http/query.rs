@@ -10,10 +10,10 @@ use axum::http::request::Parts;
 use brinell_solver::job::{FaultCode, Named};
 use brinell_solver::report::FIELD_NAMES;
 use jiff::Timestamp;
-use serde::Deserialize;
-use utoipa::{IntoParams, ToSchema};
 
 use super::HttpState;
+use super::openapi::named;
+use super::parameters::{Parameters, parameters};
 use super::preference::preferred_wait;
 use super::problem::{Fault, Problem};
 use super::problem_type::ProblemType;
@@ -26,6 +26,9 @@ const MAX_PAGE: usize = 100;
 /// Most states and labels that a list is filtered by.
 const MAX_STATES: usize = JobState::ALL.len();
 const MAX_TAGS: usize = 8;
+
+/// Orders of a list.
+const ORDERS: [&str; 2] = ["newest", "oldest"];
 
 /// Description of the format of a time.
 const MOMENT: &str = "a time such as 2027-01-31T12:00:00Z";
@@ -54,6 +57,18 @@ impl FromStr for Whole {
 /// Shortens a client's text for an error message.
 fn shown(text: &str) -> String {
     text.chars().take(40).collect()
+}
+
+/// The words of `?fields=`.
+fn words_for_parts() -> Vec<(&'static str, Option<StepPart>)> {
+    let named = StepPart::ALL.iter().map(|part| (part.name(), Some(*part)));
+    std::iter::once(("summary", None)).chain(named).collect()
+}
+
+/// The pattern of a list that [`Reader::words`] reads.
+fn list_of<T>(known: &[(&str, T)]) -> String {
+    let word = known.iter().map(|(name, _)| *name).collect::<Vec<_>>().join("|");
+    format!("^({word})(,({word}))*$")
 }
 
 /// The parameters of a query string and their faults.
@@ -204,23 +219,14 @@ pub(super) struct Granted {
     pub(super) preferred: bool,
 }
 
-/// Parameters that submissions and queries of a job share.
-#[derive(Debug, Deserialize, IntoParams)]
-#[into_params(parameter_in = Query)]
-#[expect(dead_code, reason = "declares what `Reader` reads")]
-pub(super) struct WaitQuery {
+parameters! { "query", Wait {
     /// Wait so many seconds for the job to finish, fractions allowed, cut at the service's limit.
     /// Goes before `Prefer: wait=N`.
-    #[param(minimum = 0, example = 30)]
-    wait: Option<f64>,
+    "wait": {"type": "number", "format": "double", "minimum": 0}, 30;
     /// The large parts of each step that are wanted of the result inside, as of `GET
     /// /v1/jobs/{id}/result`; `summary` is none of them.
-    #[param(
-        example = "summary",
-        pattern = "^(summary|contact|subsurface|plasticity|fields|maps|history)(,(summary|contact|subsurface|plasticity|fields|maps|history))*$"
-    )]
-    fields: Option<String>,
-}
+    "fields": {"type": "string", "pattern": list_of(&words_for_parts())}, "summary";
+}}
 
 /// `?wait=` or `Prefer: wait=`, and `?fields=` of the result that the answer may hold.
 #[derive(Debug, Clone)]
@@ -233,25 +239,22 @@ impl FromRequestParts<HttpState> for Wait {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["wait", "fields"]).await;
+        let mut query = Reader::new(parts, state, Self::NAMES).await;
         let granted = query.wait(parts, state.settings.wait_limit);
         let selection = Selection { parts: query.parts(), ..Selection::default() };
         query.finish(Self { granted, selection })
     }
 }
 
-#[derive(Debug, Deserialize, IntoParams)]
-#[into_params(parameter_in = Query)]
-#[expect(dead_code, reason = "declares what `Reader` reads")]
-pub(super) struct SubmitParameters {
+parameters! { "query", SubmitQuery {
     /// Larger goes first; 0 is ordinary.
-    #[param(minimum = -100, maximum = 100)]
-    priority: Option<i16>,
+    "priority": {
+        "type": "integer", "format": "int32", "minimum": -MAX_PRIORITY, "maximum": MAX_PRIORITY
+    };
     /// Where to POST an announcement when the job is done, signed; at hosts that the service may
     /// call (docs/webhooks.md). `callback` of the job tells how far that has come.
-    #[param(max_length = 2000, example = "https://hooks.example/brinell")]
-    callback_url: Option<String>,
-}
+    "callback_url": {"type": "string", "maxLength": 2000}, "https://hooks.example/brinell";
+}}
 
 /// Parameters of a submission: priority, wait for the result, and URL of the announcement.
 #[derive(Debug, Clone)]
@@ -266,8 +269,9 @@ impl FromRequestParts<HttpState> for SubmitQuery {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query =
-            Reader::new(parts, state, &["priority", "wait", "fields", "callback_url"]).await;
+        // In the order in which an error names them.
+        let known = [&Self::NAMES[..1], Wait::NAMES, &Self::NAMES[1..]].concat();
+        let mut query = Reader::new(parts, state, &known).await;
         let range = -MAX_PRIORITY..=MAX_PRIORITY;
         let expected = format!("a whole number between -{MAX_PRIORITY} and {MAX_PRIORITY}");
         let priority =
@@ -282,14 +286,10 @@ impl FromRequestParts<HttpState> for SubmitQuery {
     }
 }
 
-#[derive(Debug, Deserialize, IntoParams)]
-#[into_params(parameter_in = Query)]
-#[expect(dead_code, reason = "declares what `Reader` reads")]
-pub(super) struct StepQuery {
+parameters! { "query", Step {
     /// Which step of a sweep, counted from 1; the last one unless it is given.
-    #[param(minimum = 1)]
-    step: Option<usize>,
-}
+    "step": {"type": "integer", "minimum": 1};
+}}
 
 /// The `?step=` of an export: counted from 1 in the URL, from 0 here.
 #[derive(Debug, Clone, Copy)]
@@ -310,9 +310,7 @@ impl Reader {
 
     /// `?fields=`: the large parts that are named; `summary` names none.
     fn parts(&mut self) -> Option<Vec<StepPart>> {
-        let named = StepPart::ALL.iter().map(|part| (part.name(), Some(*part)));
-        let known: Vec<_> = std::iter::once(("summary", None)).chain(named).collect();
-        Some(self.words("fields", &known)?.into_iter().flatten().collect())
+        Some(self.words("fields", &words_for_parts())?.into_iter().flatten().collect())
     }
 }
 
@@ -320,15 +318,14 @@ impl FromRequestParts<HttpState> for Step {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["step"]).await;
+        let mut query = Reader::new(parts, state, Self::NAMES).await;
         let step = query.step();
         query.finish(Self(step))
     }
 }
 
 /// The large parts of a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum StepPart {
     /// Values at the pairs of nodes.
     Contact,
@@ -366,27 +363,18 @@ impl Named for StepPart {
     }
 }
 
-#[derive(Debug, Deserialize, IntoParams)]
-#[into_params(parameter_in = Query)]
-#[expect(dead_code, reason = "declares what `Reader` reads")]
-pub(super) struct SelectionQuery {
+parameters! { "query", Selection {
     /// The large parts of a step that are wanted, separated by commas: `contact`
     /// (`contact.nodes`), `subsurface`, `plasticity` (`outline`), `fields` (with `layers`),
     /// `maps`, `history`; `summary` is none of them. The others are left out, or empty where the
     /// schema requires them; single figures always stay. Everything, unless it is given.
-    #[param(
-        example = "contact,subsurface",
-        pattern = "^(summary|contact|subsurface|plasticity|fields|maps|history)(,(summary|contact|subsurface|plasticity|fields|maps|history))*$"
-    )]
-    fields: Option<String>,
+    "fields": {"type": "string", "pattern": list_of(&words_for_parts())}, "contact,subsurface";
     /// Only this step of a sweep, counted from 1.
-    #[param(minimum = 1)]
-    step: Option<usize>,
+    "step": {"type": "integer", "minimum": 1};
     /// Stresses over depth at so many depths at most, from the surface to the support, among them
     /// those of the largest shear and von Mises stress.
-    #[param(minimum = 2)]
-    subsurface_points: Option<usize>,
-}
+    "subsurface_points": {"type": "integer", "minimum": MIN_DEPTHS};
+}}
 
 /// The part of a result that is wanted; everything, unless something else is said.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -427,7 +415,7 @@ impl FromRequestParts<HttpState> for Selection {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["fields", "step", "subsurface_points"]).await;
+        let mut query = Reader::new(parts, state, Self::NAMES).await;
         let wanted = query.parts();
         let step = query.step();
         let expected = format!("a whole number, {MIN_DEPTHS} or greater");
@@ -437,18 +425,12 @@ impl FromRequestParts<HttpState> for Selection {
     }
 }
 
-#[derive(Debug, Deserialize, IntoParams)]
-#[into_params(parameter_in = Query)]
-#[expect(dead_code, reason = "declares what `Reader` reads")]
-pub(super) struct ArraysQuery {
+parameters! { "query", Arrays {
     /// The arrays that are wanted, by their names, separated by commas. Everything, unless it is
     /// given.
-    #[param(
-        example = "nodes,elements,displacement,von_mises",
-        pattern = "^(nodes|elements|displacement|sigma_x|sigma_y|sigma_z|tau_xy|von_mises|equivalent_plastic_strain)(,(nodes|elements|displacement|sigma_x|sigma_y|sigma_z|tau_xy|von_mises|equivalent_plastic_strain))*$"
-    )]
-    arrays: Option<String>,
-}
+    "arrays": {"type": "string", "pattern": list_of(&FIELD_NAMES.map(|name| (name, name)))},
+        "nodes,elements,displacement,von_mises";
+}}
 
 /// The `?arrays=` of the fields of a step; `None` is every array.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -467,67 +449,35 @@ impl FromRequestParts<HttpState> for Arrays {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["arrays"]).await;
+        let mut query = Reader::new(parts, state, Self::NAMES).await;
         let names = query.words("arrays", &FIELD_NAMES.map(|name| (name, name)));
         query.finish(Self(names))
     }
 }
 
-#[derive(Debug, Deserialize, IntoParams)]
-#[into_params(parameter_in = Query)]
-#[expect(dead_code, reason = "declares what `Reader` reads")]
-pub(super) struct ListQuery {
+parameters! { "query", ListFilter {
     /// Only jobs in this state; several times for one of several.
-    #[param(max_items = 7)]
-    status: Option<Vec<JobState>>,
+    "status": {"type": "array", "maxItems": MAX_STATES, "items": named("JobState")};
     /// Only jobs with this label, `name:value`; several times for all of several.
-    #[param(max_items = 8, example = json!(["bearing:NU-210"]))]
-    tag: Option<Vec<String>>,
+    "tag": {"type": "array", "maxItems": MAX_TAGS, "items": {"type": "string"}},
+        ["bearing:NU-210"];
     /// Only the job of this id; several times for several, in the order of the list.
-    #[param(max_items = 100)]
-    id: Option<Vec<JobId>>,
+    "id": {"type": "array", "maxItems": MAX_PAGE, "items": named("JobId")};
     /// Only jobs accepted at this time or later, `2027-01-31T12:00:00Z`.
-    #[param(format = DateTime)]
-    since: Option<String>,
+    "since": {"type": "string", "format": "date-time"};
     /// Only jobs accepted before this time.
-    #[param(format = DateTime)]
-    until: Option<String>,
+    "until": {"type": "string", "format": "date-time"};
     /// Order of the list; the newest first unless it is given.
-    #[param(inline)]
-    sort: Option<Order>,
+    "sort": {"type": "string", "enum": ORDERS, "description": "Order of a list."};
     /// Most jobs on the page; 20 unless it is given.
-    #[param(minimum = 1, maximum = 100)]
-    limit: Option<usize>,
+    "limit": {"type": "integer", "minimum": 1, "maximum": MAX_PAGE};
     /// The `next_cursor` of the page before.
-    #[param(format = Uuid)]
-    cursor: Option<String>,
-}
+    "cursor": {"type": "string", "format": "uuid"};
+}}
 
-/// Parses the parameters of [`ListQuery`].
+/// The jobs of a list.
 #[derive(Debug, Clone)]
 pub(super) struct ListFilter(pub(super) JobFilter);
-
-/// Order of a list.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Order {
-    /// The newest first.
-    Newest,
-    /// The oldest first.
-    Oldest,
-}
-
-impl FromStr for Order {
-    type Err = fmt::Error;
-
-    fn from_str(text: &str) -> Result<Self, fmt::Error> {
-        match text {
-            "newest" => Ok(Self::Newest),
-            "oldest" => Ok(Self::Oldest),
-            _ => Err(fmt::Error),
-        }
-    }
-}
 
 /// A state by its name.
 struct NamedState(JobState);
@@ -544,8 +494,7 @@ impl FromRequestParts<HttpState> for ListFilter {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let known = ["status", "tag", "id", "since", "until", "sort", "limit", "cursor"];
-        let mut query = Reader::new(parts, state, &known).await;
+        let mut query = Reader::new(parts, state, Self::NAMES).await;
         let states =
             query.values("status", MAX_STATES, "the state of a job", |_: &NamedState| true);
         // PostgreSQL has no texts with a NUL, and no job has such a tag.
@@ -558,7 +507,9 @@ impl FromRequestParts<HttpState> for ListFilter {
         let ids = query.values("id", MAX_PAGE, "the id of a job", |_: &JobId| true);
         let since = query.value("since", MOMENT, |_: &Timestamp| true);
         let until = query.value("until", MOMENT, |_: &Timestamp| true);
-        let order = query.value("sort", "newest or oldest", |_: &Order| true);
+        let order = query.value("sort", &ORDERS.join(" or "), |order: &String| {
+            ORDERS.contains(&order.as_str())
+        });
         let limit = query.value("limit", &expected, |limit| (1..=MAX_PAGE).contains(limit));
         let cursor = query.value("cursor", "the next_cursor of a page", |_: &JobId| true);
         // A list of ids is answered on one page.
@@ -570,7 +521,7 @@ impl FromRequestParts<HttpState> for ListFilter {
             since,
             until,
             submitter: None,
-            oldest_first: order == Some(Order::Oldest),
+            oldest_first: order.as_deref() == Some("oldest"),
             cursor,
             limit: limit.unwrap_or(page),
         }))

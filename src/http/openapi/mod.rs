@@ -165,7 +165,7 @@ fn link_jobs(document: &mut Value) {
 }
 
 /// A schema of this document, for types that are declared elsewhere.
-fn named(name: &str) -> RefOr<Schema> {
+pub(super) fn named(name: &str) -> RefOr<Schema> {
     RefOr::Ref(Ref::from_schema_name(name))
 }
 

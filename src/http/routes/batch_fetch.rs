@@ -7,7 +7,7 @@ use crate::http::access::Caller;
 use crate::http::batch::{BatchAnswer, BatchOfIds, fetched, read_ids};
 use crate::http::body::JobBody;
 use crate::http::prefix::Prefix;
-use crate::http::query::{Selection, SelectionQuery};
+use crate::http::query::Selection;
 use crate::http::{HttpState, Problem};
 
 /// Several jobs with their results
@@ -15,7 +15,7 @@ use crate::http::{HttpState, Problem};
 /// Those that are done and have a result have it inside, or the parts of it that are wanted. The
 /// answer is sent job by job as it is read. `GET /v1/jobs?id=` has the same jobs without results.
 #[utoipa::path(
-    post, path = "/v1/batch/fetch", tag = "results", params(SelectionQuery),
+    post, path = "/v1/batch/fetch", tag = "results", params(Selection),
     request_body(
         content = BatchOfIds, content_type = "application/json",
         description = "The jobs, 100 at most.",

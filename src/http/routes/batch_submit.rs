@@ -6,7 +6,7 @@ use axum::extract::State;
 use crate::http::access::Caller;
 use crate::http::batch::{BatchAnswer, BatchItem, BatchOfJobs, read_jobs};
 use crate::http::body::JobBody;
-use crate::http::preference::IdempotencyKey;
+use crate::http::preference::{IdempotencyKey, KeyOfBatch};
 use crate::http::prefix::Prefix;
 use crate::http::request_log::Trace;
 use crate::http::wire::JobDocument;
@@ -20,13 +20,7 @@ use crate::jobs::Submission;
 /// `Idempotency-Key` names all of them: the same request again is answered with the same jobs.
 #[utoipa::path(
     post, path = "/v1/batch/submit", tag = "jobs",
-    params(
-        ("Idempotency-Key" = Option<String>, Header, description = "The client's name for this \
-            submission, in visible ASCII characters without spaces, bare or in quotes; each job \
-            has it with its place in the list. The same body under the same key is the same job; \
-            another body is refused.",
-            pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#, example = "press-7"),
-    ),
+    params(KeyOfBatch),
     request_body(
         content = BatchOfJobs, content_type = "application/json",
         description = "The jobs, 100 at most.",

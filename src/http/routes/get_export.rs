@@ -20,7 +20,7 @@ use utoipa_axum::router::UtoipaMethodRouter;
 use crate::http::access::Caller;
 use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
-use crate::http::query::{Step, StepQuery, takes_no_step};
+use crate::http::query::{Step, takes_no_step};
 use crate::http::{HttpState, Problem};
 use crate::jobs::Export;
 
@@ -84,7 +84,7 @@ fn operation(form: Export) -> Operation {
         .required(Required::True)
         .description(Some("The job's id, as its `Location` has it."))
         .schema(Some(Ref::from_schema_name("JobId")));
-    let step = StepQuery::into_params(|| Some(ParameterIn::Query));
+    let step = Step::into_params(|| None);
     let step = step.into_iter().filter(|_| form.shows_one_step());
     let parameters: Vec<Parameter> = [id.build()].into_iter().chain(step).collect();
     let media_type = form.media_type().split(';').next().unwrap_or_default();

@@ -17,7 +17,7 @@ use zip::{CompressionMethod, ZipWriter};
 
 use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
-use crate::http::query::{Arrays, ArraysQuery};
+use crate::http::query::Arrays;
 use crate::http::result_body::{self, Fields, no_result};
 use crate::http::written_body::written;
 use crate::http::{HttpState, Problem, ProblemType};
@@ -34,7 +34,7 @@ use brinell_solver::report::NpyFile;
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
         ("step" = usize, Path, description = "The step, counted from \
                                               1.", minimum = 1, example = 1),
-        ArraysQuery,
+        Arrays,
     ),
     responses(
         (

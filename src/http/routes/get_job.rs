@@ -7,9 +7,9 @@ use axum::response::{IntoResponse, Response};
 use super::answer::{apply_preference, with_result};
 use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
-use crate::http::preference::PreferHeader;
+use crate::http::preference::Prefer;
 use crate::http::prefix::Prefix;
-use crate::http::query::{Wait, WaitQuery};
+use crate::http::query::Wait;
 use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
@@ -20,8 +20,8 @@ use crate::jobs::JobId;
 #[utoipa::path(
     get, path = "/v1/jobs/{id}", tag = "jobs", params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
-        WaitQuery,
-        PreferHeader,
+        Wait,
+        Prefer,
     ),
     responses((status = OK, description = "The job.", body = JobDocument,
         content_type = "application/json", headers(

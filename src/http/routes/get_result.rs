@@ -10,7 +10,7 @@ use crate::http::access::Caller;
 use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
 use crate::http::negotiation::prefers_csv;
-use crate::http::query::{Selection, SelectionQuery};
+use crate::http::query::Selection;
 use crate::http::result_body::{SentResult, no_result};
 use crate::http::{HttpState, Problem};
 use crate::jobs::{Export, JobId};
@@ -24,7 +24,7 @@ use brinell_solver::report::Report;
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/result", tag = "results", params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
-        SelectionQuery,
+        Selection,
     ),
     responses(
         (status = OK, description = "The result.", content(

@@ -5,7 +5,7 @@ use axum::extract::State;
 
 use crate::http::access::Caller;
 use crate::http::prefix::Prefix;
-use crate::http::query::{ListFilter, ListQuery};
+use crate::http::query::ListFilter;
 use crate::http::wire::{JobDocument, JobList};
 use crate::http::{HttpState, Problem};
 
@@ -14,7 +14,7 @@ use crate::http::{HttpState, Problem};
 /// With API keys, the jobs of the asking key; of an administrator's, all. Places in the queue are
 /// told job by job only.
 #[utoipa::path(
-    get, path = "/v1/jobs", tag = "jobs", params(ListQuery),
+    get, path = "/v1/jobs", tag = "jobs", params(ListFilter),
     responses((status = OK, description = "A page of jobs.", body = JobList)),
 )]
 pub(in crate::http) async fn list_jobs(

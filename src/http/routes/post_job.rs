@@ -11,9 +11,9 @@ use axum::response::{IntoResponse, Response};
 use super::answer::{apply_preference, finished, mark_replayed, submitted, unless_out_of_reach};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
-use crate::http::preference::{IdempotencyHeader, IdempotencyKey, PreferHeader};
+use crate::http::preference::{IdempotencyKey, Prefer};
 use crate::http::prefix::Prefix;
-use crate::http::query::{SubmitParameters, SubmitQuery, WaitQuery};
+use crate::http::query::{SubmitQuery, Wait};
 use crate::http::request_log::Trace;
 use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
@@ -27,10 +27,10 @@ use crate::jobs::Submission;
 #[utoipa::path(
     post, path = "/v1/jobs", tag = "jobs",
     params(
-        SubmitParameters,
-        WaitQuery,
-        PreferHeader,
-        IdempotencyHeader,
+        SubmitQuery,
+        Wait,
+        Prefer,
+        IdempotencyKey,
     ),
     request_body(
         content = ref("#/components/schemas/ContactJob"), content_type = "application/json",

@@ -16,9 +16,9 @@ use axum::response::{IntoResponse, Response};
 use super::answer::{apply_preference, finished, mark_replayed};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
-use crate::http::preference::{IdempotencyHeader, IdempotencyKey, PreferHeader};
+use crate::http::preference::{IdempotencyKey, Prefer};
 use crate::http::prefix::Prefix;
-use crate::http::query::{Wait, WaitQuery};
+use crate::http::query::Wait;
 use crate::http::request_log::Trace;
 use crate::http::wire::JobDocument;
 use crate::http::{HttpState, Problem};
@@ -39,9 +39,9 @@ const URGENT: i16 = 1;
         description = "The job.",
     ),
     params(
-        WaitQuery,
-        PreferHeader,
-        IdempotencyHeader,
+        Wait,
+        Prefer,
+        IdempotencyKey,
     ),
     responses(
         (
