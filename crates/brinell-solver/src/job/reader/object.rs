@@ -3,8 +3,10 @@
 use std::collections::HashSet;
 use std::fmt;
 
+use super::cursor::Cursor;
+use super::faults::{Faults, Place};
 use super::text::{Guess, List, Quoted};
-use super::{Cursor, Faults, Node, Place};
+use super::tree::Node;
 use crate::job::{FaultCode, FieldError};
 
 /// An object of the document.
@@ -113,5 +115,13 @@ impl<'a> Object<'a> {
 
     fn faults(&self) -> &'a Faults {
         self.at.faults
+    }
+}
+
+impl<'a> Cursor<'a> {
+    /// Returns an object. A repeated key is a fault; its first value is read.
+    pub fn object(self) -> Option<Object<'a>> {
+        let Node::Object(members) = self.node else { return self.not("an object") };
+        Some(Object::new(self, members))
     }
 }
