@@ -163,6 +163,20 @@ impl Server {
         std::fs::read_to_string(self.data.0.join("log")).expect("the log is kept")
     }
 
+    /// Waits for a line of the log with these parts: an answer may leave before its line is written.
+    #[track_caller]
+    pub fn has_logged(&self, parts: &[&str]) {
+        let started = Instant::now();
+        loop {
+            let log = self.log();
+            if log.lines().any(|line| parts.iter().all(|part| line.contains(part))) {
+                return;
+            }
+            assert!(started.elapsed() < DEADLINE, "no line with {parts:?} in\n{log}");
+            std::thread::yield_now();
+        }
+    }
+
     /// The process.
     pub fn id(&self) -> u32 {
         self.child.id()

@@ -19,7 +19,7 @@ fn below_the_reserve_no_job_is_accepted_and_readiness_says_so() {
     target.get("/readyz").problem(507, "insufficient-storage");
     assert_eq!(target.get("/livez").status, 200);
     assert_eq!(target.get("/v1/jobs").json()["jobs"].as_array().map(Vec::len), Some(0));
-    assert!(server.log().contains("the disk is full"));
+    server.has_logged(&["the disk is full"]);
 }
 
 /// Jobs are their owner's, also beneath a permissive umask.
@@ -69,7 +69,7 @@ fn no_job_is_accepted_once_the_files_are_gone_or_others() {
         server.target.post("/v1/jobs", example().to_string()).problem(503, "store-unavailable");
         server.target.get("/readyz").problem(503, "store-unavailable");
         let said = if is_replaced { "was replaced while it was open" } else { "No such file" };
-        assert!(server.log().contains(said) && server.log().contains(file));
+        server.has_logged(&[said, file]);
     }
 }
 
@@ -146,7 +146,7 @@ fn a_damaged_row_is_told_as_such() {
         "UPDATE result_steps SET body = x'00'; UPDATE requests SET body = x'00'",
     );
     server.target.get(&format!("{job}/request")).problem(500, "damaged-record");
-    assert!(server.log().contains("a row of the store is damaged"));
+    server.has_logged(&["a row of the store is damaged"]);
     let (done, said) = run(&["check", "--data-dir", path]);
     assert!(!done && said.starts_with("job "), "{said}");
 }

@@ -23,11 +23,13 @@ const MAX_ENLARGEMENTS: usize = 12;
 const WIDENING: f64 = 1.3;
 
 /// Two bodies and the request for their meshes.
-pub(crate) struct FiniteElements<'a> {
+pub(crate) struct FiniteElements<'a, H = ()> {
     pub problem: &'a Problem,
-    pub request: &'a MeshSolveRequest<'a>,
+    pub request: MeshSolveRequest<'a>,
     /// Whether loads are increments of a history, with states of the material.
     pub is_history: bool,
+    /// What a history needs beside bodies and request.
+    pub of_history: H,
 }
 
 /// A mesh.
@@ -44,13 +46,18 @@ pub(crate) struct MeshDesign {
 }
 
 impl MeshDesign {
+    /// The first mesh of a request.
+    pub fn of(request: &MeshSolveRequest<'_>) -> Self {
+        Self::new(request.zone.clone(), request.search_region)
+    }
+
     pub fn new(zone: ContactZone, search_region: PlasticSearchRegion) -> Self {
         let most_columns = most_columns(&zone);
         Self { zone, search_region, most_columns, enlargements: 0, narrowings: 0, widenings: 0 }
     }
 }
 
-impl FiniteElements<'_> {
+impl<H> FiniteElements<'_, H> {
     /// Factorizes with the tangent moduli of a state, or the elastic moduli without one, if the
     /// coupling uses tangent moduli.
     fn linearize(
@@ -111,7 +118,7 @@ impl FiniteElements<'_> {
     }
 }
 
-impl Engine for FiniteElements<'_> {
+impl<H> Engine for FiniteElements<'_, H> {
     type System = System;
     type Design = MeshDesign;
     type Answer = MeshSolve;
@@ -122,7 +129,7 @@ impl Engine for FiniteElements<'_> {
         design: &mut MeshDesign,
         run: &mut Run<'_>,
     ) -> Result<(System, Option<BlockVector>), MeshedError> {
-        let MeshSolveRequest { refinement, cache, previous, .. } = *self.request;
+        let MeshSolveRequest { refinement, cache, previous, .. } = self.request;
         loop {
             let MeshDesign { zone, search_region, .. } = &*design;
             let plan = Design { zone, refinement, search_region: *search_region, cache };
@@ -139,13 +146,16 @@ impl Engine for FiniteElements<'_> {
     }
 
     /// Starts from the straight line through the last two states, or from an answer on another
-    /// mesh if the request has one.
+    /// mesh if the request has one. A history prepares each increment itself.
     fn resume(
         &self,
         design: &MeshDesign,
         mut system: System,
         run: &mut Run<'_>,
     ) -> Result<(System, Option<BlockVector>), MeshedError> {
+        if self.is_history {
+            return Ok((system, None));
+        }
         let start = system.extrapolated(self.request.load.magnitude());
         run.time(Phase::Plasticity, || system.set_plastic_region(design.search_region));
         if let Some(previous) = self.request.previous {
@@ -192,10 +202,11 @@ pub(crate) fn run(
     known: Option<System>,
     run: &mut Run<'_>,
 ) -> Result<MeshSolve, MeshedError> {
-    let engine = FiniteElements { problem, request, is_history: false };
-    let coupling = request.solver.coupling;
-    let design = MeshDesign::new(request.zone.clone(), request.search_region);
+    let request = request.clone();
+    let engine = FiniteElements { problem, request, is_history: false, of_history: () };
+    let design = MeshDesign::of(&engine.request);
     solve(&engine, design, known, run, |mesh, system, start, run| {
-        mesh.solve(system, start, coupling, request.controls(), run)
+        let request = &engine.request;
+        mesh.solve(system, start, request.solver.coupling, request.controls(), run)
     })
 }

@@ -24,13 +24,13 @@ use brinell_contact::ContactLoad;
 use brinell_material::ReferenceModuli;
 use brinell_method::contact_system::{BlockVector, ContactSystem as _, Linearize as _};
 use brinell_method::couplings::Accelerated;
-use brinell_method::couplings::iteration::{Controls, Outcome};
+use brinell_method::couplings::iteration::Controls;
 use brinell_method::figures::Figures;
 use brinell_method::increments::{Growth, Leg};
 use brinell_method::observer::{IncrementNumber, SolveStatus};
 use brinell_method::progress::Progress;
 use brinell_method::run::Run;
-use brinell_method::solve::{Engine, LeaveOf, OnSystem, Round, VerdictOf, solve};
+use brinell_method::solve::{LeaveOf, OnSystem, solve};
 
 /// Increments of flow theory.
 const INCREMENTS: u32 = 6;
@@ -79,19 +79,22 @@ impl<'a> FlowOnMesh<'a> {
         last: Option<&BlockVector>,
         run: &mut Run<'_>,
     ) -> Result<(Option<Figures>, System), MeshedError> {
-        let design = MeshDesign::new(self.request.zone.clone(), self.request.search_region);
-        solve(self, design, Some(system), run, |on, system, _, run| {
+        let Self { problem, request, .. } = self;
+        let design = MeshDesign::of(request);
+        let request = request.clone();
+        let elements = FiniteElements { problem, request, is_history: true, of_history: () };
+        solve(&elements, design, Some(system), run, |on, system, _, run| {
             self.increments(on, system, last, run)
         })
     }
 
     fn increments(
         &self,
-        on: &OnSystem<'_, Self>,
+        on: &OnSystem<'_, FiniteElements<'_>>,
         mut system: System,
         last: Option<&BlockVector>,
         run: &mut Run<'_>,
-    ) -> Result<(Option<Figures>, System), LeaveOf<Self>> {
+    ) -> Result<(Option<Figures>, System), LeaveOf<FiniteElements<'_>>> {
         let load = self.request.load;
         let mut progress = Progress::at_rest();
         let mut figures = None;
@@ -139,35 +142,5 @@ impl<'a> FlowOnMesh<'a> {
         };
         let from = if is_force { progress.force } else { progress.approach };
         Leg { is_force, from, to, reached: from, growth: self.growth }
-    }
-
-    fn elements(&self) -> FiniteElements<'_> {
-        FiniteElements { problem: &self.problem, request: &self.request, is_history: true }
-    }
-}
-
-impl Engine for FlowOnMesh<'_> {
-    type System = System;
-    type Design = MeshDesign;
-    type Answer = MeshSolve;
-    type Error = MeshedError;
-
-    fn build(
-        &self,
-        design: &mut MeshDesign,
-        run: &mut Run<'_>,
-    ) -> Result<(System, Option<BlockVector>), MeshedError> {
-        self.elements().build(design, run)
-    }
-
-    fn verdict(
-        &self,
-        design: &MeshDesign,
-        system: System,
-        outcome: Outcome,
-        under: Round,
-        run: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, MeshedError> {
-        self.elements().verdict(design, system, outcome, under, run)
     }
 }

@@ -32,7 +32,6 @@ use brinell_method::history::{Memory, NextIncrement};
 use brinell_method::increments::Growth;
 use brinell_method::progress::Progress;
 use brinell_method::run::Run;
-use brinell_method::solve::{Engine, Round, VerdictOf};
 use brinell_method::sought::largest_loads;
 
 /// Input of the solution of a history.
@@ -64,8 +63,8 @@ impl<'a> MeshedHistory<'a> {
         }
         let size = widest.ok_or(MeshedError::Method(brinell_method::Error::NoLoad))?;
         let elements = (self.asked.elements as usize / 2).max(2);
-        let mesh = self.sizing.request(largest, size, elements, 1.0, auxiliary());
-        Ok(HistoryOnMesh { history: self, mesh, size, keeps_path: true }.with_design())
+        let request = self.sizing.request(largest, size, elements, 1.0, auxiliary());
+        Ok(Density { history: self, size, keeps_path: true }.engine(request))
     }
 
     /// The load that meshes are made for.
@@ -78,12 +77,23 @@ impl<'a> MeshedHistory<'a> {
 }
 
 /// A history on meshes of one density.
-pub(super) struct HistoryOnMesh<'a> {
+type HistoryOnMesh<'a> = FiniteElements<'a, Density<'a>>;
+
+/// The meshes of a history.
+pub(super) struct Density<'a> {
     history: MeshedHistory<'a>,
-    mesh: MeshSolveRequest<'a>,
     size: ContactSizeEstimate,
     /// Whether displacements are kept, for a finer history to go by.
     keeps_path: bool,
+}
+
+impl<'a> Density<'a> {
+    /// The engine on these meshes, and the first of them.
+    fn engine(self, request: MeshSolveRequest<'a>) -> (HistoryOnMesh<'a>, MeshDesign) {
+        let design = MeshDesign::of(&request);
+        let problem = self.history.problem;
+        (FiniteElements { problem, request, is_history: true, of_history: self }, design)
+    }
 }
 
 /// Memory of a history on a mesh.
@@ -104,73 +114,22 @@ pub(super) struct MeshMemory {
     points: Vec<Vec<PointHistory>>,
 }
 
-impl HistoryOnMesh<'_> {
-    fn with_design(self) -> (Self, MeshDesign) {
-        let design = self.design(self.mesh.zone.clone());
-        (self, design)
-    }
-
-    fn elements(&self) -> FiniteElements<'_> {
-        FiniteElements { problem: self.history.problem, request: &self.mesh, is_history: true }
-    }
-
-    /// A design that looks for plastic flow as far as the largest load is expected to bring it.
-    fn design(&self, zone: ContactZone) -> MeshDesign {
-        MeshDesign::new(zone, self.mesh.search_region)
-    }
-}
-
-impl Engine for HistoryOnMesh<'_> {
-    type System = System;
-    type Design = MeshDesign;
-    type Answer = MeshSolve;
-    type Error = MeshedError;
-
-    fn build(
-        &self,
-        design: &mut MeshDesign,
-        run: &mut Run<'_>,
-    ) -> Result<(System, Option<BlockVector>), MeshedError> {
-        self.elements().build(design, run)
-    }
-
-    fn resume(
-        &self,
-        design: &MeshDesign,
-        system: System,
-        run: &mut Run<'_>,
-    ) -> Result<(System, Option<BlockVector>), MeshedError> {
-        self.elements().resume(design, system, run)
-    }
-
-    fn verdict(
-        &self,
-        design: &MeshDesign,
-        system: System,
-        outcome: Outcome,
-        under: Round,
-        run: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, MeshedError> {
-        self.elements().verdict(design, system, outcome, under, run)
-    }
-}
-
 impl Memory for HistoryOnMesh<'_> {
     type Field = SectionField;
     type Record = MeshMemory;
 
     fn coupling(&self) -> &dyn Coupling {
-        self.mesh.solver.coupling
+        self.request.solver.coupling
     }
 
     fn controls(&self) -> Controls<'_> {
-        self.mesh.controls()
+        self.request.controls()
     }
 
     fn begin(&self, system: &System) -> MeshMemory {
         MeshMemory {
             zone: system.zone.clone(),
-            size: self.size,
+            size: self.of_history.size,
             widest: 0.0,
             path: Path {
                 meshes: system.bodies.iter().map(|body| Arc::clone(&body.elastic.mesh)).collect(),
@@ -212,20 +171,20 @@ impl Memory for HistoryOnMesh<'_> {
     }
 
     fn design_after(&self, memory: &MeshMemory) -> MeshDesign {
-        self.design(memory.zone.clone())
+        MeshDesign::new(memory.zone.clone(), self.request.search_region)
     }
 
     fn finer(&self, found: &MeshMemory) -> (Self, MeshDesign) {
-        let (history, size) = (self.history, found.size);
+        let (history, size) = (self.of_history.history, found.size);
         let MeshedHistory { sizing, asked, contact, .. } = history;
         let elements = asked.elements as usize;
-        let mesh = sizing.request(self.mesh.load, size, elements, 1.0, asked.solver);
-        let mesh = MeshSolveRequest { contact, ..mesh };
-        Self { history, mesh, size, keeps_path: false }.with_design()
+        let request = sizing.request(self.request.load, size, elements, 1.0, asked.solver);
+        let request = MeshSolveRequest { contact, ..request };
+        Density { history, size, keeps_path: false }.engine(request)
     }
 
     fn growth(&self, load: ContactLoad) -> Growth {
-        growth(self.history.problem, load)
+        growth(self.problem, load)
     }
 
     /// Nothing of the system but its stiffness is changed.
@@ -280,10 +239,10 @@ impl Memory for HistoryOnMesh<'_> {
         let half_width = solve.patch.map_or(0.0, |patch| patch.half_width());
         if half_width > memory.widest {
             memory.widest = half_width;
-            memory.size = self.size.found_by(solve);
+            memory.size = self.of_history.size.found_by(solve);
         }
         memory.size.plastic = plastic;
-        if self.keeps_path {
+        if self.of_history.keeps_path {
             memory
                 .path
                 .points
@@ -299,13 +258,12 @@ impl Memory for HistoryOnMesh<'_> {
         progress: &Progress,
         run: &mut Run<'_>,
     ) -> StepSolution {
-        let tolerance = self.mesh.solver.tolerance;
+        let tolerance = self.request.solver.tolerance;
         let least =
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         let [largest_pressure, at, middle] = memory.peak;
         let least = (least, Some([at, middle]));
-        let mut step =
-            final_check::finish(self.history.problem, solve, load, tolerance, least, run);
+        let mut step = final_check::finish(self.problem, solve, load, tolerance, least, run);
         if step.field.patch.is_some() && step.figures.peak_pressure > largest_pressure {
             memory.peak =
                 [step.figures.peak_pressure, step.field.peak_position, step.field.middle];
@@ -321,7 +279,7 @@ impl Memory for HistoryOnMesh<'_> {
     }
 
     fn step_as_iterated(&self, solve: &MeshSolve, load: ContactLoad) -> StepSolution {
-        final_check::as_iterated(solve, load, self.mesh.solver.tolerance)
+        final_check::as_iterated(solve, load, self.request.solver.tolerance)
     }
 }
 
