@@ -62,6 +62,7 @@ use access::{Caller, authenticate};
 use body::{BODIES_OF_KEY, Bodies};
 use edge::{check_host, drop_unusable_request_id, guard_response};
 use negotiation::settle_coding;
+use query::refuse_undeclared;
 use rates::Rates;
 use request_log::log_request;
 use result_body::CodingChosen;
@@ -212,8 +213,11 @@ pub fn router(state: HttpState) -> Router {
         .and(|_, _, _: &HeaderMap, about: &Extensions| about.get::<CodingChosen>().is_none());
     let cors = cors(&state.settings.cors_origins);
     let log = from_fn_with_state(Arc::from(&state.settings.trusted_proxies[..]), log_request);
-    let (documented, _) =
-        guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
+    let guarded = guarded_routes();
+    let declared = Arc::new(guarded.get_openapi().paths.clone());
+    let queries = from_fn_with_state((state.clone(), declared), refuse_undeclared);
+    let guarded = guarded.route_layer(queries).route_layer(keys);
+    let (documented, _) = guarded.merge(open_routes()).split_for_parts();
     let routes = documented
         .route("/docs", get(docs::to_page))
         .route("/docs/", get(docs::page))

@@ -3,13 +3,19 @@
 
 use std::fmt;
 use std::str::FromStr;
+use std::sync::Arc;
 use std::time::Duration;
 
-use axum::extract::{FromRequestParts, Query};
+use axum::extract::{FromRequestParts, MatchedPath, Query, Request, State};
+use axum::http::Method;
 use axum::http::request::Parts;
+use axum::middleware::Next;
+use axum::response::Response;
 use brinell_solver::job::{FaultCode, Named};
 use brinell_solver::report::FIELD_NAMES;
 use jiff::Timestamp;
+use utoipa::openapi::path::{Parameter, ParameterIn};
+use utoipa::openapi::{HttpMethod, Paths, RefOr};
 
 use super::HttpState;
 use super::openapi::named;
@@ -90,8 +96,11 @@ impl Reader {
         for (name, _) in &pairs {
             if !known.contains(&name.as_str()) {
                 let shown = shown(name);
-                let detail =
-                    format!("unknown parameter {shown:?}; expected one of: {}", known.join(", "));
+                let expected = match known {
+                    [] => "expected none".to_owned(),
+                    known => format!("expected one of: {}", known.join(", ")),
+                };
+                let detail = format!("unknown parameter {shown:?}; {expected}");
                 faults.push(Fault::parameter(&shown, FaultCode::UnknownKey, detail));
             }
             // A short query is not answered by a long list.
@@ -210,6 +219,34 @@ impl Reader {
     }
 }
 
+/// The layer that refuses every parameter of an operation under `/v1` that declares none. The
+/// others read theirs themselves.
+pub(super) async fn refuse_undeclared(
+    State((state, declared)): State<(HttpState, Arc<Paths>)>,
+    request: Request,
+    next: Next,
+) -> Result<Response, Problem> {
+    let (mut parts, body) = request.into_parts();
+    if takes_no_query(&parts, &declared) {
+        Reader::new(&mut parts, &state, &[]).await.finish(())?;
+    }
+    Ok(next.run(Request::from_parts(parts, body)).await)
+}
+
+fn takes_no_query(parts: &Parts, declared: &Paths) -> bool {
+    let method = match parts.method {
+        Method::GET | Method::HEAD => HttpMethod::Get,
+        Method::POST => HttpMethod::Post,
+        Method::DELETE => HttpMethod::Delete,
+        _ => return false,
+    };
+    let path = parts.extensions.get::<MatchedPath>().map(MatchedPath::as_str);
+    let path = path.filter(|path| path.starts_with("/v1/"));
+    let operation = path.and_then(|path| declared.get_path_operation(path, method));
+    let is_in_query = |parameter: &RefOr<Parameter>| matches!(parameter, RefOr::T(parameter) if parameter.parameter_in == ParameterIn::Query);
+    operation.is_some_and(|found| !found.parameters.iter().flatten().any(is_in_query))
+}
+
 /// A granted wait.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Granted {
@@ -294,13 +331,6 @@ parameters! { "query", Step {
 /// The `?step=` of an export: counted from 1 in the URL, from 0 here.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step(pub(super) Option<usize>);
-
-/// A step given for an export of all steps.
-pub(super) fn takes_no_step(form: &str) -> Problem {
-    let detail = format!("{form} holds every step and takes no step");
-    let fault = Fault::parameter("step", FaultCode::UnknownKey, detail.clone());
-    Problem::new(ProblemType::InvalidQuery, detail).with_faults(vec![fault])
-}
 
 impl Reader {
     fn step(&mut self) -> Option<usize> {

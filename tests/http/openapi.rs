@@ -177,6 +177,32 @@ fn answers_to_those_without_a_key_are_as_documented() {
 }
 
 #[test]
+fn no_operation_takes_a_parameter_that_it_does_not_declare() {
+    let server = Server::start();
+    let service = Documented::new(&server.target);
+    let job = server.target.submit(&example());
+    server.target.wait_for(&job, &["succeeded"]);
+    let id = job.rsplit('/').next().unwrap();
+    let mut refused = 0;
+    for (template, item) in service.document["paths"].as_object().unwrap() {
+        let path = template.replace("{id}", id).replace("{step}", "1");
+        for method in item.as_object().unwrap().keys().filter(|_| path.starts_with("/v1/")) {
+            let url = format!("{}{path}?no_such_parameter=1", server.target.url);
+            let answer = curl(&["-X", &method.to_uppercase(), &url]);
+            service.check(method, template, &answer);
+            let problem = answer.problem(400, "invalid-query");
+            assert_eq!(problem["errors"][0]["parameter"], "no_such_parameter", "{url}");
+            refused += 1;
+        }
+    }
+    assert!(refused > 20);
+    for path in ["/livez", "/readyz", "/metrics", "/openapi.json", "/problems/internal", "/"] {
+        assert_eq!(server.target.get(&format!("{path}?t=1")).status, 200, "{path}");
+    }
+    assert_eq!(server.target.get(&job).status, 200, "it is not deleted");
+}
+
+#[test]
 fn answers_about_troubled_jobs_are_as_documented() {
     let instance = InProcess::start(|_| ());
     let service = Documented::new(&instance.target);

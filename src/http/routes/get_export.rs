@@ -20,7 +20,7 @@ use utoipa_axum::router::UtoipaMethodRouter;
 use crate::http::access::Caller;
 use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
-use crate::http::query::{Step, takes_no_step};
+use crate::http::query::Step;
 use crate::http::{HttpState, Problem};
 use crate::jobs::Export;
 
@@ -74,7 +74,7 @@ fn operation(form: Export) -> Operation {
             ("Surfaces of both bodies: the dent and its pile-up, drawn", Some("not-in-result"))
         }
     };
-    let problems = ["invalid-query", "job-unfinished", "no-result"]
+    let problems = ["job-unfinished", "no-result"]
         .into_iter()
         .chain(lacking)
         .chain(form.shows_one_step().then_some("step-not-found"));
@@ -115,8 +115,5 @@ async fn get_export(
     Step(step): Step,
     form: Export,
 ) -> Result<Response, Problem> {
-    if step.is_some() && !form.shows_one_step() {
-        return Err(takes_no_step(form.file_name()));
-    }
     export_file(&state, caller, id, form, step).await
 }
