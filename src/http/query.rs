@@ -12,7 +12,7 @@ use axum::http::request::Parts;
 use axum::middleware::Next;
 use axum::response::Response;
 use brinell_solver::job::{FaultCode, Named};
-use brinell_solver::report::FIELD_NAMES;
+use brinell_solver::report::{FIELD_NAMES, LAYER_NAMES};
 use jiff::Timestamp;
 use utoipa::openapi::path::{Parameter, ParameterIn};
 use utoipa::openapi::{HttpMethod, Paths, RefOr};
@@ -455,10 +455,17 @@ impl FromRequestParts<HttpState> for Selection {
     }
 }
 
+/// The words of `?arrays=`: arrays of meshes and of layers.
+fn words_for_arrays() -> Vec<(&'static str, &'static str)> {
+    let of_layers = LAYER_NAMES.into_iter().filter(|name| !FIELD_NAMES.contains(name));
+    FIELD_NAMES.into_iter().chain(of_layers).map(|name| (name, name)).collect()
+}
+
 parameters! { "query", Arrays {
-    /// The arrays that are wanted, by their names, separated by commas. Everything, unless it is
-    /// given.
-    "arrays": {"type": "string", "pattern": list_of(&FIELD_NAMES.map(|name| (name, name)))},
+    /// The arrays that are wanted, by their names, separated by commas: those of a mesh, or of
+    /// layers in three dimensions. What the result does not have is left out, if it has any of
+    /// them. Everything, unless it is given.
+    "arrays": {"type": "string", "pattern": list_of(&words_for_arrays())},
         "nodes,elements,displacement,von_mises";
 }}
 
@@ -470,7 +477,8 @@ impl Arrays {
     /// What it is called in the tag of an answer.
     pub(super) fn name(&self) -> String {
         let Some(names) = &self.0 else { return String::new() };
-        let wanted: Vec<_> = FIELD_NAMES.into_iter().filter(|name| names.contains(name)).collect();
+        let words = words_for_arrays().into_iter().map(|(name, _)| name);
+        let wanted: Vec<_> = words.filter(|name| names.contains(name)).collect();
         format!("-{}", wanted.join("+"))
     }
 }
@@ -480,7 +488,7 @@ impl FromRequestParts<HttpState> for Arrays {
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let mut query = Reader::new(parts, state, Self::NAMES).await;
-        let names = query.words("arrays", &FIELD_NAMES.map(|name| (name, name)));
+        let names = query.words("arrays", &words_for_arrays());
         query.finish(Self(names))
     }
 }

@@ -103,7 +103,10 @@ impl JobService {
             let maps = half_spaces.maps.take().ok_or(ExportError::NoFields)?;
             Form::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
         } else if form == Export::FieldVtu {
-            let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
+            let fields = self.fields(id, wanted).await?;
+            // The layers of a load that rolls are no mesh.
+            let fields = fields.filter(|fields| fields.layout().member() == "fields");
+            let fields = fields.ok_or(ExportError::NoFields)?;
             Form::Mesh(
                 VtuFile::new(
                     &report,

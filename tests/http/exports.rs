@@ -1,5 +1,6 @@
 //! Exports of results for other programs.
 
+use brinell_solver::report::export::Export;
 use serde_json::{Value, json};
 
 use crate::in_process::{InProcess, job};
@@ -160,6 +161,71 @@ fn parts_of_a_result_are_selected() {
     let table = crate::curl::curl(&csv);
     assert!(table.header("content-type").is_some_and(|kind| kind.starts_with("text/csv")));
     assert_eq!(String::from_utf8(table.body).unwrap().lines().count(), 4);
+}
+
+/// Jobs of each engine, with the names of arrays that it has and those that it does not have.
+fn engines() -> [(Value, &'static str, &'static str); 4] {
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+    let mut soft = steel.clone();
+    soft["plasticity"] =
+        json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500});
+    let mut mesh = example();
+    mesh["load"] = json!({"history": [{"force": 700.0}, {"force": 0.0}]});
+    mesh["solver"] = json!({"theory": "flow"});
+    let half_spaces = json!({
+        "analysis": "three_dimensional",
+        "upper": {"shape": {"type": "sphere", "radius": 5}, "material": steel},
+        "lower": {"shape": {"type": "flat"}, "material": soft},
+        "load": {"force": 300},
+        "solver": {"theory": "flow"},
+    });
+    let mut track = half_spaces.clone();
+    track["load"] = json!({"rolling": {"force": 300, "passes": 2}});
+    let line = json!({
+        "analysis": "plane_strain",
+        "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": steel},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 30}, "material": soft},
+        "load": {"rolling": {"force": 2000, "passes": 2}},
+        "solver": {"theory": "flow"},
+    });
+    let (of_mesh, of_layers) = ("nodes,sigma_x", "z_faces,sigma_xx");
+    [
+        (mesh, of_mesh, of_layers),
+        (half_spaces, of_layers, of_mesh),
+        (track, of_layers, of_mesh),
+        (line, "", "nodes,z_faces"),
+    ]
+}
+
+#[test]
+fn what_an_engine_does_not_have_is_not_in_its_results() {
+    let server = Server::start();
+    for (mut asked, present, missing) in engines() {
+        asked["mesh"] = json!({"elements_per_half_width": 4});
+        for with_fields in [false, true] {
+            asked["output"] = json!({"fields": with_fields, "subsurface": with_fields});
+            let job = server.target.submit(&asked);
+            let links = server.target.wait_for(&job, &["succeeded"])["links"].clone();
+            for form in Export::ALL.map(Export::file_name) {
+                let answer = server.target.get(&format!("{job}/{form}"));
+                if links[form.replace('.', "_")].is_string() {
+                    assert_eq!(answer.status, 200, "{form} of {asked}");
+                } else {
+                    println!("{form} of {asked}");
+                    answer.problem(409, "not-in-result");
+                }
+            }
+            let arrays =
+                |names: &str| server.target.get(&format!("{job}/fields/1?arrays={names}"));
+            let problem = arrays(missing).problem(409, "not-in-result");
+            if with_fields && !present.is_empty() {
+                let detail = problem["detail"].as_str().unwrap();
+                assert!(present.split(',').all(|name| detail.contains(name)), "{detail}");
+                let (some, both) = (arrays(present), arrays(&format!("{missing},{present}")));
+                assert_eq!((some.status, some.body), (200, both.body));
+            }
+        }
+    }
 }
 
 #[test]

@@ -22,7 +22,7 @@ use crate::http::result_body::{self, Fields, no_result};
 use crate::http::written_body::written;
 use crate::http::{HttpState, Problem, ProblemType};
 use crate::jobs::{JobId, KeyId, StoreError};
-use brinell_solver::report::NpyFile;
+use brinell_solver::report::{FIELD_NAMES, LAYER_NAMES, NpyFile};
 
 /// Mesh and nodal fields of a step, as arrays of numbers
 ///
@@ -75,6 +75,14 @@ pub(in crate::http) async fn get_fields(
             "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
         return Err(Problem::new(ProblemType::NotInResult, detail));
     };
+    let known = match fields.layout().member() {
+        "layers" => &LAYER_NAMES[..],
+        _ => &FIELD_NAMES,
+    };
+    if wanted.0.as_ref().is_some_and(|names| !names.iter().any(|name| known.contains(name))) {
+        let detail = format!("the result has none of these arrays; it has {}", known.join(", "));
+        return Err(Problem::new(ProblemType::NotInResult, detail));
+    }
     let tag = format!("\"{id}-{}-{step}-npz{}\"", head.attempt, wanted.name());
     let common: [(HeaderName, &str); 3] = [
         (CONTENT_TYPE, "application/octet-stream"),
