@@ -211,7 +211,6 @@ fn what_an_engine_does_not_have_is_not_in_its_results() {
                 if links[form.replace('.', "_")].is_string() {
                     assert_eq!(answer.status, 200, "{form} of {asked}");
                 } else {
-                    println!("{form} of {asked}");
                     answer.problem(409, "not-in-result");
                 }
             }
