@@ -26,6 +26,7 @@ use super::progress::Progress;
 use super::run::Run;
 use super::solve::{Engine, Leave, LeaveOf, OnSystem, solve};
 use super::steps::{IncrementRecord, Path, Step, StepReceiver};
+use super::strays::strays;
 use crate::{Error, Interrupted as _};
 use brinell_contact::ContactLoad;
 
@@ -34,6 +35,9 @@ use brinell_contact::ContactLoad;
 /// remains after unloading is a small part of the largest approach.
 const PEAK_TOLERANCE: f64 = 4e-3;
 const APPROACH_TOLERANCE: f64 = 1.5e-3;
+/// Part of the strays of a coarse history up to which such a difference is small enough: smaller
+/// increments do not help what the mesh leaves.
+const WITHIN_STRAYS: f64 = 0.3;
 /// Largest ratio of successive differences that counts as the fall of a first-order error, with
 /// room for scatter. Above this ratio the discrete edge of the contact causes the difference,
 /// which smaller increments do not reduce.
@@ -190,6 +194,8 @@ struct Found<M> {
     memory: M,
     /// Figures at the end of each load.
     figures: Vec<Option<Figures>>,
+    /// Strays of the figures on the way to each of these loads.
+    strays: Vec<Figures>,
     /// Whether a body collapsed, so that the loads after `figures` were not applied.
     has_collapsed: bool,
     /// Why the history ended early.
@@ -230,13 +236,13 @@ impl<E: Memory> History<'_, E> {
             design = self.engine.design_after(&now.memory);
             // Smaller increments do not help a body that cannot bear the load.
             if now.has_collapsed {
-                let errors = last
-                    .map_or_else(Vec::new, |before| differences(&before.figures, &now.figures).0);
+                let errors =
+                    last.map_or_else(Vec::new, |before| differences(&before.figures, &now).0);
                 let is_given = matches!(given, Division::Fixed(_));
                 return Ok((now, if is_given { given } else { division }, errors));
             }
             if let Some(before) = last {
-                let (errors, worst) = differences(&before.figures, &now.figures);
+                let (errors, worst) = differences(&before.figures, &now);
                 match division {
                     // The given increments, compared with increments half as large.
                     Division::Fixed(_) => return Ok((before, given, errors)),
@@ -283,6 +289,7 @@ impl<E: Memory> History<'_, E> {
         let mut found = Found {
             memory: engine.begin(&system),
             figures: Vec::new(),
+            strays: Vec::new(),
             has_collapsed: false,
             interrupted: None,
         };
@@ -312,10 +319,7 @@ impl<E: Memory> History<'_, E> {
                 let mut answer = self.increment(on, system, &next, run)?;
                 let interrupted = E::outcome_mut(&mut answer).status.interrupt();
                 if !steps.are_final() {
-                    // A preliminary step keeps its last increment alone: a coarse history may have
-                    // a thousand loads of thousands of increments.
                     history.clear();
-                    increments.clear();
                 }
                 history.extend_from_slice(&E::parts(&answer).1.history);
                 let start = progress.reached_measure(&leg);
@@ -351,10 +355,14 @@ impl<E: Memory> History<'_, E> {
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
                     let measure = || engine.measure(&answer, &found.memory);
                     found.figures.push((!steps.are_final()).then(measure));
+                    found.strays.push(strays(&increments, load));
                     let outcome = E::outcome_mut(&mut answer);
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
-                    let increments = std::mem::take(&mut increments);
+                    // A preliminary step keeps its last increment alone: a coarse history may have
+                    // a thousand loads of thousands of increments.
+                    let kept = if steps.are_final() { 0 } else { increments.len() - 1 };
+                    let increments = increments.split_off(kept);
                     let reached = [progress.reached[1], widest];
                     let mut step = if steps.are_final() {
                         engine.step(&mut answer, target, &mut found.memory, &progress, run)
@@ -445,9 +453,9 @@ const LEAST_FIGURE: f64 = 0.05;
 
 /// Returns the relative differences of the figures at the end of each load, and the largest ratio
 /// of a difference of peak pressure or approach to its tolerance.
-fn differences(
+fn differences<M>(
     before: &[Option<Figures>],
-    now: &[Option<Figures>],
+    Found { figures: now, strays, .. }: &Found<M>,
 ) -> (Vec<Option<Figures>>, f64) {
     let mut largest = [f64::MIN_POSITIVE; Figures::COUNT];
     for figures in now.iter().flatten() {
@@ -457,14 +465,14 @@ fn differences(
             .for_each(|(most, value)| *most = most.max(value.abs()));
     }
     let mut worst: f64 = 0.0;
-    let pairs = before.iter().zip(now).map(|(before, now)| {
+    let pairs = before.iter().zip(now).zip(strays).map(|((before, now), strays)| {
         let (before, now) = (before.as_ref()?.values(), now.as_ref()?.values());
         let relative =
             |k: usize| (before[k] - now[k]).abs() / now[k].abs().max(LEAST_FIGURE * largest[k]);
         let errors = Figures::of(std::array::from_fn(relative));
         worst = worst
-            .max(errors.peak_pressure / PEAK_TOLERANCE)
-            .max(errors.approach / APPROACH_TOLERANCE);
+            .max(errors.peak_pressure / PEAK_TOLERANCE.max(WITHIN_STRAYS * strays.peak_pressure))
+            .max(errors.approach / APPROACH_TOLERANCE.max(WITHIN_STRAYS * strays.approach));
         Some(errors)
     });
     (pairs.collect(), worst)

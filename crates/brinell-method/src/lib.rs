@@ -27,5 +27,6 @@ pub mod slope;
 pub mod solve;
 pub mod sought;
 pub mod steps;
+pub mod strays;
 
 pub use error::{Error, Interrupted, Limit, Unreachable, UnreachableReason};

@@ -15,6 +15,8 @@ pub struct IncrementRecord {
     pub approach: f64,
     /// Largest contact pressure \[MPa\].
     pub peak_pressure: f64,
+    /// Contact pressure in the middle of the contact \[MPa\].
+    pub middle_pressure: f64,
     /// Half-width \[mm\].
     pub half_width: f64,
     /// Iterations made.
@@ -28,11 +30,12 @@ pub struct IncrementRecord {
 impl IncrementRecord {
     /// The record of an increment.
     pub fn of(figures: Figures, outcome: &Outcome) -> Self {
-        let Figures { force, approach, peak_pressure, half_width, .. } = figures;
+        let Figures { force, approach, peak_pressure, middle_pressure, half_width, .. } = figures;
         Self {
             force,
             approach,
             peak_pressure,
+            middle_pressure,
             half_width,
             iterations: outcome.history.len(),
             plastic_points: outcome.history.last().map_or(0, |record| record.plastic_points),

@@ -6,6 +6,7 @@ use crate::element::StressState;
 use brinell_method::figures::{Figure, Figures};
 use brinell_method::floors::floors;
 use brinell_method::sought::TargetFigure;
+use brinell_method::strays::strays;
 
 /// Returns the place of an analysis among the floors of a figure.
 const fn class_of(state: StressState) -> usize {
@@ -25,6 +26,8 @@ pub struct Bars {
     pub found: Figures,
     coarse: Figures,
     increments: Figures,
+    /// Scatter of the increments.
+    strays: Figures,
     /// Factors of the floors.
     pub scales: Figures,
 }
@@ -68,6 +71,7 @@ impl Bars {
             found: figures,
             coarse: step.coarse?,
             increments: step.increment_error.unwrap_or_default(),
+            strays: strays(&step.path.increments, step.load),
             scales: scales.zip(&scales, |scale, _| size * scale.abs()),
         })
     }
@@ -81,7 +85,8 @@ impl Bars {
             return (coarse == 0.0).then_some(0.0);
         }
         let floor = floors(figure)[class_of(self.stress_state)]? * at(&self.scales);
-        Some(((found - coarse).abs() + floor) / found.abs() + at(&self.increments))
+        let of_mesh = ((found - coarse).abs() + floor) / found.abs();
+        Some(of_mesh.max(at(&self.strays)) + at(&self.increments))
     }
 
     /// Returns the bar of a target. A figure of both bodies has the larger of two bars.

@@ -211,18 +211,21 @@ impl MeshSolve {
             return false;
         }
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
+        let of_element = COLLAPSE_ELEMENTS * self.system.zone.spacing().powi(2);
+        let least_area = of_element.max(COLLAPSE_AREA * half_width * half_width);
         self.system.bodies.iter().zip(&self.fields).any(|(body, field)| {
             let accumulates = body.model.has_memory();
             let points = field.stress.points.iter().flatten();
             let strained = points.filter(|point| point.strain(accumulates) > COLLAPSE_STRAIN);
-            strained.map(|point| point.area).sum::<f64>() > COLLAPSE_AREA * half_width * half_width
+            strained.map(|point| point.area).sum::<f64>() > least_area
         })
     }
 }
 
-/// Area of the section that strains so much, over the square of the half-width: beside a sharp
-/// edge strains grow without bound under any load.
+/// Area of the section that strains so much, over the square of the half-width, and least of it
+/// over the area of an element: beside a sharp edge strains grow without bound under any load.
 const COLLAPSE_AREA: f64 = 1.0 / 400.0;
+const COLLAPSE_ELEMENTS: f64 = 1.0;
 
 /// Growth of a zone whose edge the contact reaches.
 pub(crate) const ENLARGEMENT: f64 = 1.5;

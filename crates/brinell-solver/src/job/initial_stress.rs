@@ -83,12 +83,13 @@ impl InitialStress {
         };
         let worst = depths.map(excess).max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)));
         if let Some((depth, stress, limit)) = worst.filter(|(_, stress, limit)| stress > limit) {
+            // Between two rows the limit changes where the strength has a depth of its own.
+            let above = rows.iter().rposition(|row| row.depth.get() <= depth).unwrap_or(0);
             let detail = format!(
-                "yields by itself: at the depth {} mm its von Mises stress is {} MPa, the yield \
-                 stress {} MPa",
-                five_digits(depth),
-                five_digits(stress),
-                five_digits(limit)
+                "yields by itself: at or below row {} its von Mises stress is {} times the yield \
+                 stress",
+                above + 1,
+                five_digits(stress / limit)
             );
             faults.push(FieldError {
                 pointer: String::new(),

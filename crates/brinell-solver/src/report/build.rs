@@ -353,7 +353,7 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
         (_, Shape::Hole(hole)) => {
             format!(
                 "the outer edge of the {side} body, {} from the hole",
-                write.exact_length(hole.wall())
+                write.length_text(hole.wall())
             )
         }
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),

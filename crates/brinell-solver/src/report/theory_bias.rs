@@ -1,15 +1,19 @@
 //! The bias of deformation theory in the answers.
 
 use super::answers::{Answer, AnswerBody, Facts};
-use crate::job::Analysis;
+use crate::job::{Analysis, Load};
 use crate::solver::TheoryBias;
 use crate::solver::method::figures::Figure;
 
 impl Facts<'_> {
     /// Gives an answer the bias of its figure. A figure without an error bar has no bias: the mesh
-    /// does not tell it. One that is prescribed has none by either theory.
+    /// does not tell it. One that is prescribed is the same by either theory. A force that was
+    /// sought has none: flow theory was solved under it.
     pub(super) fn biased(&self, answer: Answer) -> Answer {
         let (Some(bias), Some(error)) = (&self.measured.bias, answer.error) else { return answer };
+        if answer.name == "force" && matches!(self.job.load, Load::Onset | Load::Target(_)) {
+            return answer;
+        }
         let side = usize::from(answer.body != Some(AnswerBody::Upper));
         let found = if error == 0.0 {
             Some([0.0; 2])

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::findings::{
-    Advice, Deformation, Density, Finding, KnownBias, MANY_MESHES, Unconverged, Wide, Work,
+    Advice, Deformation, Density, Finding, Known, KnownBias, MANY_MESHES, Unconverged, Wide, Work,
 };
 use super::mesh_effects::{
     COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
@@ -16,6 +16,7 @@ use crate::fem::mesh::Outline;
 use crate::inputs::outline_of;
 use crate::job::{Coupling, HistoryLoad, Job, Load, PositiveF64, Shape, SolverSettings, Theory};
 use crate::material::Solid;
+use crate::solver::method::figures::Figure;
 use crate::solver::{
     ElasticReference, IterationRecord, LEAST_RATIO, LastIncrement, PairState, Problem,
     SolveStatus, StepSolution, TIP_ELEMENTS,
@@ -138,20 +139,7 @@ pub(super) fn findings(
         let last = step.path.energy.map(|_| step.path.last_increment);
         findings.extend(large_strain(strain, step.checks.has_collapsed, last));
     }
-    if strain > 0.0 && step.path.energy.is_none() {
-        let ratio = {
-            let solids = problem.bodies.each_ref().map(|body| body.material.as_ref());
-            reference.and_then(|hertz| Solid::over_yield_stress(solids, hertz.peak_pressure))
-        };
-        findings.push(Finding::DeformationTheory(Deformation {
-            ratio,
-            bias: match step.field.theory_bias {
-                Some(of) => KnownBias::Told([of.bias.peak_pressure, of.error.peak_pressure]),
-                None if ratio.is_some_and(|ratio| ratio < LEAST_RATIO) => KnownBias::Small,
-                None => KnownBias::Unknown,
-            },
-        }));
-    }
+    let of_theory = findings.len();
     findings.extend(of_history(job, step.load, step.field.patch.is_some()));
     findings.extend(sharp_corner(step, strain));
     if step.checks.reaches_edge {
@@ -166,6 +154,19 @@ pub(super) fn findings(
     let mut depths = step.field.bodies.iter().flatten().map(|body| body.depth());
     if depths.any(|depth| depth < NEAR_SUPPORT * half_width) {
         findings.push(Finding::NearSupport);
+    }
+    if strain > 0.0 && step.path.energy.is_none() {
+        let ratio = {
+            let solids = problem.bodies.each_ref().map(|body| body.material.as_ref());
+            reference.and_then(|hertz| Solid::over_yield_stress(solids, hertz.peak_pressure))
+        };
+        let has_peak = Known::by(&findings).has(Figure::PeakPressure, 0);
+        let bias = match step.field.theory_bias.filter(|_| has_peak) {
+            Some(of) => KnownBias::Told([of.bias.peak_pressure, of.error.peak_pressure]),
+            None if ratio.is_some_and(|ratio| ratio < LEAST_RATIO) => KnownBias::Small,
+            None => KnownBias::Unknown,
+        };
+        findings.insert(of_theory, Finding::DeformationTheory(Deformation { ratio, bias }));
     }
     findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
     findings

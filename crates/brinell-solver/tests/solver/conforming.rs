@@ -264,3 +264,29 @@ fn other_units_have_the_same_mesh() {
         assert_within(1e3 * si.steps[0].approach.unwrap(), mm.steps[0].approach.unwrap(), 1e-9);
     }
 }
+
+/// Elastic bodies that are unloaded keep nothing, and the bars say so.
+#[test]
+fn an_elastic_pin_keeps_no_stress() {
+    for analysis in ["plane_strain", "plane_stress"] {
+        let mut job = pin(
+            &json!({"type": "hole", "radius": 10.05, "outer_radius": 60}),
+            &json!({"history": [{"force": 500}, {"force": 0}]}),
+        );
+        job["analysis"] = json!(analysis);
+        let law = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500});
+        for side in ["upper", "lower"] {
+            job[side]["material"]["plasticity"] = law.clone();
+        }
+        job["mesh"] = json!({"elements_per_half_width": 6});
+        job["solver"] = json!({"theory": "flow"});
+        let report = report(&job);
+        let bars = report.steps[1].estimated_error.as_ref().unwrap().bodies.unwrap();
+        for body in [bars.upper.unwrap(), bars.lower.unwrap()] {
+            assert_eq!([body.least_stress, body.utilization], [Some(0.0); 2], "{analysis}");
+        }
+        let tension =
+            report.steps[1].answers.iter().find(|answer| answer.name == "residual_tension");
+        assert!(tension.is_none(), "{analysis}: {tension:?}");
+    }
+}

@@ -326,3 +326,65 @@ fn a_history_says_how_far_it_is() {
         solution.steps.iter().flat_map(|step| &step.history).filter_map(|r| r.increment).collect();
     assert_eq!(kept, seen.0);
 }
+
+/// Asks so many questions of the observer, if nothing stops it.
+fn questions_of(job: &Job) -> usize {
+    let mut watch = StopSweepAt(usize::MAX);
+    report::run(job, &mut watch).unwrap();
+    usize::MAX - watch.0
+}
+
+/// Wherever it is stopped, a test of hardness has the steps that it has, and no number.
+#[test]
+fn a_test_of_hardness_that_is_stopped_has_a_report() {
+    let job = Job::from_value(&json!({
+        "lower": {"shape": {"type": "block", "width": 10, "depth": 5}, "material":
+            {"young_modulus": 208_000, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 800, "tangent_modulus": 2000}}},
+        "load": {"hardness": {"scale": "sphere", "ball": 10, "force": 500}},
+        "mesh": {"elements_per_half_width": 5}, "solver": {"increments": 8},
+    }))
+    .unwrap();
+    let all = questions_of(&job);
+    let mut reports = 0;
+    for part in 1..24 {
+        match report::run(&job, &mut StopSweepAt(all * part / 24)) {
+            Ok(report) => {
+                assert_eq!(report.status, SolveStatus::Cancelled);
+                reports += 1;
+            }
+            Err(error) => assert!(error.to_string().starts_with("stopped"), "{error}"),
+        }
+    }
+    assert!(reports > 4, "{reports} reports");
+}
+
+/// A stop in the midst of a transform loses its pass and no other.
+#[test]
+fn passes_that_are_finished_stay() {
+    let law = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0});
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": law});
+    let job = Job::from_value(&json!({
+        "analysis": "plane_strain",
+        "upper": {"shape": {"type": "cylinder", "radius": 20}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 400, "depth": 200}, "material": steel},
+        "load": {"rolling": {"force": 380, "passes": 12, "until": "passes"}},
+        "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow"},
+    }))
+    .unwrap();
+    let all = questions_of(&job);
+    let mut kept = 0;
+    for part in 1..40 {
+        let report = match report::run(&job, &mut StopSweepAt(all * part / 40 + part)) {
+            Ok(report) => report,
+            Err(error) => {
+                assert_eq!(kept, 0, "part {part}: {error}");
+                continue;
+            }
+        };
+        let passes = report.steps[0].rolling.as_ref().unwrap().passes.len();
+        assert!(passes >= kept, "part {part}: {passes} passes, {kept} before");
+        kept = passes;
+    }
+    assert!(kept > 8, "{kept} passes");
+}

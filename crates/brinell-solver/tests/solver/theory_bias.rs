@@ -118,3 +118,32 @@ fn the_force_of_a_fully_plastic_contact_is_known_as_its_area() {
     let scale = scales_of_floors(&step).unwrap().force;
     assert!(floor * scale <= 2.001 * width * size * force, "{scale} {force}");
 }
+
+/// Flow theory is solved under the force that was found, which has no bias then; nor has a figure
+/// whose bar says no more than its bound.
+#[test]
+fn a_force_that_was_sought_has_no_bias() {
+    let report = ball(&json!({"target": {"half_width": 1.2}}), "deformation");
+    assert_eq!(answer(&report, "force").bias, None);
+    assert!(answer(&report, "approach").bias.is_some());
+    for answer in &report.steps[0].answers {
+        assert!(answer.bias.is_none() || answer.error.is_some(), "{answer:?}");
+    }
+}
+
+/// Of a figure without a bar the remark has no bias either.
+#[test]
+fn a_sharp_tip_has_no_bias_of_its_peak() {
+    let report = report(&json!({
+        "analysis": "axisymmetric", "load": {"approach": 0.02},
+        "upper": {"shape": {"type": "cone", "angle": 19.7, "width": 4, "depth": 4},
+            "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 8, "depth": 4}, "material":
+            {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 400, "tangent_modulus": 4000}}},
+        "mesh": {"elements_per_half_width": 8},
+    }));
+    assert_eq!(answer(&report, "peak_pressure").bias, None);
+    let remark = report.steps[0].validity.iter().find(|note| note.code == "deformation_theory");
+    assert!(!remark.unwrap().message.contains("the peak pressure is"), "{remark:?}");
+}

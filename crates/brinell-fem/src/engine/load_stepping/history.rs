@@ -293,6 +293,10 @@ impl MeshMemory {
     }
 }
 
+/// Stress over the largest von Mises stress of a point that counts as none: what unloading leaves
+/// of elastic bodies.
+const ROUNDING: f64 = 1e-12;
+
 /// History of a point, beyond the state of its law.
 #[derive(Debug, Clone, Copy, Default)]
 struct PointHistory {
@@ -314,6 +318,10 @@ impl PointHistory {
         }
         self.accumulated = point.equivalent_plastic_strain;
         self.von_mises = self.von_mises.max(point.largest_von_mises);
+        let is_rounding = |stress: &f64| stress.abs() <= ROUNDING * self.von_mises;
+        if point.stress.iter().all(is_rounding) {
+            point.stress = Default::default();
+        }
         point.reverse_plastic_strain = self.reverse;
         point.largest_von_mises = self.von_mises;
         flows(gained, self.von_mises, 3.0 * point.secant_shear)

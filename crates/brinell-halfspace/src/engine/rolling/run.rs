@@ -10,12 +10,13 @@ use super::error::TrackError;
 use super::errors::PassErrors;
 use super::pass::Pass;
 use super::problem::{Limit, RollingProblem};
+use brinell_method::Interrupted as _;
 use brinell_method::couplings::iteration::Controls;
 use brinell_method::observer::SolveStatus;
 use brinell_method::observer::{IncrementNumber, Interrupt, IterationRecord, Observer};
 use brinell_method::phases::PhaseTimes;
 use brinell_method::run::Run;
-use brinell_method::solve::{LeaveOf, solve};
+use brinell_method::solve::{Leave, LeaveOf, solve};
 
 /// The passes of a load and what becomes of the track.
 #[derive(Debug, Clone)]
@@ -153,6 +154,19 @@ struct Sequence {
     enlargements: usize,
 }
 
+impl Sequence {
+    /// Keeps the passes that are finished if the observer stopped the next one.
+    fn stopped_by<D>(mut self, leave: Leave<D, TrackError>) -> Result<Self, Leave<D, TrackError>> {
+        if let (Leave::Failed(error), Some(last)) = (&leave, &mut self.last)
+            && let Some(interrupt) = error.interrupt()
+        {
+            last.status = interrupt.into();
+            return Ok(self);
+        }
+        Err(leave)
+    }
+}
+
 /// Solves at most so many passes, one after the other.
 fn sequence<C: Course>(
     engine: &TrackEngine<'_, C>,
@@ -162,11 +176,17 @@ fn sequence<C: Course>(
 ) -> Result<Sequence, TrackError> {
     let (problem, load) = (engine.problem, engine.problem.load);
     solve(engine, design, None, run, |on, mut track, mut start, run| {
+        let grid = &track.grid;
+        let layers = track.bodies.borrow().iter().map(Rolls::n_layers).max();
         let mut done = Sequence {
-            kinematic: track
-                .grid
+            kinematic: grid
                 .kinematic(problem, &track.bodies.borrow(), run)
                 .map_err(LeaveOf::<TrackEngine<'_, C>>::Failed)?,
+            x: grid.x(),
+            column: grid.column(),
+            cell: grid.area(),
+            grid: [grid.n_columns(), layers.unwrap_or(0), grid.n_rows()],
+            enlargements: track.design.enlargements,
             ..Sequence::default()
         };
         for number in 1..=passes {
@@ -175,7 +195,10 @@ fn sequence<C: Course>(
             }
             let increment = IncrementNumber { number: 1, count: 1, load: number, loads: passes };
             let controls = Controls { increment: Some(increment), ..engine.controls() };
-            let answer = on.solve(track, start, engine.coupling, controls, run)?;
+            let answer = match on.solve(track, start, engine.coupling, controls, run) {
+                Ok(answer) => answer,
+                Err(leave) => return done.stopped_by(leave),
+            };
             done.fault = answer.fault;
             let contact = &answer.outcome.state.response.contact;
             done.pressure = answer.track.grid.along(&answer.track.pressure(&contact.force));
@@ -193,13 +216,6 @@ fn sequence<C: Course>(
                 break;
             }
         }
-        let grid = &track.grid;
-        done.x = grid.x();
-        done.column = grid.column();
-        done.cell = grid.area();
-        let layers = track.bodies.borrow().iter().map(Rolls::n_layers).max();
-        done.grid = [grid.n_columns(), layers.unwrap_or(0), grid.n_rows()];
-        done.enlargements = track.design.enlargements;
         Ok(done)
     })
 }

@@ -63,8 +63,8 @@ fn power_rules(known: &Known) -> Vec<FieldError> {
     let fall = scale * (0.5 * width / scale).powf(exponent);
     let detail = format!(
         "must exceed the fall of the surface at its ends, `scale` (`width`/(2 \
-         `scale`))^`exponent` = {} mm",
-        five_digits(fall)
+         `scale`))^`exponent`: it is {} of that",
+        five_digits(depth / fall)
     );
     unless(fall < depth, "/depth", &detail).into_iter().collect()
 }

@@ -220,8 +220,8 @@ impl StepReport {
         write: UnitConverter,
     ) -> Self {
         let facts = Facts { job, step: &self, measured, findings, write };
-        let answers = facts.answers().into_iter().map(|answer| facts.biased(answer));
-        let answers = answers.map(|answer| facts.bounded(answer)).collect();
+        let answers = facts.answers().into_iter().map(|answer| facts.bounded(answer));
+        let answers = answers.map(|answer| facts.biased(answer)).collect();
         (self.answers, self.verdict) = (answers, Some(facts.verdict()));
         self
     }

@@ -41,6 +41,10 @@ impl HardnessSeen {
         let (Some(_), Some(specimen)) = (job.load.hardness(), &step.field.bodies[1]) else {
             return;
         };
+        // Its last iteration has no displacements.
+        if step.status.is_stopped() {
+            return;
+        }
         let surface = specimen.surface();
         let highest =
             surface.iter().copied().fold([0.0; 2], |a, b| if b[1] > a[1] { b } else { a });
