@@ -5,7 +5,7 @@
 //! coarse mesh:  deformation theory under the load                          D
 //!               flow theory in 6 increments of equal growth of the contact  F
 //! bias        = (D - F) / |D|
-//! uncertainty = part of |bias|
+//! uncertainty = |bias|
 //! ```
 //! One increment from rest is deformation theory, so that the bias is also the change of the
 //! figures from one increment to six. The error of the increments is of first order, a fifth of
