@@ -211,8 +211,7 @@ impl MeshSolve {
             return false;
         }
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
-        let of_element = COLLAPSE_ELEMENTS * self.system.zone.spacing().powi(2);
-        let least_area = of_element.max(COLLAPSE_AREA * half_width * half_width);
+        let least_area = COLLAPSE_AREA * half_width * half_width;
         self.system.bodies.iter().zip(&self.fields).any(|(body, field)| {
             let accumulates = body.model.has_memory();
             let points = field.stress.points.iter().flatten();
@@ -222,10 +221,10 @@ impl MeshSolve {
     }
 }
 
-/// Area of the section that strains so much, over the square of the half-width, and least of it
-/// over the area of an element: beside a sharp edge strains grow without bound under any load.
-const COLLAPSE_AREA: f64 = 1.0 / 400.0;
-const COLLAPSE_ELEMENTS: f64 = 1.0;
+/// Area of the section that strains so much, over the square of the half-width. Beside a sharp edge
+/// or tip strains grow without bound under any load: below a cone of 20° that does not harden they
+/// exceed 1 over 1/130.
+const COLLAPSE_AREA: f64 = 1.0 / 50.0;
 
 /// Growth of a zone whose edge the contact reaches.
 pub(crate) const ENLARGEMENT: f64 = 1.5;
