@@ -1,4 +1,4 @@
-//! Load after load, each on three meshes, each sized by the one before.
+//! Load after load, each on small meshes, a coarse and a fine one, each sized by the one before.
 
 use std::sync::Arc;
 

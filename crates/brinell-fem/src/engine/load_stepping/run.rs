@@ -43,10 +43,11 @@ impl Default for Options<'_> {
 /// Solves a contact and hands over each step as soon as it is finished, so that a long sweep need
 /// not be kept in memory. The solution that is returned has none.
 ///
-/// Three meshes: a small one that finds out how wide the contact is, one of half the requested
-/// density for error estimates, and the one that was asked for. Only the last is shown to the
-/// observer iteration by iteration; the others can be stopped. The loads of a sweep share meshes
-/// and factors while the contact fits on them, and each starts from the state of the one before.
+/// Small meshes find out how wide the contact is: four for the default job. One of half the
+/// requested density follows, for error estimates and the bias of the theory, and then the one that
+/// was asked for. Only the last is shown to the observer iteration by iteration; the others can be
+/// stopped. The loads of a sweep share meshes and factors while the contact fits on them, and each
+/// starts from the state of the one before.
 ///
 /// # Errors
 /// [`MeshedError`]. An iteration that does not converge is no error: see
