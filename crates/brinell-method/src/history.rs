@@ -26,7 +26,7 @@ use super::progress::Progress;
 use super::run::Run;
 use super::solve::{Engine, Leave, LeaveOf, OnSystem, solve};
 use super::steps::{IncrementRecord, Path, Step, StepReceiver};
-use super::strays::strays;
+use super::strays::Rising;
 use crate::{Error, Interrupted as _};
 use brinell_contact::ContactLoad;
 
@@ -295,6 +295,7 @@ impl<E: Memory> History<'_, E> {
         };
         self.hold(&found.memory, 0, run)?;
         let mut progress = Progress::at_rest();
+        let mut rising = Rising::default();
         let mut widest: f64 = 0.0;
         // The worst status so far: a load after an increment that has not converged inherits its
         // error.
@@ -346,6 +347,7 @@ impl<E: Memory> History<'_, E> {
                 }
                 let figures = E::figures(&answer);
                 increments.push(IncrementRecord::of(figures, E::parts(&answer).1));
+                rising.extend(&increments);
                 widest = widest.max(figures.half_width);
                 found.has_collapsed = E::has_collapsed(&answer);
                 found.interrupted = interrupted;
@@ -355,7 +357,8 @@ impl<E: Memory> History<'_, E> {
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
                     let measure = || engine.measure(&answer, &found.memory);
                     found.figures.push((!steps.are_final()).then(measure));
-                    found.strays.push(strays(&increments, load));
+                    let strays = rising.strays(&leg);
+                    found.strays.push(strays);
                     let outcome = E::outcome_mut(&mut answer);
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
@@ -372,7 +375,7 @@ impl<E: Memory> History<'_, E> {
                     // The observer may stop the solve while the fields are computed.
                     found.interrupted = step.status.interrupt();
                     step.load = load;
-                    step.path = Path { increments, last_increment, reached, ..step.path };
+                    step.path = Path { increments, last_increment, reached, strays, ..step.path };
                     steps.take(number, step, run.observer);
                     if found.interrupted.is_some() {
                         return Ok(found);

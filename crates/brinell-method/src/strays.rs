@@ -4,9 +4,8 @@
 //! come back; a coarser mesh need not show by how much at this load. While a load rises, logarithms
 //! of the figures over that of the load are close to a parabola.
 
-use brinell_contact::ContactLoad;
-
 use super::figures::{BodyFigures, Figures};
+use super::increments::Leg;
 use super::steps::IncrementRecord;
 
 /// Least number of increments that tell a scatter.
@@ -14,41 +13,61 @@ const LEAST: usize = 6;
 /// Largest deviation over the standard deviation, of one that is spread evenly.
 const LARGEST: f64 = 1.732_050_807_568_877_2;
 
-/// Returns the largest relative deviations of pressures, half-width, approach and force from a
-/// parabola in the logarithms, over the later half of the increments in which the bodies have
-/// yielded: before, the contact has few nodes. The dents go with the approach. Zeros if there are
-/// too few increments or if the load falls. The measure of the load has none.
-pub fn strays(increments: &[IncrementRecord], load: ContactLoad) -> Figures {
-    let measure = |record: &IncrementRecord| match load {
-        ContactLoad::Force(_) => record.force,
-        ContactLoad::Approach(_) => record.approach,
-    };
-    let yielded: Vec<_> = increments.iter().filter(|record| record.plastic_points > 0).collect();
-    let yielded = &yielded[yielded.len().saturating_sub(LEAST.max(yielded.len() / 2))..];
-    let rises = yielded.windows(2).all(|pair| measure(pair[1]) > measure(pair[0]));
-    if yielded.len() < LEAST || !rises {
-        return Figures::default();
-    }
-    let of = |figure: fn(&IncrementRecord) -> f64| {
-        let points = yielded.iter().map(|record| [measure(record), figure(record)]);
-        if points.clone().flatten().any(|value| value <= 0.0) {
-            return 0.0;
+/// The increments of a history since rest that bring the bodies beyond all before.
+#[derive(Debug, Default)]
+pub struct Rising(Vec<IncrementRecord>);
+
+impl Rising {
+    /// Most increments that are kept, the last ones.
+    const MOST: usize = 1000;
+
+    /// Takes the last of these increments, if it rises.
+    pub fn extend(&mut self, increments: &[IncrementRecord]) {
+        let Some(next) = increments.last() else { return };
+        let is_beyond =
+            |last: &IncrementRecord| next.force > last.force && next.approach > last.approach;
+        if next.plastic_points > 0 && self.0.last().is_none_or(is_beyond) {
+            if self.0.len() == Self::MOST {
+                self.0.remove(0);
+            }
+            self.0.push(*next);
         }
-        let logarithms: Vec<_> = points.map(|point| point.map(f64::ln)).collect();
-        LARGEST * deviation(&logarithms)
-    };
-    let [force, approach] = match load {
-        ContactLoad::Force(_) => [0.0, of(|record| record.approach)],
-        ContactLoad::Approach(_) => [of(|record| record.force), 0.0],
-    };
-    Figures {
-        peak_pressure: of(|record| record.peak_pressure),
-        middle_pressure: of(|record| record.middle_pressure),
-        half_width: of(|record| record.half_width),
-        approach,
-        force,
-        bodies: [BodyFigures { dent: approach, ..BodyFigures::default() }; 2],
-        ..Figures::default()
+    }
+
+    /// Returns the largest relative deviations of pressures, half-width, approach and force from a
+    /// parabola in the logarithms, over the later half of the increments: before, the contact has
+    /// few nodes. The dents go with the approach. Zeros if there are too few increments, or if the
+    /// load falls. The measure of the load has none.
+    pub fn strays(&self, leg: &Leg) -> Figures {
+        let Self(all) = self;
+        if all.len() < LEAST || leg.falls() {
+            return Figures::default();
+        }
+        let later = &all[all.len() - LEAST.max(all.len() / 2)..];
+        let measure =
+            |record: &IncrementRecord| if leg.is_force { record.force } else { record.approach };
+        let of = |figure: fn(&IncrementRecord) -> f64| {
+            let points = later.iter().map(|record| [measure(record), figure(record)]);
+            if points.clone().flatten().any(|value| value <= 0.0) {
+                return 0.0;
+            }
+            let logarithms: Vec<_> = points.map(|point| point.map(f64::ln)).collect();
+            LARGEST * deviation(&logarithms)
+        };
+        let [force, approach] = if leg.is_force {
+            [0.0, of(|record| record.approach)]
+        } else {
+            [of(|record| record.force), 0.0]
+        };
+        Figures {
+            peak_pressure: of(|record| record.peak_pressure),
+            middle_pressure: of(|record| record.middle_pressure),
+            half_width: of(|record| record.half_width),
+            approach,
+            force,
+            bodies: [BodyFigures { dent: approach, ..BodyFigures::default() }; 2],
+            ..Figures::default()
+        }
     }
 }
 
@@ -79,9 +98,16 @@ fn remove(vector: &mut [f64], known: &[f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::increments::Growth;
     use crate::observer::SolveStatus;
 
-    fn records(half_width: impl Fn(f64) -> f64) -> Vec<IncrementRecord> {
+    /// A force that rises.
+    fn force() -> Leg {
+        let growth = Growth { onset: None, exponent: 2.0 };
+        Leg { is_force: true, from: 0.0, to: 1.0, reached: 0.0, growth }
+    }
+
+    fn rising(number: u32, half_width: impl Fn(f64) -> f64) -> Rising {
         let record = |k: u32| {
             let force = 10.0 * 1.2_f64.powi(k.cast_signed());
             IncrementRecord {
@@ -95,13 +121,15 @@ mod tests {
                 status: SolveStatus::Converged,
             }
         };
-        (0..30).map(record).collect()
+        let mut rising = Rising::default();
+        (0..number).for_each(|k| rising.extend(&[record(k)]));
+        rising
     }
 
     #[test]
     fn a_smooth_curve_has_no_strays() {
-        let records = records(|force| force.powf(0.5 + 0.02 * force.ln()));
-        let found = strays(&records, ContactLoad::Force(1.0));
+        let smooth = rising(30, |force| force.powf(0.5 + 0.02 * force.ln()));
+        let found = smooth.strays(&force());
         assert!(found.values().iter().all(|value| *value < 1e-9), "{found:?}");
     }
 
@@ -109,16 +137,24 @@ mod tests {
     fn steps_of_an_element_are_strays_of_half_an_element() {
         // From 30 to 50 elements.
         let steps = |force: f64| (30.0 * (force / 10.0).powf(0.1)).round();
-        let found = strays(&records(steps), ContactLoad::Force(1.0));
+        let found = rising(30, steps).strays(&force());
         assert!((0.007..0.02).contains(&found.half_width), "{found:?}");
         assert!(found.force.abs() < 1e-12, "{found:?}");
     }
 
     #[test]
-    fn few_increments_and_falling_loads_tell_nothing() {
-        let mut records = records(|force| (3.0 * force.sqrt()).round());
-        assert_eq!(strays(&records[..5], ContactLoad::Force(1.0)), Figures::default());
-        records.reverse();
-        assert_eq!(strays(&records, ContactLoad::Force(1.0)), Figures::default());
+    fn few_increments_tell_nothing() {
+        let few = rising(5, |force| (3.0 * force.sqrt()).round());
+        assert_eq!(few.strays(&force()), Figures::default());
+    }
+
+    #[test]
+    fn what_falls_or_comes_back_is_left_out() {
+        let mut rising = rising(30, f64::sqrt);
+        let count = rising.0.len();
+        let last = *rising.0.last().unwrap();
+        rising.extend(&[IncrementRecord { force: 0.5 * last.force, ..last }]);
+        rising.extend(&[last]);
+        assert_eq!(rising.0.len(), count);
     }
 }

@@ -6,7 +6,6 @@ use crate::element::StressState;
 use brinell_method::figures::{Figure, Figures};
 use brinell_method::floors::floors;
 use brinell_method::sought::TargetFigure;
-use brinell_method::strays::strays;
 
 /// Returns the place of an analysis among the floors of a figure.
 const fn class_of(state: StressState) -> usize {
@@ -71,7 +70,7 @@ impl Bars {
             found: figures,
             coarse: step.coarse?,
             increments: step.increment_error.unwrap_or_default(),
-            strays: strays(&step.path.increments, step.load),
+            strays: step.path.strays,
             scales: scales.zip(&scales, |scale, _| size * scale.abs()),
         })
     }

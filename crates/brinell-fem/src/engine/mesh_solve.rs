@@ -205,12 +205,19 @@ impl MeshSolve {
         system.model_of.map(of)
     }
 
+    /// Largest half-width of the contact so far, this load included \[mm\].
+    pub fn widest(&self) -> f64 {
+        let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
+        half_width.max(self.system.accepted.half_width)
+    }
+
     /// Whether strains have outgrown the theory of small strains.
     pub fn has_collapsed(&self) -> bool {
         if !self.outcome.is_conclusive {
             return false;
         }
-        let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
+        // Strain stays where the load falls and the contact becomes narrow.
+        let half_width = self.widest();
         let least_area = COLLAPSE_AREA * half_width * half_width;
         self.system.bodies.iter().zip(&self.fields).any(|(body, field)| {
             let accumulates = body.model.has_memory();

@@ -517,3 +517,42 @@ fn a_sharp_cone_has_an_answer_on_every_mesh() {
     };
     assert_within(curvature(10), curvature(20), 0.02);
 }
+
+/// Unloading strains a sharp dent no further: the narrow contact that is left is no collapse.
+#[test]
+fn a_sharp_cone_is_unloaded() {
+    let report = crate::problems::report(&json!({
+        "analysis": "axisymmetric", "load": {"history": [{"approach": 0.2}, {"force": 0}]},
+        "upper": {"shape": {"type": "cone", "angle": 19.7, "width": 10, "depth": 10},
+            "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 20, "depth": 15}, "material":
+            {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 400, "tangent_modulus": 0}}},
+        "mesh": {"elements_per_half_width": 10}, "solver": {"theory": "flow"},
+    }));
+    let dent = &report.steps[1];
+    assert_eq!(dent.status, SolveStatus::Converged, "{:?}", dent.validity);
+    assert!((0.15..0.2).contains(&dent.approach.unwrap()), "{:?}", dent.approach);
+}
+
+/// A contact on few nodes hardly moves between two small steps of the load, on a coarser mesh
+/// neither: the scatter on the whole way is in the bars of each step.
+#[test]
+fn small_steps_have_the_bars_of_the_whole_way() {
+    let force = |force: f64| json!({"force": force});
+    let report = crate::problems::report(&json!({
+        "analysis": "axisymmetric",
+        "load": {"history": [force(2000.0), force(2060.0), force(2120.0)]},
+        "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 80, "depth": 40}, "material":
+            {"young_modulus": 200_000, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 0}}},
+        "mesh": {"elements_per_half_width": 10}, "solver": {"theory": "flow"},
+    }));
+    let step = &report.steps[2];
+    // 40 elements: 0.09276 mm under 2339.7 N, and the force of a plastic ball goes with the depth.
+    let exact = 0.09276 / 2339.7 * 2120.0;
+    let off = step.approach.unwrap() / exact - 1.0;
+    let bar = step.estimated_error.as_ref().unwrap().approach.unwrap();
+    assert!(off.abs() < bar, "{off} in {bar}");
+}

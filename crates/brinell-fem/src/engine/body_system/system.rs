@@ -58,12 +58,14 @@ pub(crate) struct Accepted {
     pub whole: BlockVector,
     /// Extent of plastic flow so far.
     pub plastic: RadialEnvelope,
+    /// Largest half-width of the contact so far \[mm\].
+    pub half_width: f64,
 }
 
 impl Accepted {
     /// The state before the first increment, with displacements of zero.
     fn at_rest(displacement: BlockVector) -> Self {
-        Self { displacement, whole: Vec::new(), plastic: RadialEnvelope::NONE }
+        Self { displacement, whole: Vec::new(), plastic: RadialEnvelope::NONE, half_width: 0.0 }
     }
 }
 

@@ -219,7 +219,9 @@ impl Memory for HistoryOnMesh<'_> {
         memory.turn(falls);
         let plastic = solve.system.accepted.plastic.joined(&solve.yielded_envelope());
         let whole = solve.fields.iter().map(|field| field.displacement.clone()).collect();
-        (solve.system.accepted.plastic, solve.system.accepted.whole) = (plastic, whole);
+        let half_width = solve.widest();
+        let accepted = &mut solve.system.accepted;
+        (accepted.plastic, accepted.whole, accepted.half_width) = (plastic, whole, half_width);
         memory.points.resize_with(solve.fields.len(), Vec::new);
         memory.flows = false;
         for (field, histories) in solve.fields.iter_mut().zip(&mut memory.points) {
