@@ -35,8 +35,8 @@ use brinell_contact::ContactLoad;
 /// remains after unloading is a small part of the largest approach.
 const PEAK_TOLERANCE: f64 = 4e-3;
 const APPROACH_TOLERANCE: f64 = 1.5e-3;
-/// Part of the strays of a coarse history up to which such a difference is small enough: smaller
-/// increments do not help what the mesh leaves.
+/// Part of the strays of a coarse history up to which a difference of the approach is small enough:
+/// smaller increments do not help what the mesh leaves.
 const WITHIN_STRAYS: f64 = 0.3;
 /// Largest ratio of successive differences that counts as the fall of a first-order error, with
 /// room for scatter. Above this ratio the discrete edge of the contact causes the difference,
@@ -474,7 +474,7 @@ fn differences<M>(
             |k: usize| (before[k] - now[k]).abs() / now[k].abs().max(LEAST_FIGURE * largest[k]);
         let errors = Figures::of(std::array::from_fn(relative));
         worst = worst
-            .max(errors.peak_pressure / PEAK_TOLERANCE.max(WITHIN_STRAYS * strays.peak_pressure))
+            .max(errors.peak_pressure / PEAK_TOLERANCE)
             .max(errors.approach / APPROACH_TOLERANCE.max(WITHIN_STRAYS * strays.approach));
         Some(errors)
     });

@@ -90,7 +90,7 @@ fn one_increment_is_deformation_theory() {
 /// The program's own increments against eight times as many: the peak of the first load and the
 /// approaches of both.
 #[track_caller]
-fn assert_fine_enough(mut job: Job, [of_peak, of_approach]: [f64; 2]) {
+fn assert_fine_enough(mut job: Job) {
     let chosen = solve(&job);
     let count = 8 * u32::try_from(chosen.steps[0].path.increments.len()).unwrap();
     job.solver.increments = Some(count);
@@ -100,9 +100,9 @@ fn assert_fine_enough(mut job: Job, [of_peak, of_approach]: [f64; 2]) {
         [&chosen, &exact].map(|solution| solution.steps[0].figures.approach),
         [&chosen, &exact].map(|solution| solution.steps[1].figures.approach),
     ];
-    assert_within(chosen_peak, peak, of_peak);
-    assert_within(loaded, exact_loaded, of_approach);
-    assert_within(left, exact_left, of_approach);
+    assert_within(chosen_peak, peak, 1.5e-3);
+    assert_within(loaded, exact_loaded, 1.5e-3);
+    assert_within(left, exact_left, 1.5e-3);
     let iterations: usize = chosen.steps[0].history.len();
     assert!(iterations <= 12 * chosen.steps[0].path.increments.len(), "{iterations} iterations");
 }
@@ -111,11 +111,11 @@ fn assert_fine_enough(mut job: Job, [of_peak, of_approach]: [f64; 2]) {
 #[ignore = "full"]
 fn the_chosen_increments_are_fine_enough() {
     for ratio in [3.0, 4.0] {
-        assert_fine_enough(cylinders(BILINEAR, &up_and_down(ratio), FLOW, 10), [1.5e-3; 2]);
+        assert_fine_enough(cylinders(BILINEAR, &up_and_down(ratio), FLOW, 10));
     }
-    // A sphere at 20 critical interferences, whose peak strays by more from node to node.
+    // A sphere at 20 critical interferences.
     let sphere = sphere_under_flat(20.0, BILINEAR_SPHERE, r#"[{"approach": W}, {"force": 0}]"#);
-    assert_fine_enough(sphere, [6e-3, 3e-3]);
+    assert_fine_enough(sphere);
 }
 
 /// The prototype behind the theory, with other elements and other increments, has about 1150 MPa
@@ -494,21 +494,25 @@ fn flow_theory_knows_no_up_no_left_and_no_units() {
     }
 }
 
+/// A sharp cone of 19.7° on a block that does not harden.
+fn cone(load: &serde_json::Value, elements: u32) -> Report {
+    crate::problems::report(&json!({
+        "analysis": "axisymmetric", "load": load,
+        "upper": {"shape": {"type": "cone", "angle": 19.7, "width": 10, "depth": 10},
+            "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 20, "depth": 15}, "material":
+            {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 400, "tangent_modulus": 0}}},
+        "mesh": {"elements_per_half_width": elements}, "solver": {"theory": "flow"},
+    }))
+}
+
 /// Beside a sharp tip strain has no bound, which is no collapse. The cone is like itself at every
 /// depth: F/h² is one number on every mesh.
 #[test]
 fn a_sharp_cone_has_an_answer_on_every_mesh() {
     let curvature = |elements: u32| {
-        let report = crate::problems::report(&json!({
-            "analysis": "axisymmetric", "load": {"approach": 0.2},
-            "upper": {"shape": {"type": "cone", "angle": 19.7, "width": 10, "depth": 10},
-                "material": {"rigid": true}},
-            "lower": {"shape": {"type": "block", "width": 20, "depth": 15}, "material":
-                {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
-                    {"law": "bilinear", "yield_stress": 400, "tangent_modulus": 0}}},
-            "mesh": {"elements_per_half_width": elements}, "solver": {"theory": "flow"},
-        }));
-        let step = &report.steps[0];
+        let step = cone(&json!({"approach": 0.2}), elements).steps.remove(0);
         assert_eq!(step.status, SolveStatus::Converged, "{elements}: {:?}", step.validity);
         // Cones of perfectly plastic bodies bear 2.4 to 3 times the yield stress.
         let mean = step.contact.mean_pressure;
@@ -521,15 +525,7 @@ fn a_sharp_cone_has_an_answer_on_every_mesh() {
 /// Unloading strains a sharp dent no further: the narrow contact that is left is no collapse.
 #[test]
 fn a_sharp_cone_is_unloaded() {
-    let report = crate::problems::report(&json!({
-        "analysis": "axisymmetric", "load": {"history": [{"approach": 0.2}, {"force": 0}]},
-        "upper": {"shape": {"type": "cone", "angle": 19.7, "width": 10, "depth": 10},
-            "material": {"rigid": true}},
-        "lower": {"shape": {"type": "block", "width": 20, "depth": 15}, "material":
-            {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
-                {"law": "bilinear", "yield_stress": 400, "tangent_modulus": 0}}},
-        "mesh": {"elements_per_half_width": 10}, "solver": {"theory": "flow"},
-    }));
+    let report = cone(&json!({"history": [{"approach": 0.2}, {"force": 0}]}), 10);
     let dent = &report.steps[1];
     assert_eq!(dent.status, SolveStatus::Converged, "{:?}", dent.validity);
     assert!((0.15..0.2).contains(&dent.approach.unwrap()), "{:?}", dent.approach);
