@@ -120,19 +120,19 @@ export const valueOf = (answer) =>
 const errorOf = ({ error, bias, bias_error }) =>
   error === null ? null : error + Math.abs(bias ?? 0) + (bias_error ?? 0);
 
-/** How well it is known. @param {Answer} answer @returns {string} */
-export function errorWords({ value, error, bias, bias_error, quantity }) {
+/** The bound of the error of its mesh. @param {Answer} answer @returns {string} */
+export function errorWords({ value, error, bias, quantity }) {
   if (value === null) return '';
-  const parts = [];
-  if (bias)
-    parts.push(
-      `${percent(Math.abs(bias), 2)} ± ${percent(bias_error ?? 0, 2)} ${bias > 0 ? 'above' : 'below'} flow theory`,
-    );
-  if (error === null) parts.push('error not known');
-  else if (error > 0) parts.push(`± ${percent(error)}`);
-  else if (!bias && quantity !== 'number') parts.push('as given');
-  return parts.join(', ');
+  if (error === null) return 'error not known';
+  if (error > 0) return `± ${percent(error)}`;
+  return bias || quantity === 'number' ? '' : 'as given';
 }
+
+/** By how much it is above flow theory. @param {Answer} answer @returns {string} */
+export const biasWords = ({ value, bias, bias_error }) =>
+  bias && value !== null
+    ? `${bias > 0 ? '+' : '−'}${figure(100 * Math.abs(bias), 2)} ± ${percent(bias_error ?? 0, 2)}`
+    : '';
 
 /** The same figure by elastic theory. @param {Answer} answer @returns {string} */
 export const elasticWords = (answer) =>

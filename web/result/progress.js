@@ -8,14 +8,14 @@ import { duration, figure } from '../lib/units.js';
  * Iterations are counted anew from 1 in every step of a sweep. The time left is that of the steps
  * that are done, times those that are not.
  * @param {Iteration[]} history of the job as far as it is
- * @param {import('../types.js').Job} job
+ * @param {import('../types.js').Job} [job] without it nothing is said of the step
  */
 export function progressWords(history, job) {
   const last = history.at(-1);
   if (!last) return 'meshing and factorizing';
   const now = `iteration ${last.iteration}, out of balance ${figure(last.equilibrium_residual, 2)}`;
   const begins = history.filter(({ iteration }) => iteration === 1);
-  const loads = job.load?.forces ?? job.load?.approaches;
+  const loads = job?.load?.forces ?? job?.load?.approaches;
   if (last.increment) {
     const { load, loads: all, number, count } = last.increment;
     return `${all > 1 ? `load ${load} of ${all}, ` : ''}increment ${number} of ${count}, ${now}`;

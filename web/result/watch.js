@@ -352,7 +352,7 @@ function words(
     case 'queued':
       return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
     case 'running':
-      return `${progress.latest && !progress.iterations ? 'preliminary ' : ''}${progressWords(progress.latest ? [progress.latest] : [], job)}`;
+      return `${progress.latest && !progress.iterations ? 'preliminary ' : ''}${progressWords(progress.latest ? [progress.latest] : [])}`;
     case 'failed':
       return [error?.detail, ...(error?.errors ?? []).map(({ detail }) => detail)]
         .filter(Boolean)

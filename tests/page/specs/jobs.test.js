@@ -132,11 +132,12 @@ service.test('everything can be taken along', async (page) => {
   await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
   await page.getByText('Download', { exact: true }).click();
-  // Flow theory alone has increments and surfaces, half-spaces alone have layers; one load has no
+  // Flow theory alone has increments and surfaces, a track passes, half-spaces layers; one load has no
   // curve.
   const disabled = await page.locator('.menu button:disabled').allTextContents();
   const none = [
     'Increments, CSV',
+    'Passes, CSV',
     'Surfaces, CSV',
     'Layers, VTR',
     'Force over approach, SVG',

@@ -61,6 +61,7 @@ service.test('set up, solve, look around in the field', async (page) => {
   await type(page, /^Radius/, '25');
   await type(page, /^Material/, 'Rail');
   await press(page, /^From hardness/, 'Enter');
+  await page.getByRole('dialog').waitFor();
   await page.keyboard.type('300');
   await press(page, /^Use$/, 'Enter');
   await type(page, /^Given/, 'Sweep');

@@ -551,8 +551,8 @@ impl Deformation {
             KnownBias::Told([bias, error]) => {
                 let side = if bias < 0.0 { "below" } else { "above" };
                 format!(
-                    "`bias` of the answers is their difference to flow theory (`solver.theory`): \
-                     the peak pressure is {} ± {} {side}.",
+                    "The answers tell their difference to flow theory (`solver.theory`): the peak \
+                     pressure is {} ± {} {side}.",
                     percent(bias.abs()),
                     percent(error)
                 )
