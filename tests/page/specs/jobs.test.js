@@ -132,8 +132,8 @@ service.test('everything can be taken along', async (page) => {
   await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
   await page.getByText('Download', { exact: true }).click();
-  // Flow theory alone has increments and surfaces, a track passes, half-spaces layers; one load has no
-  // curve.
+  // Flow theory alone has increments and surfaces, tracks have passes, half-spaces layers; one load
+  // has no curve.
   const disabled = await page.locator('.menu button:disabled').allTextContents();
   const none = [
     'Increments, CSV',
