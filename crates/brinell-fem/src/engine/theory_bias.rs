@@ -76,7 +76,7 @@ impl<'a> FlowOnMesh<'a> {
     fn history(
         &self,
         system: System,
-        last: Option<&BlockVector>,
+        mut last: Option<&BlockVector>,
         run: &mut Run<'_>,
     ) -> Result<(Option<Figures>, System), MeshedError> {
         let Self { problem, request, .. } = self;
@@ -84,7 +84,8 @@ impl<'a> FlowOnMesh<'a> {
         let request = request.clone();
         let elements = FiniteElements { problem, request, is_history: true, of_history: () };
         solve(&elements, design, Some(system), run, |on, system, _, run| {
-            self.increments(on, system, last, run)
+            // A wider mesh has other equations.
+            self.increments(on, system, last.take(), run)
         })
     }
 

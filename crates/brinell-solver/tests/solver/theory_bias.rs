@@ -147,3 +147,23 @@ fn a_sharp_tip_has_no_bias_of_its_peak() {
     let remark = report.steps[0].validity.iter().find(|note| note.code == "deformation_theory");
     assert!(!remark.unwrap().message.contains("the peak pressure is"), "{remark:?}");
 }
+
+/// Flow theory that outgrows the coarse mesh begins again on a wider one, from rest.
+#[test]
+fn flow_theory_may_outgrow_the_mesh_of_the_deformation_theory() {
+    let report = report(&json!({
+        "analysis": "axisymmetric",
+        "load": {"approaches": [0.000_064_952_684_05, 0.000_129_905_368_1, 0.000_103_924_294_48]},
+        "upper": {"shape": {"type": "groove", "radius": 4.256_505_147_6, "width": 1.064_736_349_8,
+                "depth": 3.247_110_739_4}, "support": "roller",
+            "material": {"young_modulus": 177_492.594_517, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 24.504_722_29, "tangent_modulus": 120.760_406_8}}},
+        "lower": {"shape": {"type": "cylinder", "radius": 1.064_736_349_8},
+            "material": {"rigid": true}},
+        "mesh": {"elements_per_half_width": 10},
+    }));
+    assert_eq!(report.steps.len(), 3);
+    for step in &report.steps {
+        assert!(step.answers.iter().any(|answer| answer.bias.is_some()), "{:?}", step.answers);
+    }
+}
