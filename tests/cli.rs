@@ -192,6 +192,32 @@ fn bodies_of_revolution_have_their_own_words() {
     assert!(filled >= 2, "the curve begins at the axis:\n{table}");
 }
 
+/// Places of two coordinates and long approaches keep to the width of a terminal too.
+#[test]
+fn tables_of_yielding_balls_keep_to_80_columns() {
+    for (units, scale) in [("mm_N_MPa", 1.0), ("SI", 1e-3)] {
+        let mut balls = example();
+        balls["analysis"] = json!("three_dimensional");
+        balls["units"] = json!(units);
+        for body in ["upper", "lower"] {
+            let to_stress = if units == "SI" { 1e6 } else { 1.0 };
+            balls[body] = json!({"shape": {"type": "sphere", "radius": 0.123_456 * scale},
+                "material": {"young_modulus": 210_000.0 * to_stress, "poisson_ratio": 0.3,
+                    "plasticity": {"law": "bilinear", "yield_stress": 500.0 * to_stress,
+                        "tangent_modulus": 10_500.0 * to_stress}}});
+        }
+        balls["load"] = json!({"history": [{"force": 0.012_345}, {"force": 0.03}]});
+        balls["mesh"] = json!({"elements_per_half_width": 5});
+        balls["solver"] = json!({"theory": "flow"});
+        let output = brinell(&["solve", "-", "--format", "table"], &balls.to_string());
+        let table = stdout(&output);
+        assert!(table.contains(", y ") && table.contains("depth"), "{}{table}", stderr(&output));
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{line:?} is too long");
+        }
+    }
+}
+
 /// Hertz's mean pressure of a circle is two thirds of the peak.
 #[test]
 fn the_table_has_the_mean_pressure_of_a_circle() {

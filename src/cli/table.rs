@@ -281,7 +281,7 @@ impl Page {
             Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
             Some(zone) => self.yielded(zone),
         };
-        self.line(&format!("{name}  {text}"));
+        self.line(&wrapped(&format!("{name}  "), &words(&text), " "));
     }
 
     /// How much has yielded, and where most; a strain without a limit has no place.
@@ -318,13 +318,14 @@ impl Page {
         } else {
             String::new()
         };
-        self.line(&format!(
-            "work   {} {}: elastic {}, dissipated {}{stored}",
+        let text = format!(
+            "{} {}: elastic {}, dissipated {}{stored}",
             significant(energy.work, 4),
             self.names.work(),
             significant(energy.elastic, 3),
             significant(energy.dissipated, 3),
-        ));
+        );
+        self.line(&wrapped("work   ", &words(&text), " "));
     }
 
     fn line(&mut self, text: &str) {

@@ -19,7 +19,7 @@ pub(super) fn history(records: &[IterationRecord], style: Style) -> String {
     };
     let is_divided = lines.len() < records.len();
     let head = format!(
-        "{:>4} {:>5} {:>4} {:>4} {:>8} {:>8} {:>8} {:>7} {:>5} {:>9} {:>8}",
+        "{:>4} {:>5} {:>4} {:>4} {:>7} {:>7} {:>8} {:>7} {:>5} {:>11} {:>8}",
         if is_divided { "inc" } else { "iter" },
         if is_divided { "iter" } else { "pivot" },
         "upd",
@@ -53,7 +53,7 @@ pub(super) fn history(records: &[IterationRecord], style: Style) -> String {
 /// The work of these iterations, and the state after the last of them.
 fn row([number, count]: [usize; 2], line: &[IterationRecord], last: &IterationRecord) -> String {
     format!(
-        "{:>4} {:>5} {:>4} {:>4} {:>8.1e} {:>8.1e} {:>8.1e} {:>7} {:>5} {:>9} {:>8}\n",
+        "{:>4} {:>5} {:>4} {:>4} {:>7.1e} {:>7.1e} {:>8.1e} {:>7} {:>5} {:>11} {:>8}\n",
         number,
         count,
         line.iter().map(|record| record.initial_stress_updates).sum::<usize>(),
