@@ -357,8 +357,8 @@ impl<E: Memory> History<'_, E> {
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
                     let measure = || engine.measure(&answer, &found.memory);
                     found.figures.push((!steps.are_final()).then(measure));
-                    let strays = rising.strays(&leg);
-                    found.strays.push(strays);
+                    let shown = rising.strays(&leg);
+                    found.strays.push(shown);
                     let outcome = E::outcome_mut(&mut answer);
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
@@ -375,7 +375,7 @@ impl<E: Memory> History<'_, E> {
                     // The observer may stop the solve while the fields are computed.
                     found.interrupted = step.status.interrupt();
                     step.load = load;
-                    step.path = Path { increments, last_increment, reached, strays, ..step.path };
+                    step.path = Path { increments, last_increment, reached, shown, ..step.path };
                     steps.take(number, step, run.observer);
                     if found.interrupted.is_some() {
                         return Ok(found);

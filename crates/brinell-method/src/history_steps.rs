@@ -8,6 +8,7 @@ use super::figures::Figures;
 use super::observer::{Interrupt, Observer};
 use super::run::Run;
 use super::steps::{Step, StepReceiver};
+use super::strays::Shown;
 use crate::Error;
 
 /// Figures of the coarse system, from which the errors of each step are estimated.
@@ -25,6 +26,8 @@ pub(super) enum HistorySteps<'a, F> {
     Final {
         estimates: Estimates<'a>,
         receiver: &'a mut dyn StepReceiver<F>,
+        /// Errors that the loads so far have shown.
+        shown: Box<Shown>,
         /// Number of steps received.
         done: usize,
     },
@@ -33,7 +36,7 @@ pub(super) enum HistorySteps<'a, F> {
 impl<'a, F> HistorySteps<'a, F> {
     /// Makes the receiver for steps of the requested density.
     pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver<F>) -> Self {
-        Self::Final { estimates, receiver, done: 0 }
+        Self::Final { estimates, receiver, shown: Box::default(), done: 0 }
     }
 
     /// Returns the number of steps of the requested density that were handed over.
@@ -59,10 +62,11 @@ impl<'a, F> HistorySteps<'a, F> {
                     steps.push(step);
                 }
             }
-            Self::Final { estimates, receiver, done } => {
+            Self::Final { estimates, receiver, shown, done } => {
                 let of = |figures: &[Option<Figures>]| figures.get(number).copied().flatten();
                 step.coarse = of(estimates.coarse);
                 step.increment_error = of(estimates.increments);
+                step.path.shown = shown.by(&step);
                 receiver.step(step, observer);
                 *done += 1;
             }
@@ -78,9 +82,9 @@ impl<'a, F> HistorySteps<'a, F> {
 
     /// Drops all steps, because the history begins again on a wider system.
     pub fn begin_anew(&mut self) {
-        if let Self::Final { receiver, done, .. } = self {
+        if let Self::Final { receiver, shown, done, .. } = self {
             receiver.begin_anew();
-            *done = 0;
+            (**shown, *done) = (Shown::default(), 0);
         }
     }
 }

@@ -124,8 +124,9 @@ pub struct Path {
     pub last_increment: LastIncrement,
     /// Largest approach and half-width of the history so far \[mm\].
     pub reached: [f64; 2],
-    /// Relative strays of the figures on the way here from rest; zeros where the load falls.
-    pub strays: Figures,
+    /// Least relative errors of the figures: the strays of this load and, at the requested density,
+    /// the differences to the coarse system that the loads so far have shown.
+    pub shown: Figures,
     /// Whether a point flowed in the last increment.
     pub flows: bool,
     /// Energies, of bodies with a memory.

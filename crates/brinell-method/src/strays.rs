@@ -3,10 +3,13 @@
 //! A contact on a mesh grows by whole nodes. Between two nodes figures go off the smooth curve and
 //! come back; a coarser mesh need not show by how much at this load. While a load rises, logarithms
 //! of the figures over that of the load are close to a parabola.
+//!
+//! What a load has done to the bodies stays, and so does the error of it, also where the meshes of
+//! a later load agree by chance.
 
-use super::figures::{BodyFigures, Figures};
+use super::figures::{BodyFigures, Figures, Measure};
 use super::increments::Leg;
-use super::steps::IncrementRecord;
+use super::steps::{IncrementRecord, Step};
 
 /// Least number of increments that tell a scatter.
 const LEAST: usize = 6;
@@ -71,6 +74,45 @@ impl Rising {
     }
 }
 
+/// The differences to the coarse system that the loads of a history have shown so far. That of a
+/// pressure goes with the element over the half-width; those of stresses in the bodies count under
+/// their own load alone; every other one remains.
+#[derive(Debug, Default)]
+pub(super) struct Shown {
+    /// Sums of the squares.
+    squares: Figures,
+    /// Numbers of loads, without those under which a figure is zero.
+    loads: Figures,
+}
+
+impl Shown {
+    /// Takes the end of a load. Returns the least relative error of each figure there: the root of
+    /// the mean square of the differences so far, or the strays of the load. Zeros of a figure that
+    /// is zero.
+    pub fn by<F>(&mut self, step: &Step<F>) -> Figures {
+        let Step { figures, coarse: Some(coarse), path, .. } = step else {
+            return step.path.shown;
+        };
+        let width = if figures.half_width > 0.0 { figures.half_width } else { path.reached[1] };
+        let scales = Figures::by(|figure, side| match figure.measure() {
+            Measure::Stress if figure.is_of_body() => 0.0,
+            Measure::Stress => width,
+            _ => figures.get(figure, side).abs(),
+        });
+        let now = figures.zip(coarse, |fine, coarse| ratio(fine - coarse, fine));
+        let now = now.zip(&scales, |part, scale| part * scale);
+        self.squares = self.squares.zip(&now, |sum, now| sum + now * now);
+        self.loads = self.loads.zip(figures, |loads, figure| loads + f64::from(figure != 0.0));
+        let mean = self.squares.zip(&self.loads, |sum, loads| ratio(sum, loads).sqrt());
+        mean.zip(&scales, ratio).zip(&path.shown, f64::max)
+    }
+}
+
+/// Returns `part / whole`, zero over zero.
+fn ratio(part: f64, whole: f64) -> f64 {
+    if whole == 0.0 { 0.0 } else { part / whole }
+}
+
 /// Standard deviation of points `[x, y]` from the parabola of least squares.
 fn deviation(points: &[[f64; 2]]) -> f64 {
     let n = points.len() as f64;
@@ -100,6 +142,8 @@ mod tests {
     use super::*;
     use crate::increments::Growth;
     use crate::observer::SolveStatus;
+    use crate::steps::{Checks, Path, Search};
+    use brinell_contact::ContactLoad;
 
     /// A force that rises.
     fn force() -> Leg {
@@ -140,6 +184,48 @@ mod tests {
         let found = rising(30, steps).strays(&force());
         assert!((0.007..0.02).contains(&found.half_width), "{found:?}");
         assert!(found.force.abs() < 1e-12, "{found:?}");
+    }
+
+    fn step(half_width: f64, approach: [f64; 2], peak: [f64; 2]) -> Step<()> {
+        let figures = |k: usize| Figures {
+            half_width,
+            approach: approach[k],
+            peak_pressure: peak[k],
+            ..Figures::default()
+        };
+        Step {
+            status: SolveStatus::Converged,
+            load: ContactLoad::Force(1.0),
+            figures: figures(0),
+            coarse: Some(figures(1)),
+            increment_error: None,
+            checks: Checks::default(),
+            history: Vec::new(),
+            path: Path { reached: [1.0, 2.0], ..Path::default() },
+            search: Search::default(),
+            contact_stiffness: None,
+            enlargements: 0,
+            is_preliminary: false,
+            field: (),
+        }
+    }
+
+    #[test]
+    fn errors_remain_and_those_of_pressures_go_with_the_half_width() {
+        let mut shown = Shown::default();
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+        let loaded = shown.by(&step(2.0, [1.0, 0.97], [500.0, 490.0]));
+        assert!(near(loaded.approach, 0.03) && near(loaded.peak_pressure, 0.02), "{loaded:?}");
+        // The meshes agree by chance.
+        let less = shown.by(&step(1.0, [0.5, 0.5], [300.0, 300.0]));
+        assert!(near(less.approach, 0.06 / 2f64.sqrt()), "{less:?}");
+        assert!(near(less.peak_pressure, 0.04 / 2f64.sqrt()), "{less:?}");
+        // Nothing touches: the pressure tells nothing.
+        let apart = shown.by(&step(0.0, [0.2, 0.2], [0.0, 0.0]));
+        assert!(near(apart.approach, 0.15 / 3f64.sqrt()), "{apart:?}");
+        let more = shown.by(&step(4.0, [2.0, 2.0], [600.0, 600.0]));
+        assert!(near(more.approach, 0.015 / 2.0), "{more:?}");
+        assert!(near(more.peak_pressure, 0.01 / 3f64.sqrt()), "{more:?}");
     }
 
     #[test]

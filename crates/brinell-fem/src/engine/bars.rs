@@ -25,8 +25,8 @@ pub struct Bars {
     pub found: Figures,
     coarse: Figures,
     increments: Figures,
-    /// Scatter of the increments.
-    strays: Figures,
+    /// Least relative errors.
+    shown: Figures,
     /// Factors of the floors.
     pub scales: Figures,
 }
@@ -70,7 +70,7 @@ impl Bars {
             found: figures,
             coarse: step.coarse?,
             increments: step.increment_error.unwrap_or_default(),
-            strays: step.path.strays,
+            shown: step.path.shown,
             scales: scales.zip(&scales, |scale, _| size * scale.abs()),
         })
     }
@@ -85,7 +85,7 @@ impl Bars {
         }
         let floor = floors(figure)[class_of(self.stress_state)]? * at(&self.scales);
         let of_mesh = ((found - coarse).abs() + floor) / found.abs();
-        Some(of_mesh.max(at(&self.strays)) + at(&self.increments))
+        Some(of_mesh.max(at(&self.shown)) + at(&self.increments))
     }
 
     /// Returns the bar of a target. A figure of both bodies has the larger of two bars.

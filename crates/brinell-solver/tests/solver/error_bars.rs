@@ -105,6 +105,45 @@ fn the_approach_that_is_left_has_a_bar_that_holds() {
     assert!(held >= 3, "{held} of 4");
 }
 
+/// Two cylinders and two balls that are loaded, unloaded and loaded beyond: what a load leaves off
+/// stays, where the meshes of a later load happen to agree. Before, the approach of the unloaded
+/// cylinders was 1.2 % off at ± 0.29 %, the last peak of the balls 3.6 % at ± 0.84 %.
+#[test]
+#[ignore = "full"]
+fn a_history_keeps_the_errors_of_its_loads() {
+    let law = |stress: f64| {
+        json!({"law": "bilinear", "yield_stress": stress,
+        "tangent_modulus": 10_500.0})
+    };
+    let cylinders = two_cylinders("clamped", law(750.0), 0.0);
+    let balls = {
+        let ball = json!({"shape": {"type": "sphere", "radius": 10.0}, "material":
+            {"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": law(500.0)}});
+        json!({"analysis": "three_dimensional", "upper": ball, "lower": ball})
+    };
+    let cases =
+        [(cylinders, 2450.44, [0.5, 1.0, 0.3, 1.1], 24), (balls, 262.0, [0.5, 1.0, 0.2, 1.2], 12)];
+    for (mut job, force, parts, finer) in cases {
+        let loads = parts.map(|part| json!({"force": part * force}));
+        job["load"] = json!({"history": loads});
+        job["solver"] = json!({"theory": "flow"});
+        job["output"] = json!({"subsurface": false});
+        let [coarse, fine] = [6, finer].map(|elements| {
+            job["mesh"] = json!({"elements_per_half_width": elements});
+            report(&job).steps
+        });
+        for (k, (coarse, fine)) in coarse.iter().zip(&fine).enumerate() {
+            let bars = [coarse, fine].map(|step| step.estimated_error.as_ref().unwrap());
+            for name in ["peak pressure", "half-width", "approach"] {
+                let [value, truth] = [coarse, fine].map(|step| figure(step, name));
+                let [bar, rest] = bars.map(|bars| bar_of(bars, name).unwrap());
+                let off = (truth - value).abs();
+                assert!(off <= bar * value + rest * truth, "{name} {k}: {value} {bar} {truth}");
+            }
+        }
+    }
+}
+
 #[test]
 #[ignore = "full"]
 fn the_true_error_lies_within_the_bar() {

@@ -3,11 +3,12 @@
 //! ```text
 //! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor · h/a · |x|      n cells, N increments
 //! ```
-//! h/a is the cell over the semi-axis, along x or y where it is larger. The term of the increments
-//! comes from the coarse grid. [Floors](brinell_method::floors) cover the scatter of approach and
-//! semi-axes as cells at the edge enter the contact, and the scatter of all other figures if the
-//! contact yields. The peak pressure of a tilted roller can lie up to half a cell from the middle
-//! of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
+//! Under flow theory, an error less the term of the increments is at least what the loads so far
+//! have shown. h/a is the cell over the semi-axis, along x or y where it is larger. The term of the
+//! increments comes from the coarse grid. [Floors](brinell_method::floors) cover the scatter of
+//! approach and semi-axes as cells at the edge enter the contact, and the scatter of all other
+//! figures if the contact yields. The peak pressure of a tilted roller can lie up to half a cell
+//! from the middle of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
 
 use super::step::HalfSpaceStep;
 use brinell_contact::ContactLoad;
@@ -49,7 +50,8 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Figu
     let of_floors = Figures::by(|figure, side| {
         floors(figure)[HALF_SPACES].unwrap_or_default() * scales.get(figure, side)
     });
-    let mut errors = of_grid.zip(&of_floors, |grid, floor| grid + floor);
+    let shown = step.figures.zip(&step.path.shown, |figure, shown| figure.abs() * shown);
+    let mut errors = of_grid.zip(&of_floors, |grid, floor| grid + floor).zip(&shown, f64::max);
     let size = sizes(step)[1];
     if step.field.tilt.abs() > 0.0 {
         errors.peak_pressure += 0.5 * (0.5 * size).powi(2) * step.figures.peak_pressure;
