@@ -192,6 +192,32 @@ fn bodies_of_revolution_have_their_own_words() {
     assert!(filled >= 2, "the curve begins at the axis:\n{table}");
 }
 
+/// Long names and lists of a law's parameters keep to the width of a terminal too.
+#[test]
+fn tables_of_examples_keep_to_80_columns() {
+    for name in ["ball_runs_in", "rolled_hardened_roller", "ellipse_dent"] {
+        let path = format!("{}/api/examples/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        let table = stdout(&brinell(&["solve", &path, "--format", "table"], ""));
+        assert!(table.lines().count() > 20, "{table}");
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{name}: {line:?} is too long");
+        }
+    }
+    let mut job = example();
+    job["mesh"] = json!({"elements_per_half_width": 5});
+    for radius in ["2.4", "2.41", "2.412", "2.4123"] {
+        job["upper"] = json!({"shape": {"type": "cylinder", "radius": radius.parse::<f64>().unwrap()},
+            "material": {"young_modulus": 84_279, "poisson_ratio": 0.2679, "plasticity":
+                {"law": "swift", "yield_stress": 290.6, "strain_offset": 3.788e-5,
+                    "exponent": 0.056_46}}});
+        let table = stdout(&brinell(&["solve", "-", "--format", "table"], &job.to_string()));
+        assert!(table.contains("Swift"), "{table}");
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{line:?} is too long");
+        }
+    }
+}
+
 /// Places of two coordinates and long approaches keep to the width of a terminal too.
 #[test]
 fn tables_of_yielding_balls_keep_to_80_columns() {

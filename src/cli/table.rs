@@ -21,6 +21,8 @@ pub(super) use number::significant;
 
 /// Widest line.
 const WIDTH: usize = 80;
+/// Width of the value of an answer.
+const VALUE: usize = 12;
 
 /// Lays a report out as text. `job` is what was asked.
 pub fn table(job: &Job, report: &Report, style: Style) -> String {
@@ -238,7 +240,7 @@ impl Page {
         let (factor, unit) = if is_part { (100.0, "%") } else { (1.0, answer.unit.as_str()) };
         let shown = |value: f64| significant(factor * value, 5);
         let value = answer.value.map_or_else(|| "—".to_owned(), shown);
-        let value = self.style.bold(&format!("{value:>12}"));
+        let value = self.style.bold(&format!("{value:>VALUE$}"));
         let mut label = answer.label.clone();
         // Names of scales keep their capitals.
         if label.chars().nth(1).is_some_and(char::is_lowercase)
@@ -272,7 +274,14 @@ impl Page {
             (None, ..) if error.is_empty() => String::new(),
             (None, ..) => format!("{:>19}{error}", ""),
         };
-        self.line(format!("{label:28}{unit:>6}{value}{beside}").trim_end());
+        let name = format!("{label:28}{unit:>6}");
+        let width = name.chars().count() + VALUE + beside.trim_end().chars().count();
+        if width <= WIDTH {
+            self.line(format!("{name}{value}{beside}").trim_end());
+        } else {
+            self.line(&format!("{name}{value}"));
+            self.line(&format!("{:>WIDTH$}", beside.trim()));
+        }
     }
 
     fn plastic_zone(&mut self, name: &str, zone: Option<&PlasticityReport>) {
@@ -369,8 +378,10 @@ fn wrapped(label: &str, items: &[String], separator: &str) -> String {
     let (mut text, mut column) = (label.to_owned(), indent);
     for (number, item) in items.iter().enumerate() {
         let width = item.chars().count();
+        // What separates an item from the next one stays on its line.
+        let rest = if number + 1 < items.len() { separator.trim_end().len() } else { 0 };
         if number > 0 {
-            if column + separator.len() + width > WIDTH {
+            if column + separator.len() + width + rest > WIDTH {
                 text.push_str(separator.trim_end());
                 text.push('\n');
                 text.push_str(&" ".repeat(indent));

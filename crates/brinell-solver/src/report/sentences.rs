@@ -148,7 +148,8 @@ impl Finding {
             Self::UnboundedStrain { .. } => {
                 "The largest plastic strain of a material that does not harden has no limit on \
                  smaller and smaller elements, and is not given. The plastic area and the mean \
-                 plastic strain in it do not depend on the mesh."
+                 plastic strain in it have one where a single body flows; two that do not harden \
+                 may share the flow otherwise on another mesh."
                     .to_owned()
             }
             Self::BilinearCurve => {

@@ -86,6 +86,9 @@ impl Facts<'_> {
             Some((pressure, _)) if pressure <= 0.0 => {
                 unknown().text("not known: only cells of the rim touch")
             }
+            Some((pressure, _)) if self.write.stress(pressure) < contact.mean_pressure => {
+                unknown().text("not known: cells of the rim bear the most")
+            }
             Some((pressure, [x, y])) => peak(self.write.stress(pressure))
                 .place(of_surface(self.write.length(x), Some(self.write.length(y))))
                 .text("largest pressure of a cell, without the cells of the rim"),

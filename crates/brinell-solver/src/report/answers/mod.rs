@@ -7,7 +7,7 @@ mod strength;
 use serde::{Deserialize, Serialize};
 
 use super::findings::Finding;
-use super::{ErrorEstimate, FlowReport, PerBody, PlasticityReport, Side, StepReport};
+use super::{ErrorEstimate, FlowReport, LoadReport, PerBody, PlasticityReport, Side, StepReport};
 use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory, label_of};
 use crate::solver::method::figures::{Figure, Figures, Measure};
 use crate::solver::{SolveStatus, TheoryBias};
@@ -509,7 +509,14 @@ impl Facts<'_> {
         let is_graded = self.step.profiles().any(|(_, profile)| profile.yield_stress.is_some());
         if self.is_unloaded() {
             answers.extend(self.surfaces("dent_depth", &label(Figure::Dent)));
-            answers.push(self.approach().named("permanent_approach", "Permanent approach"));
+            // Apart, a given approach tells nothing of what is left.
+            let is_given = matches!(self.step.load, LoadReport::Approach(_));
+            let approach = self.approach();
+            answers.push(if is_given {
+                approach
+            } else {
+                approach.named("permanent_approach", "Permanent approach")
+            });
             answers.extend(self.tension());
             answers.extend(self.core());
             answers.extend(self.strain());
