@@ -21,8 +21,6 @@ pub(super) use number::significant;
 
 /// Widest line.
 const WIDTH: usize = 80;
-/// Width of the value of an answer.
-const VALUE: usize = 12;
 
 /// Lays a report out as text. `job` is what was asked.
 pub fn table(job: &Job, report: &Report, style: Style) -> String {
@@ -240,7 +238,8 @@ impl Page {
         let (factor, unit) = if is_part { (100.0, "%") } else { (1.0, answer.unit.as_str()) };
         let shown = |value: f64| significant(factor * value, 5);
         let value = answer.value.map_or_else(|| "—".to_owned(), shown);
-        let value = self.style.bold(&format!("{value:>VALUE$}"));
+        let plain = format!("{value:>12}");
+        let value = self.style.bold(&plain);
         let mut label = answer.label.clone();
         // Names of scales keep their capitals.
         if label.chars().nth(1).is_some_and(char::is_lowercase)
@@ -275,7 +274,7 @@ impl Page {
             (None, ..) => format!("{:>19}{error}", ""),
         };
         let name = format!("{label:28}{unit:>6}");
-        let width = name.chars().count() + VALUE + beside.trim_end().chars().count();
+        let width = format!("{name}{plain}{beside}").trim_end().chars().count();
         if width <= WIDTH {
             self.line(format!("{name}{value}{beside}").trim_end());
         } else {
