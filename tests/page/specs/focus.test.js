@@ -88,17 +88,22 @@ service.test('in the list of jobs, which is fetched again and again', async (pag
   const one = await solved(page);
   await shown(page, { load: { force: 300 } });
   await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-  const row = page.locator(`[data-key="${one}"]`);
   for (const part of ['button.open', 'input']) {
-    await row.locator(part).focus();
-    const before = await row.elementHandle();
-    await page
-      .locator('#jobs-filter select')
-      .evaluate((choice) => choice.dispatchEvent(new Event('change')));
-    await page.waitForFunction((row) => !row?.isConnected, before);
-    assert.equal(
-      await row.locator(part).evaluate((one) => one === document.activeElement),
-      true,
+    // The list may be built anew between two steps of the test: each step is whole in the page.
+    const place = `[data-key="${one}"] ${part}`;
+    await page.locator(place).waitFor();
+    const before = await page.evaluateHandle((place) => {
+      const had = /** @type {HTMLElement} */ (document.querySelector(place));
+      had.focus();
+      document.querySelector('#jobs-filter select')?.dispatchEvent(new Event('change'));
+      return had;
+    }, place);
+    await page.waitForFunction((had) => !had.isConnected, before);
+    assert.ok(
+      await page.evaluate(
+        (place) => document.querySelector(place) === document.activeElement,
+        place,
+      ),
       part,
     );
   }
