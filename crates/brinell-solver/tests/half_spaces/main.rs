@@ -295,6 +295,24 @@ fn force_and_approach_are_one_contact() {
     near(other.figures.force, step.figures.force, 1e-4, "force");
 }
 
+/// A dent that is deeper than the approach: the bodies are apart, at the approach that was given.
+/// Without force, the approach is where they touch first.
+#[test]
+fn bodies_apart_are_at_the_approach_that_was_given() {
+    let mut problem = on_flat(10.0, steel(Some(0.05)), 6);
+    problem.solver.theory = Theory::Flow;
+    let last = |end: ContactLoad| {
+        let mut problem = problem.clone();
+        problem.loads = Loads::Given(vec![ContactLoad::Approach(0.01), end]);
+        solved(&problem).pop().expect("two loads")
+    };
+    let touching = last(ContactLoad::Force(0.0)).figures.approach;
+    let given = 0.2 * touching;
+    let apart = last(ContactLoad::Approach(given));
+    assert_eq!([apart.figures.force, apart.figures.approach], [0.0, given]);
+    assert_eq!(apart.history.last().map(|record| record.approach), Some(given));
+}
+
 #[test]
 fn the_axes_turn_with_the_bodies() {
     let along = under(on_flat(30.0, steel(None), 6), 3.0);

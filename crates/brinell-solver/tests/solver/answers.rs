@@ -144,6 +144,25 @@ fn an_approach_without_contact_is_no_permanent_one() {
     }
 }
 
+/// A pin under little force in a hole touches by one node of a mesh for its largest force.
+#[test]
+fn a_width_below_an_element_is_not_known() {
+    let pin = json!({"analysis": "plane_strain",
+        "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": steel(300.0)},
+        "lower": {"shape": {"type": "hole", "radius": 10.02, "outer_radius": 14},
+            "material": steel(300.0)},
+        "load": {"history": [{"force": 5}, {"force": 2500}]}, "solver": {"theory": "flow"},
+        "mesh": {"elements_per_half_width": 8}});
+    let [little, more] = <[StepReport; 2]>::try_from(solve(&pin).steps).unwrap();
+    assert_eq!([value(&little, "force"), little.contact.half_width], [5.0, 0.0]);
+    for name in ["half_width", "mean_pressure"] {
+        let unknown = answer(&little, name);
+        assert_eq!([unknown.value, unknown.error], [None; 2], "{unknown:?}");
+        assert!(unknown.text.starts_with("not known"), "{unknown:?}");
+        assert!(value(&more, name) > 0.0);
+    }
+}
+
 /// A roller in three dimensions and the same cylinder in the plane; a ball and Hertz's mean
 /// pressure of a circle.
 #[test]

@@ -130,12 +130,14 @@ impl HalfSpaces {
 
     /// Returns the approach α \[mm\], zero at the first touch of the undeformed surfaces. The
     /// vertices do not lie in the middle of a cell, so that cells first touch at the least gap.
+    /// Bodies that are apart are at the approach that was given.
     pub fn approach(&self, contact: &ContactSolution) -> f64 {
-        if contact.total_force > 0.0 {
+        let least_of = |gap: &[f64]| gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = contact.gap.iter().copied().fold(0.0, f64::max);
+        if contact.total_force > 0.0 || least_of(&contact.gap) > f64::EPSILON * largest {
             return contact.approach;
         }
-        let gap = self.tilted(&self.initial_gap, contact.tilt);
-        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let least = least_of(&self.tilted(&self.initial_gap, contact.tilt));
         let approach = contact.approach - least;
         if approach.abs() <= f64::EPSILON * least.abs() { 0.0 } else { approach }
     }

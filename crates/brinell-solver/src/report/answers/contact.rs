@@ -123,12 +123,15 @@ impl Facts<'_> {
                 );
             }
             None if self.job.analysis == Analysis::Axisymmetric => {
-                answers.push(half_width.labelled("Contact radius"));
+                answers.push(half_width.labelled("Contact radius").of_width(self.touches()));
             }
-            None => answers.push(half_width.text(contact.half_angle.map_or_else(
-                || beside.to_owned(),
-                |angle| format!("along the arc, {}° to each side", about(angle)),
-            ))),
+            None => {
+                let text = contact.half_angle.map_or_else(
+                    || beside.to_owned(),
+                    |angle| format!("along the arc, {}° to each side", about(angle)),
+                );
+                answers.push(half_width.text(text).of_width(self.touches()));
+            }
         }
         answers.push(self.approach());
         let force = self.figure(Figure::Force, contact.force);
@@ -151,7 +154,8 @@ impl Facts<'_> {
             )
             .error(self.mean_pressure_bar())
             .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
-            .text(if self.is_rough() { "over the cells in contact" } else { beside }),
+            .text(if self.is_rough() { "over the cells in contact" } else { beside })
+            .of_width(self.touches()),
         );
         answers
     }

@@ -269,6 +269,16 @@ impl Answer {
     pub(super) fn text(self, text: impl Into<String>) -> Self {
         Self { text: text.into(), ..self }
     }
+
+    /// A width of 0 of bodies that touch is not known, nor is the mean pressure over it.
+    fn of_width(self, touches: bool) -> Self {
+        if touches && self.value == Some(0.0) {
+            let unknown = Self { value: None, error: None, ..self };
+            unknown.text("not known: the contact is narrower than an element")
+        } else {
+            self
+        }
+    }
 }
 
 /// Returns the name of a figure for a person: its identifier where nothing else is usual.
