@@ -244,6 +244,27 @@ fn tables_of_yielding_balls_keep_to_80_columns() {
     }
 }
 
+/// A figure that is not known says why: of a pin whose contact is narrower than an element.
+#[test]
+fn the_table_says_why_a_figure_is_not_known() {
+    let mut pin = example();
+    pin["analysis"] = json!("plane_strain");
+    pin["upper"]["shape"] = json!({"type": "cylinder", "radius": 10});
+    pin["lower"]["shape"] = json!({"type": "hole", "radius": 10.02, "outer_radius": 14});
+    pin["load"] = json!({"history": [{"force": 5}, {"force": 2500}]});
+    pin["mesh"] = json!({"elements_per_half_width": 8});
+    pin["solver"] = json!({"theory": "flow"});
+    let table = stdout(&brinell(&["solve", "-", "--format", "table"], &pin.to_string()));
+    for label in ["half-width", "mean pressure"] {
+        let line = table.lines().find(|line| line.starts_with(label)).expect(label);
+        assert!(line.ends_with("—  narrower than an element"), "{line}");
+    }
+    let margin = table.find("margin to first yield").expect("a margin");
+    assert!(table[margin..].contains("`load.onset`"), "{table}");
+    assert_eq!(table.matches("along the arc").count(), 1, "of the large force only");
+    assert!(table.lines().all(|line| line.chars().count() <= 80), "{table}");
+}
+
 /// Hertz's mean pressure of a circle is two thirds of the peak.
 #[test]
 fn the_table_has_the_mean_pressure_of_a_circle() {

@@ -221,7 +221,7 @@ impl Page {
                 "the x of these figures is the x of the job turned by {angle}° towards its y"
             ));
         }
-        if let Some(angle) = step.contact.half_angle {
+        if let Some(angle) = step.contact.half_angle.filter(|angle| *angle > 0.0) {
             self.line(&format!(
                 "it touches over {}° to each side, along the arc",
                 significant(angle, 3)
@@ -274,6 +274,10 @@ impl Page {
             (None, ..) => format!("{:>19}{error}", ""),
         };
         let name = format!("{label:28}{unit:>6}");
+        if let (None, Some(reason)) = (answer.value, answer.text.strip_prefix("not known: ")) {
+            let label = format!("{name}{plain}  ");
+            return self.line(&wrapped(&label, &words(reason), " "));
+        }
         let width = format!("{name}{plain}{beside}").trim_end().chars().count();
         if width <= WIDTH {
             self.line(format!("{name}{value}{beside}").trim_end());

@@ -274,7 +274,7 @@ impl Answer {
     fn of_width(self, touches: bool) -> Self {
         if touches && self.value == Some(0.0) {
             let unknown = Self { value: None, error: None, ..self };
-            unknown.text("not known: the contact is narrower than an element")
+            unknown.text("not known: narrower than an element")
         } else {
             self
         }
