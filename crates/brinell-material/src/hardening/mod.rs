@@ -54,9 +54,10 @@ pub trait HardeningLaw: Any + Debug + Send + Sync {
     }
 
     /// Returns a stress at which the material flows noticeably \[MPa\], for an estimate of the
-    /// contact size before the first solve.
+    /// contact size before the first solve: that at 0.2 % of plastic strain at least, for a curve
+    /// that begins low may rise far.
     fn flow_stress(&self) -> f64 {
-        1.2 * self.yield_stress()
+        self.stress(0.002).max(1.2 * self.yield_stress())
     }
 
     /// Returns the stress that the curve approaches or reaches at large plastic strains \[MPa\];

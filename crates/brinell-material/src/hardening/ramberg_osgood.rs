@@ -44,7 +44,7 @@ impl HardeningLaw for RambergOsgood {
     }
 
     fn flow_stress(&self) -> f64 {
-        1.5 * self.reference_stress
+        self.stress(0.002).max(1.5 * self.reference_stress)
     }
 
     fn stress(&self, plastic_strain: f64) -> f64 {

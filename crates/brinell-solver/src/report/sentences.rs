@@ -33,7 +33,7 @@ impl Finding {
             Self::Wide(wide) => wide.text(write),
             Self::Collapse { strain, last } => collapse(*strain, *last),
             Self::LargeStrain { strain } => format!(
-                "Plastic strain reaches {:.1} %; small-strain theory is meant for up to 5 %: it \
+                "Strain reaches {:.1} %; small-strain theory is meant for up to 5 %: it \
                  leaves out the change of shape.",
                 100.0 * strain
             ),
@@ -101,7 +101,7 @@ impl Finding {
                 let names: Vec<_> = figures.filter_map(|figure| name_of(*figure)).collect();
                 format!(
                     "The mesh does not tell what an earlier load left in the bodies: {} are those \
-                     of the mesh. {MORE_ELEMENTS}",
+                     of the mesh.",
                     names.join(", ")
                 )
             }

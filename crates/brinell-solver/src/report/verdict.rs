@@ -170,7 +170,11 @@ impl Facts<'_> {
         }));
         let level =
             if above.is_some() { VerdictLevel::AboveShakedownLimit } else { VerdictLevel::Yields };
-        let yields = if self.yields_by_limit() { "Yields" } else { "Flows, with no yield point" };
+        let yields = match (self.measured.is_dented, self.yields_by_limit()) {
+            (true, _) => "Has yielded under an earlier load",
+            (false, true) => "Yields",
+            (false, false) => "Flows, with no yield point",
+        };
         let text = if parts.is_empty() {
             format!("{yields}.")
         } else {

@@ -309,8 +309,9 @@ fn bodies_apart_are_at_the_approach_that_was_given() {
     let touching = last(ContactLoad::Force(0.0)).figures.approach;
     let given = 0.2 * touching;
     let apart = last(ContactLoad::Approach(given));
-    assert_eq!([apart.figures.force, apart.figures.approach], [0.0, given]);
-    assert_eq!(apart.history.last().map(|record| record.approach), Some(given));
+    assert!(apart.figures.force <= 0.0 && touching > 0.0);
+    near(apart.figures.approach, given, 1e-12, "approach");
+    near(apart.history.last().unwrap().approach, given, 1e-12, "approach of the iteration");
 }
 
 #[test]

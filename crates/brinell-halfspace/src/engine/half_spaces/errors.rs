@@ -6,9 +6,8 @@
 //! Under flow theory, an error less the term of the increments is at least what the loads so far
 //! have shown. h/a is the cell over the semi-axis, along x or y where it is larger. The term of the
 //! increments comes from the coarse grid. [Floors](brinell_method::floors) cover the scatter of
-//! approach and semi-axes as cells at the edge enter the contact, and the scatter of all other
-//! figures if the contact yields. The peak pressure of a tilted roller can lie up to half a cell
-//! from the middle of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
+//! figures as cells at the edge enter the contact. The peak pressure of a tilted roller can lie up to
+//! half a cell from the middle of the nearest cell; there, an ellipse is lower by `(h/2b)²/2`.
 
 use super::step::HalfSpaceStep;
 use brinell_contact::ContactLoad;
@@ -127,16 +126,13 @@ pub fn scales_of_floors(step: &HalfSpaceStep) -> Figures {
     let [a, b] = step.figures.semi_axes();
     let [x, y] = step.field.peak_position;
     let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
-    let yields = step.figures.bodies.iter().any(|body| body.max_plastic_strain > 0.0);
-    let scatter = if yields { size } else { 0.0 };
     Figures::by(|figure, side| {
         let of_figure = match figure {
             Figure::HalfWidth => along_x,
             Figure::SemiAxisY => along_y,
             Figure::ContactArea => along_x + along_y,
-            Figure::Approach | Figure::Force => size,
-            Figure::PeakPressure => scatter * (1.0 + OF_RING * from_middle),
-            _ => scatter,
+            Figure::PeakPressure => size * (1.0 + OF_RING * from_middle),
+            _ => size,
         };
         of_figure * step.figures.get(figure, side).abs()
     })

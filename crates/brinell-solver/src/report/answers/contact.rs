@@ -154,6 +154,11 @@ impl Facts<'_> {
             )
             .error(self.mean_pressure_bar())
             .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
+            .labelled(if whole.is_none() && contact.patches.len() > 1 {
+                "Mean pressure, gaps included"
+            } else {
+                "Mean pressure"
+            })
             .text(if self.is_rough() { "over the cells in contact" } else { beside })
             .of_width(self.touches()),
         );

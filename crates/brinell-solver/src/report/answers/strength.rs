@@ -11,7 +11,13 @@ impl Facts<'_> {
             return Vec::new();
         }
         let none = "no yield stress is given";
-        let used = self.measured.utilization.as_ref().filter(|_| !self.flows_from_the_first());
+        let reason = if self.flows_from_the_first() {
+            Some("not known: a body has plastic strain under any stress")
+        } else {
+            let is_dented = self.measured.is_dented;
+            is_dented.then_some("not known: an earlier load has dented the bodies")
+        };
+        let used = self.measured.utilization.as_ref().filter(|_| reason.is_none());
         let place = used.map(|used| self.place_of(used));
         let utilization = self
             .answer(
@@ -23,8 +29,8 @@ impl Facts<'_> {
             .place(place)
             .text(if used.is_some() {
                 "largest von Mises stress of elastic bodies over the yield stress there"
-            } else if self.flows_from_the_first() {
-                "not known: a body has plastic strain under any stress"
+            } else if let Some(reason) = reason {
+                reason
             } else if self.can_yield() {
                 "not known: closed forms do not have these shapes, and the bodies yield or the \
                  mesh does not tell the onset of yield"
@@ -32,7 +38,7 @@ impl Facts<'_> {
                 none
             });
         let utilization = Answer { body: place.map(|place| place.body), ..utilization };
-        let first = self.first_yield();
+        let first = self.first_yield().filter(|_| reason.is_none());
         let margin = self
             .answer(
                 "margin",
@@ -40,19 +46,17 @@ impl Facts<'_> {
                 AnswerQuantity::Number,
                 first.map(|first| first / self.step.contact.force),
             )
-            .text(match first {
-                Some(first) => format!(
+            .text(match (first, reason) {
+                (Some(first), _) => format!(
                     "force of first yield, {}, over this force",
                     self.with_unit(rounded, self.force_quantity(), first)
                 ),
-                None if self.flows_from_the_first() => {
-                    "not known: a body has plastic strain under any stress".to_owned()
-                }
-                None if self.is_rough() => "not known of rough surfaces".to_owned(),
-                None if self.can_yield() => {
+                (None, Some(reason)) => reason.to_owned(),
+                (None, None) if self.is_rough() => "not known of rough surfaces".to_owned(),
+                (None, None) if self.can_yield() => {
                     "not known: `load.onset` looks for the force of first yield".to_owned()
                 }
-                None => none.to_owned(),
+                (None, None) => none.to_owned(),
             });
         [utilization, margin].into_iter().chain(self.core()).collect()
     }
@@ -102,9 +106,11 @@ impl Facts<'_> {
     }
 
     /// Returns Hertz's peak pressure and the shakedown limit, where both are those of the contact.
-    /// Beyond the end of a roller the pressure is larger: a peak below the limit tells nothing.
+    /// Beyond the end of a roller the pressure is larger: a peak below the limit tells nothing. In
+    /// a dent the contact is wider.
     pub fn shakedown(&self) -> Option<(f64, f64)> {
-        let hertz = self.step.hertz.as_ref().filter(|_| self.touches())?;
+        let is_of_contact = self.touches() && !self.measured.is_dented;
+        let hertz = self.step.hertz.as_ref().filter(|_| is_of_contact)?;
         let (peak, limit) = (hertz.peak_pressure, hertz.shakedown_pressure?);
         let is_known = self.findings.iter().all(|finding| match finding {
             Finding::NearSupport => false,

@@ -385,11 +385,15 @@ impl StepWriter<'_> {
             ContactLoad::Force(_) => [of_spots, 0.0],
             ContactLoad::Approach(_) => [0.0, of_spots],
         };
+        let approach = relative(errors.approach, figures.approach) + of_spots[0];
         Some(ErrorEstimate {
             peak_pressure: peak,
             middle_pressure: middle.filter(|_| self.problem.heights.is_none()),
             half_width: self.semi_axis_error(step, 0),
-            approach: Some(relative(errors.approach, figures.approach) + of_spots[0]),
+            approach: match step.load {
+                ContactLoad::Force(_) => known.bar(Figure::Approach, 0, Some(approach)),
+                ContactLoad::Approach(_) => Some(0.0),
+            },
             // The stress at the onset of yield is proportional to the cube root of the force.
             force: match self.job.load {
                 Load::Onset if self.problem.onset.is_some() => {
