@@ -20,11 +20,10 @@ SCRIPTS = ROOT / "clients/python/scripts"
 
 
 def test_models_are_those_of_the_document(tmp_path: Path) -> None:
-    made = tmp_path / "models.py"
-    subprocess.run([SCRIPTS / "models.sh", sys.executable, made], check=True)
-    assert made.read_text("utf-8") == (PACKAGE / "models.py").read_text("utf-8"), (
-        "run scripts/models.sh"
-    )
+    subprocess.run([SCRIPTS / "models.sh", sys.executable, tmp_path], check=True)
+    for name in ("models.py", "reports.py"):
+        made = (tmp_path / name).read_text("utf-8")
+        assert made == (PACKAGE / name).read_text("utf-8"), "run scripts/models.sh"
 
 
 def test_builders_are_those_of_the_document(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from ._step import Answer, Pressure, Remark, Step, Verdict
 if TYPE_CHECKING:
     import pandas as pd
 
-    from . import models
+    from . import reports
 
 NO_HARDNESS = 'this result is of no hardness test: load={"hardness": "HBW 10/3000"}'
 
@@ -47,11 +47,11 @@ class ResultData:
         return self._report
 
     @cached_property
-    def report(self) -> models.Report:
+    def report(self) -> reports.Report:
         """The result with a type for everything."""
-        from . import models
+        from . import reports
 
-        return models.Report.model_validate(self.data)
+        return reports.Report.model_validate(self.data)
 
     @cached_property
     def steps(self) -> list[Step]:
