@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import struct
 from pathlib import Path
 from typing import Any
 
@@ -569,3 +570,21 @@ def test_a_gap_in_a_trace_is_named() -> None:
     assert "nothing is measured over 1.005 mm behind point 100" in repr(
         brinell.trace(np.column_stack([x, z]))
     )
+
+
+def test_a_pitch_that_no_surface_has_is_asked_about(tmp_path: Path) -> None:
+    pytest.importorskip("SurfaceTopography")
+    # A map of NanoFocus whose pitch is in nanometres: its reader takes 312.5 for millimetres.
+    head = bytearray(3468)
+    struct.pack_into("<2d", head, 16, 2.7, 6.0)
+    struct.pack_into("<2I2d", head, 1368, 16, 16, 312.5, 312.5)
+    i, j = np.meshgrid(np.arange(16), np.arange(16), indexing="ij")
+    heights = (30000 + 9000 * np.sin(i / 3) * np.cos(j / 4)).astype("<u2").tobytes()
+    (tmp_path / "map.nms").write_bytes(bytes(head) + heights)
+    with pytest.raises(brinell.InvalidJob, match=r"every 312\.5 mm .* a unit is wrong"):
+        brinell.surface(tmp_path / "map.nms")
+
+
+def test_a_decimal_comma_names_what_takes_it() -> None:
+    with pytest.raises(brinell.InvalidJob, match='decimal=","'):
+        brinell.surface([["1,5"] * 9] * 9, spacing=1)

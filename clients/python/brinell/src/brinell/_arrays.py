@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,9 @@ import numpy.typing as npt
 from ._errors import Fault, InvalidJob
 
 Floats = npt.NDArray[np.float64]
+
+DECIMAL_COMMA = 'pandas.read_csv(..., decimal=",") takes a decimal comma'
+"""What reads figures with a decimal comma, for refusals."""
 
 # Scalars of pandas that stand for a missing value.
 _MISSING = ("NAType", "NaTType")
@@ -71,7 +75,10 @@ def floats_of(value: Any, pointer: str) -> Floats:
             np.asarray(array[place]).astype(float)
         except (TypeError, ValueError):
             at = "/".join([pointer, *map(str, place)])
-            fault = Fault(at, "wrong_type", f"“{array[place]}” is no number")
+            said = f"“{array[place]}” is no number"
+            if re.fullmatch(r"\s*[-+]?\d*,\d+\s*", str(array[place])):
+                said += f": {DECIMAL_COMMA}"
+            fault = Fault(at, "wrong_type", said)
             raise InvalidJob([fault], "figures are wanted") from None
     raise InvalidJob(
         [Fault(pointer, "wrong_type", "is no array of figures")], "figures are wanted"

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ._arrays import Floats
+from ._arrays import DECIMAL_COMMA, Floats
 from ._lengths import is_length, length_in_mm
 from ._plain import grouped
 
@@ -287,7 +287,7 @@ def _plain_grid(lines: list[tuple[int, str]], blank: set[int]) -> Grid:
             if wrong is not None:
                 raise NotUnderstood(
                     f"line {number}: {_quoted(wrong)} between commas: commas between figures, or "
-                    "decimal commas?"
+                    f"decimal commas? {DECIMAL_COMMA}"
                 )
     values = _figures(body)
     said = _Header()
@@ -358,13 +358,13 @@ def _figures(body: list[tuple[int, list[str]]]) -> list[list[float]]:
     if commas and points:
         raise NotUnderstood(
             f"line {commas[0][0]}: {_quoted(commas[0][1])} has a decimal comma, and "
-            f"{_quoted(points[1])} in line {points[0]} a point"
+            f"{_quoted(points[1])} in line {points[0]} a point: {DECIMAL_COMMA}"
         )
     if commas and all(AMBIGUOUS.fullmatch(word) for _, word in commas):
         word = commas[0][1]
         raise NotUnderstood(
             f"line {commas[0][0]}: {_quoted(word)} can be read as {word.replace(',', '.')} or as "
-            f"{word.replace(',', '')}"
+            f'{word.replace(",", "")}: {DECIMAL_COMMA}, or thousands=","'
         )
     nan = float("nan")
     if not commas:

@@ -250,6 +250,15 @@ def surface(
     return made
 
 
+# What instruments measure: a height every 10 mm at most, and a mean slope (Sdq) from that of a
+# mirror of a telescope, nm over dm, to that of needles.
+_LARGEST_STEP, _SLOPES = 10.0, (1e-6, 100.0)
+_SCALED = (
+    "The heights alone are taken with distances of your own: "
+    "brinell.surface(heights, spacing=..., unit=...)"
+)
+
+
 def _refuse(kind: str, detail: str) -> InvalidJob:
     return InvalidJob([Fault("#/surface", kind, detail)], "not taken as a surface")
 
@@ -421,7 +430,7 @@ def _of_instrument(
     channels = [one for one in reader.channels if one.is_height_channel and one.dim == 2]
     if not channels:
         said = ", ".join(f"{one.name} ({one.data_unit})" for one in reader.channels)
-        raise _refuse("missing", f"{path.name} has no map of heights: {said}")
+        raise _refuse("missing", f"{path.name} has no map of heights, but {said or 'nothing'}")
     names = [one.name for one in channels]
     if channel is None:
         chosen = channels[0]
@@ -455,7 +464,26 @@ def _of_instrument(
     ]
     raw = _of_topography(topography, None, None)
     raw.notes = notes
+    _ask_for_scale(raw, path.name)
     return raw
+
+
+def _ask_for_scale(raw: _Raw, name: str) -> None:
+    """Refuses distances and slopes of a file that no measured surface has: another unit."""
+    if raw.spacing is None or not raw.across:
+        return
+    step = [float(one) * length_in_mm(raw.across) for one in raw.spacing]
+    heights = grid_of(raw.heights) * length_in_mm(raw.across)
+    steep = np.concatenate([(np.diff(heights, axis=axis) / step[axis]).ravel() for axis in (0, 1)])
+    known = steep[np.isfinite(steep)]
+    slope = float(np.sqrt(np.mean(known**2))) if len(known) else 0.0
+    if max(step) <= _LARGEST_STEP and (slope == 0.0 or _SLOPES[0] <= slope <= _SLOPES[1]):
+        return
+    raise _refuse(
+        "implausible",
+        f"{name} has a height every {max(step):.4g} mm and a mean slope of {slope:.2g} as it is "
+        f"read, which no surface has: a unit is wrong. {_SCALED}",
+    )
 
 
 def _of_topography(topography: Any, spacing: Pair | None, unit: str | None) -> _Raw:
