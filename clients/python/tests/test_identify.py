@@ -222,3 +222,25 @@ def test_a_search_that_ends_at_its_bound_says_so(client: brinell.Client) -> None
     found = brinell.identify(metres, indented(300, 0.17), ["yield_stress"], client=client)
     assert any("the curve is not met" in one for one in found.undetermined), str(found)
     assert "the curve is not met" in str(found)
+
+
+def test_noise_before_the_contact_is_cut_and_said(client: brinell.Client) -> None:
+    measured = curve(client, np.geomspace(60, 1000, 4))
+    before = np.array([[-0.02, -0.3], [-0.01, 0.2], [-0.001, -0.1]])
+    job, options = indented(480, 0.17), {"client": client}
+    found = brinell.identify(np.vstack([before, measured]), job, ["yield_stress"], **options)
+    assert found.force.tolist() == measured[:, 1].tolist()
+    assert "3 points before the contact are cut, 2 of them" in str(found)
+    before[0, 1] = -30
+    with pytest.raises(brinell.InvalidJob, match="forces of at least 0"):
+        brinell.identify(np.vstack([before, measured]), job, ["yield_stress"], **options)
+
+
+def test_an_angle_is_no_length_of_a_body() -> None:
+    cone = brinell.cone(
+        angle=19.7, tip_radius=1e-4, width=0.02, depth=0.008, material=brinell.rigid
+    )
+    block = brinell.block(width=0.06, depth=0.03, material="S355")
+    job = brinell.job(cone, block, analysis="axisymmetric", force=0.005)
+    with pytest.raises(brinell.InvalidJob, match=r"than the 0\.06 mm of the bodies"):
+        brinell.identify([[0.1, 2000], [0.2, 4000], [0.3, 9000]], job, ["yield_stress"])

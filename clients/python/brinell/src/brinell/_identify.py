@@ -12,7 +12,7 @@ import numpy as np
 from ._arrays import Floats, floats_of
 from ._client import Client
 from ._errors import BrinellError, Fault, InvalidJob
-from ._plain import JobLike, document_of, need, tokens_of, with_values
+from ._plain import JobLike, document_of, is_length_of, need, tokens_of, with_values
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,6 +27,8 @@ _LOADS = 24
 _STEP, _WIDE_STEP = 0.02, 0.08
 # A parameter is at a bound within this part of its range; a curve is missed by this part of it.
 _AT_BOUND, _MISSED = 0.002, 0.2
+# Forces within this part of the largest are the noise of a machine without contact.
+_NOISE = 0.01
 # A direction of the parameters is told by the data if they fix it within this factor.
 _TOLD = 0.5
 
@@ -56,6 +58,8 @@ class Identification:
     """Largest relative error that the mesh leaves in an approach; `deviations` lack it."""
     sweeps: int
     """How often jobs were sent side by side."""
+    notes: list[str]
+    """What was left out of the curve."""
     job: dict[str, Any] = field(repr=False)
     """The job with these parameters."""
     _scales: Floats = field(repr=False)
@@ -117,7 +121,7 @@ class Identification:
                 f"the mesh leaves {100 * self.mesh_error:.1f} % of the {self._axes[0]} "
                 "open, which these deviations lack"
             )
-        return "\n".join([*lines, *self.undetermined])
+        return "\n".join([*lines, *self.undetermined, *self.notes])
 
 
 def identify(
@@ -167,7 +171,7 @@ def identify(
             raise _fault(name, f"is one of {', '.join(words)}, not {word!r}")
     if noise is not None and not 0 < noise < math.inf:
         raise _fault("noise", f"is a standard deviation above 0, not {noise!r}")
-    approach, force = _points(curve, measured)
+    approach, force, notes = _points(curve, measured)
     _plausible(document, approach, measured)
     if isinstance(free, str) or len(free) != len(set(free)) or not free:
         raise _fault("free", "has to name parameters, each once")
@@ -224,7 +228,7 @@ def identify(
         found = []
         each = len(trials)
         jobs = [with_values(trial, values_in(point)) for point in points for trial in trials]
-        results = [result for _, result in service.map(jobs)]
+        results = [result for _, result in service.map(jobs, ordered=True)]
         for result in results:
             if result.error is not None:
                 raise result.error
@@ -308,6 +312,7 @@ def identify(
         computed=approach + scale * residuals,
         mesh_error=mesh_error,
         sweeps=sweeps,
+        notes=notes,
         job=with_values(trials[0], values_in(best)),
         _scales=np.array([steps[name] for name in free]),
         _noise_known=noise is not None,
@@ -319,7 +324,7 @@ def _fault(where: str, detail: str) -> InvalidJob:
     return InvalidJob([Fault(f"#/{where}", "invalid", f"{where} {detail}")], "nothing to identify")
 
 
-def _points(curve: Any, measured: str) -> tuple[Floats, Floats]:
+def _points(curve: Any, measured: str) -> tuple[Floats, Floats, list[str]]:
     """Both columns; approach and force as means of neighbours where the curve is long."""
     table = floats_of(curve, "#/curve")
     if table.ndim == 2 and table.shape[0] == 2 and table.shape[1] > 2:
@@ -330,15 +335,33 @@ def _points(curve: Any, measured: str) -> tuple[Floats, Floats]:
     if len(holes):
         raise _fault("curve", f"has {len(holes)} holes, the first at {holes[0].tolist()}")
     if measured == "dent":
-        return table[:, 0], table[:, 1]
+        return table[:, 0], table[:, 1], []
+    table, notes = _in_contact(table)
     if (table[:, 1] < 0).any() or not np.ptp(table[:, 1]) > 0:
         raise _fault("curve", "needs forces of at least 0 that differ")
-    # A force of 0 at the start has no contact.
-    while len(table) and table[0, 1] == 0:
-        table = table[1:]
     if measured == "approach" and len(table) > _LOADS:
         table = np.array([part.mean(axis=0) for part in np.array_split(table, _LOADS)])
-    return table[:, 0], table[:, 1]
+    return table[:, 0], table[:, 1], notes
+
+
+def _in_contact(table: Floats) -> tuple[Floats, list[str]]:
+    """The curve from its contact on: what stands before has no force, or one within the noise of
+    the machine.
+    """
+    force = table[:, 1]
+    noise = _NOISE * float(force.max(initial=0.0))
+    none = np.flatnonzero(force[: int(np.argmax(force > noise))] <= 0)
+    before = int(none[-1]) + 1 if len(none) else 0
+    below = force[:before][force[:before] < 0]
+    if not len(below):
+        return table[before:], []
+    if below.min() < -noise:
+        return table, []
+    note = (
+        f"{before} points before the contact are cut, {len(below)} of them with forces below 0, "
+        f"down to {float(below.min()):.3g} N"
+    )
+    return table[before:], [note]
 
 
 def _plausible(document: Mapping[str, Any], column: Floats, measured: str) -> None:
@@ -367,7 +390,10 @@ def _depth(document: Mapping[str, Any]) -> float | None:
     """Largest length of the shapes of both bodies, in mm."""
     shapes = [(document.get(body) or {}).get("shape") or {} for body in ("upper", "lower")]
     lengths = [
-        value for shape in shapes for value in shape.values() if isinstance(value, (int, float))
+        value
+        for shape in shapes
+        for name, value in shape.items()
+        if is_length_of(name) and isinstance(value, (int, float))
     ]
     scale = 1000.0 if document.get("units") == "SI" else 1.0
     return scale * max(lengths) if lengths else None

@@ -113,6 +113,11 @@ _KINDS: dict[str, str | tuple[str, str]] = {
 }
 
 
+def is_length_of(name: str) -> bool:
+    """Whether the figures of a member of a job are lengths."""
+    return _KINDS.get(name) == LENGTH
+
+
 def unit_of(kind: str, document: Mapping[str, Any]) -> str:
     """The unit of a kind of figure in this job."""
     si = document.get("units") == "SI"
