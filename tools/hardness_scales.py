@@ -39,7 +39,7 @@ def main(where: str) -> None:
             jobs.append(brinell.vickers(one, force_kgf=10, elements_per_half_width=16))
             keys.append((exponent, strength))
     with brinell.Client() as client:
-        found = [result.hardness for _, result in client.map(jobs)]
+        found = [result.hardness for _, result in client.map(jobs, ordered=True)]
     mpl.rcParams["svg.hashsalt"] = "brinell"
     _, ax = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
     print("| n | σ_y [MPa] | HBW 10/3000 | HV 10 | HBW / HV |\n|--:|--:|--:|--:|--:|")

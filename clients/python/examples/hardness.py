@@ -29,7 +29,7 @@ def contact(case_depth: float) -> brinell.JobLike:
 results = {
     name: result
     for name, (_, result) in zip(
-        cases, client.map(contact(depth) for depth in cases.values()), strict=True
+        cases, client.map(map(contact, cases.values()), ordered=True), strict=True
     )
 }
 pd.DataFrame(

@@ -19,7 +19,7 @@ for version in 3.10 3.11 3.12 3.13 3.14; do
     [ -x "$folder/bin/python" ] || "$python" -m venv "$folder"
     # The versions that this Python has of what the tests need.
     "$folder/bin/pip" install --quiet --disable-pip-version-check -e clients/python/brinell \
-        matplotlib pandas pint pytest scipy tqdm xarray
+        distributed fsspec loky matplotlib pandas pint pytest scipy tqdm xarray
     echo "Python $version"
     BRINELL_PROGRAM=$brinell "$folder/bin/python" -m pytest clients/python/tests -m "not full and not generated"
 done

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import itertools
 import json
 import os
@@ -13,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pint
 import pytest
 from conftest import EXAMPLES, roller
@@ -100,7 +102,7 @@ def test_many_jobs_come_in_their_order_and_what_fails_is_a_value(client: Client)
     jobs[5] = brinell.job(
         roller(), roller(), analysis="plane_strain", force=600, solver={"max_iterations": 1}
     )
-    pairs = list(client.map(iter(jobs), in_flight=40))
+    pairs = list(client.map(iter(jobs), in_flight=40, ordered=True))
     assert [job for job, _ in pairs] == jobs
     results = [result for _, result in pairs]
     assert results[3].status == "invalid"
@@ -112,7 +114,7 @@ def test_many_jobs_come_in_their_order_and_what_fails_is_a_value(client: Client)
     assert all(result.converged for result in good)
     forces = [result.force for result in good]
     assert forces == sorted(forces)
-    unordered = list(client.map(jobs[:20], ordered=False, progress=True))
+    unordered = list(client.map(jobs[:20], progress=True))
     assert sorted(str(job) for job, _ in unordered) == sorted(str(job) for job in jobs[:20])
 
 
@@ -131,7 +133,7 @@ def test_jobs_that_are_too_long_together_go_in_parts() -> None:
     big = {**document_of(jobs[0]), "tags": {"long": "x" * (1 << 20)}}
     with Client(max_body=1 << 20) as client:
         assert all(result.converged for _, result in client.map(jobs))
-        (_, good), (_, bad) = client.map([jobs[0], big])
+        (_, good), (_, bad) = client.map([jobs[0], big], ordered=True)
     assert good.converged
     assert isinstance(bad.error, brinell.ServiceError)
     assert bad.error.status == 413
@@ -360,7 +362,7 @@ def test_the_key_is_the_only_one_and_a_url_needs_it(client: Client, job: Any) ->
 
 
 PARENT = """
-import sys, brinell
+import os, sys, time, brinell
 client = brinell.Client()
 job = brinell.job(
     brinell.cylinder(radius=20, material=brinell.steels["S355"]),
@@ -368,6 +370,8 @@ job = brinell.job(
     analysis="plane_strain", force=600, elements_per_half_width=160)
 client.submit(job)
 print(client._server.pid, flush=True)
+if "forks" in sys.argv and os.fork() == 0:
+    time.sleep(60)
 sys.stdin.read()
 """
 
@@ -382,10 +386,17 @@ def gone(pid: int) -> bool:
 
 
 @pytest.mark.skipif(not Path("/proc").exists(), reason="asks the kernel of Linux")
-@pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGTERM, None])
-def test_the_server_ends_with_its_parent(way: int | None) -> None:
+@pytest.mark.parametrize(
+    ("way", "word"),
+    [(signal.SIGKILL, ""), (signal.SIGTERM, ""), (None, ""), (signal.SIGKILL, "forks")],
+)
+def test_the_server_ends_with_its_parent(way: int | None, word: str) -> None:
     parent = subprocess.Popen(
-        [sys.executable, "-c", PARENT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", PARENT, word],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     )
     assert parent.stdout is not None
     assert parent.stdin is not None
@@ -402,6 +413,8 @@ def test_the_server_ends_with_its_parent(way: int | None) -> None:
     # Readable as soon as the process has ended.
     ready, _, _ = select.select([handle], [], [], 20)
     os.close(handle)
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(parent.pid, signal.SIGKILL)
     assert ready
     assert gone(pid)
 
@@ -499,3 +512,46 @@ def test_a_sweep_takes_quantities(client: Client, job: Any) -> None:
     table = client.sweep(job, {"/load/force": forces})
     assert table["/load/force"].tolist() == pytest.approx([300, 500])
     assert table["force"].tolist() == pytest.approx([300, 500])
+
+
+def test_a_proxy_is_named_or_gone_around(
+    client: Client, job: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("HTTP_PROXY", "http://user:secret@127.0.0.1:9")
+    monkeypatch.delenv("NO_PROXY", raising=False)
+    assert client._server is not None
+    with Client(client.url, api_key=client._server.key) as named:
+        assert named.solve(job).converged
+    with (
+        Client("http://contact.example", max_retries=0) as far,
+        pytest.raises(brinell.Unavailable, match=r"proxy http://127\.0\.0\.1:9.*NO_PROXY") as said,
+    ):
+        far.solve(job)
+    assert "secret" not in str(said.value)
+
+
+def test_jobs_are_listed(client: Client) -> None:
+    jobs = [
+        brinell.job(
+            roller(), roller(), analysis="plane_strain", force=force, tags={"listed": "yes"}
+        )
+        for force in (100, 200)
+    ]
+    handles = [client.submit(job) for job in jobs]
+    assert all(handle.wait() for handle in handles)
+    listed = list(client.jobs(status="succeeded", tags={"listed": "yes"}))
+    assert [one.id for one in listed] == [one.id for one in reversed(handles)]
+    assert listed[0].result().converged
+
+
+def test_a_sweep_is_a_data_set_over_its_grid(client: Client, job: Any) -> None:
+    both = ("/upper/shape/radius", "/lower/shape/radius")
+    table = client.sweep(job, {"/load/force": [100, 200], both: [10, 20, 30]})
+    grid = brinell.over_grid(table)
+    assert dict(grid.sizes) == {"force": 2, "radius": 3}
+    row = table[(table["/load/force"] == 200) & (table[both[0]] == 30)].iloc[0]
+    assert grid["peak_pressure"].sel(force=200, radius=30) == row["peak_pressure"]
+    two = client.sweep(job, {both[0]: [10], both[1]: [10, 20]})
+    assert set(brinell.over_grid(two).sizes) == set(both)
+    with pytest.raises(ValueError, match="sweep"):
+        brinell.over_grid(pd.DataFrame({"force": [1]}))

@@ -10,6 +10,7 @@ import pytest
 from conftest import ROOT
 
 EXAMPLES = ROOT / "clients/python/examples"
+DOCUMENT = ROOT / "docs/many_jobs.md"
 FIGURES = {"first_contact": 3, "sweep": 2, "dent": 4, "fit": 1, "hardness": 1}
 
 
@@ -29,3 +30,13 @@ def test_a_notebook(name: str, tmp_path: Path) -> None:
     assert {path.name for path in figures} == {
         path.name for path in (EXAMPLES / "figures").glob(f"{name}-*.png")
     }
+
+
+@pytest.mark.full
+def test_the_document_on_many_jobs(tmp_path: Path) -> None:
+    subprocess.run(
+        [sys.executable, ROOT / "clients/python/scripts/run_readme.py", DOCUMENT],
+        check=True,
+        timeout=300,
+        cwd=tmp_path,
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+from pathlib import Path
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -271,3 +272,22 @@ def test_the_map_of_shakedown_is_drawn(rolled: Result, sweep: Result) -> None:
     plt.close(ax.get_figure())
     with pytest.raises(brinell.BrinellError, match="does not roll"):
         sweep.plot.shakedown_map()
+
+
+def test_a_result_is_a_file_and_comes_back(dent: brinell.Result, tmp_path: Path) -> None:
+    copy = dent.to_dict()
+    copy["steps"].clear()
+    assert len(dent.steps) == 2
+    dent.save(tmp_path / "dent.json", fields=True)
+    again = brinell.Result.load(tmp_path / "dent.json")
+    assert again.data == dent.data
+    kept, lower = again.fields().lower, dent.fields().lower
+    assert kept is not None
+    assert lower is not None
+    assert (kept["sigma_x"] == lower["sigma_x"]).all()
+    dent.save(tmp_path / "figures.json")
+    with pytest.raises(brinell.BrinellError, match="fields=True"):
+        brinell.Result.load(tmp_path / "figures.json").fields()
+    tree = dent.fields().to_xarray()
+    assert tree["lower/von_mises"].sizes == {"node": len(lower.nodes)}
+    assert (tree["lower/y"] <= 0.01).all()

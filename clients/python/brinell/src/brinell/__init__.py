@@ -55,14 +55,17 @@ from ._errors import (
 )
 from ._fields import BodyFields, Fields
 from ._find import Found
+from ._grid import over_grid
 from ._hardness import brinell_test, rockwell_c, vickers
 from ._identify import Identification, identify
+from ._many import map, sweep
 from ._materials import Materials, materials, steels
 from ._plain import JobLike, Quantity
 from ._plain import document_of as document
 from ._result import Result
 from ._rolling import Rolling
 from ._step import Answer, Pressure, Remark, Step, Verdict
+from ._study import Study, open_study
 from ._surface import Surface, surface
 from ._trace import Trace, trace
 
@@ -101,6 +104,7 @@ __all__ = [
     "ServiceError",
     "Step",
     "StillRunning",
+    "Study",
     "Surface",
     "Trace",
     "Unauthorized",
@@ -121,8 +125,11 @@ __all__ = [
     "identify",
     "job",
     "ludwik",
+    "map",
     "material",
     "materials",
+    "open_study",
+    "over_grid",
     "parabola",
     "power",
     "profile",
@@ -134,6 +141,7 @@ __all__ = [
     "sphere",
     "steels",
     "surface",
+    "sweep",
     "swift",
     "table",
     "trace",

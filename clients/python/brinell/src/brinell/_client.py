@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-import itertools
+import contextlib
+import ipaddress
 import os
 import time
+import urllib.request
 from collections.abc import (
     AsyncGenerator,
     AsyncIterator,
@@ -15,17 +17,15 @@ from collections.abc import (
     Iterable,
     Iterator,
     Mapping,
-    Sequence,
 )
 from contextlib import aclosing, closing
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
 import httpx
-from pydantic import BaseModel
 
+from ._bars import Bar, Progress
 from ._core import (
-    FIGURES,
     PARTS,
     Abandoned,
     Core,
@@ -34,26 +34,23 @@ from ._core import (
     Flow,
     NextLine,
     Open,
-    Outcome,
     Send,
+    parts_for,
 )
-from ._errors import InvalidJob
+from ._course import Course, Given, Outcome
 from ._fields import Fields
 from ._find import Figure, Found, figure_of, found_of, number_at, search, with_value
+from ._grid import Grid, grid_of, table_of
 from ._local import LocalServer
-from ._plain import JobLike, Quantity, document_of, need, plain, tokens_of, with_values
-from ._result import Result
-from ._step import NO_FIGURES
+from ._plain import JobLike, document_of
+from ._records import Address
+from ._result import Result, result_of
 
 if TYPE_CHECKING:
     import pandas as pd
 
 T = TypeVar("T")
 Pointers: TypeAlias = str | tuple[str, ...]
-Grid: TypeAlias = Mapping[Any, Iterable[Any]]
-"""Pointers (or several of them that get the same value, in a tuple), or names of arguments, and
-the values of each.
-"""
 
 # Seconds for a connection and for each piece of an answer.
 TIMEOUT = 30.0
@@ -82,19 +79,23 @@ class _Connection:
             api_key = api_key or os.environ.get("BRINELL_API_KEY")
         self.url = str(url).rstrip("/")
         """Where the service is."""
+        self._is_loopback = _is_loopback(httpx.URL(self.url).host)
         self._timeout = timeout
         self._headers = {"Authorization": f"Bearer {api_key}"} if api_key else {}
         self._core = Core(max_retries)
 
     def _options(self) -> dict[str, Any]:
         limits = httpx.Limits(max_connections=100, max_keepalive_connections=20)
-        # A server on loopback is reached without the proxies of the environment.
         return {
             "base_url": self.url,
             "headers": self._headers,
             "timeout": self._timeout,
             "limits": limits,
             "trust_env": self._server is None,
+            # What is on loopback is reached without the proxies of the environment.
+            "mounts": {f"all://{httpx.URL(self.url).netloc.decode()}": None}
+            if self._is_loopback
+            else None,
         }
 
     def _request(self, send: Send) -> dict[str, Any]:
@@ -112,12 +113,36 @@ class _Connection:
         """The log of the local server, if there is one."""
         return str(self._server.log) if self._server else None
 
-    def _check_server(self) -> None:
+    def _explained(self, error: httpx.TransportError) -> httpx.TransportError:
+        """The same error, or another that says more."""
         if self._server is not None:
             self._server.check()
+        host = httpx.URL(self.url).host
+        proxy = urllib.request.getproxies().get(httpx.URL(self.url).scheme)
+        if self._is_loopback or not proxy or urllib.request.proxy_bypass(host):
+            return error
+        # Without the password that it may have.
+        place = httpx.URL(proxy if "://" in proxy else f"http://{proxy}").copy_with(userinfo=b"")
+        return type(error)(
+            f"{error}, by the proxy {place} of the environment (HTTP_PROXY, HTTPS_PROXY); "
+            f"NO_PROXY={host} goes around it"
+        )
+
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            "a client stays in its process, with its connections and its local server: "
+            "brinell.map(jobs, executor=...) makes one in each process of an executor; "
+            "brinell.Client(url, api_key=...) reaches one service from several"
+        )
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.url}{' (local)' if self._server else ''}>"
+
+
+def _is_loopback(host: str) -> bool:
+    with contextlib.suppress(ValueError):
+        return ipaddress.ip_address(host).is_loopback
+    return host == "localhost" or host.endswith(".localhost")
 
 
 class Client(_Connection):
@@ -210,9 +235,8 @@ class Client(_Connection):
     def _send(self, send: Send) -> httpx.Response:
         try:
             return self._client().request(**self._request(send))
-        except httpx.TransportError:
-            self._check_server()
-            raise
+        except httpx.TransportError as error:
+            raise self._explained(error) from error
 
     def _open(self, effect: Open) -> httpx.Response:
         client = self._client()
@@ -222,9 +246,8 @@ class Client(_Connection):
             if response.status_code >= 400:
                 response.read()
             return response
-        except httpx.TransportError:
-            self._check_server()
-            raise
+        except httpx.TransportError as error:
+            raise self._explained(error) from error
 
     # What it is for.
 
@@ -235,7 +258,7 @@ class Client(_Connection):
             job: what to solve.
             progress: show a bar (with tqdm), or call this with every event.
         """
-        with _Progress(progress) as on:
+        with Progress(progress) as on:
             id, report = self._run(self._core.solve(document_of(job), on is not None), on)
         return self._result(report, id)
 
@@ -246,6 +269,19 @@ class Client(_Connection):
     def job(self, id: str) -> Job:
         """Returns a job that this or another client submitted."""
         return Job(self, self._run(self._core.look(id)))
+
+    def jobs(
+        self, *, status: str | None = None, tags: Mapping[str, str] | None = None
+    ) -> Iterator[Job]:
+        """The jobs of this client and of others under the same API key, the newest first.
+
+        Args:
+            status: only jobs in this state, as "running".
+            tags: only jobs with these labels.
+        """
+        with closing(self._stream(self._core.jobs(status, tags or {}))) as values:
+            for info in values:
+                yield Job(self, info)
 
     def validate(self, job: JobLike) -> dict[str, Any]:
         """Checks a job and returns its estimated cost: `equations`, `bytes`, `result_bytes`.
@@ -262,24 +298,37 @@ class Client(_Connection):
         self,
         jobs: Iterable[JobLike],
         *,
-        ordered: bool = True,
+        ordered: bool = False,
         in_flight: int = IN_FLIGHT,
+        priority: int = 0,
+        retries: int = 0,
+        study: Address | None = None,
         progress: bool = False,
     ) -> Iterator[tuple[JobLike, Result]]:
-        """Solves many jobs and yields pairs of job and result, in order or as they are done.
+        """Solves many jobs and yields pairs of job and result, as they are done or in order.
 
         A job that did not converge, failed or is invalid gives a result too: see its
-        `converged` and `error`.
+        `converged` and `error`. `brinell.map` has the solvers of an executor.
 
         Args:
             jobs: the jobs, which are taken from an iterator as they are needed.
-            ordered: whether results come in the order of the jobs.
+            ordered: whether results come in the order of the jobs. Behind a job that takes long,
+                up to 1000 results wait.
             in_flight: how many jobs are at the service at a time.
+            priority: of each job, −100 to 100; larger goes first.
+            retries: how often a job is handed in again that failed by chance.
+            study: a folder, or an address of fsspec, that keeps the results: jobs whose results
+                are there, of the same version of the program, are not solved again. See
+                `brinell.open_study`.
             progress: show a bar (with tqdm).
         """
-        flow = self._core.map(jobs, ordered, in_flight, PARTS)
-        with _Bar(progress, jobs) as count, closing(self._stream(flow)) as values:
-            for job, outcome in values:
+        records = self._run(self._core.records(study))
+        course = Course(
+            jobs, ordered=ordered, in_flight=in_flight, retries=retries, records=records
+        )
+        flow = self._core.map(course, PARTS, priority)
+        with Bar(progress, jobs) as count, closing(self._stream(flow)) as values:
+            for _, job, outcome in values:
                 count()
                 yield job, self._outcome(outcome)
 
@@ -289,6 +338,9 @@ class Client(_Connection):
         grid: Grid,
         *,
         in_flight: int = IN_FLIGHT,
+        priority: int = 0,
+        retries: int = 0,
+        study: Address | None = None,
         progress: bool = False,
     ) -> pd.DataFrame:
         """Solves a job at each point of a grid; returns a table with a row for each point.
@@ -300,18 +352,24 @@ class Client(_Connection):
                 pointers sets the same value at
                 each of them. For a function, the values by the names of its arguments.
             in_flight: how many jobs are at the service at a time.
+            priority: of each job, as in `map`.
+            retries: how often a job is handed in again that failed by chance.
+            study: where results are kept, as in `map`.
             progress: show a bar (with tqdm).
         """
         points, documents = grid_of(job, grid)
-        flow = self._core.map(documents, True, in_flight, FIGURES)
-        rows: list[Result] = []
+        records = self._run(self._core.records(study))
+        course = Course(
+            documents, ordered=False, in_flight=in_flight, retries=retries, records=records
+        )
+        rows: dict[int, Result] = {}
+        with Bar(progress, documents) as count:
 
-        def collect(pair: tuple[JobLike, Outcome]) -> None:
-            rows.append(self._outcome(pair[1]))
-            count()
+            def collect(answer: tuple[int, Given, Outcome]) -> None:
+                rows[answer[0]] = self._outcome(answer[2])
+                count()
 
-        with _Bar(progress, documents) as count:
-            self._run(flow, collect)
+            self._run(self._core.map(course, parts_for(records), priority), collect)
         return table_of(points, rows)
 
     def find(
@@ -354,6 +412,8 @@ class Client(_Connection):
         return Result(report, id, lambda id, step: self._run(self._core.fields(id, step)))
 
     def _outcome(self, outcome: Outcome) -> Result:
+        if outcome.fields:
+            return result_of(outcome)
         fetch = lambda id, step: self._run(self._core.fields(id, step))  # noqa: E731
         return Result(outcome.report, outcome.id, fetch, outcome.error)
 
@@ -488,9 +548,8 @@ class AsyncClient(_Connection):
     async def _send(self, send: Send) -> httpx.Response:
         try:
             return await self._client().request(**self._request(send))
-        except httpx.TransportError:
-            self._check_server()
-            raise
+        except httpx.TransportError as error:
+            raise self._explained(error) from error
 
     async def _open(self, effect: Open) -> httpx.Response:
         client = self._client()
@@ -500,9 +559,8 @@ class AsyncClient(_Connection):
             if response.status_code >= 400:
                 await response.aread()
             return response
-        except httpx.TransportError:
-            self._check_server()
-            raise
+        except httpx.TransportError as error:
+            raise self._explained(error) from error
 
     # What it is for.
 
@@ -510,7 +568,7 @@ class AsyncClient(_Connection):
         self, job: JobLike, *, progress: bool | Callable[[Event], object] = False
     ) -> AsyncResult:
         """As `Client.solve`; a task that is cancelled cancels the job."""
-        with _Progress(progress) as on:
+        with Progress(progress) as on:
             id, report = await self._run(self._core.solve(document_of(job), on is not None), on)
         return self._result(report, id)
 
@@ -522,6 +580,14 @@ class AsyncClient(_Connection):
         """As `Client.job`."""
         return AsyncJob(self, await self._run(self._core.look(id)))
 
+    async def jobs(
+        self, *, status: str | None = None, tags: Mapping[str, str] | None = None
+    ) -> AsyncIterator[AsyncJob]:
+        """As `Client.jobs`."""
+        async with aclosing(self._stream(self._core.jobs(status, tags or {}))) as values:
+            async for info in values:
+                yield AsyncJob(self, info)
+
     async def validate(self, job: JobLike) -> dict[str, Any]:
         """As `Client.validate`."""
         answer: dict[str, Any] = (await self._run(self._core.validate(job)))["estimate"]
@@ -531,15 +597,22 @@ class AsyncClient(_Connection):
         self,
         jobs: Iterable[JobLike],
         *,
-        ordered: bool = True,
+        ordered: bool = False,
         in_flight: int = IN_FLIGHT,
+        priority: int = 0,
+        retries: int = 0,
+        study: Address | None = None,
         progress: bool = False,
     ) -> AsyncIterator[tuple[JobLike, AsyncResult]]:
         """As `Client.map`: `async for job, result in client.map(jobs)`."""
-        flow = self._core.map(jobs, ordered, in_flight, PARTS)
-        with _Bar(progress, jobs) as count:
+        records = await self._run(self._core.records(study))
+        course = Course(
+            jobs, ordered=ordered, in_flight=in_flight, retries=retries, records=records
+        )
+        flow = self._core.map(course, PARTS, priority)
+        with Bar(progress, jobs) as count:
             async with aclosing(self._stream(flow)) as values:
-                async for job, outcome in values:
+                async for _, job, outcome in values:
                     count()
                     yield job, self._outcome(outcome)
 
@@ -549,19 +622,25 @@ class AsyncClient(_Connection):
         grid: Grid,
         *,
         in_flight: int = IN_FLIGHT,
+        priority: int = 0,
+        retries: int = 0,
+        study: Address | None = None,
         progress: bool = False,
     ) -> pd.DataFrame:
         """As `Client.sweep`."""
         points, documents = grid_of(job, grid)
-        flow = self._core.map(documents, True, in_flight, FIGURES)
-        rows: list[Result] = []
+        records = await self._run(self._core.records(study))
+        course = Course(
+            documents, ordered=False, in_flight=in_flight, retries=retries, records=records
+        )
+        rows: dict[int, Result] = {}
+        with Bar(progress, documents) as count:
 
-        def collect(pair: tuple[JobLike, Outcome]) -> None:
-            rows.append(self._outcome(pair[1]))
-            count()
+            def collect(answer: tuple[int, Given, Outcome]) -> None:
+                rows[answer[0]] = self._outcome(answer[2])
+                count()
 
-        with _Bar(progress, documents) as count:
-            await self._run(flow, collect)
+            await self._run(self._core.map(course, parts_for(records), priority), collect)
         return table_of(points, rows)
 
     async def find(
@@ -594,7 +673,10 @@ class AsyncClient(_Connection):
         return AsyncResult(report, id, self._fetch)
 
     def _outcome(self, outcome: Outcome) -> AsyncResult:
-        return AsyncResult(outcome.report, outcome.id, self._fetch, outcome.error)
+        async def fetch(id: str, step: int) -> bytes:
+            return outcome.fields[step - 1] if outcome.fields else await self._fetch(id, step)
+
+        return AsyncResult(outcome.report, outcome.id, fetch, outcome.error)
 
     async def close(self) -> None:
         """Closes the connections, and the local server if there is one."""
@@ -736,128 +818,3 @@ class AsyncJob(_Job[AsyncClient]):
     def events(self) -> AsyncIterator[Event]:
         """Its events from the beginning to its end."""
         return self._client._stream(self._client._core.events(self.id))
-
-
-# Grids.
-
-
-def grid_of(
-    job: JobLike | Callable[..., JobLike], grid: Grid
-) -> tuple[list[dict[str, Any]], list[JobLike | InvalidJob]]:
-    """The points of a grid with named values, and the job at each point, or why
-    there is none.
-    """
-    axes = {key: _values(key, values) for key, values in grid.items()}
-    names = {key: key if isinstance(key, str) else key[0] for key in axes}
-    base = None if callable(job) else document_of(job)
-    points: list[dict[str, Any]] = []
-    documents: list[JobLike | InvalidJob] = []
-    for values in itertools.product(*axes.values()):
-        point = dict(zip(axes, values, strict=True))
-        points.append({names[key]: _cell(names[key], v, base) for key, v in point.items()})
-        try:
-            if base is None:
-                assert callable(job)
-                documents.append(job(**point))
-            else:
-                placed = {
-                    one: value
-                    for key, value in point.items()
-                    for one in ([key] if isinstance(key, str) else key)
-                }
-                documents.append(with_values(base, placed))
-        except InvalidJob as error:
-            documents.append(error)
-    return points, documents
-
-
-def _values(key: Any, values: Any) -> list[Any]:
-    if isinstance(values, (str, Mapping, BaseModel)) or not isinstance(values, Iterable):
-        raise TypeError(f"a grid has a list of values for {key!r}, not {values!r}")
-    return list(values)
-
-
-def _cell(name: str, value: Any, base: Mapping[str, Any] | None) -> Any:
-    """Converts a value for a table: numbers and words stay, the rest becomes text.
-
-    A quantity is given in the unit of the job, where the name is a pointer into it.
-    """
-    if isinstance(value, Quantity):
-        value = value if base is None else plain(value, base, tokens_of(name)[-1])
-    elif hasattr(value, "dtype"):
-        value = getattr(value, "item", lambda: value)()
-    elif not isinstance(value, (int, float, str, bool)):
-        value = plain(value)
-    return value if isinstance(value, (int, float, str, bool)) else str(value)
-
-
-def table_of(points: Sequence[Mapping[str, Any]], results: Sequence[Result]) -> pd.DataFrame:
-    """A row of values and figures for each point; figures are NaN where there is no result."""
-    pandas = need("pandas", "pandas")
-    rows = []
-    errors = [result.error for result in results]
-    # If every point is invalid, the mistake is in the job and not at a point of the grid.
-    if errors and isinstance(errors[0], InvalidJob) and all(errors):
-        raise errors[0]
-    for point, result in zip(points, results, strict=True):
-        figures = (
-            result.last.figures() if result.error is None and result.steps else dict(NO_FIGURES)
-        )
-        error = str(result.error) if result.error is not None else ""
-        row = {**point, **figures, "status": result.status, "error": error}
-        # A column named like a figure has the exact values of the grid.
-        rows.append({**row, **point})
-    frame: pd.DataFrame = pandas.DataFrame(rows)
-    return frame
-
-
-# Bars.
-
-
-class _Progress:
-    """A progress bar or a callback for the events of one job; `None` without either."""
-
-    def __init__(self, wanted: bool | Callable[[Event], object]) -> None:
-        self._wanted = wanted
-        self._bar: Any = None
-
-    def __enter__(self) -> Callable[[Event], object] | None:
-        if callable(self._wanted):
-            return self._wanted
-        self._bar = _tqdm(unit=" iterations") if self._wanted else None
-        return self._show if self._bar is not None else None
-
-    def _show(self, event: Event) -> None:
-        if event.kind == "iteration":
-            self._bar.update()
-            residual = event.data["equilibrium_residual"]
-            self._bar.set_postfix_str(f"out of balance {residual:.1e}", refresh=False)
-        else:
-            self._bar.set_description_str(str(event.data["status"]) + " ", refresh=False)
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar is not None:
-            self._bar.close()
-
-
-class _Bar:
-    """A bar for many jobs."""
-
-    def __init__(self, wanted: bool, jobs: Any) -> None:
-        total = len(jobs) if hasattr(jobs, "__len__") else None
-        self._bar = _tqdm(total=total, unit=" jobs") if wanted else None
-
-    def __enter__(self) -> Callable[[], object]:
-        return self._bar.update if self._bar is not None else lambda: None
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar is not None:
-            self._bar.close()
-
-
-def _tqdm(**options: Any) -> Any:
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        return None
-    return tqdm(**options)

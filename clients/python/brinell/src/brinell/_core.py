@@ -10,16 +10,15 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
-import os
 import random
 import uuid
-from collections.abc import Generator, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias, TypeVar
 
 import httpx
-from pydantic import BaseModel
 
+from ._course import Course, Outcome, Task
 from ._errors import (
     BrinellError,
     InvalidJob,
@@ -31,6 +30,7 @@ from ._errors import (
     error_of,
 )
 from ._plain import JobLike, document_of
+from ._records import Address, Records
 
 T = TypeVar("T")
 
@@ -44,6 +44,8 @@ LONGEST_WAIT = 60.0
 LOOK = 1.0
 # Most jobs in one request, as the service has it.
 BATCH = 100
+# States of jobs without a result that counts.
+UNSOLVED = ("failed", "cancelled", "timed_out")
 # First pause before a retry and the longest [s].
 PAUSE, LONGEST_PAUSE = 0.2, 8.0
 
@@ -54,7 +56,7 @@ class Send:
 
     method: str
     path: str
-    params: Mapping[str, str] = field(default_factory=dict)
+    params: Mapping[str, Any] = field(default_factory=dict)
     body: bytes | None = None
     headers: Mapping[str, str] = field(default_factory=dict)
     wait: float = 0.0
@@ -130,7 +132,7 @@ def call(
     retries: int,
     method: str,
     path: str,
-    params: Mapping[str, str] | None = None,
+    params: Mapping[str, Any] | None = None,
     body: Any = None,
     wait: float = 0.0,
     headers: Mapping[str, str] | None = None,
@@ -181,16 +183,6 @@ def pause(attempt: int, after: float | None = None) -> float:
     return least * (1.0 + random.random())
 
 
-@dataclass(frozen=True)
-class Outcome:
-    """The end of a job: its result or its error."""
-
-    document: dict[str, Any]
-    id: str
-    report: dict[str, Any] | None
-    error: BrinellError | None
-
-
 class Core:
     """The operations on a service."""
 
@@ -226,6 +218,20 @@ class Core:
         """Returns the present state of the job."""
         answer: dict[str, Any] = yield from self.json("GET", f"/v1/jobs/{id}")
         return answer
+
+    def jobs(self, status: str | None, tags: Mapping[str, str]) -> Flow[None]:
+        """Emits the jobs of the service, the newest first."""
+        labels = [f"{name}:{value}" for name, value in tags.items()]
+        params: dict[str, Any] = {"limit": str(BATCH), "tag": labels}
+        if status is not None:
+            params["status"] = status
+        while True:
+            page = yield from self.json("GET", "/v1/jobs", params=params)
+            for info in page["jobs"]:
+                yield Emit(info)
+            if page["next_cursor"] is None:
+                return
+            params["cursor"] = page["next_cursor"]
 
     def cancel(self, id: str) -> Flow[dict[str, Any]]:
         answer: dict[str, Any] = yield from self.json("POST", f"/v1/jobs/{id}/cancel")
@@ -323,148 +329,155 @@ class Core:
             yield Sleep(pause(attempt))
             attempt += 1
 
-    def map(
-        self,
-        jobs: Iterable[JobLike | InvalidJob],
-        ordered: bool,
-        in_flight: int,
-        parts: str,
-        priority: int = 0,
-    ) -> Flow[None]:
-        """Emits the job as given and its `Outcome`, for each job.
+    def version(self) -> Flow[str]:
+        """The version of the service's program."""
+        document = yield from self.json("GET", "/openapi.json")
+        return str(document["info"]["version"])
 
-        At most `in_flight` are at the service. An invalid job is emitted with its fault
-        as its error.
-        """
-        if isinstance(jobs, (str, os.PathLike, Mapping, BaseModel)):
-            raise TypeError("map takes several jobs, as in [job], not one")
-        if in_flight < 1:
-            raise ValueError(f"in_flight is 1 at least, not {in_flight}")
-        given: Iterator[tuple[int, JobLike | InvalidJob]] = iter(enumerate(jobs))
-        waiting: dict[int, tuple[JobLike | InvalidJob, dict[str, Any], str]] = {}
-        flying: dict[str, int] = {}
-        done: dict[int, Outcome] = {}
-        emitted = attempt = 0
-        exhausted = False
+    def records(self, study: Address | None) -> Flow[Records | None]:
+        """The results that a study keeps of this version of the program."""
+        return None if study is None else Records(study, (yield from self.version()))
+
+    def attend(
+        self, document: dict[str, Any], parts: str, is_wanted: Callable[[], bool]
+    ) -> Flow[Outcome]:
+        """Solves a job, in one request if it is short; cancels it once it is not wanted."""
+        params = {"fields": parts, "wait": f"{LOOK:g}"}
+        info = yield from self.json("POST", "/v1/jobs", params=params, body=document, wait=LOOK)
         try:
-            while True:
-                while not exhausted and len(waiting) < in_flight and len(done) < in_flight:
-                    try:
-                        place, job = next(given)
-                    except StopIteration:
-                        exhausted = True
-                        continue
-                    document: dict[str, Any] = {}
-                    try:
-                        if isinstance(job, InvalidJob):
-                            raise job
-                        document = document_of(job)
-                    except InvalidJob as error:
-                        done[place] = Outcome(document, "", None, error)
-                    waiting[place] = (job, document, str(uuid.uuid4()))
-                after = yield from self._hand_in(waiting, flying, done, priority)
+            while not info["done"]:
+                if not is_wanted():
+                    yield from self.cancel(str(info["id"]))
+                info = yield from self.json(
+                    "GET", f"/v1/jobs/{info['id']}", params=params, wait=LOOK
+                )
+        except STOPPED:
+            yield from call(0, "POST", f"/v1/jobs/{info['id']}/cancel")
+            raise
+        return (yield from self._outcome(document, info, True))
+
+    def _outcome(
+        self, document: dict[str, Any], info: dict[str, Any], with_fields: bool
+    ) -> Flow[Outcome]:
+        """The end of a job, with its fields if it has any and they are wanted."""
+        id, report = str(info["id"]), info.get("result")
+        if report is None:
+            return Outcome(document, id, None, failed(info))
+        fields = []
+        if with_fields and (document.get("output") or {}).get("fields"):
+            for step in range(len(report["steps"])):
+                fields.append((yield from self.fields(id, step + 1)))
+        return Outcome(document, id, report, None, fields)
+
+    def map(self, course: Course, parts: str, priority: int = 0) -> Flow[None]:
+        """Emits place, job and `Outcome` of each job of a course."""
+        waiting: list[Task] = []
+        flying: dict[str, Task] = {}
+        attempt = 0
+        try:
+            while not course.over:
+                waiting += course.take()
+                after = None
+                while waiting and after is None:
+                    after = yield from self._hand_in(waiting, flying, course, priority)
                 if flying:
-                    yield from self._collect(waiting, flying, done, parts)
+                    yield from self._collect(waiting, flying, course, parts)
                     attempt = 0
                 elif after is not None:
                     # This client has no running jobs, so that the place must come from
                     # others.
                     yield Sleep(pause(attempt, after))
                     attempt += 1
-                for place in sorted(done):
-                    if ordered and place != emitted:
-                        break
-                    job, _, _ = waiting.pop(place)
-                    emitted += 1
-                    yield Emit((job, done.pop(place)))
-                if exhausted and not waiting:
-                    return
+                for answer in course.answers():
+                    yield Emit(answer)
         except GeneratorExit:
             raise
         except BaseException:
             with contextlib.suppress(httpx.TransportError, BrinellError):
-                ids = list(flying)
-                for start in range(0, len(ids), BATCH):
-                    body = {"ids": ids[start : start + BATCH]}
-                    yield from call(0, "POST", "/v1/batch/cancel", body=body)
+                for ids in batches(flying):
+                    yield from call(0, "POST", "/v1/batch/cancel", body={"ids": ids})
             raise
 
     def _hand_in(
-        self,
-        waiting: dict[int, tuple[JobLike | InvalidJob, dict[str, Any], str]],
-        flying: dict[str, int],
-        done: dict[int, Outcome],
-        priority: int,
+        self, waiting: list[Task], flying: dict[str, Task], course: Course, priority: int
     ) -> Flow[float | None]:
-        """Submits the waiting jobs.
+        """Submits some of the waiting jobs.
 
         Those refused for lack of a place wait on. Returns when to come again, if any were
         refused.
         """
-        under_way = set(flying.values())
-        places = [place for place in waiting if place not in under_way and place not in done]
-        places = places[:BATCH]
-        if not places:
-            return None
-        members = [
-            {"job": waiting[place][1], "idempotency_key": waiting[place][2], "priority": priority}
-            for place in places
-        ]
+        tasks = waiting[:BATCH]
         while True:
+            members = [
+                {"job": task.document, "idempotency_key": task.key, "priority": priority}
+                for task in tasks
+            ]
             try:
                 answer = yield from self.json("POST", "/v1/batch/submit", body={"jobs": members})
                 break
             except ServiceError as refused:
                 if refused.status != 413:
                     raise
-                if len(members) == 1:
-                    done[places[0]] = Outcome(waiting[places[0]][1], "", None, refused)
+                if len(tasks) == 1:
+                    waiting.remove(tasks[0])
+                    course.finish(tasks[0], Outcome(tasks[0].document, "", None, refused))
                     return None
                 # The jobs are too large for one request: send half of them, the rest next time.
-                members = members[: len(members) // 2]
-                places = places[: len(members)]
+                tasks = tasks[: len(tasks) // 2]
         after = None
-        for place, item in zip(places, answer["jobs"], strict=True):
-            if "job" in item:
-                flying[str(item["job"]["id"])] = place
-            elif item["status"] in (408, 429) or item["status"] >= 500:
+        for task, item in zip(tasks, answer["jobs"], strict=True):
+            info = item.get("job")
+            if info is None and (item["status"] in (408, 429) or item["status"] >= 500):
                 after = 1.0
+                continue
+            waiting.remove(task)
+            if info is not None:
+                task.is_known = item.get("replayed", False)
+                flying[str(info["id"])] = task
             else:
                 error = error_of(item["status"], item["problem"])
-                done[place] = Outcome(waiting[place][1], "", None, error)
+                course.finish(task, Outcome(task.document, "", None, error))
         return after
 
     def _collect(
-        self,
-        waiting: dict[int, tuple[JobLike | InvalidJob, dict[str, Any], str]],
-        flying: dict[str, int],
-        done: dict[int, Outcome],
-        parts: str,
+        self, waiting: list[Task], flying: dict[str, Task], course: Course, parts: str
     ) -> Flow[None]:
         """Waits a moment for the job in the middle of the queue, and takes what is done."""
-        ids = list(flying)
-        middle = ids[(len(ids) - 1) // 2]
+        middle = list(flying)[(len(flying) - 1) // 2]
         yield from call(
             self.retries, "HEAD", f"/v1/jobs/{middle}", params={"wait": f"{LOOK:g}"}, wait=LOOK
         )
-        answer = yield from self.json(
-            "POST", "/v1/batch/fetch", params={"fields": parts}, body={"ids": ids[:BATCH]}
-        )
-        for id, item in zip(ids, answer["jobs"], strict=False):
-            info = item.get("job")
-            place = flying[id]
-            document = waiting[place][1]
-            if info is None:
-                done[place] = Outcome(
-                    document, id, None, error_of(item["status"], item["problem"])
-                )
-            elif info["done"]:
-                report = info.get("result")
-                error = None if report is not None else failed(info)
-                done[place] = Outcome(document, id, report, error)
-            else:
-                continue
-            del flying[id]
+        for ids in batches(flying):
+            answer = yield from self.json(
+                "POST", "/v1/batch/fetch", params={"fields": parts}, body={"ids": ids}
+            )
+            for id, item in zip(ids, answer["jobs"], strict=True):
+                info, task = item.get("job"), flying[id]
+                if info is not None and not info["done"]:
+                    continue
+                del flying[id]
+                if info is None:
+                    error = error_of(item["status"], item["problem"])
+                    course.finish(task, Outcome(task.document, id, None, error))
+                elif task.is_known and info["status"] in UNSOLVED:
+                    # It is of an earlier run, and came to nothing: once more, by another name.
+                    task.tries += 1
+                    waiting.append(task)
+                else:
+                    keeps = course.records is not None
+                    outcome = yield from self._outcome(task.document, info, keeps)
+                    course.finish(task, outcome)
+
+
+def parts_for(records: Records | None) -> str:
+    """What is wanted of results of which figures are wanted: records keep the whole."""
+    return FIGURES if records is None else PARTS
+
+
+def batches(ids: Iterable[str]) -> list[list[str]]:
+    """The ids, in lists of as many as one request may have."""
+    listed = list(ids)
+    return [listed[first : first + BATCH] for first in range(0, len(listed), BATCH)]
 
 
 def failed(info: Mapping[str, Any]) -> BrinellError:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import copy
+import json
+import os
 from collections.abc import Callable
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -45,6 +49,22 @@ class ResultData:
         if self._report is None:
             raise self.error or BrinellError("there is no result")
         return self._report
+
+    def to_dict(self) -> dict[str, Any]:
+        """The result as the service sends it, without fields: a copy."""
+        return copy.deepcopy(self.data)
+
+    def save(self, path: str | os.PathLike[str], *, fields: bool = False) -> None:
+        """Writes the result as a JSON file, as `brinell solve -o` does; `Result.load` reads it.
+
+        Args:
+            path: the file.
+            fields: whether mesh and stresses of each step are written too, as `.npz` beside it.
+        """
+        path = Path(path)
+        path.write_text(json.dumps(self.data), "utf-8")
+        for step in self.steps if fields else []:
+            archive_of(path, step.place).write_bytes(self._archive(step.place))
 
     @cached_property
     def report(self) -> reports.Report:
@@ -255,18 +275,27 @@ class ResultData:
 
         The job has to ask for them: `fields=True`.
         """
+        return Fields.of(
+            self._archive(self.steps[step].place), bool(self.data["mesh"]["symmetric"])
+        )
+
+    def _archive(self, place: int) -> bytes:
         if self._fetch is None:
             raise BrinellError(
                 "this result does not come from a service that could be asked for its fields"
             )
         try:
-            data = self._fetch(self.id, self.steps[step].place)
-        except ServiceError as error:
-            if error.status == 409:
-                raise BrinellError("the job did not ask for fields: fields=True") from None
-            raise
-        return Fields.of(data, bool(self.data["mesh"]["symmetric"]))
+            return self._fetch(self.id, place)
+        except (ServiceError, LookupError, FileNotFoundError) as error:
+            if isinstance(error, ServiceError) and error.status != 409:
+                raise
+            raise BrinellError("the job did not ask for fields: fields=True") from None
 
     def __getstate__(self) -> dict[str, Any]:
         # A copy in another process, or a later one, has no service to fetch from.
         return {**self.__dict__, "_fetch": None}
+
+
+def archive_of(path: Path, place: int) -> Path:
+    """The file of the fields of a step beside that of the result."""
+    return path.with_name(f"{path.stem}.{place}.npz")

@@ -11,6 +11,14 @@ from typing import Any
 class BrinellError(Exception):
     """Base class of all exceptions of this package."""
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The arguments of the classes below are not those of `Exception`.
+        return _copied, (type(self), self.args), vars(self)
+
+
+def _copied(kind: type[BrinellError], args: tuple[Any, ...]) -> BrinellError:
+    return kind.__new__(kind, *args)
+
 
 @dataclass(frozen=True)
 class Fault:

@@ -17,6 +17,7 @@ from ._plain import need
 
 if TYPE_CHECKING:
     import pyvista
+    import xarray as xr
 
 Array = NDArray[Any]
 
@@ -95,6 +96,22 @@ class BodyFields(Mapping[str, Array]):
                 )
         return BodyFields(self.name, arrays, False)
 
+    def to_xarray(self) -> xr.Dataset:
+        """The fields over the nodes, whose places are `x` and `y`, with the corners of each
+        element; layers of three dimensions over `z`, `x` and `y`.
+        """
+        xarray = need("xarray", "pandas")
+        if "nodes" not in self.arrays:
+            axes = {axis: self.arrays[axis] for axis in "zxy"}
+            values = {n: (tuple(axes), v) for n, v in self.arrays.items() if n not in axes}
+            layers: xr.Dataset = xarray.Dataset(values, coords=axes)
+            return layers
+        dims = {"elements": ("element", "corner"), "displacement": ("node", "component")}
+        values = {n: (dims.get(n, ("node",)), v) for n, v in self.arrays.items() if n != "nodes"}
+        places = {"x": ("node", self.nodes[:, 0]), "y": ("node", self.nodes[:, 1])}
+        data: xr.Dataset = xarray.Dataset(values, coords={**places, "component": ["x", "y"]})
+        return data
+
     def to_pyvista(self) -> pyvista.UnstructuredGrid:
         """The mesh with its fields for PyVista."""
         kit = need("pyvista", "fields")
@@ -133,6 +150,12 @@ class Fields:
     def bodies(self) -> list[BodyFields]:
         """The bodies that have fields."""
         return [body for body in (self.upper, self.lower) if body is not None]
+
+    def to_xarray(self) -> xr.DataTree:
+        """Both bodies, as in `tree["lower/von_mises"]`."""
+        parts = {body.name: body.to_xarray() for body in self.bodies}
+        tree: xr.DataTree = need("xarray", "pandas").DataTree.from_dict(parts)
+        return tree
 
     def to_pyvista(self) -> pyvista.MultiBlock:
         """Both bodies for PyVista."""

@@ -80,6 +80,7 @@ class LocalServer:
                 start_new_session=sys.platform != "win32",
             )
         self._end = weakref.finalize(self, _end, self._process, self.log)
+        _servers.add(self)
         assert self._process.stdout is not None
         line = self._process.stdout.readline().decode(errors="replace").strip()
         self.url = line.removeprefix("brinell listening on ")
@@ -107,6 +108,13 @@ class LocalServer:
         text = self.log.read_text("utf-8", errors="replace").strip()
         return ServerDied(self._process.returncode, self.log, text.rsplit("\n", 1)[-1])
 
+    def _let_go(self) -> None:
+        """In a forked process: the server is not its own, and has to end with its parent."""
+        self._end.detach()
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe is not None:
+                pipe.close()
+
     def close(self) -> None:
         """Ends the server."""
         self._end()
@@ -122,3 +130,16 @@ def _end(process: subprocess.Popen[bytes], log: Path) -> None:
         process.kill()
         process.wait()
     log.unlink(missing_ok=True)
+
+
+_servers: weakref.WeakSet[LocalServer] = weakref.WeakSet()
+"""The servers of this process and of those that it was forked from."""
+
+
+def _let_go() -> None:
+    for server in list(_servers):
+        server._let_go()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_let_go)

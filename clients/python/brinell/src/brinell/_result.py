@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
+import os
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ._data import ResultData
+from ._course import Outcome
+from ._data import ResultData, archive_of
 from ._html import html_of, text_of
 
 if TYPE_CHECKING:
@@ -17,6 +21,13 @@ class Result(ResultData):
     A job of `Client.map` without a result also gives a `Result`: `error` says why, and its figures
     raise it.
     """
+
+    @staticmethod
+    def load(path: str | os.PathLike[str]) -> Result:
+        """Reads a result that `save` or `brinell solve -o` has written."""
+        place = Path(path)
+        report = json.loads(place.read_text("utf-8"))
+        return Result(report, "", lambda _, step: archive_of(place, step).read_bytes())
 
     @property
     def plot(self) -> Plot:
@@ -32,3 +43,10 @@ class Result(ResultData):
 
     def _repr_html_(self) -> str:
         return html_of(self)
+
+
+def result_of(outcome: Outcome) -> Result:
+    """The result of a job that has ended elsewhere; its fields came with it, or did not."""
+    return Result(
+        outcome.report, outcome.id, lambda id, step: outcome.fields[step - 1], outcome.error
+    )

@@ -1,0 +1,89 @@
+"""The results of a study, to look at."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from ._plain import need
+from ._records import SUFFIX, Address, Files, read
+from ._result import Result, result_of
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+class Study:
+    """The results that are kept under an address, read when they are asked for.
+
+    A sequence of results, in the order of the names of their files.
+    """
+
+    def __init__(self, address: Address) -> None:
+        self._files = Files(address, make=False)
+        self.names = sorted(n for n in self._files.names() if n.endswith(SUFFIX))
+        """The files of the results."""
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __getitem__(self, place: int) -> Result:
+        return result_of(read(self._files, self.names[place]))
+
+    def __iter__(self) -> Iterator[Result]:
+        return (self[place] for place in range(len(self)))
+
+    def job(self, place: int) -> dict[str, Any]:
+        """The job behind a result."""
+        job: dict[str, Any] = json.loads(self._files.lines(self.names[place], 2)[1])
+        return job
+
+    @cached_property
+    def table(self) -> pd.DataFrame:
+        """A row for each result: the figures of the job that differ between jobs, by their
+        pointers, the version of the program, and the figures of the last step.
+        """
+        pandas = need("pandas", "pandas")
+        rows, jobs = [], []
+        for name in self.names:
+            summary, job = map(json.loads, self._files.lines(name, 2))
+            result = Result(summary)
+            figures = result.last.figures() if result.steps else {}
+            rows.append({"version": summary["version"], **figures, "status": result.status})
+            jobs.append(dict(_leaves(job, "")))
+        given = pandas.DataFrame(jobs)
+        if len(given):
+            given = given.loc[:, given.nunique(dropna=False) > 1]
+        frame: pd.DataFrame = pandas.concat([given, pandas.DataFrame(rows)], axis=1)
+        return frame
+
+    def __repr__(self) -> str:
+        return f"<study of {len(self)} results in {self._files.address}>"
+
+    def _repr_html_(self) -> str:
+        html: str = self.table.to_html(max_rows=10)
+        return html
+
+
+def open_study(address: Address) -> Study:
+    """Opens the results that `map`, `sweep` or `brinell solve --array` have kept.
+
+    Args:
+        address: the folder, or an address of fsspec.
+    """
+    return Study(address)
+
+
+def _leaves(value: Any, pointer: str) -> Iterator[tuple[str, Any]]:
+    """The figures and words of a job by their pointers; measured heights are none."""
+    if isinstance(value, dict):
+        for name, one in value.items():
+            if name != "npy_base64":
+                yield from _leaves(one, f"{pointer}/{name}")
+    elif isinstance(value, list):
+        for place, one in enumerate(value):
+            yield from _leaves(one, f"{pointer}/{place}")
+    else:
+        yield pointer, value

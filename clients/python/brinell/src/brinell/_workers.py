@@ -1,0 +1,115 @@
+"""Jobs over the processes of an executor: each has a local program of one solver of its own."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import platform
+import tempfile
+import threading
+from collections.abc import Callable, Generator, Iterator
+from concurrent.futures import BrokenExecutor, Executor, Future
+from dataclasses import dataclass
+from pathlib import Path
+from queue import SimpleQueue
+from typing import Any
+
+from ._client import Client
+from ._course import Course, Outcome, Task
+from ._errors import BrinellError, JobFailed, ServerDied, ServerNotFound
+
+# Tasks that are at an executor at a time: enough for some hundred workers.
+IN_FLIGHT = 256
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Whether results are still wanted, for workers of the same machine: a file that is there."""
+
+    path: str
+    node: str
+
+    def __call__(self) -> bool:
+        """Whether they are; on other machines they always are."""
+        return self.node != platform.node() or os.path.exists(self.path)
+
+
+@contextlib.contextmanager
+def wanted() -> Iterator[Wanted]:
+    """Results are wanted until this is left."""
+    handle, path = tempfile.mkstemp(prefix="brinell-wanted-")
+    os.close(handle)
+    try:
+        yield Wanted(path, platform.node())
+    finally:
+        Path(path).unlink(missing_ok=True)
+
+
+def over(
+    executor: Executor, course: Course, parts: str
+) -> Generator[tuple[int, Any, Outcome], None, None]:
+    """Solves the jobs of a course; yields place, job and answer of each."""
+    finished: SimpleQueue[Future[Outcome]] = SimpleQueue()
+    tasks: dict[Future[Outcome], Task] = {}
+    with wanted() as are_wanted:
+        try:
+            while not course.over:
+                for task in course.take():
+                    future = executor.submit(solve_here, task.document, parts, are_wanted)
+                    tasks[future] = task
+                    future.add_done_callback(finished.put)
+                if tasks:
+                    future = finished.get()
+                    task = tasks.pop(future)
+                    course.finish(task, _outcome(task, future))
+                yield from course.answers()
+        finally:
+            for future in tasks:
+                future.cancel()
+
+
+def _outcome(task: Task, future: Future[Outcome]) -> Outcome:
+    """What a worker has sent. An executor that is broken, or has no program, ends the run."""
+    try:
+        return future.result()
+    except (BrokenExecutor, ServerNotFound):
+        raise
+    except Exception as reason:
+        detail = f"{type(reason).__name__}: {reason}"
+        return Outcome(task.document, "", None, JobFailed("", "failed", {"detail": detail}))
+
+
+# In the processes of the executor.
+
+_lock = threading.Lock()
+_client: tuple[int, Client] | None = None
+
+
+def _here() -> Client:
+    """The client of this process; it ends with the process."""
+    global _client
+    with _lock:
+        if _client is None or _client[0] != os.getpid():
+            _client = (os.getpid(), Client(workers=1))
+        return _client[1]
+
+
+def version_here() -> str:
+    """The version of the program that solves in this process."""
+    client = _here()
+    return client._run(client._core.version())
+
+
+def solve_here(document: dict[str, Any], parts: str, are_wanted: Callable[[], bool]) -> Outcome:
+    """Solves a job in this process."""
+    global _client
+    client = _here()
+    try:
+        return client._run(client._core.attend(document, parts, are_wanted))
+    except ServerNotFound:
+        raise
+    except BrinellError as error:
+        if isinstance(error, ServerDied):
+            # The next job gets another server.
+            _client = None
+        return Outcome(document, "", None, error)
