@@ -5,8 +5,6 @@
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
  * @typedef {object} Answer
- * @property {number | null} bias
- * @property {number | null} bias_error
  * @property {AnswerBody | null} body
  * @property {number | null} elastic
  * @property {number | null} error

@@ -251,10 +251,8 @@ impl Page {
         let error = answer.error.filter(|error| *error > 0.0);
         let bound = answer.bound().map_or_else(String::new, |bound| format!("  {bound}"));
         let bound = bound.replace("at least", "≥").replace("at most", "≤");
-        let error = error.map_or(bound, |error| {
-            let bias = answer.bias.map_or(0.0, f64::abs) + answer.bias_error.unwrap_or(0.0);
-            format!("  ± {} %", significant(100.0 * (error + bias), 2))
-        });
+        let error =
+            error.map_or(bound, |error| format!("  ± {} %", significant(100.0 * error, 2)));
         let beside = match (answer.elastic, answer.value, &answer.place) {
             (Some(elastic), value, _) => {
                 let ratio = value.filter(|_| elastic > 0.0);

@@ -48,8 +48,6 @@ function plainAnswers(step, report) {
             unit: one.unit(report),
             // A force without a bar is the one that the job gives.
             error: (one.bar && barOf(step, one.bar)) ?? (one === force ? 0 : null),
-            bias: null,
-            bias_error: null,
             elastic: null,
             place: null,
             text: '',
@@ -74,8 +72,6 @@ const dents = (step, { units }) =>
                 quantity: /** @type {const} */ ('length'),
                 unit: unit('length', units),
                 error: null,
-                bias: null,
-                bias_error: null,
                 elastic: null,
                 place: null,
                 text: '',
@@ -114,25 +110,15 @@ export const unitOf = (answer) =>
 
 /** What an answer says, with the digits that its error leaves. @param {Answer} answer @returns {string} */
 export const valueOf = (answer) =>
-  answer.value === null ? '—' : figureOf(answer.value * shareOf(answer), errorOf(answer));
-
-/** Its bound from both sides, for digits. @param {Answer} answer */
-const errorOf = ({ error, bias, bias_error }) =>
-  error === null ? null : error + Math.abs(bias ?? 0) + (bias_error ?? 0);
+  answer.value === null ? '—' : figureOf(answer.value * shareOf(answer), answer.error);
 
 /** The bound of the error of its mesh. @param {Answer} answer @returns {string} */
-export function errorWords({ value, error, bias, quantity }) {
+export function errorWords({ value, error, quantity }) {
   if (value === null) return '';
   if (error === null) return 'error not known';
   if (error > 0) return `± ${percent(error)}`;
-  return bias || quantity === 'number' ? '' : 'as given';
+  return quantity === 'number' ? '' : 'as given';
 }
-
-/** By how much it is above flow theory. @param {Answer} answer @returns {string} */
-export const biasWords = ({ value, bias, bias_error }) =>
-  bias && value !== null
-    ? `${bias > 0 ? '+' : '−'}${figure(100 * Math.abs(bias), 2)} ± ${percent(bias_error ?? 0, 2)}`
-    : '';
 
 /** The same figure by elastic theory. @param {Answer} answer @returns {string} */
 export const elasticWords = (answer) =>

@@ -12,7 +12,6 @@ import { duration, grouped } from '../lib/units.js';
 import {
   alike,
   answersOf,
-  biasWords,
   differenceWords,
   elasticWords,
   errorWords,
@@ -129,9 +128,7 @@ function card(answer, all, k, sides) {
       )
     : null;
   const note = inWords(answer.text);
-  const bias = biasWords(answer);
   const short = [
-    bias && `${bias} beside flow theory`,
     elasticWords(answer),
     placeWords(answer, sides[0].one.report, sides[0].one.report.steps[sides[0].at]),
   ].filter(Boolean);

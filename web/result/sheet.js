@@ -37,7 +37,6 @@ import { browser, isObject, kept } from '../lib/kept.js';
 import {
   alike,
   answersOf,
-  biasWords,
   differenceWords,
   elasticWords,
   errorWords,
@@ -523,7 +522,6 @@ function answers(sides) {
     return h('p', { class: 'quiet' }, 'The figures of this step are in the table of all steps.');
   const notes = others.length === 0;
   const hasElastic = all.some((answer) => elasticWords(answer));
-  const hasBias = all.some((answer) => biasWords(answer));
   const rows = all.map((answer, k) =>
     h(
       'tr',
@@ -532,7 +530,6 @@ function answers(sides) {
       h('td', {}, valueOf(answer)),
       h('td', { class: 'unit' }, unitOf(answer)),
       h('td', {}, errorWords(answer).replace('error not known', 'not known')),
-      hasBias && h('td', {}, biasWords(answer)),
       notes
         ? [
             hasElastic && h('td', {}, elasticWords(answer)),
@@ -552,10 +549,9 @@ function answers(sides) {
           }),
     ),
   );
-  const bias = hasBias ? ['beside flow theory'] : [];
   const head = notes
-    ? ['', '', '', 'error', ...bias, ...(hasElastic ? ['beside elastic theory'] : []), '']
-    : ['', sides[0].label, '', 'error', ...bias, ...others.flatMap(({ label }) => [label, '±'])];
+    ? ['', '', '', 'error', ...(hasElastic ? ['beside elastic theory'] : []), '']
+    : ['', sides[0].label, '', 'error', ...others.flatMap(({ label }) => [label, '±'])];
   const cells = head.map((text) =>
     text ? h('th', { scope: 'col' }, text === '±' ? 'difference' : text) : h('td'),
   );

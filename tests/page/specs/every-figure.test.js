@@ -86,7 +86,7 @@ for (let example = 0; example < MANY; example += 1)
       );
       let count = 0;
       cards.forEach(({ figure, words }, k) => {
-        const { value, error, bias, bias_error, elastic, place, text, quantity } = step.answers[k];
+        const { value, error, elastic, place, text, quantity } = step.answers[k];
         const share = ['strain', 'ratio'].includes(quantity) ? 100 : 1;
         const shown = figuresIn(figure.replace(/(mm|N|MPa|%|mrad).*$/, ''));
         if (value === null) assert.ok(figure.startsWith('—'), figure);
@@ -97,8 +97,6 @@ for (let example = 0; example < MANY; example += 1)
           );
         const numbers = [
           100 * error,
-          100 * Math.abs(bias),
-          100 * bias_error,
           elastic * share,
           value / elastic,
           place?.x,

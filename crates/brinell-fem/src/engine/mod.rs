@@ -10,7 +10,6 @@
 //! ```
 
 pub mod bars;
-mod bias;
 mod body_figures;
 mod body_solution;
 mod body_system;
@@ -28,9 +27,7 @@ pub mod recovery;
 mod reference;
 mod solution;
 mod surface_recovery;
-mod theory_bias;
 
-pub use bias::TheoryBias;
 pub use body_solution::{BodySolution, bounded_strain, has_yielded};
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
@@ -51,4 +48,3 @@ pub use surface_recovery::{
     SurfaceStress, recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,
     surface_stresses,
 };
-pub use theory_bias::LEAST_RATIO;

@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use crate::element::StressState;
 use crate::engine::problem::{Problem, ProblemBody};
-use brinell_material::Solid;
 use brinell_material::analytical::{
     DepthLimit, HertzLine, HertzPoint, YieldOnset, factor_of_onset,
 };
@@ -101,12 +100,6 @@ pub fn elastic_utilization(problem: &Problem, force: f64) -> Option<(f64, [f64; 
     let used = bodies.filter_map(|(side, body)| Some((of_body(body)?, side)));
     let ((ratio, depth), side) = used.max_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
     Some((ratio, [0.0, depth], side))
-}
-
-/// Returns the peak pressure of elastic bodies over the least yield stress.
-pub(crate) fn elastic_ratio(problem: &Problem, force: f64) -> Option<f64> {
-    let solids = problem.bodies.each_ref().map(|body| body.material.as_ref());
-    Solid::over_yield_stress(solids, ElasticReference::of(problem, force)?.peak_pressure)
 }
 
 /// Half-width and peak pressure.

@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::element::StressState;
-use crate::engine::bias::TheoryBias;
 use crate::engine::body_solution::BodySolution;
 use crate::engine::body_system::contact_patch::{ContactPatch, LEAST_PART};
 use crate::engine::conforming::ConformingPair;
@@ -69,9 +68,6 @@ pub struct SectionField {
     /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power
     /// below 2.
     pub rounded_tip: Option<RoundedTip>,
-    /// Differences of the figures from those of flow theory; `None` of elastic bodies, of bodies
-    /// with a memory, and where they were not sought.
-    pub theory_bias: Option<TheoryBias>,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the
     /// elastic one, of the pairs in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,

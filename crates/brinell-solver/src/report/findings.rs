@@ -180,23 +180,17 @@ pub(super) enum Density {
     Heights,
 }
 
-/// The elastic peak pressure over the least yield stress, where both are known, and the difference
-/// to flow theory.
+/// A contact that yields by deformation theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Deformation {
-    pub ratio: Option<f64>,
-    pub bias: KnownBias,
-}
-
-/// The difference of deformation theory to flow theory.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum KnownBias {
-    /// The answers have it. That of the peak pressure and its error.
-    Told([f64; 2]),
-    /// It is small.
-    Small,
-    /// Nothing tells it.
-    Unknown,
+pub(super) enum Deformation {
+    /// A line, and the elastic peak pressure over the least yield stress.
+    Line(f64),
+    /// A ball or an ellipse, and the elastic peak pressure over the least yield stress.
+    Ball(f64),
+    /// A cone or a wedge.
+    Tip,
+    /// A contact without published figures.
+    Other,
 }
 
 /// Why the force at the onset of yield is not known.

@@ -24,7 +24,6 @@ pub(super) fn measured(
     let at_rest = Measured {
         effective_radius: radius.filter(|radius| radius.is_finite() && *radius > 0.0),
         points: "integration points",
-        bias: step.field.theory_bias,
         figures: if step.status.is_stopped() { Figures::default() } else { step.figures },
         ..Measured::default()
     };

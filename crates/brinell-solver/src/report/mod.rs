@@ -30,7 +30,6 @@ mod subsurface;
 mod surface_stress;
 mod suspicions;
 mod target;
-mod theory_bias;
 mod validity;
 mod verdict;
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::findings::{
-    Advice, Deformation, Density, Finding, Known, KnownBias, MANY_MESHES, Unconverged, Wide, Work,
+    Advice, Deformation, Density, Finding, MANY_MESHES, Unconverged, Wide, Work,
 };
 use super::mesh_effects::{
     COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
@@ -14,12 +14,13 @@ use super::{onset, plastic_strain, strength};
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::mesh::Outline;
 use crate::inputs::outline_of;
-use crate::job::{Coupling, HistoryLoad, Job, Load, PositiveF64, Shape, SolverSettings, Theory};
+use crate::job::{
+    Analysis, Coupling, HistoryLoad, Job, Load, PositiveF64, Shape, SolverSettings, Theory,
+};
 use crate::material::Solid;
-use crate::solver::method::figures::Figure;
 use crate::solver::{
-    ElasticReference, IterationRecord, LEAST_RATIO, LastIncrement, PairState, Problem,
-    SolveStatus, StepSolution, TIP_ELEMENTS,
+    ElasticReference, IterationRecord, LastIncrement, PairState, Problem, SolveStatus,
+    StepSolution, TIP_ELEMENTS,
 };
 use crate::units::UnitConverter;
 
@@ -156,20 +157,27 @@ pub(super) fn findings(
         findings.push(Finding::NearSupport);
     }
     if strain > 0.0 && step.path.energy.is_none() {
-        let ratio = {
-            let solids = problem.bodies.each_ref().map(|body| body.material.as_ref());
-            reference.and_then(|hertz| Solid::over_yield_stress(solids, hertz.peak_pressure))
-        };
-        let has_peak = Known::by(&findings).has(Figure::PeakPressure, 0);
-        let bias = match step.field.theory_bias.filter(|_| has_peak) {
-            Some(of) => KnownBias::Told([of.bias.peak_pressure, of.error.peak_pressure]),
-            None if ratio.is_some_and(|ratio| ratio < LEAST_RATIO) => KnownBias::Small,
-            None => KnownBias::Unknown,
-        };
-        findings.insert(of_theory, Finding::DeformationTheory(Deformation { ratio, bias }));
+        let of = deformation(job, problem, reference);
+        findings.insert(of_theory, Finding::DeformationTheory(of));
     }
     findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
     findings
+}
+
+/// Returns the shape of a contact by deformation theory, and how far beyond yield it is.
+fn deformation(job: &Job, problem: &Problem, reference: Option<&ElasticReference>) -> Deformation {
+    if [&job.upper, &job.lower]
+        .iter()
+        .any(|body| matches!(body.shape, Shape::Cone(_) | Shape::Wedge(_)))
+    {
+        return Deformation::Tip;
+    }
+    let solids = problem.bodies.each_ref().map(|body| body.material.as_ref());
+    match reference.and_then(|hertz| Solid::over_yield_stress(solids, hertz.peak_pressure)) {
+        Some(ratio) if job.analysis == Analysis::Axisymmetric => Deformation::Ball(ratio),
+        Some(ratio) => Deformation::Line(ratio),
+        None => Deformation::Other,
+    }
 }
 
 /// Returns the smallest of the effective radius and the radii of the surfaces, infinite if none

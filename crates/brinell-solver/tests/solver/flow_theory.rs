@@ -4,10 +4,11 @@ use brinell_solver::analytical::ElasticConstants;
 use brinell_solver::analytical::effective_modulus;
 use brinell_solver::inputs::{run, run_with};
 use brinell_solver::job::{Coupling, Job, JobError};
-use brinell_solver::report::{self, Report, StepReport};
+use brinell_solver::report::{self, Report, StepReport, scales_of_floors};
 use serde_json::json;
 
-use brinell_solver::solver::{Options, Solution, SolveStatus, Unobserved};
+use brinell_solver::solver::floors::floors;
+use brinell_solver::solver::{Figure, Options, Solution, SolveStatus, Unobserved};
 
 use crate::contacts::{ANALYSES, job, laws, surfaces};
 use crate::problems::{assert_within, parse};
@@ -551,4 +552,26 @@ fn small_steps_have_the_bars_of_the_whole_way() {
     let off = step.approach.unwrap() / exact - 1.0;
     let bar = step.estimated_error.as_ref().unwrap().approach.unwrap();
     assert!(off.abs() < bar, "{off} in {bar}");
+}
+
+/// A ball pressed 20 mm into a soft block by flow theory: the approach times the unloading stiffness
+/// is a hundred times the force, whose floor is that of the contact area.
+#[test]
+fn the_force_of_a_fully_plastic_contact_is_known_as_its_area() {
+    let job = json!({
+        "analysis": "axisymmetric", "load": {"approach": 20},
+        "upper": {"shape": {"type": "cylinder", "radius": 500}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 4000, "depth": 2000}, "material":
+            {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity":
+                {"law": "bilinear", "yield_stress": 50, "tangent_modulus": 0}}},
+        "mesh": {"elements_per_half_width": 8}, "solver": {"theory": "flow", "increments": 6},
+    });
+    let step = run(&Job::from_value(&job).unwrap(), &mut Unobserved).unwrap().steps.remove(0);
+    let force = step.figures.force;
+    assert!(step.field.unloading_stiffness * 20.0 > 60.0 * force);
+    let size = step.field.spacing / step.figures.half_width;
+    let [width, floor] =
+        [Figure::HalfWidth, Figure::Force].map(|figure| floors(figure)[2].unwrap());
+    let scale = scales_of_floors(&step).unwrap().force;
+    assert!(floor * scale <= 2.001 * width * size * force, "{scale} {force}");
 }

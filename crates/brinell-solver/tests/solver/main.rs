@@ -54,7 +54,6 @@ mod strength_over_depth;
 mod subsurface;
 mod sweeps;
 mod targets;
-mod theory_bias;
 mod thick_cylinder;
 mod traces;
 mod trial_model;

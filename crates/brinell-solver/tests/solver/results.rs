@@ -294,9 +294,30 @@ fn large_strain() {
     assert_says(&cylinders(&soft, 1200.0), "large_strain");
 }
 
+/// The remark of deformation theory has the figures of the shape and of the elastic peak.
 #[test]
-fn deformation_theory() {
-    assert_says(&paper(), "deformation_theory");
+fn deformation_theory_says_what_is_known_of_its_error() {
+    let says = |job: &Value| {
+        let notes = step(job).validity;
+        let note = notes.into_iter().find(|note| note.code == "deformation_theory").unwrap();
+        assert!(note.message.contains("the error of the theory is not bounded"), "{note:?}");
+        note.message
+    };
+    let mut job = paper();
+    job["solver"] = json!({"theory": "deformation"});
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    let line = says(&job);
+    assert!(line.contains("up to 3 times, peak pressures of lines are at most 4.2 %"), "{line}");
+    job["analysis"] = json!("axisymmetric");
+    job["load"] = json!({"approach": 0.05});
+    let ball = says(&job);
+    assert!(ball.contains("peak pressures of balls are at most"), "{ball}");
+    job["upper"]["shape"] = json!({"type": "cone", "angle": 19.7, "width": 4, "depth": 4});
+    job["upper"]["material"] = json!({"rigid": true});
+    job["lower"]["shape"] = json!({"type": "block", "width": 8, "depth": 4});
+    job["load"] = json!({"approach": 0.02});
+    let cone = says(&job);
+    assert!(cone.contains("16 to 22 %"), "{cone}");
 }
 
 /// A load divided into many increments takes many times the work of others, by count; few

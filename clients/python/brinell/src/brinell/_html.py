@@ -36,10 +36,7 @@ def _answer(answer: Answer) -> tuple[str, str, str, str, str]:
     part = answer.quantity in ("strain", "ratio")
     factor, unit = (100.0, "%") if part else (1.0, answer.unit)
     shown = "" if math.isnan(answer.value) else f"{factor * answer.value:.5g}"
-    # Where one number fits, the bias of the theory adds to the error of the mesh.
-    bias = abs(answer.bias) + answer.bias_error
-    error = answer.error + (0.0 if math.isnan(bias) else bias)
-    bar = f"± {100 * error:.2g} %" if error > 0.0 else ""
+    bar = f"± {100 * answer.error:.2g} %" if answer.error > 0.0 else ""
     hertz = f"{factor * answer.elastic:.5g}" if answer.elastic > 0.0 else ""
     return (answer.label, shown or "not known", bar, hertz, unit)
 

@@ -49,10 +49,6 @@ class Answer:
     unit: str
     error: float
     """Bound of the relative error of the mesh; 0 where the figure is prescribed."""
-    bias: float
-    """The figure less that of flow theory, over the figure; NaN where it is not known."""
-    bias_error: float
-    """Bound of the error of the bias."""
     elastic: float
     """The figure by Hertz's theory."""
     place: dict[str, Any] | None
@@ -69,8 +65,6 @@ class Answer:
             quantity=data["quantity"],
             unit=data["unit"],
             error=number(data.get("error")),
-            bias=number(data.get("bias")),
-            bias_error=number(data.get("bias_error")),
             elastic=number(data.get("elastic")),
             place=data.get("place"),
             text=data["text"],

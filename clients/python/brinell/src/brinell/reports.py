@@ -1594,19 +1594,6 @@ class Answer(BaseModel):
     One figure of a load step, made to be shown.
     """
 
-    bias: Annotated[
-        float | None,
-        Field(
-            description="The figure of deformation theory less that of flow theory, over the figure's size; `null` where the theories do not differ or it is not known. Without unit."
-        ),
-    ]
-    bias_error: Annotated[
-        float | None,
-        Field(
-            description='Estimated bound of the error of the bias; `null` without one. Without unit.',
-            ge=0.0,
-        ),
-    ]
     body: Literal['upper', 'lower', 'both'] | None
     elastic: Annotated[
         float | None,

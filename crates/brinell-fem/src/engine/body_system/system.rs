@@ -246,18 +246,6 @@ impl System {
         self.search_region = search_region;
     }
 
-    /// Puts the bodies at rest and gives them the models of another problem of the same bodies. The
-    /// factors have to be renewed before the next iteration.
-    pub fn begin_with(&mut self, problem: &Problem, search_region: PlasticSearchRegion) {
-        for (model, body) in self.model_of.into_iter().zip(&problem.bodies) {
-            if let (Some(k), Some(model)) = (model, &body.model) {
-                self.bodies[k].model = Arc::clone(model);
-            }
-        }
-        self.set_plastic_region(search_region);
-        self.accepted = Accepted::at_rest(self.zeros());
-    }
-
     pub(super) fn sum_flexibility(&mut self) {
         let parts: Vec<&SymmetricMatrix> =
             self.bodies.iter().map(|body| &body.flexibility).collect();

@@ -266,7 +266,6 @@ fn step(
         unresolved: None,
         rounded_edge: None,
         rounded_tip: None,
-        theory_bias: None,
         unloading_stiffness: 0.0,
     };
     let peak_pressure = system.peak_pressure(&contact.force).min(limit);

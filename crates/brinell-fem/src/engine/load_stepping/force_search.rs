@@ -81,8 +81,7 @@ pub(super) fn run(
         return Err(MeshedError::NoYieldPoint);
     }
     let elastic = problem.without_plasticity();
-    let sequence =
-        LoadSequence { problem: &elastic, with_memory: None, tells_bias: false, ..*sequence };
+    let sequence = LoadSequence { problem: &elastic, with_memory: None, ..*sequence };
     ForceSearch { sought, problem, sequence }.run(run)
 }
 
@@ -135,8 +134,7 @@ impl ForceSearch<'_> {
     fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), MeshedError> {
         let before = *run.passes;
         let asked = self.coarse();
-        let (contact, tells_bias) = (&ActiveSetSolver, false);
-        let coarse = LoadSequence { asked, contact, tells_bias, ..self.sequence };
+        let coarse = LoadSequence { asked, contact: &ActiveSetSolver, ..self.sequence };
         let trial = |density, force, run: &mut Run<'_>| {
             let is_asked = density == Density::Asked;
             self.trial_by(if is_asked { &self.sequence } else { &coarse }, force, run)

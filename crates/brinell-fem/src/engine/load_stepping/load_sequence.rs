@@ -26,8 +26,6 @@ pub(super) struct LoadSequence<'a> {
     pub asked: Asked,
     pub contact: &'a dyn ContactSolver,
     pub cache: Option<&'a Arc<FactorCache>>,
-    /// Whether deformation theory is compared with flow theory.
-    pub tells_bias: bool,
 }
 
 impl LoadSequence<'_> {
@@ -41,8 +39,7 @@ impl LoadSequence<'_> {
         run: &mut Run<'_>,
         receiver: &mut dyn StepReceiver<SectionField>,
     ) -> Result<Option<Interrupt>, MeshedError> {
-        let mut stepper = LoadStepper::new(self.problem, self.asked, self.contact, self.cache)
-            .telling_bias(self.tells_bias);
+        let mut stepper = LoadStepper::new(self.problem, self.asked, self.contact, self.cache);
         if let Some(problem) = self.with_memory {
             let (asked, contact) = (self.asked, self.contact);
             let bodies = MeshedHistory { problem, sizing: &stepper, asked, contact, loads };

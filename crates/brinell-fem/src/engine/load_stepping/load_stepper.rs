@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::growth::growth;
 use crate::element::StressState;
 use crate::engine::body_system::factor_cache::FactorCache;
 use crate::engine::body_system::plastic_search_region::PlasticSearchRegion;
@@ -15,9 +14,7 @@ use crate::engine::mesh_sizing::trace;
 use crate::engine::mesh_solve::{self, MeshSolve, MeshSolveRequest};
 use crate::engine::meshed_contact::Asked;
 use crate::engine::problem::Problem;
-use crate::engine::reference::elastic_ratio;
 use crate::engine::solution::StepSolution;
-use crate::engine::theory_bias::{FlowOnMesh, LEAST_RATIO};
 use crate::engine::{final_check, finite_elements};
 use crate::mesh::ContactZone;
 use brinell_contact::{ActiveSetSolver, ContactLoad, ContactSolver};
@@ -59,8 +56,6 @@ pub(crate) struct LoadStepper<'a> {
     asked: Asked,
     contact: &'a dyn ContactSolver,
     cache: Option<&'a Arc<FactorCache>>,
-    /// Whether each step is compared with flow theory.
-    tells_bias: bool,
     last: Option<LastStep>,
 }
 
@@ -81,12 +76,7 @@ impl<'a> LoadStepper<'a> {
         contact: &'a dyn ContactSolver,
         cache: Option<&'a Arc<FactorCache>>,
     ) -> Self {
-        Self { problem, asked, contact, cache, tells_bias: false, last: None }
-    }
-
-    /// Compares each step with flow theory, or not.
-    pub fn telling_bias(self, tells_bias: bool) -> Self {
-        Self { tells_bias, ..self }
+        Self { problem, asked, contact, cache, last: None }
     }
 
     /// One load; `next` is the one after it, for which the mesh may be made to serve as well.
@@ -143,47 +133,19 @@ impl<'a> LoadStepper<'a> {
             elastic_force,
         );
         let is_converged = step.status == SolveStatus::Converged;
-        let is_compared = self.tells_bias && is_converged && yields;
-        let flow =
-            is_compared.then(|| self.flow_on(&coarse.system, load, step.figures.force)).flatten();
-        let mut coarse = Some(coarse.into_system(load));
-        if let (Some(flow), Some(figures)) = (flow, figures)
-            && let Some(system) = coarse.take()
-        {
-            (step.field.theory_bias, coarse) = flow.compare(self.problem, &figures, system, run);
-        }
         // Memory is freed here, where the time it takes is measured.
         self.last = run.time(Phase::Output, move || {
             drop(sizing);
-            let (extent, fine) = (found, pass.into_system(load));
             // Only converged solutions seed the next load.
-            let coarse = coarse.filter(|_| next.is_some() && is_converged);
-            coarse.map(|coarse| LastStep { load, made_for, extent, coarse, fine })
+            (next.is_some() && is_converged).then(|| LastStep {
+                load,
+                made_for,
+                extent: found,
+                coarse: coarse.into_system(load),
+                fine: pass.into_system(load),
+            })
         });
         Ok(step)
-    }
-
-    /// Flow theory on a mesh that deformation theory was solved on; `None` where both theories
-    /// differ little.
-    fn flow_on(&self, system: &System, load: ContactLoad, force: f64) -> Option<FlowOnMesh<'a>> {
-        if elastic_ratio(self.problem, force).is_some_and(|ratio| ratio < LEAST_RATIO) {
-            return None;
-        }
-        let zone = system.zone.clone();
-        let request = MeshSolveRequest {
-            contact: &ActiveSetSolver,
-            refinement: refinement(&zone),
-            zone,
-            search_region: system.search_region,
-            load,
-            solver: auxiliary(),
-            previous: None,
-            cache: self.cache,
-            scales: Scales::default(),
-            increment: None,
-        };
-        let growth = growth(self.problem, load);
-        Some(FlowOnMesh::new(self.problem, growth, request))
     }
 
     /// Returns the contact size of an elastic body under the load `to` over that under `from`.

@@ -44,10 +44,10 @@ impl Default for Options<'_> {
 /// not be kept in memory. The solution that is returned has none.
 ///
 /// Small meshes find out how wide the contact is: four for the default job. One of half the
-/// requested density follows, for error estimates and the bias of the theory, and then the one that
-/// was asked for. Only the last is shown to the observer iteration by iteration; the others can be
-/// stopped. The loads of a sweep share meshes and factors while the contact fits on them, and each
-/// starts from the state of the one before.
+/// requested density follows, for error estimates, and then the one that was asked for. Only the last
+/// is shown to the observer iteration by iteration; the others can be stopped. The loads of a
+/// sweep share meshes and factors while the contact fits on them, and each starts from the state
+/// of the one before.
 ///
 /// # Errors
 /// [`MeshedError`]. An iteration that does not converge is no error: see
@@ -60,19 +60,19 @@ pub fn run_each(
 ) -> Result<Solution, MeshedError> {
     let MeshedContact { problem, loads, asked, elements_of_slopes } = contact;
     let Some(elements) = *elements_of_slopes else {
-        return solve(problem, loads, *asked, (options, true), observer, receiver);
+        return solve(problem, loads, *asked, options, observer, receiver);
     };
     let mut under = |loads: &[ContactLoad], observer: &mut dyn Observer| {
         let Some(loads) = history_of(loads) else { return Ok(None) };
         let small = Asked { elements, ..*asked };
         let mut steps: Vec<StepSolution> = Vec::new();
-        let solution = solve(problem, &loads, small, (options, false), observer, &mut steps);
+        let solution = solve(problem, &loads, small, options, observer, &mut steps);
         let interrupt = solution.map(|solution| solution.interrupted);
         reached(&interrupt, &steps)
     };
     let is_history = asked.solver.theory == Theory::Flow;
     let mut slopes = Slopes::new(receiver, lacks_slope, is_history, &mut under);
-    solve(problem, loads, *asked, (options, true), observer, &mut slopes)
+    solve(problem, loads, *asked, options, observer, &mut slopes)
 }
 
 /// Returns whether a step has a slope that is not known yet.
@@ -82,12 +82,12 @@ fn lacks_slope(step: &StepSolution) -> bool {
     step.status == SolveStatus::Converged && step.contact_stiffness.is_none() && !flows_freely
 }
 
-/// Solves a contact. `tells_bias` compares deformation theory with flow theory.
+/// Solves a contact.
 fn solve(
     problem: &Problem,
     loads: &Loads,
     asked: Asked,
-    (options, tells_bias): (Options<'_>, bool),
+    options: Options<'_>,
     observer: &mut dyn Observer,
     receiver: &mut dyn StepReceiver<SectionField>,
 ) -> Result<Solution, MeshedError> {
@@ -97,8 +97,7 @@ fn solve(
     let model = options.model.or((asked.solver.theory == Theory::Flow).then_some(flow_theory));
     let with_memory = model.map(|model| problem.with_models(model));
     let (with_memory, cache) = (with_memory.as_ref(), options.cache);
-    let tells_bias = tells_bias && options.model.is_none();
-    let sequence = LoadSequence { problem, with_memory, asked, contact, cache, tells_bias };
+    let sequence = LoadSequence { problem, with_memory, asked, contact, cache };
     let mut solution = Solution::default();
     let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
     match loads {

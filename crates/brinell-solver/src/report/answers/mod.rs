@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use super::findings::Finding;
 use super::{ErrorEstimate, FlowReport, LoadReport, PerBody, PlasticityReport, Side, StepReport};
 use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory, label_of};
+use crate::solver::SolveStatus;
 use crate::solver::method::figures::{Figure, Figures, Measure};
-use crate::solver::{SolveStatus, TheoryBias};
 use crate::units::{UnitConverter, about};
 
 /// Relative difference of forces that are alike.
@@ -40,14 +40,6 @@ pub struct Answer {
     /// then says \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub error: Option<f64>,
-    /// The figure of deformation theory less that of flow theory, over the figure's size; `null`
-    /// where the theories do not differ or it is not known \[1\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub bias: Option<f64>,
-    /// Estimated bound of the error of the bias; `null` without one \[1 >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub bias_error: Option<f64>,
     /// The figure by Hertz's elastic theory, where that has one.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub elastic: Option<f64>,
@@ -186,8 +178,6 @@ pub(super) struct Measured {
     pub bearable: Option<f64>,
     /// All figures.
     pub figures: Figures,
-    /// Their difference to those of flow theory.
-    pub bias: Option<TheoryBias>,
     /// Over which points the fields were searched.
     pub points: &'static str,
     /// Whether an earlier load of the history, at least as large, has dented the bodies.
@@ -220,8 +210,7 @@ impl StepReport {
         write: UnitConverter,
     ) -> Self {
         let facts = Facts { job, step: &self, measured, findings, write };
-        let answers = facts.answers().into_iter().map(|answer| facts.bounded(answer));
-        let answers = answers.map(|answer| facts.biased(answer)).collect();
+        let answers = facts.answers().into_iter().map(|answer| facts.bounded(answer)).collect();
         (self.answers, self.verdict) = (answers, Some(facts.verdict()));
         self
     }
@@ -418,8 +407,6 @@ impl Facts<'_> {
             quantity,
             unit: self.unit(quantity),
             error: None,
-            bias: None,
-            bias_error: None,
             elastic: None,
             place: None,
             text: String::new(),

@@ -6,18 +6,18 @@ use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
 use crate::material::Solid;
 use crate::report::findings::{
-    CasePlace, Deformation, Density, Finding, Known, KnownBias, OnsetUnknown, Unconverged, Wide,
-    Work, left_unknown,
+    CasePlace, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged, Wide, Work,
+    left_unknown,
 };
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
 use crate::report::validity::{Unfinished, WIDE_CONTACT, large_strain, long_search, of_history};
+use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, Row, SurfaceMap,
 };
 use crate::solver::method::figures::FigureSet;
 use crate::solver::method::sought::{Loads, Sought};
-use crate::solver::{LEAST_RATIO, SolveStatus};
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
@@ -109,16 +109,14 @@ pub fn unknown_figures(
     [Known::of_job(job, &findings).void(), left_unknown(step.path.unknown_before, &findings)]
 }
 
-/// Returns the elastic peak pressure over the least yield stress. The difference to flow theory is
-/// not computed on half-spaces.
+/// Returns how far beyond yield a contact by deformation theory is.
 fn deformation(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Deformation {
     let hertz = step.field.hertz.filter(|_| problem.heights.is_none());
     let ratio = hertz.and_then(|hertz| {
         let solids = problem.materials.each_ref().map(Option::as_ref);
         Solid::over_yield_stress(solids, hertz.peak_pressure)
     });
-    let is_small = ratio.is_some_and(|ratio| ratio < LEAST_RATIO);
-    Deformation { ratio, bias: if is_small { KnownBias::Small } else { KnownBias::Unknown } }
+    ratio.map_or(Deformation::Other, Deformation::Ball)
 }
 
 /// Returns the finding on a contact of few cells.

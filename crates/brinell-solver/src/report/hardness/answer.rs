@@ -46,8 +46,6 @@ impl StepReport {
                 quantity,
                 unit: unit.to_owned(),
                 error: found.relative_error,
-                bias: None,
-                bias_error: None,
                 elastic: None,
                 place: None,
                 text: {
