@@ -12,6 +12,7 @@ import { duration, forceOf } from './lib/units.js';
 import { startTheme } from './lib/theme.js';
 import { showPart, showTitle, startKeys, startMemory, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
+import { Doors } from './setup/doors.js';
 import { Draft } from './setup/draft.js';
 import { DEFAULTS } from './setup/fields.js';
 import { examplesOf } from './setup/examples.js';
@@ -40,8 +41,6 @@ const DASHES = [undefined, [8, 3], [2, 3], [8, 3, 2, 3], [14, 4], [5, 2, 2, 2, 2
 const [KEPT, KEPT_AT] = ['draft', 'draft-at'];
 /** Whether the user prefers reduced motion. */
 const isStill = matchMedia('(prefers-reduced-motion: reduce)');
-const WELCOME =
-  'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
 /**
  * Where the fields of a job come from.
@@ -70,9 +69,15 @@ const examples = ask('v1/examples')
   .then(({ examples }) => examplesOf(examples));
 const draft = new Draft();
 draft.known = (/** @type {unknown} */ name) => allMaterials().some((one) => one.name === name);
+const doors = new Doors(draft, examples, () => {
+  showPart('jobs');
+  list.refresh();
+});
 const form = new Form(draft, (moving) => live.ask(draft.job, moving));
 const json = startJson(draft);
 const sketch = startSketch(draft);
+/** Ids of the job that was shown before the last one, and of that. */
+let [before, last] = ['', ''];
 const view = new View({
   fieldsWanted: () => {
     // Of the job that is shown, whatever the form has come to since.
@@ -81,13 +86,18 @@ const view = new View({
     draft.set('/output/fields', true, 'page');
     solve();
   },
-  stepped: () => {},
   spread: (ids) => {
     const { current } = store.state;
     if (current?.id) location.hash = link.jobFragment(current.id, ids);
   },
   open: openBeside,
+  before: () => (before && before !== store.state.current?.id && !isChosen(before) ? before : ''),
+  compare: (id) => compare(id, true),
   use: (job) => draft.replace(job, 'page'),
+  solve: (job) => {
+    draft.replace(job, 'page');
+    solve();
+  },
   listed: () => list.refresh(),
 });
 const check = new Check(draft, form, json, (hertz) => {
@@ -96,13 +106,13 @@ const check = new Check(draft, form, json, (hertz) => {
 });
 const watch = new Watch({
   titled: showTitle,
-  step: () => view.step,
   job: () => store.state.current?.job ?? {},
   iterated: (history) => {
     const { current } = store.state;
     if (current) view.iterate(history, current.job);
   },
   solved: (id, report) => {
+    [before, last] = id === last ? [before, last] : [last, id];
     const job = store.state.current?.job ?? {};
     const fields = sourceOf(id, report, job);
     store.take({
@@ -218,6 +228,11 @@ function nothing(text) {
   view.clear(h('div', { class: 'empty' }, h('p', {}, text)));
 }
 
+/** What the page is for, where no job is shown. @param {string} text that goes before */
+function welcome(text) {
+  view.clear(h('div', {}, text ? h('p', { class: 'empty' }, text) : null, doors.element));
+}
+
 /** Shows beside the button why nothing is solved. @param {string} words */
 function refuse(words) {
   byId('solve-state').textContent = words;
@@ -283,14 +298,14 @@ function follow(id) {
   compareWithDraft();
 }
 
-/** Shows no job. @param {string} words that say why */
-function leave(words) {
+/** Shows no job. @param {string} [words] that say why */
+function leave(words = '') {
   watch.stop();
   live.stop();
   store.take({ type: 'left' });
   compareWithDraft();
   showTitle();
-  nothing(words);
+  welcome(words);
   list.refresh();
 }
 
@@ -428,14 +443,12 @@ async function applyAddress(edited = false) {
   if (damaged) return leave('This link is damaged: it does not name a job.');
   if (packed === undefined || edited) {
     // What a slider shows has no address.
-    if (store.state.current?.id !== '') leave(WELCOME);
+    if (store.state.current?.id !== '') leave();
     return view.preview(check.hertz, draft.job);
   }
   const definition = await link.unpack(packed).catch(() => undefined);
   if (visit.aborted || address.isLeft) return;
-  leave(
-    isObject(definition) ? WELCOME : 'This link is damaged: it does not carry a whole definition.',
-  );
+  leave(isObject(definition) ? '' : 'This link is damaged: it does not carry a whole definition.');
   draft.replace(isObject(definition) ? definition : ((await examples)[0]?.job ?? {}), 'link');
 }
 
@@ -452,7 +465,6 @@ async function begin() {
   });
   const before = kept(tab, KEPT, (job) => (isObject(job) ? job : undefined));
   draft.replace(before ?? all[0]?.job ?? {}, before ? 'kept' : 'example');
-  nothing(WELCOME);
   draft.addEventListener('change', keep);
   addEventListener('hashchange', () => {
     live.stop();

@@ -97,11 +97,18 @@ export async function shown(page, change) {
   return id;
 }
 
-/** Opens what is folded in the form. @param {Page} page */
+/** Shows every field of the form. @param {Page} page */
 export const unfold = (page) =>
-  page.locator('#form details').evaluateAll((all) => {
-    for (const one of /** @type {HTMLDetailsElement[]} */ (all)) one.open = true;
+  page.locator('#form .more').evaluate((more) => {
+    if (more.getAttribute('aria-expanded') === 'false') /** @type {HTMLElement} */ (more).click();
   });
+
+/** Takes something along by the menu of the result. @param {Page} page @param {string} name of the button */
+export async function taken(page, name) {
+  await page.getByText('Download', { exact: true }).click();
+  await page.getByRole('button', { name, exact: true }).click();
+  await page.keyboard.press('Escape');
+}
 
 /** Waits until the field is drawn. @param {Page} page */
 export const drawn = (page) =>

@@ -7,12 +7,14 @@ import { PHONE } from './browser.js';
 const WIDE = { viewport: { width: 1440, height: 1000 } };
 const DARK = { ...WIDE, colorScheme: /** @type {const} */ ('dark') };
 
-/** @param {Page} page */
+/** Waits for every field of the job that is shown: marks of the job before are gone with it. @param {Page} page */
 const drawn = async (page) => {
   await page.waitForFunction(
     () =>
       performance.getEntriesByName('field-drawn').length > 0 &&
-      !document.querySelector('.stage')?.matches('.stale'),
+      ![...document.querySelectorAll('.stage.stale, .frame .waiting')].some((one) =>
+        one.checkVisibility(),
+      ),
   );
   await page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
@@ -87,6 +89,7 @@ const part = (example) => async (page) => {
 
 /** @param {Page} page */
 async function first(page) {
+  await page.locator('.doors [aria-pressed=true]').waitFor();
   await page.locator('#panel-pressure .plot svg').waitFor();
   await page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),

@@ -1,10 +1,11 @@
 /**
- * Sections through the layers of half-spaces, as meshes: the planes y = 0 and x = 0 of a contact
- * in three dimensions are looked at with the tools of plane ones. Layers are fetched whole, a step
- * at a time, and only both planes of them are kept.
+ * Sections through the layers of half-spaces, as meshes: two planes of a contact in three
+ * dimensions, through the place that its sentence is about, are looked at with the tools of plane
+ * ones. Layers are fetched whole, a step at a time, and only both planes of them are kept.
  */
 
 import { fetchFields } from '../api/result.js';
+import { governing } from '../result/answers.js';
 import { alongJob, axesOf } from '../result/axes.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
@@ -32,6 +33,7 @@ export class LayerSource {
   /** @param {string} id of a job @param {Report} report */
   constructor(id, { steps, mesh }) {
     this.id = id;
+    this.steps = steps;
     /** Whether every step is fetched. */
     this.whole = steps.length * mesh.elements * 15 < FEW;
     this.axes = axesOf(steps[0]?.three_dimensional ?? { orientation: 0 });
@@ -60,7 +62,7 @@ export class LayerSource {
         const kept = this.#steps.get(step);
         if (kept) return kept;
         const layers = /** @type {any} */ (await fetchFields(this.id, step, [], { progress }));
-        const made = planesOf(layers, this.axes);
+        const made = planesOf(layers, this.axes, governing(this.steps[step])?.place);
         this.#steps.set(step, made);
         return made;
       });
@@ -74,25 +76,39 @@ export class LayerSource {
   }
 }
 
-/** @param {Record<'upper' | 'lower', Layers | null>} layers of both bodies @param {import('../result/axes.js').Axes} [axes] of the contact @returns {Record<Axis, Fields>} along the axes of the contact, in the directions of the job's */
-export const planesOf = ({ upper, lower }, axes) => {
-  const plane = (/** @type {Axis} */ axis) => ({
-    upper: upper && section(upper, axis, 1, axes?.[axis].sign),
-    lower: lower && section(lower, axis, -1, axes?.[axis].sign),
-  });
+/** @typedef {{x?: number, y?: number} | null} Through the place of both planes; the middle without one */
+
+/** @param {Record<'upper' | 'lower', Layers | null>} layers of both bodies @param {import('../result/axes.js').Axes} [axes] of the contact @param {Through} [place] @returns {Record<Axis, Fields>} along the axes of the contact, in the directions of the job's */
+export const planesOf = ({ upper, lower }, axes, place) => {
+  const plane = (/** @type {Axis} */ axis) => {
+    const at = place?.[axis === 'x' ? 'y' : 'x'];
+    return {
+      upper: upper && section(upper, axis, 1, axes?.[axis].sign, at),
+      lower: lower && section(lower, axis, -1, axes?.[axis].sign, at),
+    };
+  };
   return { x: plane('x'), y: plane('y') };
 };
 
+/** The cells on both sides of a plane, or those in it. @param {ArrayLike<number>} across @param {number} [at] @returns {number[]} */
+function cellsAt(across, at) {
+  if (at === undefined) return [across.length - 1, across.length].map((twice) => twice >> 1);
+  const nearest = Array.from(across).reduce(
+    (best, place, k) => (Math.abs(place - at) < Math.abs(across[best] - at) ? k : best),
+    0,
+  );
+  return [nearest, nearest];
+}
+
 /**
  * Nodes are the middles of the cells; the surface has the values of the first layer.
- * @param {Layers} layers @param {Axis} axis @param {1 | -1} up where depth points in the picture @param {1 | -1} [way] whether the axis runs as that of the job @returns {Mesh}
+ * @param {Layers} layers @param {Axis} axis @param {1 | -1} up where depth points in the picture @param {1 | -1} [way] whether the axis runs as that of the job @param {number} [place] of the section @returns {Mesh}
  */
-function section({ x, y, z, ...arrays }, axis, up, way = 1) {
+function section({ x, y, z, ...arrays }, axis, up, way = 1, place = undefined) {
   const [given, across] = axis === 'x' ? [x, y] : [y, x];
   const along = way > 0 ? given : Array.from(given, (place) => -place).reverse();
   const [many, rows] = [along.length, z.length + 1];
-  // The cells on both sides of the plane, or those in it.
-  const [before, behind] = [across.length - 1, across.length].map((twice) => twice >> 1);
+  const [before, behind] = cellsAt(across, place);
   const nodes = new Float32Array(2 * many * rows);
   const elements = new Uint32Array(4 * (many - 1) * (rows - 1));
   for (let row = 0; row < rows; row++)
@@ -171,7 +187,8 @@ export const reportOf = (report, axis) => {
       const { three_dimensional: ellipse, contact } = step;
       // The surfaces of both bodies are where they touch; the section has a zone of its own.
       const still = { ...step, approach: 0, plasticity: { upper: null, lower: null } };
-      const fields = step.layers && planesOf(/** @type {any} */ (step.layers), axes)[axis];
+      const at = governing(step)?.place;
+      const fields = step.layers && planesOf(/** @type {any} */ (step.layers), axes, at)[axis];
       if (!ellipse) return { ...still, fields };
       const { y, pressure } = ellipse.section;
       const own = axis === 'x' ? contact.nodes : { x: y, pressure };

@@ -108,8 +108,8 @@ export class FieldPanel {
       },
     );
     steer(this.scene.over, this.scene.camera, {
-      moved: () => this.scene.later(),
-      home: () => this.scene.home(),
+      moved: () => this.#moved(),
+      home: () => this.#home(),
       probe: (at) => {
         this.scene.probe = at;
         // What could not be read is tried again when the pointer is back.
@@ -149,8 +149,11 @@ export class FieldPanel {
           const { x, unloaded, half } = this.scene.contact();
           this.cutter.show(on, [x, unloaded], half);
         }),
-        zoom: later((factor) => this.scene.camera.zoom(factor)),
-        home: () => this.scene.home(),
+        zoom: (factor) => {
+          this.scene.camera.zoom(factor);
+          this.#moved();
+        },
+        home: () => this.#home(),
       },
       this.range.element,
     );
@@ -295,9 +298,24 @@ export class FieldPanel {
       this.#preset = 'von_mises';
       return this.#update();
     }
-    if (this.#homeless) this.scene.home();
+    if (this.#homeless) this.#home();
     this.#homeless = false;
     this.#survey(report);
+  }
+
+  /** The whole contact, on the scale of the peer. */
+  #home() {
+    const { peer } = this;
+    const beside = peer && !peer.panel.element.hidden ? peer.scene : undefined;
+    const least = Math.max(this.scene.reach, beside?.reach ?? 0);
+    this.scene.home(least);
+    beside?.home(least);
+  }
+
+  /** The peer looks where this one does. */
+  #moved() {
+    this.scene.later();
+    if (this.peer && !this.peer.panel.element.hidden) this.peer.scene.match(this.scene);
   }
 
   /** Looks at the other steps, so that colours are the same over all of them: where they all can be kept. @param {Report} report */
@@ -363,7 +381,8 @@ export class FieldPanel {
     const { report } = this.scene.shown;
     const { factor: times, unit: name } = this.scene.scale();
     const own = extremes(this.scene.bodies, this.scene.quantity, report);
-    this.scene.ends = own.ends;
+    const said = this.scene.said();
+    this.scene.ends = said ? [said, ...own.ends.filter(({ end }) => end === 'min')] : own.ends;
     const beside = this.peer?.limitsOf(this.scene.quantity);
     const limits = /** @type {[number, number]} */ (
       beside

@@ -18,7 +18,7 @@ import {
 /** @typedef {import('./quantities.js').Quantity} Quantity */
 /** @typedef {{name: 'upper' | 'lower', mesh: Mesh, lift: number, moved: number}} Body */
 /** @typedef {{analysis: string, symmetric: boolean, own: import('../lib/units.js').Units, units: import('../lib/units.js').UnitSet, length: number, stress: number}} Scales `own`: units of the job; `units`: those shown; factors from one to the other */
-/** @typedef {{end: 'max' | 'min', value: number, name: string, x: number, y: number, u: number, v: number}} Extreme at a node */
+/** @typedef {{end: 'max' | 'min' | 'tension', value: number, error?: number | null, name: string, x: number, y: number, u: number, v: number}} Extreme at a node, or where an answer is */
 
 /**
  * @param {Body[]} bodies

@@ -5,13 +5,15 @@
 
 import { h } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
-import { factor, figure, unit } from '../lib/units.js';
+import { figureOf } from '../lib/digits.js';
+import { factor, unit } from '../lib/units.js';
 import { Camera } from './camera.js';
 import { withoutLoad } from './cut.js';
 import { Renderer } from './gl.js';
+import { axesOf } from '../result/axes.js';
 import { extentSeen } from '../result/extent.js';
 import { frameOf } from './frame.js';
-import { carried } from './locate.js';
+import { carried, locateAll, vectorAt } from './locate.js';
 import { lifts, surfaceOf } from './lift.js';
 import { drawOverlay } from './overlay.js';
 import { bands, rgb } from './palette.js';
@@ -33,6 +35,11 @@ import { scaleOf } from './read.js';
  * from its elements.
  */
 const PLAIN = 0.02;
+/** Answers of quantities, and how their places are marked. @type {Partial<Record<Quantity, [answer: string, end: 'max' | 'tension']>>} */
+const SAID = {
+  equivalent_plastic_strain: ['max_plastic_strain', 'max'],
+  sigma_x: ['residual_tension', 'tension'],
+};
 
 export class Scene {
   /** What is drawn. @type {Asked | undefined} */
@@ -148,6 +155,24 @@ export class Scene {
     this.#renderer?.choose((mesh, moved) => valuesOf(mesh, quantity, moved));
   }
 
+  /** What the answers say of the quantity that is drawn, at its place. @returns {import('./read.js').Extreme | undefined} */
+  said() {
+    const [answer, end] = SAID[this.quantity] ?? [];
+    const found = this.#step()?.answers?.find(({ name, place }) => name === answer && place);
+    if (!this.shown || !end || !found?.place || !found.value) return undefined;
+    const { place, value, error } = found;
+    const body = this.bodies.find(({ name }) => place.body === 'both' || name === place.body);
+    const solid = this.#step()?.three_dimensional;
+    const axes = solid && axesOf(solid);
+    const axis = axes && this.shown.report.analysis === `section_${axes.y.name}` ? 'y' : 'x';
+    const along = (axes?.[axis].sign ?? 1) * (place[axis] ?? 0);
+    const at = body?.frame.point(along, place.depth);
+    const there = body && at && locateAll(body.mesh, [at])[0];
+    if (!body || !at || !there) return undefined;
+    const [u, v] = vectorAt(there, body.mesh.displacement);
+    return { end, value, error, name: body.name, x: at[0], y: at[1], u, v };
+  }
+
   /** Of the quantity that is drawn. */
   scale() {
     return scaleOf(this.quantity, this.scales());
@@ -181,9 +206,27 @@ export class Scene {
     return { x: (left + right) / 2, half: (right - left) / 2, drawn, unloaded };
   }
 
-  home() {
-    const { x, half, drawn } = this.contact();
+  /** @param {number} [least] width to be seen at least, in the units shown */
+  home(least = 0) {
+    const { x, drawn } = this.contact();
+    const half = Math.max(this.reach, least) / (this.shown ? this.scales().length : 1);
     if (this.shown) this.camera.home(1.9 * half, x, drawn);
+    this.later();
+  }
+
+  /** Half of the contact's width, in the units shown. */
+  get reach() {
+    return this.shown ? this.contact().half * this.scales().length : 0;
+  }
+
+  /** Looks at the same part of its contact as another scene does. @param {Scene} other */
+  match(other) {
+    if (!this.shown || !other.shown) return;
+    const [own, its] = [this.contact(), other.contact()];
+    const times = other.scales().length / this.scales().length;
+    this.camera.scale = other.camera.scale / times;
+    this.camera.x = own.x + (other.camera.x - its.x) * times;
+    this.camera.y = own.drawn + (other.camera.y - its.drawn) * times;
     this.later();
   }
 
@@ -270,7 +313,7 @@ export class Scene {
       ends: this.ends.map((end) => ({
         ...end,
         lift: this.bodies.find(({ name }) => name === end.name)?.lift ?? 0,
-        text: `${end.end} ${figure(end.value * times, 4)} ${name}`,
+        text: `${end.end} ${figureOf(end.value * times, end.error)} ${name}`,
       })),
       path: this.cutter.path,
       colours,

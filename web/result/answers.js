@@ -1,85 +1,35 @@
 /**
  * The answers of a step as the service gives them: for the cards of the page and for the report.
- * All that is worked out here is the ratio to elastic theory and the difference of jobs. Results of
- * 0.2 have no answers: of them the plain figures are shown.
+ * All that is worked out here is the ratio to elastic theory and the difference of jobs.
  */
 
 import { figure, percent, unit } from '../lib/units.js';
 import { figureOf } from '../lib/digits.js';
 import { axesOf } from './axes.js';
-import { isUnloaded } from './loads.js';
-import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
 /** @typedef {import('../wire.js').Answer} Answer */
 /** @typedef {import('../wire.js').Verdict} Verdict */
 
-/** @param {Step} step @param {Report} report @returns {Answer[]} */
-export const answersOf = (step, report) =>
-  step.verdict ? step.answers : plainAnswers(step, report);
+/** @param {Step} step @returns {Answer[]} none of results that 0.2 has stored */
+export const answersOf = ({ answers }) => answers ?? [];
 
 /** @param {Step} step @returns {Verdict | undefined} */
 export const verdictOf = ({ verdict }) => verdict;
 
-/** The plain figures of a result that has no answers. @param {Step} step @param {Report} report @returns {Answer[]} */
-function plainAnswers(step, report) {
-  const { peak, width, approach, force, mean, strain, stiffness } = STEP_FIGURES;
-  const plain = /** @type {import('./step-figures.js').StepFigure[]} */ ([
-    peak,
-    width,
-    approach,
-    force,
-    mean,
-    strain,
-    stiffness,
-  ]).flatMap((one) => {
-    const value = one.value(step);
-    const title = titleOf(one, report);
-    return value == null
-      ? []
-      : [
-          {
-            name: one.title.replaceAll(' ', '_').replaceAll('-', '_'),
-            label: title[0].toUpperCase() + title.slice(1),
-            body: null,
-            value,
-            quantity: /** @type {const} */ ('number'),
-            unit: one.unit(report),
-            // A force without a bar is the one that the job gives.
-            error: (one.bar && barOf(step, one.bar)) ?? (one === force ? 0 : null),
-            elastic: null,
-            place: null,
-            text: '',
-          },
-        ];
-  });
-  return [...dents(step, report), ...plain];
-}
+/** Answers that a sentence is about, the one that decides before the others. */
+const GOVERNING = ['residual_tension', 'max_plastic_strain', 'utilization', 'peak_pressure'];
 
-/** What a load has left in both surfaces. @param {Step} step @param {Report} report @returns {Answer[]} */
-const dents = (step, { units }) =>
-  isUnloaded(step)
-    ? /** @type {const} */ (['upper', 'lower']).flatMap((body) => {
-        const surface = step.flow?.surfaces[body];
-        return surface
-          ? [
-              {
-                name: 'dent_depth',
-                label: `Dent, ${body} body`,
-                body,
-                value: surface.depth,
-                quantity: /** @type {const} */ ('length'),
-                unit: unit('length', units),
-                error: null,
-                elastic: null,
-                place: null,
-                text: '',
-              },
-            ]
-          : [];
-      })
-    : [];
+/**
+ * The answer whose place pictures open at: what the load has left, else where bodies yield, else
+ * where they come nearest to it.
+ * @param {Step} step @returns {Answer | undefined}
+ */
+export const governing = ({ answers = [] }) =>
+  GOVERNING.map((name) => answers.find((one) => one.name === name && one.place && one.value)).find(
+    (one) => one !== undefined,
+  );
 
 /** Marks of verdicts, and what they are beside their colour. @type {Record<string, {kind: 'good' | 'warning' | 'bad', mark: string}>} */
 const LEVELS = {
@@ -110,14 +60,32 @@ export const unitOf = (answer) =>
 
 /** What an answer says, with the digits that its error leaves. @param {Answer} answer @returns {string} */
 export const valueOf = (answer) =>
-  answer.value === null ? '—' : figureOf(answer.value * shareOf(answer), answer.error);
+  answer.value === null
+    ? '—'
+    : isNoise(answer)
+      ? '0'
+      : figureOf(answer.value * shareOf(answer), answer.error);
 
-/** The bound of the error of its mesh. @param {Answer} answer @returns {string} */
-export function errorWords({ value, error, quantity }) {
+/** Whether the error is larger than the figure. @param {Answer} answer */
+const isNoise = ({ error }) => error !== null && error > 1;
+
+/** How well it is known: of a share as one, else as a part of it. @param {Answer} answer @returns {number | null} */
+export const errorOf = (answer) =>
+  answer.error === null || answer.value === null
+    ? null
+    : isShare(answer)
+      ? answer.error * Math.abs(answer.value)
+      : answer.error;
+
+/** @param {Answer} answer @returns {string} */
+export function errorWords(answer) {
+  const { value, error, quantity } = answer;
   if (value === null) return '';
   if (error === null) return 'error not known';
-  if (error > 0) return `± ${percent(error)}`;
-  return quantity === 'number' ? '' : 'as given';
+  if (error === 0) return quantity === 'number' ? '' : 'as given';
+  if (isNoise(answer))
+    return `± ${figure(error * Math.abs(value) * shareOf(answer), 1)} ${unitOf(answer)}`;
+  return `± ${percent(errorOf(answer) ?? 0)}`;
 }
 
 /** The same figure by elastic theory. @param {Answer} answer @returns {string} */
@@ -167,13 +135,19 @@ export function placeWords({ place, label }, { units, analysis }, { three_dimens
 export function alike(report, at, all, k) {
   const same = (/** @type {Answer} */ one) => one.name === all[k].name && one.body === all[k].body;
   const before = all.slice(0, k).filter(same).length;
-  const others = answersOf(report.steps[at], report);
+  const others = answersOf(report.steps[at]);
   return others.filter(same)[before] ?? others.filter(({ name }) => name === all[k].name)[before];
 }
 
-/** How far another figure is from the first. @param {Answer} first @param {Answer} other @returns {string} */
-export function differenceWords({ value: from }, { value: to }) {
-  if (from === null || to === null || from === 0 || from === to) return from === to ? '=' : '';
-  const part = to / from - 1;
+/** Parts by which figures of two jobs differ that are the same: what rounding leaves. */
+const NOISE = 1e-9;
+
+/** How far another figure is from the first: of a share by how much. @param {Answer} first @param {Answer} other @returns {string} */
+export function differenceWords(first, { value: to }) {
+  const { value: from } = first;
+  if (from === null || to === null) return '';
+  if (Math.abs(to - from) <= NOISE * Math.max(Math.abs(from), Math.abs(to))) return '=';
+  if (from === 0) return '';
+  const part = isShare(first) ? to - from : to / from - 1;
   return `${part < 0 ? '−' : '+'}${percent(Math.abs(part), 3)}`;
 }

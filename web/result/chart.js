@@ -15,6 +15,9 @@ import { chartSvg, dashOf, laidOut, rangesOf } from './chart-svg.js';
 /** Pixels below which a drag is a click. */
 const CLICK = 6;
 
+/** Width of a picture of a chart that is folded away [px]. */
+const UNSEEN = 640;
+
 export class Chart {
   /** @type {Plot | undefined} */
   #plot;
@@ -95,10 +98,10 @@ export class Chart {
    * @returns {Promise<Blob | null>} a PNG with title and legend, on the page's ground
    */
   async picture(title) {
-    if (!this.#plot || !this.canvas.clientWidth) return null;
+    if (!this.#plot) return null;
     const plot = this.#seen(this.#plot);
     return chartPng(
-      chartSvg(plot, title, this.canvas.clientWidth, this.height, colour),
+      chartSvg(plot, title, this.canvas.clientWidth || UNSEEN, this.height, colour),
       devicePixelRatio,
     );
   }

@@ -8,6 +8,7 @@ import { nameOf as nameOfQuantity } from '../field/quantities.js';
 import { factor, figure, percent, unit, unitsOf } from '../lib/units.js';
 import { hasInitialStress, overDepthOf, yieldName, yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
+import { governing } from './answers.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
 import { abscissaOf } from './extent.js';
@@ -103,12 +104,14 @@ export class DepthPanel {
   #chosen = new Set(USUAL.loaded);
   /** Whether somebody has chosen the components. */
   #touched = false;
+  /** The job at whose governing place the panel has opened. */
+  #aimed = '';
   /** @type {[Shown[], number] | undefined} */
   #shown;
 
   constructor() {
     this.chart = new Chart(290);
-    const bodies = segments('Body', { lower: 'Lower', upper: 'Upper' }, (body) => {
+    this.bodies = segments('Body', { lower: 'Lower', upper: 'Upper' }, (body) => {
       this.#body = /** @type {'upper' | 'lower'} */ (body);
       this.#again();
     });
@@ -122,7 +125,7 @@ export class DepthPanel {
     );
     this.chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Components' });
     this.panel = new Panel('depth', 'Stress over depth', [this.chips, this.chart.element], {
-      controls: [this.lines, bodies],
+      controls: [this.lines, this.bodies],
       picture: (title) => this.chart.picture(title),
       drawing: (title) => this.chart.drawing(title),
     });
@@ -182,12 +185,30 @@ export class DepthPanel {
     if (this.#shown) this.show(...this.#shown);
   }
 
+  /** Opens at the body and the line that are nearest to what the sentence is about. @param {import('../types.js').Step} step */
+  #aim({ subsurface: middle, subsurface_below_peak: peak, ...step }) {
+    const place = governing(/** @type {any} */ (step))?.place;
+    if (!place) return;
+    this.#body = place.body === 'upper' ? 'upper' : 'lower';
+    const far = (/** @type {import('../types.js').Profile | null | undefined} */ line) =>
+      Math.hypot(place.x - (line?.position ?? 0), (place.y ?? 0) - (line?.position_y ?? 0));
+    const nearer = peak && far(peak[this.#body]) < far(middle?.[this.#body]);
+    this.#line = nearer ? 'subsurface_below_peak' : 'subsurface';
+    for (const [choice, value] of /** @type {const} */ ([
+      [this.bodies, this.#body],
+      [this.lines, this.#line],
+    ]))
+      for (const input of choice.querySelectorAll('input')) input.checked = input.value === value;
+  }
+
   /** @param {Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
     this.#shown = [shown, at];
     const [first] = shown;
     const step = first.report.steps[at];
     const { units } = first.report;
+    if (this.#aimed !== first.id) this.#aim(step);
+    this.#aimed = first.id;
     const profile = this.#profile(step);
     this.lines.hidden = step.subsurface_below_peak === undefined;
     const graded = shown.some(({ report }) =>

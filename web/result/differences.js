@@ -27,7 +27,7 @@ export class DifferencesPanel {
     this.table = h('table');
     /** @type {Panel} */
     this.panel = new Panel('differences', 'Differences', [scrolled(this.table, 'differences')], {
-      controls: takeAlong(
+      table: takeAlong(
         () => this.#content,
         'differences',
         () => this.panel.fileName('csv'),

@@ -37,64 +37,55 @@ const FILES = [
 /** Files of one step: those of a sweep are of the step that is shown. */
 const OF_STEP = /^(?!load_approach).*\.(svg|vt[ru])$/;
 
-/**
- * @param {string} id
- * @param {import('../types.js').Job} job
- * @param {import('../types.js').Report} report
- * @param {() => number} shown step, counted from 0
- */
-export function downloads(id, job, report, shown) {
+/** All that is taken along of a result: files of the service, pictures and tables of the panels. */
+export class Downloads {
+  #list = h('ul');
+  element = h('details', { class: 'menu' }, h('summary', {}, 'Download'), this.#list);
+
+  /**
+   * @param {import('../shown.js').Shown} shown without an id what no job is
+   * @param {number} at step, counted from 0
+   * @param {{title: string, element: HTMLElement, exports: HTMLElement[]}[]} panels
+   */
+  show({ id, job, report }, at, panels) {
+    const own = panels.filter(({ element, exports }) => exports.length && !element.hidden);
+    this.#list.replaceChildren(
+      ...own.map(({ title, exports }) =>
+        h(
+          'li',
+          { class: 'of-panel' },
+          h('span', {}, title),
+          h('span', { class: 'group' }, exports),
+        ),
+      ),
+      ...(id
+        ? [
+            h('li', { class: 'quiet' }, 'Files, in the units of the job'),
+            ...files(id, job, report, at),
+          ]
+        : []),
+    );
+  }
+}
+
+/** @param {string} id @param {import('../types.js').Job} job @param {import('../types.js').Report} report @param {number} at step */
+function files(id, job, report, at) {
   const fields = Boolean(job.output?.fields);
   const step = report.steps[0];
-  const items = FILES.map(([name, path, file, needs]) => {
-    const there = {
-      nothing: true,
-      fields: fields && step?.rolling === undefined,
-      layers: fields && report.analysis === 'three_dimensional',
-      subsurface: step?.subsurface !== undefined,
-      flow: step?.flow !== undefined,
-      rolling: step?.rolling !== undefined,
-      curve: Boolean(report.load_approach),
-    }[needs];
-    const missing = {
-      nothing: '',
-      fields: 'the stress field',
-      layers: 'fields in three dimensions',
-      subsurface: 'stresses over depth',
-      flow: 'flow theory',
-      rolling: 'a load that rolls',
-      curve: 'several loads',
-    };
-    const title = there ? '' : `The job did not ask for ${missing[needs]}`;
-    return h(
-      'li',
-      {},
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'plain',
-          disabled: !there,
-          title,
-          onclick: () =>
-            take(
-              id,
-              path,
-              file,
-              report.steps.length > 1 && OF_STEP.test(path) ? shown() + 1 : 0,
-              stemOf(job, id),
-            ),
-        },
-        name,
-      ),
-    );
+  const there = {
+    nothing: true,
+    fields: fields && step?.rolling === undefined,
+    layers: fields && report.analysis === 'three_dimensional',
+    subsurface: step?.subsurface !== undefined,
+    flow: step?.flow !== undefined,
+    rolling: step?.rolling !== undefined,
+    curve: Boolean(report.load_approach),
+  };
+  return FILES.filter(([, , , needs]) => there[needs]).map(([name, path, file]) => {
+    const of = report.steps.length > 1 && OF_STEP.test(path) ? at + 1 : 0;
+    const onclick = () => take(id, path, file, of, stemOf(job, id));
+    return h('li', {}, h('button', { type: 'button', class: 'plain', onclick }, name));
   });
-  return h(
-    'details',
-    { class: 'menu' },
-    h('summary', {}, 'Download'),
-    h('ul', {}, h('li', { class: 'quiet' }, 'in the units of the job'), items),
-  );
 }
 
 /**

@@ -189,7 +189,7 @@ export class FiguresPanel {
     this.table = h('table');
     /** @type {Panel} */
     this.panel = new Panel('figures', 'Figures', [scrolled(this.table, 'figures')], {
-      controls: takeAlong(
+      table: takeAlong(
         () => figuresTable(this.#shown),
         'figures',
         () => this.panel.fileName('csv'),

@@ -165,6 +165,11 @@ export class MapPanel {
     onTheme(() => this.#draw());
   }
 
+  /** Whether the map is shown, with its cuts. */
+  get hasCuts() {
+    return !this.stage.hidden;
+  }
+
   get #picture() {
     return this.#pictures[this.#which];
   }

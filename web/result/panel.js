@@ -12,9 +12,10 @@ export class Panel {
    * @param {string} title
    * @param {Node[]} content
    * @param {{controls?: Node[], picture?: (title: string) => Promise<Blob | null>, drawing?:
-   *   (title: string) => SVGSVGElement | null}} [options]
+   *   (title: string) => SVGSVGElement | null, table?: HTMLElement[]}} [options] `table`: buttons
+   *   that take it along
    */
-  constructor(id, title, content, { controls = [], picture, drawing } = {}) {
+  constructor(id, title, content, { controls = [], picture, drawing, table = [] } = {}) {
     this.title = title;
     this.id = id;
     const button = (
@@ -42,16 +43,15 @@ export class Panel {
     this.element = h(
       'section',
       { class: 'panel', id: `panel-${id}`, 'aria-labelledby': `panel-${id}-title`, hidden: true },
-      h(
-        'div',
-        { class: 'bar' },
-        h('h3', { id: `panel-${id}-title` }, title),
-        controls,
-        picture && button('PNG', picture),
-        drawing && button('SVG', vector),
-      ),
+      h('div', { class: 'bar' }, h('h3', { id: `panel-${id}-title` }, title), controls),
       content,
     );
+    /** Buttons by which it is taken along, for the menu of them all. */
+    this.exports = [
+      ...(picture ? [button('PNG', picture)] : []),
+      ...(drawing ? [button('SVG', vector)] : []),
+      ...table,
+    ];
   }
 
   /** Title and what the figures are of, as pictures have it. */

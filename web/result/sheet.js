@@ -31,21 +31,9 @@ import {
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
-import { inWords } from '../setup/words.js';
 import { materialName, pairOf, stemOf, titleOf, writeValue, writeWhole } from '../jobs/names.js';
 import { browser, isObject, kept } from '../lib/kept.js';
-import {
-  alike,
-  answersOf,
-  differenceWords,
-  elasticWords,
-  errorWords,
-  markOf,
-  placeWords,
-  unitOf,
-  valueOf,
-  verdictOf,
-} from './answers.js';
+import { answersTable, verdict } from './answers-table.js';
 import { differencesTable } from './differences.js';
 import { save } from './downloads.js';
 import { figuresTable, tableElements } from './figures.js';
@@ -176,7 +164,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
     h(
       'div',
       { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures' },
-      answers(sides),
+      answersTable(sides),
     ),
     h(
       'div',
@@ -494,71 +482,4 @@ function tableOf(shown) {
   return shown.length > 1 && columns[last].title === 'state'
     ? { columns: columns.slice(0, last), rows: rows.map((row) => row.slice(0, last)), write }
     : { columns, rows, write };
-}
-
-/** @param {import('./loads.js').Beside} side @param {boolean} named whether jobs are compared */
-function verdict({ one, at, label }, named) {
-  const found = verdictOf(one.report.steps[at]);
-  return (
-    found &&
-    h(
-      'p',
-      { class: `verdict-text ${markOf(found).kind}` },
-      h('span', { class: 'mark', 'aria-hidden': 'true' }, markOf(found).mark),
-      h('span', {}, named ? h('b', {}, `${label}: `) : null, symbol(found.text)),
-    )
-  );
-}
-
-/**
- * The answers of one step: how well each is known, what elastic theory says, and those of the other
- * jobs with their difference.
- * @param {import('./loads.js').Beside[]} sides
- */
-function answers(sides) {
-  const [{ one, at }, ...others] = sides;
-  const all = answersOf(one.report.steps[at], one.report);
-  if (all.length === 0)
-    return h('p', { class: 'quiet' }, 'The figures of this step are in the table of all steps.');
-  const notes = others.length === 0;
-  const hasElastic = all.some((answer) => elasticWords(answer));
-  const rows = all.map((answer, k) =>
-    h(
-      'tr',
-      {},
-      h('th', { scope: 'row' }, answer.label),
-      h('td', {}, valueOf(answer)),
-      h('td', { class: 'unit' }, unitOf(answer)),
-      h('td', {}, errorWords(answer).replace('error not known', 'not known')),
-      notes
-        ? [
-            hasElastic && h('td', {}, elasticWords(answer)),
-            h(
-              'td',
-              { class: 'text' },
-              [placeWords(answer, one.report, one.report.steps[at]), inWords(answer.text)]
-                .filter(Boolean)
-                .join('; '),
-            ),
-          ]
-        : others.flatMap(({ one, at }) => {
-            const other = alike(one.report, at, all, k);
-            return other
-              ? [h('td', {}, valueOf(other)), h('td', {}, differenceWords(answer, other))]
-              : [h('td', {}, '—'), h('td')];
-          }),
-    ),
-  );
-  const head = notes
-    ? ['', '', '', 'error', ...(hasElastic ? ['beside elastic theory'] : []), '']
-    : ['', sides[0].label, '', 'error', ...others.flatMap(({ label }) => [label, '±'])];
-  const cells = head.map((text) =>
-    text ? h('th', { scope: 'col' }, text === '±' ? 'difference' : text) : h('td'),
-  );
-  return h(
-    'table',
-    { class: 'answers' },
-    h('thead', {}, h('tr', {}, cells)),
-    h('tbody', {}, rows),
-  );
 }

@@ -9,7 +9,7 @@ import { numbersOf, withValue } from '../jobs/numbers.js';
 import { byId, h, toast } from '../lib/dom.js';
 import { readNumber } from '../lib/number.js';
 import { exact, plain } from '../lib/units.js';
-import { answersOf, shareOf, unitOf, valueOf } from './answers.js';
+import { answersOf, errorOf, errorWords, shareOf, unitOf, valueOf } from './answers.js';
 import { Chart } from './chart.js';
 import { scrolled, tableElements, takeAlong } from './figures.js';
 import { Panel } from './panel.js';
@@ -101,7 +101,7 @@ export class VaryPanel {
       'What if',
       [tools, find, this.words, this.chart.element, this.whole],
       {
-        controls: takeAlong(
+        table: takeAlong(
           () => this.#tableOf(),
           'values',
           () => this.panel.fileName('csv'),
@@ -125,7 +125,7 @@ export class VaryPanel {
     // What a slider shows is no job that others are beside.
     if (id === '') return;
     const other = JSON.stringify(job) !== JSON.stringify(this.#job);
-    this.#answers = answersOf(report.steps[at], report);
+    this.#answers = answersOf(report.steps[at]);
     if (!other) return;
     this.#running?.abort();
     this.#job = job;
@@ -162,7 +162,9 @@ export class VaryPanel {
         .filter(({ value }) => value !== null)
         .map(({ name, body, label }) => h('option', { value: keyOf({ name, body }) }, label)),
     );
-    if ([...this.figure.options].some(({ value }) => value === before)) this.figure.value = before;
+    // A largest pressure has an optimum where the first answer may have none.
+    for (const usual of [keyOf({ name: 'peak_pressure', body: null }), before])
+      if ([...this.figure.options].some(({ value }) => value === usual)) this.figure.value = usual;
     this.#draw();
   }
 
@@ -274,7 +276,7 @@ export class VaryPanel {
       const [point] = pointOf(at, id, report);
       if (point) points.push(point);
       this.#points = [...points].sort((a, b) => a.at - b.at);
-      this.words.textContent = `${points.length} values looked at, the last is ${exact(at)} ${number.unit}.`;
+      this.words.textContent = `${points.length} values looked at, the last is ${plain(at, 5)} ${number.unit}.`;
       this.#draw();
       return point?.answers.find((one) => keyOf(one) === key)?.value ?? NaN;
     };
@@ -287,8 +289,8 @@ export class VaryPanel {
     }
     this.words.replaceChildren(
       found
-        ? `${number.label} ${exact(best.at)} ${number.unit}: ${answer.label.toLowerCase()} ${valueOf(answer)} ${unitOf(answer)}. `
-        : `${answer.label} is nowhere as wanted; nearest is ${valueOf(answer)} ${unitOf(answer)}, with ${number.label.toLowerCase()} ${exact(best.at)} ${number.unit}. `,
+        ? `${number.label} ${plain(best.at, 5)} ${number.unit}: ${answer.label.toLowerCase()} ${whole(answer)}. `
+        : `${answer.label} is nowhere as wanted; nearest is ${whole(answer)}, with ${number.label.toLowerCase()} ${plain(best.at, 5)} ${number.unit}. `,
       h(
         'button',
         {
@@ -313,7 +315,7 @@ export class VaryPanel {
     const { point, answer, end } = best;
     const number = this.#varied;
     this.words.replaceChildren(
-      `${answer.label} is ${end} at ${number?.label.toLowerCase()} ${exact(point.at)} ${number?.unit}: ${valueOf(answer)} ${unitOf(answer)}. `,
+      `${answer.label} is ${end} at ${number?.label.toLowerCase()} ${plain(point.at, 5)} ${number?.unit}: ${whole(answer)}. `,
       h(
         'button',
         { type: 'button', class: 'plain', onclick: () => this.on.open(point.id) },
@@ -398,23 +400,36 @@ export class VaryPanel {
     );
   }
 
-  /** @returns {import('../lib/tabular.js').Table} */
+  /** The answer that is asked for before the others, each with its error. @returns {import('../lib/tabular.js').Table} */
   #tableOf() {
     const [first] = this.#points;
-    const all = first?.answers ?? [];
+    const key = this.figure.value;
+    const asked = (first?.answers ?? []).filter((one) => keyOf(one) === key);
+    const all = [...asked, ...(first?.answers ?? []).filter((one) => keyOf(one) !== key)];
+    const found = this.#points.map(({ answers }) =>
+      all.map((one) => answers.find((other) => keyOf(other) === keyOf(one))),
+    );
+    const barred = all.map((_, k) => found.some((row) => row[k]?.error));
+    const columns = [
+      { title: this.#varied?.label.toLowerCase() ?? '', unit: this.#varied?.unit },
+      ...all.flatMap((answer, k) => {
+        const title = answer.label.toLowerCase();
+        const error = { title: '±', of: title, unit: '%' };
+        return [{ title, unit: unitOf(answer) }, ...(barred[k] ? [error] : [])];
+      }),
+    ];
     return {
-      columns: [
-        { title: this.#varied?.label.toLowerCase() ?? '', unit: this.#varied?.unit },
-        ...all.map((answer) => ({ title: answer.label.toLowerCase(), unit: unitOf(answer) })),
-      ],
-      rows: this.#points.map(({ at, answers }) => [
+      columns,
+      rows: this.#points.map(({ at }, row) => [
         at,
-        ...all.map((one) => {
-          const answer = answers.find((other) => keyOf(other) === keyOf(one));
-          return answer && answer.value !== null ? answer.value * shareOf(answer) : null;
+        ...found[row].flatMap((answer, k) => {
+          const value = answer?.value == null ? null : answer.value * shareOf(answer);
+          const error = answer && errorOf(answer);
+          return [value, ...(barred[k] ? [error ? 100 * error : null] : [])];
         }),
       ]),
-      write: (cell) => (typeof cell === 'number' ? plain(cell, 5) : (cell ?? '')),
+      write: (cell, k) =>
+        typeof cell === 'number' ? plain(cell, columns[k].title === '±' ? 2 : 5) : (cell ?? ''),
     };
   }
 }
@@ -422,16 +437,18 @@ export class VaryPanel {
 /** @param {{name: string, body: string | null}} answer */
 const keyOf = ({ name, body }) => `${name} ${body ?? ''}`;
 
+/** A figure with its unit and its error. @param {import('./answers.js').Answer} answer */
+const whole = (answer) =>
+  [valueOf(answer), unitOf(answer), errorWords(answer)].filter(Boolean).join(' ');
+
 /** @param {number} at @param {string} id @param {import('../types.js').Report} [report] @returns {Point[]} of its last step, where that is an answer */
 function pointOf(at, id, report) {
   const step = report?.steps.at(-1);
-  return report && step?.status === 'converged'
-    ? [{ at, id, answers: answersOf(step, report) }]
-    : [];
+  return report && step?.status === 'converged' ? [{ at, id, answers: answersOf(step) }] : [];
 }
 
 /** @param {number} value as it is typed */
-const typed = (value) => String(Number(value.toPrecision(6)));
+const typed = (value) => String(Number(value.toPrecision(5)));
 
 /** @param {string} label */
 const box = (label) =>

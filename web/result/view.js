@@ -10,7 +10,7 @@ import { sentence } from '../setup/send.js';
 import { LayerSource, reportOf } from '../field/layers.js';
 import { stemOf } from '../jobs/names.js';
 import { FieldPanel } from '../field/panel.js';
-import { answersOf } from './answers.js';
+import { answersOf, governing } from './answers.js';
 import { axesOf } from './axes.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
@@ -18,15 +18,16 @@ import { DentPanel } from './dent.js';
 import { DepthPanel } from './depth.js';
 import { DifferencesPanel } from './differences.js';
 import { DisplayUnits } from './display.js';
+import { Downloads } from './downloads.js';
 import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
-import { HistoryPanel } from './history.js';
 import { beside, isUnloaded, loadWords } from './loads.js';
 import { MapPanel } from './map.js';
+import { nextSteps } from './next.js';
 import { segments } from './panel.js';
 import { passesPanels } from './passes.js';
 import { PressurePanel } from './pressure.js';
-import { progressWords } from './progress.js';
+import { progressOf } from './progress.js';
 import { SpreadPanel } from './spread.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
@@ -36,18 +37,8 @@ import { VaryPanel } from './vary.js';
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Iteration} Iteration */
 
-/** Least width of a column [px]. */
-const COLUMN = 440;
-/** About how high panels are [px], so that columns end together. */
-const HEIGHTS = new Map([
-  ['field', 560],
-  ['field-beside', 560],
-  ['map', 560],
-  ['depth', 400],
-  ['spread', 300],
-  ['dent', 320],
-  ['vary', 250],
-]);
+/** Panels that are seen before one asks for more. */
+const FIRST = 3;
 
 export class View {
   /** Results in the units of their jobs. @type {Shown[]} */
@@ -61,7 +52,7 @@ export class View {
   /** Along which a section of half-spaces lies. @type {'x' | 'y'} */
   #axis = 'x';
 
-  /** @param {{fieldsWanted: () => void, stepped: (step: number) => void} & ConstructorParameters<typeof VaryPanel>[0]} on */
+  /** @param {{fieldsWanted: () => void, before: () => string, compare: (id: string) => void, solve: (job: import('../types.js').Job) => void} & ConstructorParameters<typeof VaryPanel>[0]} on */
   constructor(on) {
     this.on = on;
     this.pressure = new PressurePanel();
@@ -84,12 +75,17 @@ export class View {
     this.vary = new VaryPanel(on);
     this.figures = new FiguresPanel((step) => this.#go(step));
     this.differences = new DifferencesPanel();
-    this.history = new HistoryPanel();
     this.steps = new Steps(
       (step) => this.#go(step),
       () => !this.field.busy,
     );
     this.units = new DisplayUnits(() => this.#again());
+    this.downloads = new Downloads();
+    this.before = h(
+      'button',
+      { type: 'button', onclick: () => on.compare(on.before()) },
+      'Compare with the job before',
+    );
     const report = h(
       'button',
       { type: 'button', id: 'report', onclick: () => this.report() },
@@ -99,33 +95,39 @@ export class View {
       'div',
       { class: 'bar view-tools', hidden: true },
       this.steps.element,
+      this.before,
       report,
+      this.downloads.element,
       this.units.element,
     );
     const solver = h(
       'details',
       { class: 'solver', hidden: true },
-      h('summary', {}, 'Convergence and iterations'),
-      h('div', { class: 'pair' }, this.convergence.panel.element, this.history.panel.element),
+      h('summary', {}, 'Convergence'),
+      this.convergence.panel.element,
     );
     this.solver = solver;
     this.columns = h('div', { class: 'columns' });
+    this.rest = h('div', { class: 'columns' });
+    this.more = h('details', { class: 'rest-of-panels' }, h('summary'), this.rest);
     byId('panels').replaceChildren(
       this.tools,
-      this.columns,
-      this.figures.panel.element,
       this.differences.panel.element,
+      this.columns,
+      this.vary.panel.element,
+      this.more,
+      this.figures.panel.element,
       solver,
     );
-    new ResizeObserver(() => this.#arrange()).observe(this.columns);
     addEventListener('beforeprint', () => {
       if (this.#shown.length) this.#sheet();
     });
   }
 
-  /** The step of the first job that is shown, counted from 0. */
-  get step() {
-    return this.#at;
+  get #panels() {
+    const { vary, figures, differences, convergence } = this;
+    const beside = [vary, figures, differences, convergence];
+    return [...this.#ordered, ...beside].map(({ panel }) => panel);
   }
 
   get #charts() {
@@ -133,55 +135,34 @@ export class View {
     return [pressure, spread, map, depth, sweep, dent, ...passes];
   }
 
-  /**
-   * Puts the panels that are seen into as many columns as there is room for, the one that answers
-   * the question first: the curve of a sweep, the dent of a history, the map of half-spaces.
-   */
-  #arrange() {
-    const { sweep, dent, map, passes, pressure, field, other, spread, depth, vary } = this;
+  /** Panels beside the tools, those that answer the question first: strains over passes, the curve of a sweep, the dent of a history. */
+  get #ordered() {
+    const { sweep, dent, map, passes, pressure, field, other, spread, depth } = this;
     const step = this.#shown[0]?.report.steps[this.#at];
-    const left = step && isUnloaded(step);
-    const all = [
-      ...(vary.hasCurve ? [vary] : []),
-      ...(left ? [dent] : []),
-      ...(step && !step.flow ? [sweep] : []),
-      ...passes,
-      map,
-      pressure,
-      field,
-      other,
-      spread,
-      depth,
-      dent,
-      sweep,
-      vary,
-    ];
-    const seen = [...new Set(all)].filter(({ panel }) => !panel.element.hidden);
-    const many = Math.max(
-      1,
-      Math.min(seen.length, Math.floor(this.columns.clientWidth / COLUMN) || 1),
-    );
-    while (this.columns.children.length < many) this.columns.append(h('div', { class: 'column' }));
-    while (this.columns.children.length > many && this.columns.lastElementChild) {
-      const last = this.columns.lastElementChild;
-      this.columns.firstElementChild?.append(...last.children);
-      last.remove();
-    }
-    const columns = [...this.columns.children].map((element) => ({
-      element,
-      high: 0,
-      own: /** @type {Node[]} */ ([]),
-    }));
-    for (const one of seen) {
-      const least = columns.reduce((a, b) => (b.high < a.high - 1 ? b : a));
-      least.own.push(one.panel.element);
-      least.high += one === vary && vary.hasCurve ? 700 : (HEIGHTS.get(one.panel.id) ?? 360);
-    }
+    const [ofPasses, ...others] = passes;
+    const left = map.panel.element.hidden ? dent : map;
+    const first = step && isUnloaded(step) ? [left] : [ofPasses];
+    const curve = step && !step.flow ? [sweep] : [];
+    const all = [...first, ...curve, map, pressure, field, other, depth, spread, ...others];
+    return [...new Set([...all, dent, sweep])];
+  }
+
+  /** Three panels are seen, a field beside another counting as one; the others are behind “more”. */
+  #arrange() {
+    const all = this.#ordered;
+    const seen = all.filter(({ panel }) => !panel.element.hidden);
+    const first = seen.filter((one) => one !== this.other).slice(0, FIRST);
+    if (first.includes(this.field) && seen.includes(this.other))
+      first.splice(first.indexOf(this.field) + 1, 0, this.other);
+    const rest = seen.filter((one) => !first.includes(one));
     // The field beside is on the page only where jobs are compared: it has the tools of the other.
-    const hidden = [...new Set(all)]
-      .filter((one) => one.panel.element.hidden && one !== other)
-      .map(({ panel }) => panel.element);
-    columns.forEach(({ element, own }, k) => arrange(element, k ? own : [...own, ...hidden]));
+    const hidden = all.filter(({ panel }) => panel.element.hidden && panel !== this.other.panel);
+    const elements = (/** @type {typeof all} */ list) => list.map(({ panel }) => panel.element);
+    arrange(this.columns, elements(first));
+    arrange(this.rest, elements([...rest, ...hidden]));
+    this.more.hidden = rest.length === 0;
+    /** @type {HTMLElement} */ (this.more.firstChild).textContent =
+      `More: ${rest.map(({ panel }) => panel.title.toLowerCase()).join(', ')}`;
   }
 
   /** Shows a message instead of a result. @param {Node} content */
@@ -189,24 +170,12 @@ export class View {
     this.#given = this.#shown = [];
     this.tools.hidden = true;
     this.steps.stop();
-    for (const { panel } of [
-      this.sweep,
-      ...this.passes,
-      this.dent,
-      this.pressure,
-      this.spread,
-      this.map,
-      this.depth,
-      this.vary,
-      this.convergence,
-      this.figures,
-      this.differences,
-      this.history,
-    ])
-      panel.show(false);
+    for (const panel of this.#panels) panel.show(false);
+    // What is drawn from here on is of another job.
+    performance.clearMarks('field-drawn');
     this.field.clear();
     this.other.clear();
-    this.solver.hidden = true;
+    this.solver.hidden = this.more.hidden = true;
     byId('headline').replaceChildren(content);
   }
 
@@ -217,7 +186,8 @@ export class View {
    */
   preview(hertz, job) {
     const highest = hertz?.steps.reduce((a, b) => (b.force > a.force ? b : a), hertz.steps[0]);
-    if (highest) this.pressure.preview(highest, unitsOf(job), job.analysis === 'axisymmetric');
+    if (highest && highest.peak_pressure > 0)
+      this.pressure.preview(highest, unitsOf(job), job.analysis === 'axisymmetric');
     else this.pressure.panel.show(false);
     this.#arrange();
   }
@@ -228,9 +198,7 @@ export class View {
     const set = this.units.set(units);
     const shown = inUnits(history, { analysis: job.analysis, units }, set);
     this.convergence.show(shown, set, Number(job.solver?.tolerance ?? 1e-6));
-    byId('headline').replaceChildren(soFar(shown, job, set));
-    // Until there is an answer, it is all there is to see.
-    if (this.solver.hidden) this.solver.open = true;
+    byId('headline').replaceChildren(soFar(history, job));
     this.solver.hidden = false;
   }
 
@@ -287,6 +255,7 @@ export class View {
       drawings: [
         ...this.passes,
         this.pressure,
+        this.map,
         this.spread,
         this.dent,
         this.depth,
@@ -312,7 +281,6 @@ export class View {
   /** @param {number} step */
   #go(step) {
     this.#at = step;
-    this.on.stepped(step);
     this.#showStep();
   }
 
@@ -346,7 +314,6 @@ export class View {
       this.depth,
       this.field,
       this.convergence,
-      this.history,
     ]) {
       panel.of =
         many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
@@ -360,7 +327,9 @@ export class View {
     for (const { panel } of [this.sweep, this.vary, this.figures, this.differences])
       panel.stem = stem;
     this.steps.show(many, this.#at, load);
-    showHeadline(shown, this.#at);
+    this.before.hidden = this.on.before() === '';
+    const next = id && raw ? nextSteps(job, raw, this.#at) : [];
+    showHeadline(shown, this.#at, next, this.on.solve);
     this.sweep.show(shown, this.#at);
     this.pressure.show(shown, this.#at);
     this.spread.show(shown, this.#at);
@@ -372,11 +341,13 @@ export class View {
     this.figures.show(shown, this.#at);
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
-    this.history.show(step.history, report.units);
     this.solver.hidden = step.history.length === 0;
     this.#showField(this.#anew);
     this.#anew = false;
+    // Its map has the cuts.
+    if (!this.map.panel.element.hidden && this.map.hasCuts) this.pressure.panel.show(false);
     this.#arrange();
+    this.downloads.show({ ...shown[0], report: raw ?? report }, this.#at, this.#panels);
   }
 
   /** The field of the job that is compared first. */
@@ -413,44 +384,19 @@ export class View {
   }
 }
 
-/** The figures of the last iteration, until there is an answer. @param {Iteration[]} history @param {import('../types.js').Job} job @param {import('../lib/units.js').UnitSet} set */
-function soFar(history, job, set) {
-  const last = history[history.length - 1];
-  const row = (
-    /** @type {string} */ name,
-    /** @type {number} */ value,
-    /** @type {string} */ of,
-  ) =>
-    h(
-      'div',
-      {},
-      h('dt', {}, name),
-      h(
-        'dd',
-        {},
-        h('span', { class: 'figure' }, figure(value, 4), h('span', { class: 'unit' }, of)),
-        h('span', { class: 'bar-of-error' }, 'so far'),
-      ),
-    );
+/** How far it is, until there is an answer. @param {Iteration[]} history @param {import('../types.js').Job} job */
+function soFar(history, job) {
+  const { words, part } = progressOf(history, job);
   return h(
     'div',
-    {},
+    { class: 'so-far' },
     h(
       'p',
       { class: 'verdict-text neutral' },
       h('span', { class: 'mark', 'aria-hidden': 'true' }, '…'),
-      h('span', {}, sentence(progressWords(history, job))),
+      h('span', {}, sentence(words)),
     ),
-    last
-      ? h(
-          'dl',
-          { class: 'figures' },
-          row('Peak pressure', last.peak_pressure, unit('stress', set)),
-          row('Approach', last.approach, unit('length', set)),
-          row('Contact pairs', last.contact_pairs, ''),
-          row('Points that yield', last.plastic_points, ''),
-        )
-      : null,
+    h('progress', { max: 1, value: part, 'aria-label': 'Part of the work that is done' }),
   );
 }
 
@@ -470,17 +416,20 @@ function fieldOf({ job, report, raw, fields }, at, axis) {
 /** The step that is seen first: that of the force that was looked for, else the last one. @param {Shown} one */
 function askedStep({ report }) {
   const found = report.steps.findIndex((step) =>
-    answersOf(step, report).some(({ name }) => name === 'force_found'),
+    answersOf(step).some(({ name }) => name === 'force_found'),
   );
   return found < 0 ? report.steps.length - 1 : found;
 }
 
-/** Names the sections of half-spaces in the axes of the job. @param {HTMLElement} choice @param {import('../types.js').Step} step */
-function namePlanes(choice, { three_dimensional: ellipse }) {
-  const axes = axesOf(ellipse ?? { orientation: 0 });
+/** Names the sections of half-spaces in the axes of the job, by the place that both go through. @param {HTMLElement} choice @param {import('../types.js').Step} step */
+function namePlanes(choice, step) {
+  const axes = axesOf(step.three_dimensional ?? { orientation: 0 });
+  const place = governing(step)?.place;
+  const name = (/** @type {'x' | 'y'} */ axis) =>
+    `${axes[axis].name} = ${figure(axes[axis].sign * (place?.[axis] ?? 0), 3)}`;
   const [along, across] = choice.querySelectorAll('span');
-  along.textContent = `${axes.y.name} = 0`;
-  across.textContent = `${axes.x.name} = 0`;
+  along.textContent = name('y');
+  across.textContent = name('x');
 }
 
 /**

@@ -10,9 +10,8 @@ import { sentence } from '../setup/send.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
 import { titleOf } from '../jobs/names.js';
-import { downloads } from './downloads.js';
 import { solvedWords } from './loads.js';
-import { progressWords } from './progress.js';
+import { progressOf } from './progress.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 /** @typedef {import('../types.js').Iteration} Iteration */
@@ -27,7 +26,6 @@ const LOOK = 2000;
 /**
  * @typedef {object} Handlers
  * @property {(state: string) => void} titled
- * @property {() => number} step that is shown
  * @property {() => import('../types.js').Job} job that is followed
  * @property {(history: Iteration[]) => void} iterated
  * @property {(id: string, report: Report) => void} solved
@@ -198,8 +196,7 @@ export class Watch {
       frame = 0;
       if (signal.aborted || history.length === 0) return;
       this.on.iterated(history);
-      if (last?.status === 'running' && history.length)
-        this.#say(progressWords(history, this.on.job()));
+      if (last?.status === 'running') this.#say('');
     };
     const looking = setInterval(async () => {
       if (last?.status !== 'queued' || document.hidden) return;
@@ -249,7 +246,7 @@ export class Watch {
     const { id, status } = document;
     const bar = `${id} ${status} ${document.cancel_requested} ${Boolean(report)} ${loading}`;
     // Buttons stay where they are while figures change: a click takes longer than an iteration.
-    if (this.#bar !== bar) this.#put(bar, this.#build(document, report, loading));
+    if (this.#bar !== bar) this.#put(bar, this.#build(document, loading));
     this.on.titled([titleOf(this.on.job()), NAMES[status]].filter(Boolean).join(', '));
     this.#say(loading ? 'loading the result' : words(document, report, this.on.job()));
   }
@@ -260,8 +257,8 @@ export class Watch {
     if (place) place.textContent = text;
   }
 
-  /** @param {JobDocument} document @param {Report | undefined} report @param {boolean} loading */
-  #build(document, report, loading) {
+  /** @param {JobDocument} document @param {boolean} loading */
+  #build(document, loading) {
     const { id, status, tags = {} } = document;
     const title = String(this.on.job().title ?? '');
     const cancel = h(
@@ -293,7 +290,6 @@ export class Watch {
         h('code', { class: 'quiet', title: id }, id.slice(-8)),
         finished(document) ? null : cancel,
         link,
-        report ? downloads(id, this.on.job(), report, this.on.step) : null,
       ),
     );
   }
@@ -352,7 +348,7 @@ function words(
     case 'queued':
       return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
     case 'running':
-      return `${progress.latest && !progress.iterations ? 'preliminary ' : ''}${progressWords(progress.latest ? [progress.latest] : [])}`;
+      return progressOf(progress.latest ? [progress.latest] : [], job).words;
     case 'failed':
       return [error?.detail, ...(error?.errors ?? []).map(({ detail }) => detail)]
         .filter(Boolean)

@@ -121,7 +121,7 @@ export class Check {
       this.form.showError([]);
       this.json.remark('');
       byId('check').replaceChildren(
-        ...(this.hertz ? [figures(job, this.hertz)] : []),
+        ...(this.hertz && isTelling(this.hertz) ? [figures(job, this.hertz)] : []),
         ...(why ? [h('p', { class: 'quiet' }, `Hertz’s theory does not apply: ${why}.`)] : []),
       );
       byId('cost').textContent = estimate ? cost(estimate, job) : '';
@@ -156,6 +156,10 @@ function cost({ equations, bytes }, job) {
   return parts.join(', ');
 }
 
+/** Whether the theory has more to say than the curvature. @param {Hertz} hertz */
+const isTelling = ({ steps, yield_onset_force: onset }) =>
+  onset !== null || steps.some(({ peak_pressure: peak }) => peak > 0);
+
 /** @param {import('../types.js').Job} job @param {Hertz} hertz */
 function figures(job, hertz) {
   const units = unitsOf(job);
@@ -168,11 +172,12 @@ function figures(job, hertz) {
     /** @type {number | null} */ value,
     /** @type {string} */ unit,
   ) =>
+    value !== null &&
     h(
       'div',
       {},
       h('dt', {}, name),
-      h('dd', {}, figure(value), ' ', h('span', { class: 'unit' }, value === null ? '' : unit)),
+      h('dd', {}, figure(value), ' ', h('span', { class: 'unit' }, unit)),
     );
   const onset = hertz.yield_onset_force;
   const verdict =

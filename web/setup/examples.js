@@ -6,7 +6,7 @@
 import { typicalSurface } from './fields.js';
 
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {{title: string, job: Job}} Example */
+/** @typedef {{name?: string, title: string, job: Job}} Example */
 
 /** Of the service's examples. */
 const TITLES = /** @type {Record<string, string>} */ ({
@@ -24,6 +24,7 @@ const TITLES = /** @type {Record<string, string>} */ ({
   rail_under_driven_wheel: 'Rail under a driven wheel',
   rolled_hardened_roller: 'Case-hardened roller that rolls',
   ball_runs_in: 'Ball that runs in, in three dimensions',
+  brinell_test: 'Brinell test of a structural steel',
 });
 
 const HARD = { name: 'Bearing steel, elastic', young_modulus: 207000, poisson_ratio: 0.3 };
@@ -40,6 +41,7 @@ const steel = (strength) => ({
 /** @type {Example[]} */
 const OWN = [
   {
+    name: 'rough_patch',
     title: 'Rough patch pressed flat, in three dimensions',
     job: {
       analysis: 'three_dimensional',
@@ -123,13 +125,18 @@ const OWN = [
 
 /** @param {{name: string, job: Job}[]} served @returns {Example[]} with the stress field */
 export const examplesOf = (served) =>
-  [
-    // A dialogue asks for hardness tests.
-    ...served
-      .filter(({ job }) => job.upper)
-      .map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })),
+  /** @type {Example[]} */ ([
+    ...served.map(({ name, job }) => ({
+      name,
+      title: TITLES[name] ?? name.replaceAll('_', ' '),
+      job: { ...job, load: named(job.load) },
+    })),
     ...OWN,
-  ].map(({ title, job }) => ({
-    title,
-    job: { ...job, output: { ...job.output, fields: true } },
-  }));
+  ])
+    // A test of hardness has no upper body: it is another thing than the others.
+    .sort((a, b) => Number(!a.job.upper) - Number(!b.job.upper))
+    .map((one) => ({ ...one, job: { ...one.job, output: { ...one.job.output, fields: true } } }));
+
+/** A hardness test by its name, which the form shows. @param {any} load */
+const named = ({ hardness: test, ...load }) =>
+  test ? { hardness: `${test.scale} ${test.ball}/${test.force_kgf}` } : load;

@@ -5,6 +5,7 @@
 
 import { arrange, byId, h, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
+import { browser } from '../lib/kept.js';
 import * as pointer from '../lib/pointer.js';
 import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
 import { jobFor } from './draft.js';
@@ -13,7 +14,6 @@ import {
   DEFAULTS,
   INITIAL_STRESS,
   ISO_76,
-  LAWS,
   hasInitialStress,
   hasSurface,
   lawOf,
@@ -25,7 +25,7 @@ import {
   usualElements,
 } from './fields.js';
 import { Kinds } from './kinds.js';
-import { layoutOf } from './layout.js';
+import { isFirst, layoutOf } from './layout.js';
 import { onMaterials } from './library.js';
 import { MaterialChoice } from './material-choice.js';
 import { inWords } from './words.js';
@@ -43,6 +43,8 @@ import {
 /** @typedef {'upper' | 'lower'} Body */
 
 const SOURCE = 'form';
+/** Whether all fields are shown, as this browser keeps it. */
+const WHOLE = 'form-whole';
 
 export class Form {
   /** @type {Map<string, Made>} by pointer */
@@ -51,8 +53,6 @@ export class Form {
   #before = new Map();
   /** @type {import('./layout.js').Place[]} */
   #layout = [];
-  /** Whether there is something not as usual below the fields that every body has. */
-  #unusual = { upper: false, lower: false };
   /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
   #reported = new Map();
 
@@ -77,7 +77,8 @@ export class Form {
         draft,
         (material) => {
           this.kinds.forget(`/${body}/material`);
-          draft.set(`/${body}/material`, material, SOURCE);
+          const place = `/${body}/material`;
+          this.#followed(place, () => draft.set(place, material, SOURCE));
         },
         () => this.root.querySelector(`[data-place^="/${body}/material"] [aria-invalid=true]`),
       );
@@ -133,7 +134,6 @@ export class Form {
     const fault = /** @type {HTMLElement | null} */ (
       this.root.querySelector('[aria-invalid=true]')
     );
-    fault?.closest('details')?.setAttribute('open', '');
     fault?.focus();
   }
 
@@ -152,11 +152,14 @@ export class Form {
     this.#layout = layout;
     const units = unitsOf(job);
     for (const [place, { entry, field }] of this.#fields) {
-      const usual = place === '/mesh/elements_per_half_width' ? usualElements(job) : undefined;
-      entry.show(
-        valueIn(job, place),
-        usual ?? /** @type {Record<string, unknown>} */ (DEFAULTS)[place],
-      );
+      const usual =
+        place === '/mesh/elements_per_half_width'
+          ? usualElements(job)
+          : /** @type {Record<string, unknown>} */ (DEFAULTS)[place];
+      const value = valueIn(job, place);
+      entry.show(value, usual);
+      const first = isFirst(job, { part: 'title', place, field }, value, usual);
+      entry.element.toggleAttribute('data-rest', !first);
       const quantity = field.quantity === 'load' ? forceOf(job) : field.quantity;
       if (quantity) entry.setUnit(field.unit ?? unit(quantity, units));
       if (field.columns)
@@ -166,16 +169,16 @@ export class Form {
     const isTest = loadOf(job.load) === 'hardness';
     for (const part of [this.parts.general, this.parts.upper.fields.parentElement])
       if (part) part.hidden = isTest;
+    const { settings } = this.parts;
+    const rest = settings.querySelector(':scope > :not([data-rest])') === null;
+    settings.parentElement?.toggleAttribute('data-rest', rest);
     const alike = pointer.same(job.upper, job.lower);
+    this.parts.lower.copy.textContent = alike ? 'follows the upper' : 'same as upper';
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
       this.materials[body].show();
       this.#showPreview(body);
       // With nothing to copy it is no stop of Tab; hidden, it would lose the focus that it has.
       this.parts[body].copy.tabIndex = alike ? -1 : 0;
-      // What is not as usual is seen, until somebody closes it.
-      const unusual = isUnusual(job[body]);
-      if (unusual && !this.#unusual[body]) this.parts[body].more.open = true;
-      this.#unusual[body] = unusual;
     }
     this.#showErrors();
   }
@@ -209,22 +212,8 @@ export class Form {
     const of = (/** @type {import('./layout.js').Part} */ part) => elements.get(part) ?? [];
     for (const part of /** @type {const} */ (['title', 'general', 'load', 'settings']))
       arrange(this.parts[part], of(part));
-    const { job } = this.draft;
-    for (const body of /** @type {const} */ (['upper', 'lower'])) {
-      const { fields, more, rare } = this.parts[body];
-      arrange(fields, of(body));
-      arrange(rare, of(`${body}/rare`));
-      const law = lawOf(job[body]?.material);
-      const words = [
-        job.analysis !== 'three_dimensional' && 'support',
-        LAWS[law]?.fields.length && 'strength over depth',
-        law !== 'rigid' && 'initial stress',
-      ].filter(Boolean);
-      more.hidden = words.length === 0;
-      /** @type {HTMLElement} */ (more.firstChild).textContent = words
-        .join(', ')
-        .replace(/^./, (letter) => letter.toUpperCase());
-    }
+    for (const body of /** @type {const} */ (['upper', 'lower']))
+      arrange(this.parts[body].fields, of(body));
     this.#before.clear();
   }
 
@@ -236,6 +225,26 @@ export class Form {
 
   /** Takes what somebody has entered. @param {string} place @param {any} value */
   #change(place, value) {
+    this.#followed(place, () => this.#take(place, value));
+  }
+
+  /**
+   * The lower body follows the upper for as long as it is the same: in its measures and its
+   * material. Of another shape the upper is alone.
+   * @param {string} place that is changed @param {() => void} change
+   */
+  #followed(place, change) {
+    const { upper, lower } = this.draft.job;
+    const type = upper?.shape?.type;
+    const follows = /^\/upper\/(shape|material)\b/.test(place) && pointer.same(upper, lower);
+    change();
+    const { job } = this.draft;
+    if (follows && job.upper?.shape?.type === type)
+      this.draft.amend('/lower', structuredClone(job.upper), SOURCE);
+  }
+
+  /** @param {string} place @param {any} value */
+  #take(place, value) {
     const [, own, rest] = /^\/(upper|lower)\/(.*)$/.exec(place) ?? [];
     const [body, { kinds }] = [/** @type {Body} */ (own), this];
     switch (rest ?? place) {
@@ -280,13 +289,12 @@ export class Form {
         this.kinds.forget(`/${own}/`);
         this.draft.set(`/${own}`, structuredClone(this.draft.job[other]), SOURCE);
       };
-      const [fields, rare] = [grid(), grid()];
       const copy = h(
         'button',
         { type: 'button', class: 'plain', onclick: take },
         `same as ${other}`,
       );
-      return { fields, rare, copy, more: h('details', {}, h('summary'), rare) };
+      return { fields: grid(), copy };
     };
     const parts = {
       title: grid(),
@@ -297,16 +305,37 @@ export class Form {
       settings: grid(),
     };
     const fieldset = (
-      /** @type {ReturnType<typeof body>} */ { fields, more, copy },
       /** @type {string} */ title,
-    ) => h('fieldset', {}, h('legend', {}, title, copy), fields, more);
+      /** @type {Element} */ fields,
+      /** @type {Element | undefined} */ copy = undefined,
+    ) =>
+      h(
+        'fieldset',
+        { class: copy && title.split(' ')[0].toLowerCase() },
+        h('legend', {}, title, copy),
+        fields,
+      );
+    const more = h('button', {
+      type: 'button',
+      class: 'plain more',
+      'aria-controls': 'form',
+      onclick: () => whole(!this.root.classList.contains('whole')),
+    });
+    const whole = (/** @type {boolean} */ on) => {
+      this.root.classList.toggle('whole', on);
+      more.setAttribute('aria-expanded', String(on));
+      more.textContent = on ? 'Fewer fields' : 'More: all fields, mesh, solver, output';
+      browser.set(WHOLE, String(on));
+    };
+    whole(browser.get(WHOLE) === 'true');
     this.root.replaceChildren(
       parts.title,
       parts.general,
-      fieldset(parts.upper, 'Upper body'),
-      fieldset(parts.lower, 'Lower body'),
-      h('fieldset', {}, h('legend', {}, 'Load'), parts.load),
-      h('details', {}, h('summary', {}, 'Mesh, solver, output, tags'), parts.settings),
+      fieldset('Upper body', parts.upper.fields, parts.upper.copy),
+      fieldset('Lower body', parts.lower.fields, parts.lower.copy),
+      fieldset('Load', parts.load),
+      fieldset('Mesh, solver, output, tags', parts.settings),
+      more,
     );
     return parts;
   }
@@ -362,7 +391,7 @@ export class Form {
       slide: /^\/(solver|mesh)/.test(place)
         ? undefined
         : (value, moving) => {
-            this.draft.set(place, value, 'slider');
+            this.#followed(place, () => this.draft.set(place, value, 'slider'));
             this.slid(moving);
           },
     });
@@ -375,14 +404,10 @@ export class Form {
 /** Places of the pictures of a body. @param {Body} body */
 function previews(body) {
   const place = (/** @type {string} */ name) => h('div', { 'data-preview': `${body}-${name}` });
-  return { shape: place('shape'), curve: place('curve'), stress: place('stress') };
+  const [shape, curve, stress] = ['shape', 'curve', 'stress'].map(place);
+  curve.dataset.rest = '';
+  return { shape, curve, stress };
 }
-
-/** Whether a body has something in the fields that few need. @param {Record<string, any> | undefined} body */
-const isUnusual = (body) =>
-  (body?.support ?? 'clamped') !== 'clamped' ||
-  overDepthOf(body?.material) !== 'uniform' ||
-  hasInitialStress(body?.material);
 
 /** What the field of a place shows: a part of the job, or which of its kinds it is. @param {import('../types.js').Job} job @param {string} place */
 function valueIn(job, place) {

@@ -34,7 +34,8 @@ import {
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('./field.js').Field} Field */
 /** @typedef {'upper' | 'lower'} Body */
-/** @typedef {'title' | 'general' | Body | `${Body}/rare` | 'load' | 'settings'} Part */
+/** @typedef {'title' | 'general' | Body | 'load' | 'settings'} Part */
+/** @typedef {'press' | 'raceway' | 'rolling' | 'hardness' | 'surface' | 'depth'} Door */
 /**
  * @typedef {{part: Part, place: string, field?: Field}} Place without a field what a body always has
  */
@@ -44,13 +45,53 @@ export const layoutOf = (job) => [
   ...fields('title', '', [TITLE]),
   choice('general', '/analysis', 'Analysis', ANALYSES),
   choice('general', '/units', 'Units', UNIT_SYSTEMS),
-  ...['upper', 'lower'].flatMap((body) => [
-    ...ofBody(job, /** @type {Body} */ (body)),
-    ...ofRare(job, /** @type {Body} */ (body)),
-  ]),
+  ...['upper', 'lower'].flatMap((body) => ofBody(job, /** @type {Body} */ (body))),
   ...ofLoad(job),
   ...fields('settings', '', SETTINGS),
 ];
+
+/** What a job is about. @param {Job} job @returns {Door} */
+export function doorOf(job) {
+  const bodies = [job.upper, job.lower];
+  const kind = loadOf(job.load);
+  if (kind === 'hardness' || kind === 'rolling') return kind;
+  if (bodies.some(hasSurface)) return 'surface';
+  const varies = (/** @type {any} */ body) =>
+    overDepthOf(body?.material) !== 'uniform' || hasInitialStress(body?.material);
+  if (bodies.some(varies)) return 'depth';
+  return job.analysis === 'three_dimensional' ? 'raceway' : 'press';
+}
+
+/** With these every form begins, and with these by what the job is about. */
+const FIRST =
+  /^\/(analysis|units|load\b)|\/shape\/|\/plasticity\/(yield_stress|reference_stress|points)$/;
+/** @type {Record<Door, RegExp>} */
+const BY_DOOR = {
+  press: /$^/,
+  raceway: /\/shape\/(profile|tilt)/,
+  rolling: /\/backstress$/,
+  hardness: /\/plasticity\//,
+  surface: /\/surface/,
+  depth: /\/(depth_kind|stress_kind)$/,
+};
+/** What every job has stands behind “more” whatever it is. */
+const GIVEN = /\/(tags|name|young_modulus|poisson_ratio|law|output\/.*)$|\/plasticity\/[^/]*$/;
+/** What a job that says nothing has. @type {Record<string, unknown>} */
+const USUAL = { depth_kind: 'uniform', stress_kind: 'none', surface_kind: 'none' };
+
+/**
+ * Whether the form begins with a field: others stand behind “more” for as long as they are as usual.
+ * @param {Job} job
+ * @param {Place} place
+ * @param {unknown} value of the job there
+ * @param {unknown} usual what holds without one
+ */
+export const isFirst = (job, { place, field }, value, usual) =>
+  (FIRST.test(place) &&
+    (!field?.optional || place.startsWith('/load/')) &&
+    !(field && isOverruled(job[place.split('/')[1]]?.material, field))) ||
+  BY_DOOR[doorOf(job)].test(place) ||
+  (!GIVEN.test(place) && value != null && value !== (usual ?? USUAL[field?.key ?? '']));
 
 /** Whether hardness over depth stands in place of a figure of the law. @param {any} material @param {Field} field */
 const isOverruled = (material, { key }) =>
@@ -92,6 +133,10 @@ function ofBody(job, body) {
       ...fields(body, ofShape, [field]),
     ]),
     ...ofSurface(job, body),
+    // A half-space has no far boundary.
+    ...(job.analysis === 'three_dimensional'
+      ? []
+      : [choice(body, `${at}/support`, 'Support', SUPPORTS)]),
     { part: body, place: 'shape' },
     { part: body, place: 'material' },
     ...fields(body, ofMaterial, [NAME, ...(law === 'rigid' ? [] : ELASTIC)]),
@@ -101,6 +146,7 @@ function ofBody(job, body) {
       ...(hasBackstress(job, body) ? [BACKSTRESS] : []),
     ]),
     { part: body, place: 'curve' },
+    ...ofDepth(job, body),
   ];
 }
 
@@ -115,24 +161,18 @@ function ofSurface(job, body) {
   ];
 }
 
-/** @param {Job} job @param {Body} body @returns {Place[]} */
-function ofRare(job, body) {
-  /** @type {Part} */
-  const part = `${body}/rare`;
+/** @param {Job} job @param {Body} body @returns {Place[]} what varies over the depth of a body */
+function ofDepth(job, body) {
   const material = job[body]?.material;
   const [law, at] = [lawOf(material), `/${body}/material`];
   const kinds = { none: 'None', given: 'Over depth' };
   const stress = hasInitialStress(material) ? [initialStressOf(job.analysis)] : [];
   return [
-    // A half-space has no far boundary.
-    ...(job.analysis === 'three_dimensional'
-      ? []
-      : [choice(part, `/${body}/support`, 'Support', SUPPORTS)]),
-    ...(LAWS[law]?.fields.length ? ofOverDepth(part, at, material) : []),
+    ...(LAWS[law]?.fields.length ? ofOverDepth(body, at, material) : []),
     ...(law === 'rigid'
       ? []
-      : [choice(part, `${at}/stress_kind`, 'Initial stress', kinds), ...fields(part, at, stress)]),
-    { part, place: 'stress' },
+      : [choice(body, `${at}/stress_kind`, 'Initial stress', kinds), ...fields(body, at, stress)]),
+    { part: body, place: 'stress' },
   ];
 }
 

@@ -5,8 +5,9 @@
 
 import { h, toast } from '../lib/dom.js';
 import { toolbar } from '../lib/toolbar.js';
-import { unitsOf } from '../lib/units.js';
+import { convert, exact, unit, unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
+import { ELASTIC, LAWS, lawOf } from './fields.js';
 import { allMaterials, askToForget, askToKeep, ownMaterials } from './library.js';
 import { inMegapascals, materialOf } from './materials.js';
 import { PRESETS } from './presets.js';
@@ -33,6 +34,13 @@ export class MaterialChoice {
     });
     this.drop = button('Forget', () => this.#forget());
     this.drop.dataset.forget = body;
+    this.tools = [
+      button('Hardness test…', () => this.#test()),
+      button('Keep as own…', () => this.#keep()),
+      this.drop,
+    ];
+    for (const tool of this.tools) tool.dataset.rest = '';
+    this.summary = h('p', { class: 'source summary' });
     this.origin = h('p', { class: 'source', 'data-source': body });
     this.elements = [
       h(
@@ -47,12 +55,11 @@ export class MaterialChoice {
           button('From hardness…', async () =>
             (await import('./from-hardness.js')).askHardness((material) => this.#use(material)),
           ),
-          button('Hardness test…', () => this.#test()),
-          button('Keep as own…', () => this.#keep()),
-          this.drop,
+          ...this.tools,
         ),
         'Material',
       ),
+      this.summary,
       this.origin,
     ];
     this.list();
@@ -72,6 +79,8 @@ export class MaterialChoice {
     this.select.value = preset?.name ?? '';
     this.drop.hidden = !ownMaterials().some(({ name }) => name === preset?.name);
     this.origin.replaceChildren(...(preset ? symbol(preset.source) : []));
+    const figures = figuresOf(job[this.body]?.material, unitsOf(job));
+    this.summary.replaceChildren(...symbol(figures));
   }
 
   /** @param {string} name */
@@ -88,10 +97,14 @@ export class MaterialChoice {
     this.use(name ? { name, ...figures } : figures);
   }
 
-  async #test() {
+  /** A hardness test of a thick block of this material. */
+  #test() {
     const { job } = this.draft;
-    const material = inMegapascals(job[this.body]?.material ?? {}, unitsOf(job));
-    (await import('./hardness-test.js')).askTest(material);
+    const units = unitsOf(job);
+    const [width, depth] = [80, 40].map((size) => convert(size, 'length', 'mm_N_MPa', units));
+    const lower = { shape: { type: 'block', width, depth }, material: job[this.body]?.material };
+    const output = { fields: true };
+    this.draft.replace({ units, lower, load: { hardness: 'HBW 10/3000' }, output }, 'example');
   }
 
   #keep() {
@@ -115,6 +128,27 @@ export class MaterialChoice {
     this.select.focus();
     askToForget(this.select.value);
   }
+}
+
+/** What a material is, in one line. @param {Record<string, any> | undefined} material @param {import('../lib/units.js').Units} units */
+function figuresOf(material, units) {
+  const law = LAWS[lawOf(material)];
+  const figures = (/** @type {import('./field.js').Field[]} */ fields, /** @type {any} */ of) =>
+    fields.flatMap(({ key, symbol: name, quantity }) =>
+      typeof of?.[key] === 'number' && name
+        ? [
+            `${name} ${exact(of[key])} ${quantity ? unit(/** @type {import('../lib/units.js').Quantity} */ (quantity), units) : ''}`.trim(),
+          ]
+        : [],
+    );
+  return [
+    material?.name,
+    ...figures(material?.rigid ? [] : ELASTIC, material),
+    law?.label.toLowerCase(),
+    ...figures(law?.fields ?? [], material?.plasticity),
+  ]
+    .filter(Boolean)
+    .join(', ');
 }
 
 /** Materials to choose from, one's own first. */

@@ -40,12 +40,12 @@ test('a map has the x and y of the job, however its contact is turned', () => {
   assert.deepEqual(alongJob([1, 2], [5, 6], { name: 'x', sign: -1 }), { x: [-2, -1], y: [6, 5] });
 });
 
-test('the last digit is about a tenth of the error', () => {
+test('a figure ends where its error does, and has three digits at least', () => {
   assert.equal(figureOf(1182.38, 0.0021), '1182');
   assert.equal(figureOf(0.307891, 0.022), '0.308');
-  assert.equal(figureOf(0.0028801, 0.12), '0.0029');
+  assert.equal(figureOf(0.0028801, 0.34), '0.00288');
   assert.equal(figureOf(612.6106, 0), '612.61');
-  assert.equal(figureOf(0.917, null), '0.9170');
+  assert.equal(figureOf(0.9174, null), '0.917');
   assert.equal(figureOf(5.4321, 3), '5.4');
 });
 

@@ -38,10 +38,6 @@ for (let example = 0; example < MANY; example += 1)
       const label = (await options.nth(example + 1).textContent()) ?? '';
       await page.locator('#example').selectOption({ label });
       await page.locator('#cost').getByText('equations').waitFor();
-      await page
-        .locator('#form details')
-        .last()
-        .evaluate((one) => one.setAttribute('open', ''));
       const elements = page.getByLabel('Elements per half-width');
       const three = (await page.getByLabel('Analysis').inputValue()) === 'three_dimensional';
       await elements.fill(three ? '6' : '10');
@@ -65,20 +61,15 @@ for (let example = 0; example < MANY; example += 1)
         await page.locator('#headline .verdict-text span:last-child').textContent(),
         step.verdict.text,
       );
-      const cards = await page.locator('#headline [data-answer]').evaluateAll((all) =>
-        all.map((one) => ({
-          name: /** @type {HTMLElement} */ (one).dataset.answer,
-          figure: one.querySelector('.figure')?.textContent ?? '',
-          words: [...one.querySelectorAll('.bar-of-error, small')]
-            .map((part) =>
-              [...part.childNodes]
-                .map((node) =>
-                  node.nodeType === 3 || node.nodeName !== 'SPAN' ? node.textContent : '',
-                )
-                .join(''),
-            )
-            .join(' ; '),
-        })),
+      await page.locator('#headline .rest summary').click();
+      const cards = await page.locator('#headline [data-row]').evaluateAll((all) =>
+        all.map((one) => {
+          const [value, unit, ...words] = [...one.querySelectorAll('td')].map(
+            (cell) => cell.textContent,
+          );
+          const name = /** @type {HTMLElement} */ (one).dataset.row;
+          return { name, figure: `${value} ${unit}`, words: words.join(' ; ') };
+        }),
       );
       assert.deepEqual(
         cards.map(({ name }) => name),
@@ -96,7 +87,7 @@ for (let example = 0; example < MANY; example += 1)
             `${figure} is not ${value}`,
           );
         const numbers = [
-          100 * error,
+          100 * error * (share > 1 ? Math.abs(value) : 1),
           elastic * share,
           value / elastic,
           place?.x,

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { drawn, follow, mises, solved } from '../jobs.js';
+import { drawn, follow, mises, solved, taken } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -207,7 +207,7 @@ service.test(
     );
     assert.equal(await label(page), before, 'the picture is still of the other quantity');
     assert.equal(await page.locator('#panel-field .stage.stale').count(), 1);
-    await page.getByRole('button', { name: 'Save field as PNG' }).click();
+    await taken(page, 'Save field as PNG');
     await page.getByText('There is no picture of it yet').waitFor();
     broken = '';
     await said.getByRole('button', { name: 'Try again' }).click();

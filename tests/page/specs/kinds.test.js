@@ -71,6 +71,8 @@ service.test('“same as” copies the other body as it is now', async (page) =>
     const { shape, material } = (await draft(page)).lower;
     return [shape.radius, material.young_modulus];
   };
+  // It follows the upper no longer.
+  await field(page, '/lower/shape/radius').fill('21');
   await radius.fill('25');
   await page.getByRole('button', { name: 'Undo' }).click();
   await radius.fill('33');

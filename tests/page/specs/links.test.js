@@ -56,7 +56,7 @@ service.test('an address without a job shows none', async (page) => {
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.locator('#headline').getByText('400.00').waitFor();
   await page.goBack();
-  await page.locator('#headline').getByText('Set up a contact and solve it.').waitFor();
+  await page.locator('#headline').getByText('Begin with a picture').waitFor();
   await page.locator('#panel-pressure .plot').waitFor();
   assert.equal(await page.getByRole('button', { name: 'Copy link' }).count(), 0);
   await page.goForward();
@@ -130,7 +130,7 @@ service.test(
     await follow(page, 'job=0197e1f0-0000-7000-8000-000000000000');
     await page.getByText('This link leads to a job that is not here').waitFor();
     await follow(page, '');
-    await page.locator('#headline').getByText('Set up a contact and solve it.').waitFor();
+    await page.locator('#headline').getByText('Begin with a picture').waitFor();
     await place.getByRole('slider').press('ArrowRight');
     await live.waitFor();
     await page.getByRole('button', { name: 'Report' }).click();

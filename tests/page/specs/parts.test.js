@@ -6,7 +6,8 @@ import { locate, locateAll } from '../../../web/field/locate.js';
 import { differences, names } from '../../../web/jobs/names.js';
 import { figure } from '../../../web/lib/units.js';
 import { layoutOf } from '../../../web/setup/layout.js';
-import { progressWords } from '../../../web/result/progress.js';
+import { nextSteps } from '../../../web/result/next.js';
+import { progressOf } from '../../../web/result/progress.js';
 import { NOTHING, after } from '../../../web/state.js';
 
 /** @param {number[]} lengths iterations of each step @param {number} pace [ms] of a step */
@@ -22,27 +23,68 @@ const history = (lengths, pace) =>
 test('a sweep says which step it is at and what time is left', () => {
   const job = { load: { forces: [1, 2, 3, 4, 5, 6, 7, 8, 9, 10] } };
   const words = (/** @type {number[]} */ lengths, of = job) =>
-    progressWords(/** @type {any} */ (history(lengths, 4000)), of);
+    progressOf(/** @type {any} */ (history(lengths, 4000)), of).words;
   assert.equal(words([]), 'meshing and factorizing');
-  assert.equal(words([3]), 'step 1 of 10, iteration 3, out of balance 0.0010');
-  // Seven steps of 4 s are left of this one on.
-  assert.equal(
-    words([3, 5, 2, 2]),
-    'step 4 of 10, about 28 s left, iteration 2, out of balance 0.0010',
-  );
-  assert.match(words(Array(10).fill(2)), /^step 10 of 10, about 4 s left/);
+  assert.equal(words([3]), 'load 1 of 10');
+  // Seven loads of 4 s are left of this one on.
+  assert.equal(words([3, 5, 2, 2]), 'load 4 of 10, about 28 s left');
+  assert.equal(words(Array(10).fill(2)), 'load 10 of 10, about 4 s left');
   assert.match(
     words(Array(13).fill(2)),
-    /^step 10 of 10, iteration/,
-    'steps of a mesh that grew are done again',
+    /^load 10 of 10/,
+    'of a mesh that grew all are done again',
   );
-  assert.match(words([3], /** @type {any} */ ({ load: { force: 1 } })), /^iteration 3/);
-  const increment = { load: 1, loads: 2, number: 3, count: 8 };
-  const last = { iteration: 4, elapsed_ms: 9, equilibrium_residual: 1e-3, increment };
-  assert.match(
-    progressWords(/** @type {any} */ ([last]), { load: { history: [{}, {}] } }),
-    /^load 1 of 2, increment 3 of 8, iteration 4/,
-  );
+  assert.equal(words([3], /** @type {any} */ ({ load: { force: 1 } })), 'iteration 3');
+  const increment = { load: 5, loads: 20, number: 1, count: 2 };
+  const begun = { iteration: 4, elapsed_ms: 2000, equilibrium_residual: 1e-3, increment };
+  const last = { ...begun, elapsed_ms: 6000 };
+  const rolling = /** @type {any} */ ({ load: { rolling: { force: 1 } } });
+  const { words: rolled, part } = progressOf(/** @type {any} */ ([begun, last]), rolling);
+  assert.equal(rolled, 'pass 5 of 20, about 16 s left');
+  assert.ok(Math.abs(part - 0.2) < 1e-12);
+});
+
+test('each decade of a residual is an equal part of the way', () => {
+  const residuals = [1, 1e-1, 1e-3].map((equilibrium_residual, k) => ({
+    iteration: k + 1,
+    elapsed_ms: 10,
+    equilibrium_residual,
+  }));
+  const { part } = progressOf(/** @type {any} */ (residuals), /** @type {any} */ ({}));
+  assert.ok(Math.abs(part - 0.5) < 1e-12, String(part));
+});
+
+test('where a job has no answer the next one is offered', () => {
+  const steel = { young_modulus: 200, poisson_ratio: 0.3 };
+  const law = { law: 'bilinear', yield_stress: 1, tangent_modulus: 40 };
+  const body = { material: { ...steel, plasticity: law } };
+  const offered = (/** @type {any} */ load, /** @type {any[]} */ steps) =>
+    nextSteps(
+      /** @type {any} */ ({ upper: body, lower: body, load }),
+      /** @type {any} */ ({ steps }),
+      steps.length - 1,
+    );
+  const step = (/** @type {string} */ status, /** @type {number} */ force) => ({
+    status,
+    contact: { force },
+    verdict: { level: status },
+  });
+  assert.deepEqual(offered({ force: 9 }, [step('converged', 9)]), []);
+  const [half] = offered({ force: 9 }, [step('not_converged', 9)]);
+  assert.deepEqual(half.job.load, { force: 4.5 });
+  const steps = [step('converged', 4), step('not_converged', 8)];
+  const [largest, finer] = offered({ forces: [4, 8] }, steps);
+  assert.deepEqual(largest.job.load, { force: 4 });
+  assert.deepEqual(finer.job.load, { forces: [4, 5, 6, 7, 8] });
+  const [longer, kinematic] = offered({ rolling: { force: 1, passes: 20 } }, [
+    step('not_known', 1),
+  ]);
+  assert.equal(longer.job.load.rolling.passes, 40);
+  assert.deepEqual(kinematic.job.upper.material.plasticity, {
+    ...law,
+    tangent_modulus: 0,
+    backstress: [{ modulus: 50, rate: 0 }],
+  });
 });
 
 test('many points are found in one look where one by one finds them', () => {

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { vickersOf } from '../../../web/setup/from-hardness.js';
 import { suite } from '../browser.js';
-import { shown, solved, follow, steel } from '../jobs.js';
+import { shown, solved, follow, steel, taken } from '../jobs.js';
 
 const service = suite();
 
@@ -14,6 +14,12 @@ const cards = (page) => page.locator('#headline dl dt').allTextContents();
 /** @param {import('playwright-core').Page} page @param {string} name */
 const card = (page, name) =>
   page.locator('#headline dl > div', { has: page.getByText(name, { exact: true }) });
+/** The row of the table of all figures. @param {import('playwright-core').Page} page @param {string} name */
+async function row(page, name) {
+  const table = page.locator('#headline .rest details');
+  if ((await table.getAttribute('open')) === null) await table.locator('summary').click();
+  return table.locator('tr', { has: page.getByText(name, { exact: true }) });
+}
 
 service.test(
   'a force that is looked for comes first, and so does an onset of yield',
@@ -40,12 +46,12 @@ service.test(
       'Margin to first yield',
       'Core utilization',
     ]);
-    await card(page, 'Core utilization').getByText('below the case').waitFor();
+    await (await row(page, 'Core utilization')).getByText('below the case').waitFor();
     const depth = page.locator('#panel-depth');
     await depth.locator('.legend').getByText('utilization', { exact: true }).waitFor();
     const [file] = await Promise.all([
       page.waitForEvent('download'),
-      depth.getByText('SVG', { exact: true }).click(),
+      taken(page, 'Save stress over depth as SVG'),
     ]);
     const drawing = await readFile(await file.path(), 'utf8');
     for (const words of ['case depth', /utilization \d+\.?\d* %/, 'depth at x = 0'])
@@ -63,22 +69,16 @@ service.test(
 
 service.test('rolling shakes down up to a pressure that is said', async (page) => {
   await shown(page, { load: { force: 612.6106 } });
-  await page
-    .locator('#headline')
-    .getByText(/more figures$/)
-    .click();
-  await card(page, 'Shakedown pressure')
-    .getByText(/Hertz's peak is 1\.30? times that/)
-    .waitFor();
+  const limit = await row(page, 'Shakedown pressure');
+  await limit.getByText(/Hertz's peak is 1\.30? times that/).waitFor();
 });
 
 service.test('the stress that is left has the names of axisymmetry', async (page) => {
   const history = [{ force: 5000 }, { force: 0 }];
   await shown(page, { analysis: 'axisymmetric', load: { history }, solver: { theory: 'flow' } });
   assert.deepEqual((await cards(page)).slice(0, 3), ['Dent', 'Pile-up', 'Permanent approach']);
-  await card(page, 'Residual tension')
-    .getByText(/^largest principal stress of all /)
-    .waitFor();
+  const tension = await row(page, 'Residual tension');
+  await tension.getByText(/^largest principal stress of all /).waitFor();
   for (const name of ['σr', 'σθ'])
     await page.locator('#panel-depth .legend').getByText(name, { exact: true }).waitFor();
 });
@@ -139,10 +139,7 @@ service.test(
     await page.getByRole('button', { name: 'Report' }).click();
     assert.equal(await sheet.getByLabel('Author').inputValue(), 'A. Engineer');
     await page.keyboard.press('Escape');
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.getByRole('button', { name: 'CSV: figures' }).click(),
-    ]);
+    const [file] = await Promise.all([page.waitForEvent('download'), taken(page, 'CSV: figures')]);
     assert.equal((await readFile(await file.path())).subarray(0, 3).toString('hex'), 'efbbbf');
   },
 );
@@ -230,6 +227,9 @@ service.test('remarks are short, with the rest behind them', async (page) => {
   await page.locator('#headline .remarks').evaluate((one) => one.setAttribute('open', ''));
   await remark.getByText('Plasticity by deformation theory').waitFor();
   const details = remark.locator('details');
-  assert.match((await details.textContent()) ?? '', /peak pressures of lines are at most .* %.*unloading/);
+  assert.match(
+    (await details.textContent()) ?? '',
+    /peak pressures of lines are at most .* %.*unloading/,
+  );
   assert.equal(await details.getAttribute('open'), null);
 });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, mises, shown, solved, steel } from '../jobs.js';
+import { drawn, follow, mises, shown, solved, steel, taken } from '../jobs.js';
 
 const service = suite();
 
@@ -161,11 +161,8 @@ service.test(
       tags: { pump: 'P-12' },
     });
     await drawn(page);
-    await page
-      .locator('.bar-of-error')
-      .first()
-      .getByRole('button', { name: 'Explanation' })
-      .click();
+    await page.locator('.remarks > summary').click();
+    await page.locator('.remarks').getByRole('button', { name: 'Explanation' }).click();
     await page.getByText('an infinitely fine mesh').first().waitFor();
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Report' }).click();
@@ -276,6 +273,20 @@ service.test('in axisymmetry directions are r, θ and z', async (page) => {
   assert.deepEqual(chips.slice(2, 5), ['σr', 'σz', 'σθ']);
 });
 
+service.test('files name the job, its units and its step', async (page) => {
+  const id = await shown(page, SWEEP);
+  await page.getByText('Units shown').click();
+  await page.getByLabel('Unit of length').selectOption('µm');
+  await page.keyboard.press('Escape');
+  const named = async (/** @type {string} */ button) => {
+    const [file] = await Promise.all([page.waitForEvent('download'), taken(page, button)]);
+    return file.suggestedFilename().replace(id.slice(-8), 'id');
+  };
+  await page.getByLabel('Step', { exact: true }).fill('0');
+  assert.equal(await named('Save stress over depth as SVG'), 'id-µm-step-1-depth.svg');
+  assert.equal(await named('CSV: figures'), 'id-µm-figures.csv');
+});
+
 service.test('what is found has an error bar, what is prescribed has none', async (page) => {
   const barred = async () => {
     const cards = page.locator('#headline dl.figures > div', {
@@ -307,41 +318,6 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
   ]);
   assert.match((await columns()).join(), /^approach mm,peak pressure MPa,half-width mm,dP/);
 });
-
-service.test(
-  'iterations go out with names and units, in files that name the job and its step',
-  async (page) => {
-    const id = await shown(page, SWEEP);
-    await page.getByText('Units shown').click();
-    await page.getByLabel('Unit of length').selectOption('µm');
-    await page.keyboard.press('Escape');
-    const taken = async (/** @type {string} */ panel, /** @type {string} */ kind) => {
-      const [file] = await Promise.all([
-        page.waitForEvent('download'),
-        page.locator(`#panel-${panel}`).getByText(kind, { exact: true }).click(),
-      ]);
-      return file;
-    };
-    await page.locator('.solver > summary').click();
-    const file = await taken('iterations', 'CSV');
-    assert.equal(file.suggestedFilename(), `${id.slice(-8)}-µm-step-3-iterations.csv`);
-    const [head, first] = (await readFile(await file.path(), 'utf8')).split('\n');
-    assert.match(
-      head,
-      /^\ufeffno\.,out of balance,.*,approach \[µm\],peak pressure \[MPa\],.*,time \[ms\]$/,
-    );
-    assert.equal(first.split(',').length, head.split(',').length);
-    await page.getByLabel('Step', { exact: true }).fill('0');
-    assert.equal(
-      (await taken('depth', 'SVG')).suggestedFilename(),
-      `${id.slice(-8)}-µm-step-1-depth.svg`,
-    );
-    assert.equal(
-      (await taken('figures', 'CSV')).suggestedFilename(),
-      `${id.slice(-8)}-µm-figures.csv`,
-    );
-  },
-);
 
 service.test('initial stresses in the chart have the unit of its axis', async (page) => {
   const id = await solved(page, {
@@ -497,7 +473,7 @@ service.test('files of figures in other units have names of their own', async (p
   const named = async () => {
     const [file] = await Promise.all([
       page.waitForEvent('download'),
-      page.getByRole('button', { name: 'Save contact pressure as SVG' }).click(),
+      taken(page, 'Save contact pressure as SVG'),
     ]);
     return file.suggestedFilename().slice(8);
   };

@@ -1,0 +1,107 @@
+/** The answers of a step in sentence and table, on the page and in the report. */
+
+import { h, svg } from '../lib/dom.js';
+import { symbol } from '../setup/entry.js';
+import { inWords } from '../setup/words.js';
+import {
+  alike,
+  answersOf,
+  differenceWords,
+  elasticWords,
+  errorWords,
+  markOf,
+  placeWords,
+  unitOf,
+  valueOf,
+  verdictOf,
+} from './answers.js';
+
+/** @typedef {import('../shown.js').Shown} Shown */
+/** @typedef {import('./loads.js').Beside} Beside */
+
+/** @param {Shown} one @returns {SVGSVGElement} its line in the charts */
+export function swatch({ colour, dash }) {
+  const line = svg('path', {
+    d: 'M0 4h24',
+    'stroke-width': 3,
+    'stroke-dasharray': dash?.join(' '),
+  });
+  line.style.stroke = `var(${colour})`;
+  return svg('svg', { class: 'swatch', viewBox: '0 0 24 8', 'aria-hidden': 'true' }, line);
+}
+
+/** @param {Beside} side @param {boolean} named whether jobs are compared */
+export function verdict({ one, at, label }, named) {
+  const found = verdictOf(one.report.steps[at]);
+  if (!found) return null;
+  const { kind, mark } = markOf(found);
+  return h(
+    'p',
+    { class: `verdict-text ${kind}`, 'data-level': found.level },
+    h('span', { class: 'mark', 'aria-hidden': 'true' }, mark),
+    h('span', {}, named ? [swatch(one), h('b', {}, `${label}: `)] : null, symbol(found.text)),
+  );
+}
+
+/** Below the word “error”. @param {import('./answers.js').Answer} answer */
+const barOf = (answer) => errorWords(answer).replace('error not known', 'not known');
+
+/**
+ * All answers of one step: how well each is known, what elastic theory says, where it is, and those
+ * of the other jobs with their error and difference.
+ * @param {Beside[]} sides
+ */
+export function answersTable(sides) {
+  const [{ one, at }, ...others] = sides;
+  const step = one.report.steps[at];
+  const all = answersOf(step);
+  if (all.length === 0)
+    return h('p', { class: 'quiet' }, 'The figures of this step are in the table of all steps.');
+  const notes = others.length === 0;
+  const hasElastic = notes && all.some((answer) => elasticWords(answer));
+  const rows = all.map((answer, k) =>
+    h(
+      'tr',
+      { 'data-row': answer.name },
+      h('th', { scope: 'row' }, answer.label),
+      h('td', {}, valueOf(answer)),
+      h('td', { class: 'unit' }, unitOf(answer)),
+      h('td', {}, barOf(answer)),
+      hasElastic && h('td', {}, elasticWords(answer)),
+      notes &&
+        h(
+          'td',
+          { class: 'text' },
+          symbol(
+            [placeWords(answer, one.report, step), inWords(answer.text)]
+              .filter(Boolean)
+              .join('; '),
+          ),
+        ),
+      others.flatMap(({ one, at }) => {
+        const other = alike(one.report, at, all, k);
+        return other
+          ? [valueOf(other), barOf(other), differenceWords(answer, other)].map((text) =>
+              h('td', {}, text),
+            )
+          : [h('td', {}, '—'), h('td'), h('td')];
+      }),
+    ),
+  );
+  const head = [
+    '',
+    notes ? '' : sides[0].label,
+    '',
+    'error',
+    ...(hasElastic ? ['beside elastic theory'] : []),
+    ...(notes ? [''] : []),
+    ...others.flatMap(({ label }) => [label, 'error', 'difference']),
+  ];
+  const cells = head.map((text) => (text ? h('th', { scope: 'col' }, text) : h('td')));
+  return h(
+    'table',
+    { class: 'answers' },
+    h('thead', {}, h('tr', {}, cells)),
+    h('tbody', {}, rows),
+  );
+}
