@@ -7,6 +7,7 @@ import os
 import platform
 import tempfile
 import threading
+import traceback
 from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
@@ -75,7 +76,7 @@ def _outcome(task: Task, future: Future[Outcome]) -> Outcome:
     except (BrokenExecutor, ServerNotFound):
         raise
     except Exception as reason:
-        detail = f"{type(reason).__name__}: {reason}"
+        detail = traceback.format_exception_only(reason)[-1].strip()
         return Outcome(task.document, "", None, JobFailed("", "failed", {"detail": detail}))
 
 
