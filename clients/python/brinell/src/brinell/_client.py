@@ -259,8 +259,11 @@ class Client(_Connection):
             progress: show a bar (with tqdm), or call this with every event.
         """
         with Progress(progress) as on:
-            id, report = self._run(self._core.solve(document_of(job), on is not None), on)
-        return self._result(report, id)
+            flow = self._core.solve(document_of(job), events=on is not None)
+            outcome = self._run(flow, on)
+        if outcome.error is not None:
+            raise outcome.error
+        return self._outcome(outcome)
 
     def submit(self, job: JobLike, *, priority: int = 0) -> Job:
         """Submits a job and returns at once."""
@@ -569,8 +572,11 @@ class AsyncClient(_Connection):
     ) -> AsyncResult:
         """As `Client.solve`; a task that is cancelled cancels the job."""
         with Progress(progress) as on:
-            id, report = await self._run(self._core.solve(document_of(job), on is not None), on)
-        return self._result(report, id)
+            flow = self._core.solve(document_of(job), events=on is not None)
+            outcome = await self._run(flow, on)
+        if outcome.error is not None:
+            raise outcome.error
+        return self._outcome(outcome)
 
     async def submit(self, job: JobLike, *, priority: int = 0) -> AsyncJob:
         """As `Client.submit`."""

@@ -204,13 +204,22 @@ class Core:
         return answer
 
     def submit(
-        self, document: dict[str, Any], priority: int, key: str | None = None
+        self,
+        document: dict[str, Any],
+        priority: int,
+        key: str | None = None,
+        waiting: Mapping[str, str] | None = None,
     ) -> Flow[dict[str, Any]]:
         """Hands a job in; with a key that came before, finds the job that came with it."""
         params = {"priority": str(priority)} if priority else {}
         headers = {"Idempotency-Key": key} if key else {}
         answer: dict[str, Any] = yield from self.json(
-            "POST", "/v1/jobs", params=params, body=document, headers=headers
+            "POST",
+            "/v1/jobs",
+            params={**params, **(waiting or {})},
+            body=document,
+            headers=headers,
+            wait=LOOK if waiting else 0.0,
         )
         return answer
 
@@ -271,26 +280,6 @@ class Core:
         response = yield from call(self.retries, "GET", f"/v1/jobs/{id}/fields/{step}")
         return response.content
 
-    def solve(self, document: dict[str, Any], events: bool) -> Flow[tuple[str, dict[str, Any]]]:
-        """Submits a job and waits for its result.
-
-        If the caller is interrupted, the job is cancelled. Emits the events on request.
-        """
-        key = str(uuid.uuid4())
-        id = ""
-        try:
-            id = str((yield from self.submit(document, 0, key))["id"])
-            if events:
-                yield from self.events(id)
-            report = yield from self.report(id)
-        except STOPPED:
-            with contextlib.suppress(httpx.TransportError, BrinellError):
-                # The service may have accepted the job although the answer was lost.
-                id = id or str((yield from self.submit(document, 0, key))["id"])
-                yield from call(0, "POST", f"/v1/jobs/{id}/cancel")
-            raise
-        return id, report
-
     def events(self, id: str) -> Flow[None]:
         """Emits the events of a job, from its beginning to its end, over as many connections as it
         takes.
@@ -338,23 +327,40 @@ class Core:
         """The results that a study keeps of this version of the program."""
         return None if study is None else Records(study, (yield from self.version()))
 
-    def attend(
-        self, document: dict[str, Any], parts: str, is_wanted: Callable[[], bool]
+    def solve(
+        self,
+        document: dict[str, Any],
+        *,
+        parts: str = PARTS,
+        events: bool = False,
+        fields: bool = False,
+        is_wanted: Callable[[], bool] | None = None,
     ) -> Flow[Outcome]:
-        """Solves a job, in one request if it is short; cancels it once it is not wanted."""
-        params = {"fields": parts, "wait": f"{LOOK:g}"}
-        info = yield from self.json("POST", "/v1/jobs", params=params, body=document, wait=LOOK)
+        """Submits a job and waits for its end, in one request if the job is short.
+
+        If the caller is interrupted, or does not want the result any more, the job is cancelled.
+        Emits the events on request.
+        """
+        key, id = str(uuid.uuid4()), ""
+        patience = LONGEST_WAIT if is_wanted is None else LOOK
         try:
-            while not info["done"]:
-                if not is_wanted():
-                    yield from self.cancel(str(info["id"]))
-                info = yield from self.json(
-                    "GET", f"/v1/jobs/{info['id']}", params=params, wait=LOOK
-                )
+            first = {} if events else {"wait": f"{LOOK:g}", "fields": parts}
+            info = yield from self.submit(document, 0, key, first)
+            id = str(info["id"])
+            if events:
+                yield from self.events(id)
+            while not (info["done"] and ("result" in info or not info["has_result"])):
+                if is_wanted is not None and not is_wanted():
+                    yield from self.cancel(id)
+                params = {"wait": f"{patience:g}", "fields": parts}
+                info = yield from self.json("GET", f"/v1/jobs/{id}", params=params, wait=patience)
         except STOPPED:
-            yield from call(0, "POST", f"/v1/jobs/{info['id']}/cancel")
+            with contextlib.suppress(httpx.TransportError, BrinellError):
+                # The service may have accepted the job although the answer was lost.
+                id = id or str((yield from self.submit(document, 0, key))["id"])
+                yield from call(0, "POST", f"/v1/jobs/{id}/cancel")
             raise
-        return (yield from self._outcome(document, info, True))
+        return (yield from self._outcome(document, info, fields))
 
     def _outcome(
         self, document: dict[str, Any], info: dict[str, Any], with_fields: bool

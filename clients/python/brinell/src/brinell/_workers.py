@@ -106,7 +106,8 @@ def solve_here(document: dict[str, Any], parts: str, are_wanted: Callable[[], bo
     global _client
     client = _here()
     try:
-        return client._run(client._core.attend(document, parts, are_wanted))
+        flow = client._core.solve(document, parts=parts, fields=True, is_wanted=are_wanted)
+        return client._run(flow)
     except ServerNotFound:
         raise
     except BrinellError as error:
