@@ -110,6 +110,15 @@ export async function taken(page, name) {
   await page.keyboard.press('Escape');
 }
 
+/** The file of a panel's picture. @param {Page} page @param {string} panel by its id @param {'PNG' | 'SVG'} [kind] */
+export async function picture(page, panel, kind = 'SVG') {
+  await page.getByText('Download', { exact: true }).click();
+  const button = page.locator(`[data-of=${panel}]`, { hasText: kind });
+  const [file] = await Promise.all([page.waitForEvent('download'), button.click()]);
+  await page.keyboard.press('Escape');
+  return file;
+}
+
 /** Waits until the field is drawn. @param {Page} page */
 export const drawn = (page) =>
   page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);

@@ -5,7 +5,7 @@
  */
 
 import { fetchFields } from '../api/result.js';
-import { governing } from '../result/answers.js';
+import { through } from '../result/answers.js';
 import { alongJob, axesOf } from '../result/axes.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
@@ -62,7 +62,7 @@ export class LayerSource {
         const kept = this.#steps.get(step);
         if (kept) return kept;
         const layers = /** @type {any} */ (await fetchFields(this.id, step, [], { progress }));
-        const made = planesOf(layers, this.axes, governing(this.steps[step])?.place);
+        const made = planesOf(layers, this.axes, through(this.steps[step]));
         this.#steps.set(step, made);
         return made;
       });
@@ -76,9 +76,7 @@ export class LayerSource {
   }
 }
 
-/** @typedef {{x?: number, y?: number} | null} Through the place of both planes; the middle without one */
-
-/** @param {Record<'upper' | 'lower', Layers | null>} layers of both bodies @param {import('../result/axes.js').Axes} [axes] of the contact @param {Through} [place] @returns {Record<Axis, Fields>} along the axes of the contact, in the directions of the job's */
+/** @param {Record<'upper' | 'lower', Layers | null>} layers of both bodies @param {import('../result/axes.js').Axes} [axes] of the contact @param {{x: number, y: number}} [place] that both go through @returns {Record<Axis, Fields>} along the axes of the contact, in the directions of the job's */
 export const planesOf = ({ upper, lower }, axes, place) => {
   const plane = (/** @type {Axis} */ axis) => {
     const at = place?.[axis === 'x' ? 'y' : 'x'];
@@ -92,7 +90,7 @@ export const planesOf = ({ upper, lower }, axes, place) => {
 
 /** The cells on both sides of a plane, or those in it. @param {ArrayLike<number>} across @param {number} [at] @returns {number[]} */
 function cellsAt(across, at) {
-  if (at === undefined) return [across.length - 1, across.length].map((twice) => twice >> 1);
+  if (!at) return [across.length - 1, across.length].map((twice) => twice >> 1);
   const nearest = Array.from(across).reduce(
     (best, place, k) => (Math.abs(place - at) < Math.abs(across[best] - at) ? k : best),
     0,
@@ -187,8 +185,8 @@ export const reportOf = (report, axis) => {
       const { three_dimensional: ellipse, contact } = step;
       // The surfaces of both bodies are where they touch; the section has a zone of its own.
       const still = { ...step, approach: 0, plasticity: { upper: null, lower: null } };
-      const at = governing(step)?.place;
-      const fields = step.layers && planesOf(/** @type {any} */ (step.layers), axes, at)[axis];
+      const layers = /** @type {any} */ (step.layers);
+      const fields = layers && planesOf(layers, axes, through(step))[axis];
       if (!ellipse) return { ...still, fields };
       const { y, pressure } = ellipse.section;
       const own = axis === 'x' ? contact.nodes : { x: y, pressure };

@@ -31,6 +31,18 @@ export const governing = ({ answers = [] }) =>
     (one) => one !== undefined,
   );
 
+/** Part of a semi-axis within which a place is the middle. */
+const MIDDLE = 0.1;
+
+/** Where sections go that show the governing answer, in the axes of the contact. @param {Step} step @returns {{x: number, y: number}} */
+export function through(step) {
+  const place = governing(step)?.place;
+  const { a = 0, b = 0 } = step.three_dimensional ?? {};
+  const at = (/** @type {number | undefined} */ value = 0, /** @type {number} */ semi) =>
+    Math.abs(value) < MIDDLE * semi ? 0 : value;
+  return { x: at(place?.x, a), y: at(place?.y, b) };
+}
+
 /** Marks of verdicts, and what they are beside their colour. @type {Record<string, {kind: 'good' | 'warning' | 'bad', mark: string}>} */
 const LEVELS = {
   elastic: { kind: 'good', mark: '✓' },

@@ -27,6 +27,7 @@ export class Panel {
         {
           type: 'button',
           class: 'plain',
+          'data-of': id,
           'aria-label': `Save ${title.toLowerCase()} as ${kind}`,
           onclick: async () => {
             const blob = await make(this.caption);

@@ -10,7 +10,7 @@ import { sentence } from '../setup/send.js';
 import { LayerSource, reportOf } from '../field/layers.js';
 import { stemOf } from '../jobs/names.js';
 import { FieldPanel } from '../field/panel.js';
-import { answersOf, governing } from './answers.js';
+import { answersOf, through } from './answers.js';
 import { axesOf } from './axes.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
@@ -424,9 +424,9 @@ function askedStep({ report }) {
 /** Names the sections of half-spaces in the axes of the job, by the place that both go through. @param {HTMLElement} choice @param {import('../types.js').Step} step */
 function namePlanes(choice, step) {
   const axes = axesOf(step.three_dimensional ?? { orientation: 0 });
-  const place = governing(step)?.place;
+  const place = through(step);
   const name = (/** @type {'x' | 'y'} */ axis) =>
-    `${axes[axis].name} = ${figure(axes[axis].sign * (place?.[axis] ?? 0), 3)}`;
+    `${axes[axis].name} = ${figure(axes[axis].sign * place[axis] || 0, 3)}`;
   const [along, across] = choice.querySelectorAll('span');
   along.textContent = name('y');
   across.textContent = name('x');

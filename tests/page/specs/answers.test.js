@@ -96,7 +96,7 @@ service.test(
     await page.evaluate(() => {
       location.hash = '';
     });
-    await page.getByText('Set up a contact and solve it').waitFor();
+    await page.getByText('Begin with a picture').waitFor();
     second.open();
     await page.getByText('The job is made: the list of jobs has it').waitFor();
     assert.notEqual(page.url(), at);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { SI, follow, shown, solved } from '../jobs.js';
+import { SI, follow, picture, shown, solved } from '../jobs.js';
 
 const service = suite();
 const ROWS = '#panel-differences tbody tr';
@@ -62,18 +62,15 @@ service.test(
     await follow(page, `job=${one}&with=${other}`);
     await page.locator('#panel-sweep .legend').getByText('B', { exact: true }).waitFor();
     const drawing = async (/** @type {string} */ panel) => {
-      const [file] = await Promise.all([
-        page.waitForEvent('download'),
-        page.locator(panel).getByText('SVG', { exact: true }).click(),
-      ]);
+      const file = await picture(page, panel);
       return readFile(await file.path(), 'utf8');
     };
-    const sweep = await drawing('#panel-sweep');
+    const sweep = await drawing('sweep');
     assert.match(sweep, />Sweep</);
     // The elastic bodies are the same, of which the second yields at 1.6² times the force.
     assert.match(sweep, />first yield, elastic theory 560\.\d N\/mm</);
     assert.doesNotMatch(sweep, /219\.\d N/);
-    const depth = await drawing('#panel-depth');
+    const depth = await drawing('depth');
     for (const figure of ['500.0', '800.0'])
       assert.ok(depth.includes(`>yield ${figure} MPa<`), figure);
   },
@@ -157,10 +154,7 @@ service.test(
       );
     assert.ok(lines.length >= 4);
     assert.equal(new Set(lines).size, lines.length, lines.join(' | '));
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator('#panel-pressure').getByText('SVG', { exact: true }).click(),
-    ]);
+    const file = await picture(page, 'pressure');
     const drawing = await readFile(await file.path(), 'utf8');
     assert.match(
       drawing,

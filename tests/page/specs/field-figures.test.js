@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { SI, drawn, follow, mises, shown, solved } from '../jobs.js';
+import { SI, drawn, follow, mises, shown, solved, taken } from '../jobs.js';
 
 const service = suite();
 
@@ -350,7 +350,7 @@ service.test(
     });
     const words = page.getByText('The browser has stopped the graphics');
     await words.waitFor();
-    await page.locator('#panel-field').getByText('PNG', { exact: true }).click();
+    await taken(page, 'Save field as PNG');
     await page.getByText('There is no picture of it yet').waitFor();
     await page.evaluate(() => /** @type {any} */ (globalThis).taken.restoreContext());
     await words.waitFor({ state: 'hidden' });

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { SI, drawn, follow, sent, shown, solved } from '../jobs.js';
+import { SI, drawn, follow, picture, sent, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -159,10 +159,7 @@ service.test('every panel is a picture', async (page) => {
   await page.locator('[data-status=succeeded]').waitFor();
   await page.locator('.solver > summary').click();
   for (const panel of ['pressure', 'field', 'depth', 'convergence']) {
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator(`#panel-${panel}`).getByText('PNG').click(),
-    ]);
+    const file = await picture(page, panel, 'PNG');
     assert.equal(file.suggestedFilename(), `${id.slice(-8)}-${panel}.png`);
   }
 });
@@ -172,10 +169,7 @@ service.test('a loop is a picture too, on the ground of the page', async (page) 
   await shown(page, { load: { history }, solver: { theory: 'flow' } });
   const sweep = page.locator('#panel-sweep');
   await sweep.locator('.plot svg').waitFor();
-  const [file] = await Promise.all([
-    page.waitForEvent('download'),
-    sweep.getByText('PNG').click(),
-  ]);
+  const file = await picture(page, 'sweep', 'PNG');
   const bytes = [...(await readFile(await file.path()))];
   const ink = await page.evaluate(async (bytes) => {
     const bitmap = await createImageBitmap(
@@ -301,11 +295,7 @@ service.test('the list says why older jobs do not come', async (page) => {
 service.test('pictures of the convergence have both of its charts', async (page) => {
   await shown(page);
   await page.locator('.solver > summary').click();
-  const panel = page.locator('#panel-convergence');
-  const [file] = await Promise.all([
-    page.waitForEvent('download'),
-    panel.getByText('SVG').click(),
-  ]);
+  const file = await picture(page, 'convergence');
   const text = await readFile(await file.path(), 'utf8');
   for (const words of ['out-of-balance force', 'approach', 'peak pressure'])
     assert.ok(text.includes(words), words);

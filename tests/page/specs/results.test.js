@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, mises, shown, solved, steel, taken } from '../jobs.js';
+import { drawn, follow, mises, picture, shown, solved, steel, taken } from '../jobs.js';
 
 const service = suite();
 
@@ -200,10 +200,7 @@ service.test('charts go out as vector drawings with legend and units', async (pa
     ['pressure', [/Hertz, elastic/, /p\s+\[MPa\]/, /x\s+\[mm\]/, /Contact pressure, /]],
     ['depth', [/von Mises, elastic/, /depth at x = 0\s+\[mm\]/, /plastic strain \(right\)/]],
   ])) {
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator(`#panel-${panel}`).getByText('SVG', { exact: true }).click(),
-    ]);
+    const file = await picture(page, panel);
     const drawing = await readFile(await file.path(), 'utf8');
     for (const part of parts) assert.match(drawing, part);
     assert.doesNotMatch(drawing, /NaN|var\(/);
@@ -424,10 +421,7 @@ service.test(
       load: { history: [{ force: 4000 }, { force: 0 }] },
       solver: { theory: 'flow' },
     });
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator('#panel-dent').getByText('SVG', { exact: true }).click(),
-    ]);
+    const file = await picture(page, 'dent');
     const drawing = await readFile(await file.path(), 'utf8');
     assert.match(drawing, />r {2}\[mm\]</);
     const ticks = [...drawing.matchAll(/text-anchor="middle"[^>]*>([−\d.]+)</g)].map(
@@ -461,10 +455,7 @@ service.test('places on the surface of a hole are said to be along its arc', asy
     load: { history: [{ force: 1500 }, { force: 0 }] },
     solver: { theory: 'flow' },
   });
-  const [file] = await Promise.all([
-    page.waitForEvent('download'),
-    page.locator('#panel-dent').getByText('SVG', { exact: true }).click(),
-  ]);
+  const file = await picture(page, 'dent');
   assert.match(await readFile(await file.path(), 'utf8'), />along the arc {2}\[mm\]</);
 });
 
