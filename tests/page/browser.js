@@ -102,14 +102,21 @@ export const launch = () =>
  * A fresh page at the service that notes everything it should not do.
  * @param {import('playwright-core').Browser} browser
  * @param {string} url
- * @param {import('playwright-core').BrowserContextOptions & {few?: boolean}} [options] `few`: the
- *   form begins with the fields of a door
+ * @param {import('playwright-core').BrowserContextOptions & {few?: boolean}} [options] `few`: with
+ *   the fields of a door and three panels, as a stranger has them
  */
 export async function visit(browser, url, { few = false, ...options } = {}) {
   const context = await browser.newContext({ ...WIDE, ...options });
   context.setDefaultTimeout(PATIENCE);
-  // Every field of the form is there for who tests it; a stranger has those of a door.
-  if (!few) await context.addInitScript(() => localStorage.setItem('form-whole', 'true'));
+  // Who tests them has every field and every panel; a stranger has those of a door, and three.
+  if (!few)
+    await context.addInitScript(() => {
+      try {
+        for (const part of ['form-whole', 'panels-more']) localStorage.setItem(part, 'true');
+      } catch {
+        // A browser that keeps nothing.
+      }
+    });
   const page = await context.newPage();
   const faults = /** @type {string[]} */ ([]);
   page.on('console', (message) => {
@@ -134,7 +141,7 @@ export async function visit(browser, url, { few = false, ...options } = {}) {
  * @typedef {object} About a test
  * @property {string[]} [own] arguments of a service of its own
  * @property {string} [hash] where the page begins
- * @property {boolean} [few] whether the form begins with few fields, as it does for a stranger
+ * @property {boolean} [few] whether there are few fields and panels, as for a stranger
  * @property {boolean} [amiss] whether something goes wrong that the browser notes; the first example may not be there
  */
 

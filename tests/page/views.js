@@ -1,10 +1,11 @@
 /** Every view of the page, as it is for pictures. */
 
-import { PHONE } from './browser.js';
+import { PHONE as NARROW } from './browser.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
-const WIDE = { viewport: { width: 1440, height: 1000 } };
+const WIDE = { viewport: { width: 1440, height: 1000 }, few: true };
+const PHONE = { ...NARROW, few: true };
 const DARK = { ...WIDE, colorScheme: /** @type {const} */ ('dark') };
 
 /** Waits for every field of the job that is shown: marks of the job before are gone with it. @param {Page} page */
@@ -52,7 +53,6 @@ async function sweep(page) {
   await page.getByLabel('Shown', { exact: true }).selectOption('sigma_z');
   await page.getByLabel('Isolines').check();
   await page.getByLabel('Cut', { exact: true }).check();
-  await page.getByRole('radio', { name: 'Peak', exact: true }).check();
   await drawn(page);
 }
 
@@ -141,7 +141,7 @@ async function report(page) {
   await page.getByRole('button', { name: 'Report' }).click();
 }
 
-/** @typedef {[name: string, options: import('playwright-core').BrowserContextOptions, show: (page: Page) => Promise<void>, full?: boolean]} Seen `full`: down to the end of the page */
+/** @typedef {[name: string, options: import('playwright-core').BrowserContextOptions & {few?: boolean}, show: (page: Page) => Promise<void>, full?: boolean]} Seen `full`: down to the end of the page */
 /** @type {Seen[]} */
 export const OF_DOCUMENTS = [
   ['page', WIDE, solve],
@@ -171,7 +171,7 @@ export const OTHERS = [
   ['jobs', WIDE, jobs],
   ['compared-report', WIDE, comparedReport, true],
   ['interface', WIDE, reference],
-  ['form', WIDE, form, true],
+  ['form', { ...WIDE, few: false }, form, true],
   ['hole', WIDE, part('Pin in a hole'), true],
   ['peened', WIDE, part('Shot-peened roller on a ground block'), true],
   ['steps', WIDE, part('Rigid roller on bronze, pressed in by steps'), true],

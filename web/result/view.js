@@ -4,6 +4,7 @@
  */
 
 import { arrange, byId, h } from '../lib/dom.js';
+import { browser } from '../lib/kept.js';
 import { paper } from '../lib/theme.js';
 import { figure, setOf, unit, unitsOf } from '../lib/units.js';
 import { sentence } from '../setup/send.js';
@@ -37,6 +38,8 @@ import { VaryPanel } from './vary.js';
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Iteration} Iteration */
 
+/** Whether more panels are shown, as this browser keeps it. */
+const MORE = 'panels-more';
 /** Panels that are seen before one asks for more. */
 const FIRST = 3;
 
@@ -109,7 +112,16 @@ export class View {
     this.solver = solver;
     this.columns = h('div', { class: 'columns' });
     this.rest = h('div', { class: 'columns' });
-    this.more = h('details', { class: 'rest-of-panels' }, h('summary'), this.rest);
+    this.more = h(
+      'details',
+      {
+        class: 'rest-of-panels',
+        open: browser.get(MORE) === 'true',
+        ontoggle: () => browser.set(MORE, String(this.more.open)),
+      },
+      h('summary'),
+      this.rest,
+    );
     byId('panels').replaceChildren(
       this.tools,
       this.differences.panel.element,

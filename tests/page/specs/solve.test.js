@@ -151,15 +151,15 @@ service.test(
     await page.evaluate(() => {
       const said = /** @type {string[]} */ (/** @type {any} */ (globalThis).said = []);
       new MutationObserver(() =>
-        said.push(document.querySelector('#watch .words')?.textContent ?? ''),
-      ).observe(/** @type {Node} */ (document.querySelector('#watch')), {
+        said.push(document.querySelector('#headline .so-far span:last-child')?.textContent ?? ''),
+      ).observe(/** @type {Node} */ (document.querySelector('#headline')), {
         childList: true,
         subtree: true,
         characterData: true,
       });
     });
     await follow(page, `job=${id}`);
-    await page.getByText(/^step [3-9]\d* of 400/).waitFor();
+    await page.getByText(/^Load [3-9]\d* of 400/).waitFor();
     await page.getByRole('button', { name: 'Cancel' }).click();
     await page.locator('[data-status=cancelled]').waitFor();
     const words = page.locator('[data-status=cancelled] .words');
@@ -174,7 +174,7 @@ service.test(
     assert.ok(done >= 2 && many < 400, said);
     const steps = await page.evaluate(() =>
       /** @type {any} */ (globalThis).said.flatMap(
-        (/** @type {string} */ text) => Number(/^step (\d+) of/.exec(text)?.[1] ?? []) || [],
+        (/** @type {string} */ text) => Number(/^Load (\d+) of/.exec(text)?.[1] ?? []) || [],
       ),
     );
     assert.deepEqual(
