@@ -1,7 +1,7 @@
 /** Keys of the job in messages of the service, as the form calls them. */
 
 import { plain } from '../lib/units.js';
-import { SHAPES, allFields } from './fields.js';
+import { LOADS, SHAPES, allFields } from './fields.js';
 
 const PLAIN = ['analysis', 'units', 'support', 'theory', 'shape', 'material', 'load'];
 const LABELS = new Map([
@@ -15,15 +15,19 @@ const LABELS = new Map([
   ),
   ['profile', 'profile'],
   ['interpolation', '“Between points”'],
+  ['strain_unit', 'unit of the strains'],
+  ['stress_unit', 'unit of the stresses'],
+  ['onset', `“${LOADS.onset.label}” as the load`],
 ]);
 
 /** @param {string} words */
 const titled = (words) => `“${words[0].toUpperCase()}${words.slice(1)}”`;
 
-/** What a key in back-quotes is called: a setting by the name under which it is looked for. @param {string} quoted @param {string} key */
-function called(quoted, key) {
-  const name = LABELS.get(key.slice(key.search(/[^./]*$/)));
-  return name && /^(solver|mesh)\./.test(key) ? titled(name) : (name ?? quoted);
+/** What a key in back-quotes is called: a setting by the name under which it is looked for. @param {string} _ @param {string} key */
+function called(_, key) {
+  const last = key.slice(key.search(/[^./]*$/));
+  const name = LABELS.get(last) ?? `“${last}”`;
+  return /^(solver|mesh)\./.test(key) && LABELS.has(last) ? titled(name) : name;
 }
 
 /** What the service says to programs, and people are not told so. @type {[RegExp, string][]} */

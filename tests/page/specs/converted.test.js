@@ -165,7 +165,9 @@ test('remarks have the words of the form, and no keys', () => {
     ['Raise `solver.max_iterations`.', 'Raise “Iterations at most”.'],
     ['small strains; see `collapse`.', 'small strains; see the remark “Collapse”.'],
     ['see `contact_at_edge`', 'see the remark “Contact at edge”'],
-    ['`nonsense` is not known', '`nonsense` is not known'],
+    ['`nonsense` is not known', '“nonsense” is not known'],
+    ['`load.onset` looks for it', '“Onset of yield” as the load looks for it'],
+    ['give `strain_unit`', 'give unit of the strains'],
   ])
     assert.equal(inWords(message), words);
 });
