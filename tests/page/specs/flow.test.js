@@ -239,6 +239,7 @@ service.test(
       page.locator('#headline'),
       page.locator('#panel-pressure .legend'),
     ];
+    await headline.locator('.rest summary').click();
     await headline.getByText('elastic bodies without a dent').first().waitFor();
     await legend.getByText('Hertz, undented bodies').waitFor();
     await page.locator('#panel-depth .legend').getByText(', elastic, undented').first().waitFor();
