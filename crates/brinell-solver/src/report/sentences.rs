@@ -576,7 +576,8 @@ impl Deformation {
 fn peak_beyond_yield(ratio: f64, shape: &str, column: usize) -> String {
     let beyond = about(ratio);
     let [.., last] = PEAKS_BEYOND_YIELD;
-    let known = PEAKS_BEYOND_YIELD.into_iter().find(|row| ratio <= row[0]).unwrap_or(last);
+    // To the digits that are shown.
+    let known = PEAKS_BEYOND_YIELD.into_iter().find(|row| ratio < row[0] + 0.01).unwrap_or(last);
     format!(
         " The elastic peak is {beyond} times the yield stress; up to {} times, peak pressures of \
          {shape} are at most {} % above those of flow theory.",
