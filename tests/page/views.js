@@ -29,7 +29,10 @@ async function solve(page) {
   await page.locator('[data-status=succeeded]').waitFor();
   await page.locator('#panel-field select').first().selectOption('equivalent_plastic_strain');
   await drawn(page);
-  await page.evaluate(() => scrollTo(0, 0));
+  await page.evaluate(() => {
+    scrollTo(0, 0);
+    document.querySelector('#setup')?.scrollTo(0, 0);
+  });
 }
 
 /** @param {Page} page @param {object} change */

@@ -4,7 +4,6 @@
  */
 
 import { Problem } from '../api/client.js';
-import { solveAll, solveOne } from '../jobs/batch.js';
 import { numbersOf, withValue } from '../jobs/numbers.js';
 import { byId, h, toast } from '../lib/dom.js';
 import { readNumber } from '../lib/number.js';
@@ -13,12 +12,14 @@ import { answersOf, errorOf, errorWords, shareOf, unitOf, valueOf } from './answ
 import { Chart } from './chart.js';
 import { scrolled, tableElements, takeAlong } from './figures.js';
 import { Panel } from './panel.js';
-import { search } from './search.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../jobs/batch.js').Trial} Trial */
 /** @typedef {import('../jobs/numbers.js').Numeric} Numeric */
 /** @typedef {{at: number, id: string, answers: import('./answers.js').Answer[]}} Point */
+
+/** Loaded when it is asked for. */
+const batch = () => import('../jobs/batch.js');
 
 /** Values of a sweep, as far as it goes to both sides. */
 const [MANY, WIDE] = [9, 2];
@@ -203,6 +204,7 @@ export class VaryPanel {
     const jobs = [1 - SPREAD, 1 + SPREAD].map((part) =>
       this.#jobOf(number, Number((part * number.value).toPrecision(12))),
     );
+    const { solveAll } = await batch();
     const trials = await solveAll(jobs, signal, () => {});
     const failed = trials.find(({ problem }) => problem);
     this.words.textContent = failed
@@ -233,6 +235,7 @@ export class VaryPanel {
     const number = this.#number;
     this.#clear();
     this.#varied = number;
+    const { solveAll } = await batch();
     await solveAll(
       values.map((value) => this.#jobOf(number, value)),
       signal,
@@ -271,6 +274,7 @@ export class VaryPanel {
     this.#clear();
     this.#varied = number;
     const points = /** @type {Point[]} */ ([]);
+    const { solveOne } = await batch();
     const look = async (/** @type {number} */ at) => {
       const { id, report } = await solveOne(this.#jobOf(number, at), signal);
       const [point] = pointOf(at, id, report);
@@ -280,6 +284,7 @@ export class VaryPanel {
       this.#draw();
       return point?.answers.find((one) => keyOf(one) === key)?.value ?? NaN;
     };
+    const { search } = await import('./search.js');
     const { best, found } = await search(look, number.value, wanted, () => signal.aborted);
     const point = points.find(({ at }) => at === best.at);
     const answer = point?.answers.find((one) => keyOf(one) === key);
