@@ -291,13 +291,6 @@ export class FieldPanel {
       this.#load();
     }
     this.scene.fit();
-    // A body may have yielded elsewhere than in this section.
-    const alone = report.steps.length === 1 && !this.#touched && !this.#led;
-    const strain = this.#chosen === 'equivalent_plastic_strain';
-    if (alone && strain && this.scene.ends.every(({ value }) => value === 0)) {
-      this.#preset = 'von_mises';
-      return this.#update();
-    }
     if (this.#homeless) this.#home();
     this.#homeless = false;
     this.#survey(report);
