@@ -3,9 +3,10 @@
 use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
+use axum::Router;
 use metrics_exporter_prometheus::PrometheusHandle;
 use thiserror::Error;
 use tokio::net::TcpListener;
@@ -18,7 +19,7 @@ use crate::config::{
 };
 use crate::http::{
     AllowedHosts, HttpSettings, HttpState, Listening, Metrics, TlsError, TlsIdentity,
-    metrics_router, router, serve,
+    metrics_router, router, serve, worker_router,
 };
 use crate::jobs::{
     JobNotifier, JobService, JobSolver, JobStore, OnceKey, Retention, SWEEP, SystemClock,
@@ -31,7 +32,7 @@ use crate::store::{
 };
 use crate::telemetry::{AUDIT, collect};
 use crate::webhook::{Announcer, CallbackRules};
-use crate::worker::{STOP_TIMEOUT, Worker};
+use crate::worker::{Pulse, STOP_TIMEOUT, Worker};
 
 /// Time for clients to take their last answers, once all jobs are done.
 const CLOSE_TIMEOUT: Duration = Duration::from_secs(3);
@@ -130,8 +131,13 @@ impl Service {
         let store = open_store(&config.storage, &notifier).await?;
         let mut background = JoinSet::new();
         background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
-        let metrics =
-            start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
+        let metrics = start_metrics(
+            &config.metrics,
+            Arc::clone(&store) as _,
+            Router::new(),
+            &mut background,
+        )
+        .await?;
         if let Some(identity) = identity {
             background.spawn(reload_on_hangup(identity)?);
         }
@@ -239,8 +245,14 @@ pub async fn run_worker(
     let store = open_store(&storage, &notifier).await?;
     let mut background = JoinSet::new();
     background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
-    start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
+    let pulse = Arc::new(OnceLock::<Pulse>::new());
+    let felt = Arc::clone(&pulse);
+    let probe = worker_router(move || {
+        felt.get().map_or((true, Duration::ZERO), |pulse| (pulse.is_alive(), pulse.age()))
+    });
+    start_metrics(&config.metrics, Arc::clone(&store) as _, probe, &mut background).await?;
     let worker = Worker::start(store, notifier, solver, settings);
+    let _ = pulse.set(worker.pulse());
     stop.cancelled().await;
     drain(worker, time_to_solve(config.work.grace)).await;
     Ok(())
@@ -313,10 +325,11 @@ fn announce(
     Ok(rules)
 }
 
-/// Starts the metrics, and serves them on a port of their own if one is configured.
+/// Starts the metrics, and serves them and `more` on a port of their own if one is configured.
 async fn start_metrics(
     config: &MetricsConfig,
     store: Arc<dyn JobStore>,
+    more: Router,
     background: &mut JoinSet<()>,
 ) -> Result<Metrics, AppError> {
     let collected = collect();
@@ -326,7 +339,7 @@ async fn start_metrics(
         let listener = listen("--metrics-listen, BRINELL_METRICS_LISTEN", address).await?;
         tracing::info!(address = %listener.local_addr()?, "metrics");
         let (router, timeouts) =
-            (metrics_router(metrics.clone()), HttpSettings::default().timeouts);
+            (metrics_router(metrics.clone()).merge(more), HttpSettings::default().timeouts);
         let listening = Listening { listener, tls: None };
         background.spawn(serve(
             listening,

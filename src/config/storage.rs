@@ -55,7 +55,8 @@ pub struct StorageConfig {
     #[arg(long, env = "BRINELL_DATABASE_URL", value_name = "URL", hide_env_values = true)]
     pub database_url: Option<DatabaseUrl>,
 
-    /// Most connections to the shared database, and one more that listens
+    /// Most connections to the shared database; one more listens, and a worker has two more for its
+    /// heartbeats and claims
     #[arg(
         long, env = "BRINELL_DATABASE_CONNECTIONS", value_name = "N", default_value = "10",
         value_parser = clap::value_parser!(u32).range(2..=1000),

@@ -78,7 +78,7 @@ use streams::EventStreamLimit;
 pub use client_address::Network;
 pub use edge::AllowedHosts;
 pub use listen::{ConnectionTimeouts, Listening, serve};
-pub use metrics::{Metrics, metrics_router};
+pub use metrics::{Metrics, metrics_router, worker_router};
 pub use problem::Problem;
 pub use problem_type::ProblemType;
 pub use request_log::REQUEST_DURATION;

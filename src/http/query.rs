@@ -23,7 +23,7 @@ use super::parameters::{Parameters, parameters};
 use super::preference::preferred_wait;
 use super::problem::{Fault, Problem};
 use super::problem_type::ProblemType;
-use crate::jobs::{JobFilter, JobId, JobState};
+use crate::jobs::{JobFilter, JobId, JobState, label_of, words};
 
 /// Default and largest number of jobs on a page.
 const PAGE: usize = 20;
@@ -32,6 +32,9 @@ const MAX_PAGE: usize = 100;
 /// Most states and labels that a list is filtered by.
 const MAX_STATES: usize = JobState::ALL.len();
 const MAX_TAGS: usize = 8;
+
+/// Longest text of a search \[bytes\].
+const MAX_SEARCH: usize = 200;
 
 /// Orders of a list.
 const ORDERS: [&str; 2] = ["newest", "oldest"];
@@ -499,6 +502,10 @@ parameters! { "query", ListFilter {
     /// Only jobs with this label, `name:value`; several times for all of several.
     "tag": {"type": "array", "maxItems": MAX_TAGS, "items": {"type": "string"}},
         ["bearing:NU-210"];
+    /// Only jobs with all of these words in their title, or in the kinds of their shapes and
+    /// materials; in lower or upper case, whole words. Jobs taken in before version 0.4 are not
+    /// found.
+    "search": {"type": "string", "maxLength": MAX_SEARCH}, "hardened roller";
     /// Only the job of this id; several times for several, in the order of the list.
     "id": {"type": "array", "maxItems": MAX_PAGE, "items": named("JobId")};
     /// Only jobs accepted at this time or later, `2027-01-31T12:00:00Z`.
@@ -541,6 +548,10 @@ impl FromRequestParts<HttpState> for ListFilter {
         let pair = |tag: &String| {
             tag.split_once(':').map(|(name, value)| (name.to_owned(), value.to_owned()))
         };
+        let search = query.value("search", "up to 8 words", |text: &String| {
+            text.len() <= MAX_SEARCH && words(text).count() <= MAX_TAGS
+        });
+        let words = search.iter().flat_map(|text| words(text)).map(|word| label_of(&word));
         let expected = format!("a whole number between 1 and {MAX_PAGE}");
         let ids = query.values("id", MAX_PAGE, "the id of a job", |_: &JobId| true);
         let since = query.value("since", MOMENT, |_: &Timestamp| true);
@@ -554,7 +565,7 @@ impl FromRequestParts<HttpState> for ListFilter {
         let page = if ids.is_empty() { PAGE } else { MAX_PAGE };
         query.finish(Self(JobFilter {
             states: states.into_iter().map(|NamedState(state)| state).collect(),
-            tags: tags.iter().filter_map(pair).collect(),
+            tags: tags.iter().filter_map(pair).chain(words).collect(),
             ids,
             since,
             until,

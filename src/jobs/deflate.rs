@@ -90,9 +90,9 @@ impl Deflated {
         self.0
     }
 
-    /// Returns the number of bytes to store.
-    pub fn packed_len(&self) -> usize {
-        self.0.len()
+    /// Borrows the bytes to store.
+    pub fn packed(&self) -> &[u8] {
+        &self.0
     }
 
     /// Returns the CRC-32 of the text.

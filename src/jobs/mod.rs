@@ -35,6 +35,7 @@ mod state;
 mod store;
 mod trace;
 mod turns;
+mod words;
 
 pub use attended::AttendedJob;
 pub use callback::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore};
@@ -66,3 +67,4 @@ pub use brinell_solver::report::export::{Export, ExportError};
 pub use brinell_solver::solver::IterationRecord;
 pub use trace::{NotATrace, TraceParent};
 pub use turns::{Threads, Turn, Turns};
+pub use words::{label_of, words};

@@ -1,6 +1,6 @@
 //! Records of jobs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bytes::Bytes;
 use jiff::Timestamp;
@@ -16,6 +16,8 @@ pub struct NewJob {
     pub request: Bytes,
     /// Labels to search by.
     pub tags: BTreeMap<String, String>,
+    /// Words to search by.
+    pub words: BTreeSet<String>,
     /// Larger goes first.
     pub priority: i16,
     /// Estimated memory \[bytes\] of the solve.
@@ -43,6 +45,7 @@ impl NewJob {
             id: JobId::generate(),
             request,
             tags: BTreeMap::new(),
+            words: BTreeSet::new(),
             priority: 0,
             memory: 0,
             result_bytes: 0,

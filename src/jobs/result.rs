@@ -36,9 +36,15 @@ impl StepResult {
         Ok(Self { number, report, fields: fields.map(Bytes::from) })
     }
 
+    /// Returns the stored parts of its fields, each with the offset of its first byte.
+    pub fn parts(&self) -> impl Iterator<Item = (usize, &[u8])> {
+        let fields = self.fields.as_deref().unwrap_or_default();
+        (0..).step_by(FIELDS_PART).zip(fields.chunks(FIELDS_PART))
+    }
+
     /// Returns the bytes that it takes in the store.
     pub fn bytes(&self) -> usize {
-        self.report.packed_len() + self.fields.as_ref().map_or(0, Bytes::len)
+        self.report.packed().len() + self.fields.as_ref().map_or(0, Bytes::len)
     }
 }
 

@@ -17,6 +17,7 @@ use tokio_util::sync::CancellationToken;
 use tracing::Instrument;
 use uuid::Uuid;
 
+use super::words::words_of;
 use super::{
     ApiKey, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader, Idempotency,
     JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
@@ -193,6 +194,7 @@ fn new_job(
     let digest = Sha256::digest(&submission.request).into();
     Ok(NewJob {
         id: JobId::generate(),
+        words: words_of(&submission.request),
         request: submission.request,
         tags: job.tags,
         priority: submission.priority,

@@ -8,6 +8,7 @@ use async_trait::async_trait;
 use bytes::Bytes;
 use jiff::Timestamp;
 use thiserror::Error;
+use tokio::time::error::Elapsed;
 
 use super::{
     Deflated, FieldsPart, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome,
@@ -94,8 +95,13 @@ pub trait JobStore: Send + Sync + 'static {
     /// ([`ClaimRequest::exclusive`]): no job fails because a neighbour crashed the worker.
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
+    /// Returns the jobs to the queue that a worker has leased and does not know of: the answer to
+    /// its claim was lost. The attempt does not count as a loss.
+    async fn give_back(&self, owner: WorkerId, known: &[JobId]) -> Result<(), StoreError>;
+
     /// Extends leases of one worker to `lease` from now and returns for each, in the given order,
-    /// whether the worker still holds it.
+    /// whether the worker still holds it. Also without leases, the answer is a sign of life of the
+    /// store.
     async fn heartbeat(
         &self,
         leases: &[Lease],
@@ -433,6 +439,11 @@ impl StoreError {
     /// Wraps the cause of a failure of the storage.
     pub fn unavailable(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Unavailable(source.into())
+    }
+
+    /// The failure of a call that is not answered in time.
+    pub fn silent(_: Elapsed) -> Self {
+        Self::unavailable("the database does not answer")
     }
 
     /// Wraps the description of a damaged row.

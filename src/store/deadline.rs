@@ -13,11 +13,15 @@ use crate::jobs::{
     ApiKey, Callback, ClaimRequest, Claims, Counts, Deflated, Delivery, DeliveryEnd,
     DeliveryStore, Enqueued, FieldsPart, IterationRecord, JobFilter, JobId, JobPage, JobRecord,
     JobStore, KeyId, KeyLimits, KeyStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead,
-    Retention, StepResult, StoreError, Turn,
+    Retention, StepResult, StoreError, Turn, WorkerId,
 };
 
 /// Longest time of a call.
 const CALL: Duration = Duration::from_secs(15);
+
+/// Longest time of a worker's call, for which no client waits: a database that answers after 5 s
+/// takes half of it to connect.
+const OF_WORKER: Duration = Duration::from_mins(1);
 
 /// Longest time of calls that read or remove much: a check, a sweep.
 const LONG: Duration = Duration::from_hours(1);
@@ -31,7 +35,7 @@ pub(super) struct Timely<S>(pub(super) S);
 /// Time to write steps in.
 fn to_write(steps: &[StepResult]) -> Duration {
     let bytes: usize = steps.iter().map(StepResult::bytes).sum();
-    CALL + Duration::from_secs(bytes as u64 / SLOWEST)
+    OF_WORKER + Duration::from_secs(bytes as u64 / SLOWEST)
 }
 
 macro_rules! timely {
@@ -41,7 +45,7 @@ macro_rules! timely {
         impl<S: $trait> $trait for Timely<S> {
             $(async fn $method(&self, $($name: $type),*) -> Result<$output, StoreError> {
                 let called = timeout($limit, self.0.$method($($name),*)).await;
-                called.unwrap_or_else(|late| Err(StoreError::unavailable(late)))
+                called.unwrap_or_else(|late| Err(StoreError::silent(late)))
             })*
             $($rest)*
         }
@@ -57,16 +61,17 @@ timely!(JobStore {
     CALL => fn result(id: JobId) -> Option<ResultHead>;
     CALL => fn step(id: JobId, step: usize) -> Deflated;
     CALL => fn fields(id: JobId, step: usize, at: usize) -> Option<FieldsPart>;
-    CALL => fn claim(request: &ClaimRequest) -> Claims;
-    CALL => fn heartbeat(leases: &[Lease], lease: Duration) -> Vec<LeaseStatus>;
-    CALL => fn record_progress(
+    OF_WORKER => fn claim(request: &ClaimRequest) -> Claims;
+    OF_WORKER => fn give_back(owner: WorkerId, known: &[JobId]) -> ();
+    OF_WORKER => fn heartbeat(leases: &[Lease], lease: Duration) -> Vec<LeaseStatus>;
+    OF_WORKER => fn record_progress(
         lease: &Lease, records: &[IterationRecord], latest: &IterationRecord
     ) -> ();
     to_write(steps) => fn record_steps(lease: &Lease, steps: &[StepResult]) -> ();
     to_write(steps) => fn finish(
         lease: &Lease, records: &[IterationRecord], steps: &[StepResult], outcome: Outcome
     ) -> ();
-    CALL => fn release(leases: &[Lease]) -> ();
+    OF_WORKER => fn release(leases: &[Lease]) -> ();
     CALL => fn cancel(id: JobId) -> JobRecord;
     CALL => fn list(filter: &JobFilter) -> JobPage;
     CALL => fn delete(id: JobId) -> ();

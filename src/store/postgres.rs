@@ -7,7 +7,7 @@ mod notifications;
 
 use std::ops::{Deref, DerefMut};
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use async_trait::async_trait;
@@ -21,22 +21,33 @@ use tokio::time::timeout;
 use self::notifications::{Announcer, listen};
 use super::deadline::Timely;
 use super::migration::{self, Step, steps};
-use super::sql::{Backend, Change, SqlStore, WriteTransaction};
+use super::sql::{Backend, Change, Reserved, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
 use crate::jobs::{Clock, JobNotifier, StoreError, WorkerId};
 
 const STEPS: &[Step] = steps!("postgres");
 
-/// Longest wait for a connection: to read or execute single statements, and for a transaction.
+/// Longest wait for a connection: of a client that reads, for a transaction, and of a worker that
+/// writes, for whom no client waits.
 const LINE_WAIT: Duration = Duration::from_secs(2);
 const TRANSACTION_WAIT: Duration = Duration::from_secs(5);
+const WORKER_WAIT: Duration = Duration::from_secs(30);
+
+/// Longest time for a reserved connection to be made; a server that answers after 5 s takes four
+/// answers.
+const CONNECT_WAIT: Duration = Duration::from_secs(25);
 
 /// Longest time that a connection may be in use for one purpose. One that is given back later is
 /// closed: its line may be dead.
 const LINE_TIME: Duration = Duration::from_secs(10);
 
-/// Longest wait for the answer to the ping that a connection gets before and after each use.
+/// Time without use after which a connection is asked for a sign of life before its next use, and
+/// the longest wait for that.
+const IDLE: Duration = Duration::from_secs(1);
 const PING_WAIT: Duration = Duration::from_secs(1);
+
+/// Longest wait for the sign of life of a connection that is given back, for which nobody waits.
+const RELEASE_WAIT: Duration = Duration::from_secs(10);
 
 /// Settings of every session. The server ends what a client that has vanished, or stopped, has
 /// left behind: a transaction that nothing is done in, a statement whose answer nobody takes.
@@ -68,15 +79,21 @@ pub enum PostgresError {
     Migrate(#[source] sqlx::Error),
 }
 
-/// Two pools of connections to the database. Transactions may wait for the lock of a row, which no
-/// reader does.
+/// Connections to the database. Transactions may wait for the lock of a row, which no reader does.
+/// Heartbeats, claims and the listener have one each, which nothing else can take.
 struct PostgresPool {
+    address: PgConnectOptions,
     lines: PgPool,
     transactions: PgPool,
+    heartbeats: Kept,
+    claims: Kept,
     clock: Option<Arc<dyn Clock>>,
     announcer: Announcer,
     listener: AbortHandle,
 }
+
+/// A reserved connection while nobody uses it.
+type Kept = Mutex<Option<PgConnection>>;
 
 /// Options of a pool whose connections are never waited for without bound.
 fn pool(connections: u32, wait: Duration, more: &'static str) -> PgPoolOptions {
@@ -87,22 +104,48 @@ fn pool(connections: u32, wait: Duration, more: &'static str) -> PgPoolOptions {
             connection.execute(more).await.map(drop)
         })
     });
-    let options = options.before_acquire(|connection, _| {
-        Box::pin(async move { Ok(answers(connection).await.is_ok()) })
+    let options = options.before_acquire(|connection, used| {
+        Box::pin(async move {
+            Ok(used.idle_for < IDLE || answers(connection, PING_WAIT).await.is_ok())
+        })
     });
     options.after_release(|connection, _| {
-        Box::pin(async move { answers(connection).await.map(|()| true) })
+        Box::pin(async move { answers(connection, RELEASE_WAIT).await.map(|()| true) })
     })
 }
 
 /// Pings the server, which also rolls an abandoned transaction back.
-async fn answers(connection: &mut PgConnection) -> Result<(), sqlx::Error> {
-    let pinged = timeout(PING_WAIT, connection.ping()).await;
+async fn answers(connection: &mut PgConnection, wait: Duration) -> Result<(), sqlx::Error> {
+    let pinged = timeout(wait, connection.ping()).await;
     pinged.unwrap_or_else(|late| Err(sqlx::Error::Io(late.into())))
 }
 
-/// Connects to the store at a `postgres://` address, by so many `connections` in all, and runs the
-/// migrations. A test may pass a `clock` in place of the database's.
+/// Says why there is no connection of a pool.
+fn none_free(pool: &PgPool, wait: Duration, error: sqlx::Error) -> StoreError {
+    let (used, most) = (
+        (pool.size() as usize).saturating_sub(pool.num_idle()),
+        pool.options().get_max_connections(),
+    );
+    match error {
+        sqlx::Error::PoolTimedOut => StoreError::unavailable(format!(
+            "no connection to the database within {wait:?}: {used} of {most} are in use or being \
+             made; either --database-connections is too small or the database does not answer"
+        )),
+        error => error.into(),
+    }
+}
+
+/// Takes a connection of a pool.
+async fn acquire(pool: &PgPool, wait: Duration) -> Result<Line, StoreError> {
+    let acquired = timeout(wait, pool.acquire()).await;
+    let acquired = acquired.unwrap_or(Err(sqlx::Error::PoolTimedOut));
+    let connection = acquired.map_err(|error| none_free(pool, wait, error))?;
+    Ok(Line::Shared(Shared { connection, until: Instant::now() + LINE_TIME }))
+}
+
+/// Connects to the store at a `postgres://` address and runs the migrations. Clients and the writes
+/// of a worker share so many `connections`; the listener, and a worker's heartbeats and claims, have
+/// one each beside them. A test may pass a `clock` in place of the database's.
 ///
 /// # Errors
 /// [`PostgresError`].
@@ -125,18 +168,54 @@ pub async fn open_postgres(
     first.close().await;
     let of_transactions = (connections / 2).max(1);
     let transactions = pool(of_transactions, TRANSACTION_WAIT, "");
-    let lines = pool((connections - of_transactions).max(1), LINE_WAIT, OF_LINES);
-    let (lines, transactions) =
-        (lines.connect_lazy_with(address.clone()), transactions.connect_lazy_with(address));
+    let lines = pool((connections - of_transactions).max(1), WORKER_WAIT, OF_LINES);
+    let own = PgPoolOptions::new().max_connections(1).acquire_timeout(CONNECT_WAIT);
+    let lines = lines.connect_lazy_with(address.clone());
     let node = WorkerId::generate();
-    let listener = tokio::spawn(listen(lines.clone(), node, Arc::clone(&notifier))).abort_handle();
+    let own = own.connect_lazy_with(address.clone());
+    let listener = tokio::spawn(listen(own, node, Arc::clone(&notifier))).abort_handle();
     let announcer = Announcer::start(&lines, node);
-    let backend = PostgresPool { lines, transactions, clock, announcer, listener };
+    let backend = PostgresPool {
+        lines,
+        transactions: transactions.connect_lazy_with(address.clone()),
+        address,
+        heartbeats: Kept::default(),
+        claims: Kept::default(),
+        clock,
+        announcer,
+        listener,
+    };
     Ok(Arc::new(Timely(SqlStore { backend, notifier, limits })))
 }
 
+impl PostgresPool {
+    fn kept(&self, purpose: Reserved) -> MutexGuard<'_, Option<PgConnection>> {
+        let kept = match purpose {
+            Reserved::Heartbeats => &self.heartbeats,
+            Reserved::Claims => &self.claims,
+        };
+        kept.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    async fn connect(&self) -> Result<PgConnection, StoreError> {
+        let connect = async {
+            let mut connection = PgConnection::connect_with(&self.address).await?;
+            connection.execute(SESSION).await?;
+            connection.execute(OF_LINES).await?;
+            Ok::<_, sqlx::Error>(connection)
+        };
+        Ok(timeout(CONNECT_WAIT, connect).await.map_err(StoreError::silent)??)
+    }
+}
+
 /// A connection without a transaction.
-struct Line {
+enum Line {
+    Shared(Shared),
+    Reserved(Reserved, PgConnection),
+}
+
+/// A connection of a pool.
+struct Shared {
     connection: PoolConnection<Postgres>,
     until: Instant,
 }
@@ -145,17 +224,23 @@ impl Deref for Line {
     type Target = PgConnection;
 
     fn deref(&self) -> &PgConnection {
-        &self.connection
+        match self {
+            Self::Shared(shared) => &shared.connection,
+            Self::Reserved(_, connection) => connection,
+        }
     }
 }
 
 impl DerefMut for Line {
     fn deref_mut(&mut self) -> &mut PgConnection {
-        &mut self.connection
+        match self {
+            Self::Shared(shared) => &mut shared.connection,
+            Self::Reserved(_, connection) => connection,
+        }
     }
 }
 
-impl Drop for Line {
+impl Drop for Shared {
     fn drop(&mut self) {
         if Instant::now() >= self.until {
             self.connection.close_on_drop();
@@ -183,12 +268,26 @@ impl Backend for PostgresPool {
     type Write = Transaction<'static, Postgres>;
 
     async fn read(&self) -> Result<Line, StoreError> {
-        let connection = self.lines.acquire().await?;
-        Ok(Line { connection, until: Instant::now() + LINE_TIME })
+        acquire(&self.lines, LINE_WAIT).await
     }
 
     async fn statements(&self) -> Result<Line, StoreError> {
-        self.read().await
+        acquire(&self.lines, WORKER_WAIT).await
+    }
+
+    async fn reserved(&self, purpose: Reserved) -> Result<Line, StoreError> {
+        let kept = self.kept(purpose).take();
+        let connection = match kept {
+            Some(connection) => connection,
+            None => self.connect().await?,
+        };
+        Ok(Line::Reserved(purpose, connection))
+    }
+
+    fn keep(&self, line: Line) {
+        if let Line::Reserved(purpose, connection) = line {
+            *self.kept(purpose) = Some(connection);
+        }
     }
 
     fn now(&self) -> Option<i64> {
@@ -196,7 +295,9 @@ impl Backend for PostgresPool {
     }
 
     async fn write(&self) -> Result<(Self::Write, i64), StoreError> {
-        let mut transaction = self.transactions.begin().await?;
+        let begun = self.transactions.begin().await;
+        let mut transaction =
+            begun.map_err(|error| none_free(&self.transactions, TRANSACTION_WAIT, error))?;
         if let Some(now) = self.now() {
             return Ok((transaction, now));
         }

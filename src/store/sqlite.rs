@@ -34,7 +34,7 @@ pub use self::restore::restore_sqlite;
 use self::space::FreeSpace;
 use self::wal::WalSync;
 use super::migration::{self, Step, steps};
-use super::sql::{Backend, Change, SqlStore, WriteTransaction};
+use super::sql::{Backend, Change, Reserved, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
 use crate::jobs::{Clock, JobNotifier, StoreError};
 
@@ -313,6 +313,12 @@ impl Backend for SqliteDatabase {
     async fn statements(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
         Ok(self.writer.acquire().await?)
     }
+
+    async fn reserved(&self, _: Reserved) -> Result<PoolConnection<Sqlite>, StoreError> {
+        self.statements().await
+    }
+
+    fn keep(&self, _: PoolConnection<Sqlite>) {}
 
     fn now(&self) -> Option<i64> {
         Some(self.clock.now().as_microsecond())

@@ -21,8 +21,11 @@ use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
-use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerId};
+use crate::jobs::{
+    Claim, ClaimRequest, Claims, JobNotifier, JobSolver, JobStore, StoreError, WorkerId,
+};
 use memory::WorkerMemory;
+pub use running::Pulse;
 use running::{Outage, Running};
 use slots::{Memory, Reservation, Slots};
 
@@ -67,6 +70,7 @@ pub(crate) struct WorkerState {
     slots: Arc<Slots>,
     running: Running,
     outage: Outage,
+    pulse: Pulse,
     memory: Arc<WorkerMemory>,
     tasks: TaskTracker,
     drain: CancellationToken,
@@ -91,6 +95,7 @@ impl Worker {
             slots: Arc::new(Slots::new(settings.slots, memory)),
             running: Running::default(),
             outage: Outage::default(),
+            pulse: Pulse::new(),
             memory: WorkerMemory::new(
                 settings.memory + settings.memory_of_place * (settings.slots as u64 + 1),
             ),
@@ -101,6 +106,11 @@ impl Worker {
         state.tasks.spawn(Arc::clone(&state).claim_jobs());
         let heartbeat = tokio::spawn(Arc::clone(&state).beat());
         Self { state, heartbeat }
+    }
+
+    /// Returns the worker's signs of life.
+    pub fn pulse(&self) -> Pulse {
+        self.state.pulse.clone()
     }
 
     /// Finishes the running jobs, and the queued ones if the settings say so, then stops. Jobs
@@ -125,6 +135,7 @@ impl Worker {
 impl WorkerState {
     async fn claim_jobs(self: Arc<Self>) {
         let mut exclusive_pending = false;
+        let mut has_failed = false;
         loop {
             let reservation = tokio::select! {
                 reservation = self.slots.take(), if !exclusive_pending => reservation,
@@ -134,7 +145,13 @@ impl WorkerState {
             if self.drain.is_cancelled() && !self.settings.empties_queue {
                 return;
             }
-            match self.store.claim(&self.request(&reservation)).await {
+            let claimed = if has_failed {
+                self.claim_again(&reservation).await
+            } else {
+                self.store.claim(&self.request(&reservation)).await
+            };
+            has_failed = claimed.is_err();
+            match claimed {
                 Ok(claims) => {
                     exclusive_pending = claims.exclusive_pending && !reservation.all;
                     self.slots.set_large_pending(claims.large_pending);
@@ -161,6 +178,13 @@ impl WorkerState {
         }
     }
 
+    /// Claims after a claim that was not answered, whose jobs nobody would solve.
+    async fn claim_again(&self, reservation: &Reservation) -> Result<Claims, StoreError> {
+        let known: Vec<_> = self.running.leases().iter().map(|lease| lease.job).collect();
+        self.store.give_back(self.id, &known).await?;
+        self.store.claim(&self.request(reservation)).await
+    }
+
     fn request(&self, reservation: &Reservation) -> ClaimRequest {
         let memory = self.slots.memory();
         ClaimRequest {
@@ -180,7 +204,8 @@ impl WorkerState {
     fn start(self: &Arc<Self>, claims: Vec<Claim>, mut reservation: Reservation) {
         for claim in claims {
             if let Some(slot) = reservation.assign(&self.slots, &claim) {
-                self.tasks.spawn(Arc::clone(self).supervise(claim, slot));
+                let stop = self.running.add(claim.lease);
+                self.tasks.spawn(Arc::clone(self).supervise(claim, slot, stop));
             }
         }
     }

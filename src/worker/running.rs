@@ -19,8 +19,11 @@ const RETRY: Duration = Duration::from_secs(1);
 pub(super) struct Running(Mutex<HashMap<Lease, Option<StopFlag>>>);
 
 impl Running {
-    pub(super) fn add(&self, lease: Lease, stop: StopFlag) {
-        self.lock().insert(lease, Some(stop));
+    /// Adds a job whose solve begins; returns the flag that stops it.
+    pub(super) fn add(&self, lease: Lease) -> StopFlag {
+        let stop = StopFlag::default();
+        self.lock().insert(lease, Some(stop.clone()));
+        stop
     }
 
     pub(super) fn remove(&self, lease: &Lease) {
@@ -74,19 +77,62 @@ impl Outage {
     }
 }
 
+/// Longest time between the ends of two heartbeats of a worker that lives, answered or not: twice
+/// the longest time of a call.
+const STILL: Duration = Duration::from_mins(2);
+
+/// When heartbeats of a worker last came to an end.
+#[derive(Debug, Clone)]
+pub struct Pulse(Arc<Mutex<Beats>>);
+
+#[derive(Debug, Clone, Copy)]
+struct Beats {
+    ended: Instant,
+    answered: Instant,
+}
+
+impl Pulse {
+    pub(super) fn new() -> Self {
+        let now = Instant::now();
+        Self(Arc::new(Mutex::new(Beats { ended: now, answered: now })))
+    }
+
+    fn beat(&self, is_answered: bool) {
+        let mut beats = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        beats.ended = Instant::now();
+        if is_answered {
+            beats.answered = beats.ended;
+        }
+    }
+
+    fn beats(&self) -> Beats {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether the worker lives. A store that does not answer is no reason to end a worker: its
+    /// solves go on.
+    pub fn is_alive(&self) -> bool {
+        self.beats().ended.elapsed() < STILL
+    }
+
+    /// Returns the time since the store last answered a heartbeat.
+    pub fn age(&self) -> Duration {
+        self.beats().answered.elapsed()
+    }
+}
+
 impl WorkerState {
     /// Extends all leases periodically and stops the solves that were cancelled or whose lease is
-    /// lost.
+    /// lost. An idle worker beats as well: its connection is there when a job comes.
     pub(super) async fn beat(self: Arc<Self>) {
-        let mut pause = self.settings.lease / 3;
+        let mut pause = Duration::ZERO;
         loop {
             sleep(pause).await;
             pause = self.settings.lease / 3;
             let leases = self.running.leases();
-            if leases.is_empty() {
-                continue;
-            }
-            match self.store.heartbeat(&leases, self.settings.lease).await {
+            let answer = self.store.heartbeat(&leases, self.settings.lease).await;
+            self.pulse.beat(answer.is_ok());
+            match answer {
                 Ok(statuses) => {
                     for (lease, status) in leases.iter().zip(statuses) {
                         self.apply_status(lease, status);

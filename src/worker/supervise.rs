@@ -74,17 +74,15 @@ fn wait_of(record: &JobRecord) -> Option<Duration> {
 
 impl WorkerState {
     /// Runs one job from its claim to its stored outcome.
-    pub(super) async fn supervise(self: Arc<Self>, claim: Claim, slot: Slot) {
+    pub(super) async fn supervise(self: Arc<Self>, claim: Claim, slot: Slot, stop: StopFlag) {
         let span = tracing::info_span!("attempt", trace_id = Empty);
         telemetry::adopt(&span, claim.trace);
-        self.see_through(claim, slot).instrument(span).await;
+        self.see_through(claim, slot, stop).instrument(span).await;
     }
 
-    async fn see_through(self: Arc<Self>, claim: Claim, mut slot: Slot) {
+    async fn see_through(self: Arc<Self>, claim: Claim, mut slot: Slot, stop: StopFlag) {
         let lease = claim.lease;
         tracing::info!(job = %lease.job, attempt = lease.attempt, "started");
-        let stop = StopFlag::default();
-        self.running.add(lease, stop.clone());
         let started = Instant::now();
         let channels = self.start_solve(claim, stop.clone());
         let SolveEnd { steps, records, iterations, outcome } =

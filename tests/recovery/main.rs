@@ -13,6 +13,9 @@ mod crash_loop;
 #[expect(dead_code, reason = "shared with the HTTP tests")]
 mod curl;
 mod kill;
+#[path = "../support/line.rs"]
+mod line;
+mod lines;
 mod nodes;
 #[path = "../http/server.rs"]
 #[expect(dead_code, reason = "shared with the HTTP tests")]

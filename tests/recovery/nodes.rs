@@ -12,21 +12,26 @@ use crate::cluster::Cluster;
 use crate::curl::spawn_curl;
 use crate::server::{DEADLINE, Server, example};
 
-fn database(cluster: &Cluster) -> String {
+pub fn database(cluster: &Cluster) -> String {
     Runtime::new().unwrap().block_on(cluster.database())
 }
 
-fn service(database: &str, more: &[&str]) -> Server {
+pub fn service(database: &str, more: &[&str]) -> Server {
     Server::start_with(&[&["--database-url", database, "--lease", "2"], more].concat())
 }
 
 /// A running `brinell worker`.
-struct WorkerProcess(Child);
+pub struct WorkerProcess(Child);
 
 impl WorkerProcess {
     fn start(database: &str) -> Self {
+        Self::start_with(database, &["--lease", "2", "--workers", "2"])
+    }
+
+    pub fn start_with(database: &str, more: &[&str]) -> Self {
         let child = Command::new(env!("CARGO_BIN_EXE_brinell"))
-            .args(["worker", "--database-url", database, "--lease", "2", "--workers", "2"])
+            .args(["worker", "--database-url", database])
+            .args(more)
             .env("BRINELL_LOG", "warn")
             .stdin(Stdio::null())
             .spawn();

@@ -126,3 +126,18 @@ pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
     );
     store.release(&[lease]).await.unwrap();
 }
+
+/// The answer to a claim was lost: the store has leased a job that its worker does not know of.
+pub async fn a_worker_gives_back_what_it_does_not_know(subject: &Subject) {
+    let (known, unknown) = (subject.enqueue("known").await, subject.enqueue("unknown").await);
+    let request = Subject::request(2);
+    let lease = subject.claims(request).await.jobs[0].lease;
+    assert_eq!(lease.job, known);
+    subject.store.give_back(WorkerId::generate(), &[]).await.unwrap();
+    assert_eq!(subject.get(unknown).await.state, JobState::Running, "it is another worker's");
+    subject.store.give_back(request.owner, &[known]).await.unwrap();
+    let kept = LeaseStatus::Held { cancel_requested: false };
+    assert_eq!(subject.store.heartbeat(&[lease], LEASE).await.unwrap(), [kept]);
+    let claims = subject.claims(Subject::request(1)).await;
+    assert_eq!((ids(&claims.jobs), claims.jobs[0].exclusive), (vec![unknown], false), "no loss");
+}

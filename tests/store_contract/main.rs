@@ -44,6 +44,7 @@ macro_rules! contract {
             queue a_full_queue_refuses_and_keeps_nothing;
             queue simultaneous_submissions_do_not_overfill_the_queue;
             queue pages_are_newest_first_and_filtered;
+            queue words_find_their_jobs;
             queue the_highest_priority_goes_first;
             queue jobs_are_handed_out_within_the_memory;
             queue many_workers_at_once_never_get_the_same_job;
@@ -52,6 +53,7 @@ macro_rules! contract {
             leases an_expired_job_is_handed_out_again_and_given_up_at_last;
             leases heartbeats_keep_a_job_and_tell_of_cancellation;
             leases an_expired_job_that_was_to_stop_is_cancelled;
+            leases a_worker_gives_back_what_it_does_not_know;
             leases the_last_attempt_runs_alone;
             leases a_released_job_is_queued_as_if_never_taken_up;
             results steps_are_kept_as_they_are_finished;

@@ -1,15 +1,20 @@
 //! The order of the queue.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use brinell::jobs::{
-    ApiKey, ClaimRequest, Clock, JobFilter, JobId, JobState, KeyId, NewJob, Scope, StoreError,
-    Turn,
+    ApiKey, ClaimRequest, Clock, JobFilter, JobId, JobNotifier, JobState, KeyId, NewJob, Scope,
+    StoreError, Turn, label_of, words,
 };
+use brinell::store::{StoreLimits, open_postgres, open_sqlite_in_memory};
+use bytes::Bytes;
 use jiff::SignedDuration;
 
-use crate::subject::{ALL, MEMORY, QUEUE_CAPACITY, Subject, ids as ids_of, job};
+use crate::cluster::Cluster;
+use crate::subject::{
+    ALL, MEMORY, MEMORY_STORE, QUEUE_CAPACITY, Subject, clock, ids as ids_of, job,
+};
 
 pub async fn jobs_are_handed_out_in_order_and_only_once(subject: &Subject) {
     let mut ids = Vec::new();
@@ -94,6 +99,70 @@ pub async fn pages_are_newest_first_and_filtered(subject: &Subject) {
     let second = Clock::now(subject.clock.as_ref());
     assert_eq!(subject.page(JobFilter { since: Some(second), ..ALL }).await.0, [late]);
     assert_eq!(subject.page(JobFilter { until: Some(second), ..ALL }).await.0, ids);
+}
+
+pub async fn words_find_their_jobs(subject: &Subject) {
+    let of = |words: &[&str]| NewJob {
+        words: words.iter().map(|word| (*word).to_owned()).collect(),
+        ..job("x")
+    };
+    let roller = subject.submit(of(&["hardened", "roller"])).await.unwrap().job;
+    let ball = subject.submit(of(&["hardened", "ball"])).await.unwrap().job.id;
+    assert_eq!(roller.tags, job("x").tags, "words are no labels");
+    let search =
+        |text: &str| JobFilter { tags: words(text).map(|it| label_of(&it)).collect(), ..ALL };
+    assert_eq!(subject.page(search("Hardened")).await.0, [ball, roller.id]);
+    assert_eq!(subject.page(search("roller, HARDENED")).await.0, [roller.id]);
+    assert!(subject.page(search("ball roller")).await.0.is_empty());
+    assert!(subject.page(search("roll")).await.0.is_empty());
+}
+
+/// More jobs than a page looks at: none is left out, and none is told twice.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "full"]
+async fn pages_of_a_long_list_end_with_a_cursor() {
+    let limits = StoreLimits { queue_capacity: 100_000, ..StoreLimits::default() };
+    let url = Cluster::shared().database().await;
+    let stores = [
+        open_sqlite_in_memory(MEMORY_STORE, limits, JobNotifier::new(), clock()).await.unwrap(),
+        open_postgres(&url, 4, limits, JobNotifier::new(), None).await.unwrap(),
+    ];
+    for store in stores {
+        let mut rare = Vec::new();
+        for batch in 0..12 {
+            let tagged = |number| {
+                let kind = if number % 2 == 0 { "even" } else { "odd" };
+                let tags = [("kind", kind), ("size", if number == 7 { "odd" } else { "small" })];
+                let tags = tags.map(|(name, value)| (name.to_owned(), value.to_owned()));
+                NewJob { tags: BTreeMap::from(tags), ..NewJob::new(Bytes::from_static(b"{}")) }
+            };
+            let jobs: Vec<_> = (0..1000).map(tagged).collect();
+            if batch % 5 == 0 {
+                rare.push(jobs[7].id);
+            }
+            let jobs = jobs.into_iter().enumerate();
+            let jobs = jobs.filter(|(number, _)| *number != 7 || batch % 5 == 0);
+            store.enqueue_all(jobs.map(|(_, job)| job).collect(), Turn::free()).await.unwrap();
+        }
+        for (value, expected) in [("odd", Some(&rare)), ("small", None)] {
+            let label = |name: &str, value: &str| (name.to_owned(), value.to_owned());
+            let tags = vec![label("kind", "odd"), label("size", value)];
+            let mut filter = JobFilter { tags, oldest_first: true, ..ALL };
+            let (mut found, mut pages) = (Vec::new(), 0);
+            loop {
+                let page = store.list(&filter).await.unwrap();
+                found.extend(page.jobs.into_iter().map(|job| job.id));
+                pages += 1;
+                let Some(next) = page.next else { break };
+                filter.cursor = Some(next);
+            }
+            assert!(pages < 100, "{pages} pages");
+            match expected {
+                Some(rare) => assert_eq!(&found, rare),
+                None => assert_eq!(found.len(), 12 * 499),
+            }
+        }
+    }
 }
 
 pub async fn the_highest_priority_goes_first(subject: &Subject) {

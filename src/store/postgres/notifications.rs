@@ -1,7 +1,7 @@
 //! Announcements of changes between processes, by `LISTEN` and `NOTIFY`.
 //!
-//! Each process listens on one connection and notifies on its others, after its changes are
-//! committed. `NOTIFY` inside the changing transaction would take a lock of the whole database
+//! Each process listens on a connection of its own and notifies on its others, after its changes
+//! are committed. `NOTIFY` inside the changing transaction would take a lock of the whole database
 //! until the commit is on the disk, and the commits of all processes would wait for each other. A
 //! notification may be lost with its connection or process; every process therefore also queries
 //! once a second.
@@ -30,8 +30,8 @@ const RECONNECT_INTERVAL: Duration = Duration::from_secs(1);
 /// Time without a notification after which the server is asked for a sign of life.
 const SILENCE: Duration = Duration::from_secs(10);
 
-/// Longest wait for a connection, and for an answer.
-const CONNECT_TIMEOUT: Duration = Duration::from_secs(10);
+/// Longest wait for an answer.
+const ANSWER_WAIT: Duration = Duration::from_secs(10);
 
 /// Announces changes to other processes, in the order of the calls.
 #[derive(Debug)]
@@ -63,7 +63,7 @@ async fn tell(pool: PgPool, node: WorkerId, mut changes: Receiver<Change>) {
         let notify =
             sqlx::query("SELECT pg_notify($1, message) FROM unnest($2::text[]) AS message");
         let notify = notify.bind(CHANNEL).bind(messages);
-        let error = match timeout(CONNECT_TIMEOUT, notify.execute(&pool)).await {
+        let error = match timeout(ANSWER_WAIT, notify.execute(&pool)).await {
             Ok(Ok(_)) => continue,
             Ok(Err(error)) => error.to_string(),
             Err(late) => late.to_string(),
@@ -122,7 +122,7 @@ async fn listen_once(
         loop {
             let Ok(received) = timeout(SILENCE, listener.try_recv()).await else {
                 // The line may be dead, which only an answer can tell.
-                let answered = timeout(CONNECT_TIMEOUT, listener.execute("SELECT 1")).await;
+                let answered = timeout(ANSWER_WAIT, listener.execute("SELECT 1")).await;
                 answered.map_err(|late| sqlx::Error::Io(late.into()))??;
                 continue;
             };

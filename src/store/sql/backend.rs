@@ -24,6 +24,13 @@ pub(in crate::store) trait Backend: Send + Sync + 'static {
     /// which the database ends by itself: a process that stops between two of them holds nothing.
     async fn statements(&self) -> Result<Self::Line, StoreError>;
 
+    /// Takes the connection that is reserved for a purpose: no other use can hold it up.
+    async fn reserved(&self, purpose: Reserved) -> Result<Self::Line, StoreError>;
+
+    /// Keeps a reserved connection for its next use. One whose call fails, or is given up, is not
+    /// kept: its line may be dead.
+    fn keep(&self, line: Self::Line);
+
     /// Begins a transaction that may write; returns it and the time in microseconds since 1970.
     async fn write(&self) -> Result<(Self::Write, i64), StoreError>;
 
@@ -52,6 +59,15 @@ pub(in crate::store) trait Backend: Send + Sync + 'static {
 
     /// Tells other processes of changes that are committed.
     fn announce(&self, changes: &[Change]);
+}
+
+/// What a worker has connections of their own for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::store) enum Reserved {
+    /// The heartbeats that extend its leases.
+    Heartbeats,
+    /// Its claims of jobs.
+    Claims,
 }
 
 /// A transaction that is rolled back unless it is committed.

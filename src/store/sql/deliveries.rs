@@ -9,7 +9,7 @@ use super::claiming::until;
 use super::codec::{count, damaged, time};
 use crate::jobs::{Callback, CallbackState, Delivery, DeliveryEnd, JobId, KeyId, StoreError};
 
-const ADD: &str = "INSERT INTO deliveries (job, id, url) VALUES ($1, $2, $3)";
+pub(super) const ADD: &str = "INSERT INTO deliveries (job, id, url) VALUES ($1, $2, $3)";
 const SCHEDULE: &str =
     "UPDATE deliveries SET state = 'pending', due_at = (SELECT finished_at FROM jobs WHERE id = $1)
      WHERE job = $1 AND state = 'waiting'";
@@ -29,11 +29,6 @@ type DueRow = (Uuid, Uuid, String, i32, Option<Uuid>, Option<String>);
 
 /// Announcements on a connection.
 pub(in crate::store) trait Deliveries: Send {
-    fn add_callback(
-        &mut self,
-        job: JobId,
-        url: String,
-    ) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Makes the announcement of a job due that has just ended.
     fn schedule_delivery(
         &mut self,
@@ -75,12 +70,6 @@ fn callback(
 macro_rules! deliveries {
     ($database:ty, $connection:ty, $lock:literal) => {
         impl Deliveries for $connection {
-            async fn add_callback(&mut self, job: JobId, url: String) -> Result<(), StoreError> {
-                let add = sqlx::query::<$database>(ADD).bind(job.uuid());
-                add.bind(Uuid::now_v7()).bind(url).execute(self).await?;
-                Ok(())
-            }
-
             async fn schedule_delivery(&mut self, job: JobId) -> Result<(), StoreError> {
                 sqlx::query::<$database>(SCHEDULE).bind(job.uuid()).execute(self).await?;
                 Ok(())

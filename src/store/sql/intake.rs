@@ -1,335 +1,412 @@
-//! Statements that submit, cancel and remove jobs.
+//! Statements that submit, cancel and remove jobs, in a transaction.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use sqlx::types::Uuid;
-use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
-use super::codec::{count, damaged, pack, to_json};
-use super::deliveries::Deliveries;
-use super::keys::Keys;
+use super::codec::{count, damaged, pack, time, to_json};
+use super::deliveries;
+use super::keys::{SubmitterRow, limits_of};
+use super::message::{Message, Messages, Value};
 use super::reading::Reading;
 use crate::jobs::{
-    Enqueued, Idempotency, JobId, JobRecord, JobState, KeyLimits, NewJob, Quota, Retention, SWEEP,
-    StoreError,
+    Enqueued, JobId, JobRecord, JobState, KeyId, KeyLimits, NewJob, Quota, Retention, SWEEP,
+    StoreError, label_of,
 };
 use crate::store::StoreLimits;
 
 const TAKE_NAME: &str =
-    "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
-     ON CONFLICT DO NOTHING";
+    "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
 const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at,
          reserved_bytes, account, traceparent)
      VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9)";
 const ACCOUNT: &str = "INSERT INTO accounts (id) VALUES ($1) ON CONFLICT DO NOTHING";
-/// Selects the number of queued jobs, the number of queued jobs of one submitter, the bytes that
-/// the submitter's results take or will take, and whether the submitter has an account.
-const PLACES: &str = "SELECT (SELECT count(*) FROM jobs WHERE state = 'queued'),
-         CASE WHEN $2 THEN (SELECT count(*) FROM jobs WHERE state = 'queued' AND account = $1)
-             ELSE 0 END,
-         CASE WHEN $3 THEN (SELECT CAST(coalesce(sum(
-                 CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
-                     THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT)
-             FROM jobs WHERE submitter = $1) ELSE 0 END,
-         EXISTS (SELECT 1 FROM accounts WHERE id = $1)";
+const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
+const WAITING: &str = "SELECT priority, count(*) FROM jobs WHERE state = 'queued' AND account = $1
+     GROUP BY priority";
+/// Selects the bytes that a submitter's results take or will take.
+const STORED: &str = "SELECT CAST(coalesce(sum(
+         CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
+             THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT)
+     FROM jobs WHERE submitter = $1";
 const REQUEST: &str = "INSERT INTO requests (job, body) VALUES ($1, $2)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
 const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
          finished_at = CASE WHEN state = 'queued' THEN $2 ELSE finished_at END,
          state = CASE WHEN state = 'queued' THEN 'cancelled' ELSE state END
      WHERE id = $1 AND state IN ('queued', 'running')";
-const HEALTH: &str = "UPDATE health SET written_at = $1";
-const DELETE: &str = "DELETE FROM jobs WHERE id = $1 AND state NOT IN ('queued', 'running')";
-const SWEEP_OLD: &str =
-    "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE finished_at IS NOT NULL
-         AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
-     ORDER BY finished_at LIMIT $3)";
+const HEALTH: &str = "UPDATE health SET written_at = $1 RETURNING written_at";
+const DELETE: &str = "DELETE FROM jobs WHERE id IN $1 AND state NOT IN ('queued', 'running')
+     RETURNING id";
+/// Selects the jobs whose time is over.
+const OLD: &str = "SELECT id, stored_bytes FROM jobs WHERE finished_at IS NOT NULL
+         AND finished_at <= $1 - CASE WHEN state IN ('succeeded', 'not_converged') THEN $2 ELSE $3 END
+     ORDER BY finished_at LIMIT $4";
+/// Selects the oldest results of the key whose results take the most bytes, until all results
+/// together fit the limit: a key with few results loses none.
+const SURPLUS: &str = "SELECT id, stored_bytes FROM (
+         SELECT id, finished_at, stored_bytes,
+             sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
+         FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
+             SELECT account FROM jobs WHERE finished_at IS NOT NULL
+             GROUP BY account ORDER BY sum(stored_bytes) DESC, account LIMIT 1)) AS oldest
+     WHERE older < (SELECT sum(stored_bytes) FROM jobs WHERE finished_at IS NOT NULL) - $1
+     ORDER BY finished_at LIMIT $2";
 
 /// Jobs that concurrent, uncommitted transactions may be inserting: a batch on each connection of
 /// several servers. Where the queue has less room than this, submissions are serialized so that
 /// each counts the others' jobs.
 const ON_THEIR_WAY: usize = 4000;
 
-/// Commands about a savepoint of a transaction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::store) enum Savepoint {
-    /// Set the savepoint.
-    Set,
-    /// Keep the changes since the savepoint.
-    Release,
-    /// Undo the changes since the savepoint.
-    RollBack,
+/// What is known of a submitter while its jobs are taken in.
+struct Queue {
+    limits: KeyLimits,
+    has_account: bool,
+    /// Bytes of its results, with the estimates of its unfinished jobs.
+    used: u64,
+    /// Its waiting jobs, by their priority.
+    waiting: BTreeMap<i32, u64>,
+    /// Digest and job of each idempotency key that has one.
+    names: HashMap<String, (Vec<u8>, JobId)>,
 }
 
-impl Savepoint {
-    const fn statement(self) -> &'static str {
-        match self {
-            Self::Set => "SAVEPOINT job",
-            Self::Release => "RELEASE SAVEPOINT job",
-            Self::RollBack => "ROLLBACK TO SAVEPOINT job",
-        }
+impl Queue {
+    /// Checks a job against the limits of its key.
+    fn check(&self, job: &NewJob) -> Result<(), StoreError> {
+        let limits = self.limits;
+        let (queued, used, needed) =
+            (self.waiting.values().sum::<u64>(), self.used, job.result_bytes);
+        let is_low = |limit: &i16| !job.interactive && job.priority > *limit;
+        let is_reached = |limit: &u32| queued >= u64::from(*limit);
+        let exceeds = |limit: &u64| needed.saturating_add(used) > *limit;
+        let priority = limits.priority.filter(is_low).map(|limit| Quota::Priority { limit });
+        let of_queue = || limits.queued.filter(is_reached).map(|limit| Quota::Queued { limit });
+        let of_room = || {
+            let limit = limits.stored_bytes.filter(exceeds);
+            limit.map(|limit| Quota::Stored { limit, used, needed })
+        };
+        let quota = priority.or_else(of_queue).or_else(of_room);
+        quota.map_or(Ok(()), |quota| Err(StoreError::QuotaExceeded { quota }))
     }
 }
 
-/// Changes that clients ask for.
-pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
-    fn enqueue(
-        &mut self,
-        job: NewJob,
-        limits: StoreLimits,
-        now: i64,
-    ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
-    /// Sets, releases or rolls back to the savepoint.
-    fn savepoint(
-        &mut self,
-        step: Savepoint,
-    ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Checks a job against the length of the queue and the limits of its key; returns whether its
-    /// submitter has an account.
-    fn check_places(
-        &mut self,
-        owner: Uuid,
-        job: &NewJob,
-        limits: StoreLimits,
-        key: KeyLimits,
-    ) -> impl Future<Output = Result<bool, StoreError>> + Send;
-    fn label(
-        &mut self,
-        job: JobId,
-        tags: BTreeMap<String, String>,
-    ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Returns the job that was submitted with this idempotency key before; without one, records
-    /// the key for `job`.
-    fn replay(
-        &mut self,
-        job: JobId,
-        submitter: Uuid,
-        name: &Idempotency,
-    ) -> impl Future<Output = Result<Option<JobRecord>, StoreError>> + Send;
-    fn cancel(
-        &mut self,
-        id: JobId,
-        now: i64,
-    ) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
-    /// Writes one row to show that the database accepts writes.
-    fn record_health(&mut self, now: i64) -> impl Future<Output = Result<(), StoreError>> + Send;
-    fn delete(&mut self, id: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Removes the jobs whose time is over, and those of `surplus`.
-    fn sweep(
-        &mut self,
-        retention: &Retention,
-        surplus: &[JobId],
-        now: i64,
-    ) -> impl Future<Output = Result<usize, StoreError>> + Send;
+/// What becomes of a job.
+enum Decision {
+    /// It is a new job.
+    New,
+    /// It came before, under the same idempotency key: as another job of these, or stored.
+    Replayed(JobId),
+    Refused(StoreError),
 }
 
-/// Returns the time before which a job must have finished to be removed.
-fn cutoff(now: i64, keep: std::time::Duration) -> i64 {
-    now.saturating_sub(i64::try_from(keep.as_micros()).unwrap_or(i64::MAX))
+fn account_of(job: &NewJob) -> Uuid {
+    job.submitter.map(KeyId::uuid).unwrap_or_default()
 }
 
-macro_rules! intake {
-    ($database:ty, $connection:ty) => {
-        impl Intake for $connection {
-            async fn enqueue(
-                &mut self,
-                job: NewJob,
-                limits: StoreLimits,
-                now: i64,
-            ) -> Result<Enqueued, StoreError> {
-                let submitter = job.submitter.map(|key| key.uuid());
-                // The lock comes before the idempotency key is recorded, so that a transaction
-                // that waits for the key never blocks its owner.
-                let limits_of_key = match job.submitter {
-                    Some(key) => self.lock_key(key, now).await?.or(limits.by_key),
-                    None => {
-                        self.lock_intake().await?;
-                        KeyLimits::default()
-                    }
-                };
-                if let Some(name) = &job.idempotency
-                    && let Some(job) =
-                        self.replay(job.id, submitter.unwrap_or_default(), name).await?
-                {
-                    return Ok(Enqueued { job, replayed: true });
-                }
-                let owner = submitter.unwrap_or_default();
-                if !self.check_places(owner, &job, limits, limits_of_key).await? {
-                    sqlx::query::<$database>(ACCOUNT).bind(owner).execute(&mut *self).await?;
-                }
-                sqlx::query::<$database>(INSERT)
-                    .bind(job.id.uuid())
-                    .bind(i32::from(job.priority))
-                    .bind(i64::try_from(job.memory).unwrap_or(i64::MAX))
-                    .bind(to_json(&job.tags)?)
-                    .bind(submitter)
-                    .bind(now)
-                    .bind(i64::try_from(job.result_bytes).unwrap_or(i64::MAX))
-                    .bind(owner)
-                    .bind(job.trace.map(|trace| trace.to_string()))
-                    .execute(&mut *self)
-                    .await?;
-                let request = sqlx::query::<$database>(REQUEST)
-                    .bind(job.id.uuid())
-                    .bind(pack(&job.request)?);
-                request.execute(&mut *self).await?;
-                self.label(job.id, job.tags).await?;
-                if let Some(url) = job.callback_url {
-                    self.add_callback(job.id, url).await?;
-                }
-                Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
-            }
+async fn lock_intake<C: Messages>(line: &mut C) -> Result<(), StoreError> {
+    let mut message = C::part();
+    message.push(C::DIALECT.one_intake, &[]);
+    line.send(message).await.map(drop)
+}
 
-            async fn savepoint(&mut self, step: Savepoint) -> Result<(), StoreError> {
-                sqlx::query::<$database>(step.statement()).execute(self).await?;
-                Ok(())
-            }
+/// Locks the row of a key and returns its limits. Until the transaction ends, no other submission
+/// under this key proceeds: jobs are counted, and idempotency keys recorded, one after the other. A
+/// transaction that locks the row of a key locks it before it locks the intake, never after; one
+/// without a key locks the intake first.
+async fn lock<C: Messages>(
+    line: &mut C,
+    key: Option<KeyId>,
+    by_key: KeyLimits,
+    now: i64,
+) -> Result<KeyLimits, StoreError> {
+    let Some(key) = key else {
+        lock_intake(line).await?;
+        return Ok(KeyLimits::default());
+    };
+    let mut message = C::part();
+    message.push(
+        &[
+            "SELECT max_queued, max_running, max_stored, max_priority, revoked_at IS NOT NULL,
+                 expires_at FROM api_keys WHERE id = $1",
+            C::DIALECT.lock,
+        ]
+        .concat(),
+        &[Value::Id(key.uuid())],
+    );
+    let answers = line.send(message).await?;
+    let row = answers.first().and_then(|rows| rows.first());
+    let row = row.map(C::columns::<SubmitterRow>).transpose()?;
+    Ok(row.map_or(Ok(KeyLimits::default()), |row| limits_of(row, now))?.or(by_key))
+}
 
-            async fn check_places(
-                &mut self,
-                owner: Uuid,
-                job: &NewJob,
-                limits: StoreLimits,
-                key: KeyLimits,
-            ) -> Result<bool, StoreError> {
-                let (by_count, by_size) = (key.queued.is_some(), key.stored_bytes.is_some());
-                let places = || {
-                    let places = sqlx::query_as::<$database, (i64, i64, i64, bool)>(PLACES);
-                    places.bind(owner).bind(by_count).bind(by_size)
-                };
-                let mut found = places().fetch_one(&mut *self).await?;
-                let is_nearly_full = count::<_, usize>(found.0)?.saturating_add(ON_THEIR_WAY)
-                    >= limits.queue_capacity;
-                // A submission without a key already holds this lock.
-                if is_nearly_full && job.submitter.is_some() {
-                    self.lock_intake().await?;
-                    found = places().fetch_one(&mut *self).await?;
-                }
-                let (queued, queued_by_key, used, has_account) = found;
-                let queued: usize = count(queued)?;
-                if queued >= limits.queue_capacity {
-                    return Err(StoreError::QueueFull { queued });
-                }
-                let (queued_by_key, used, needed) =
-                    (count::<_, u64>(queued_by_key)?, count(used)?, job.result_bytes);
-                let is_low = |limit: &i16| !job.interactive && job.priority > *limit;
-                let quota = if let Some(limit) = key.priority.filter(is_low) {
-                    Quota::Priority { limit }
-                } else if let Some(limit) =
-                    key.queued.filter(|limit| queued_by_key >= u64::from(*limit))
-                {
-                    Quota::Queued { limit }
-                } else if let Some(limit) =
-                    key.stored_bytes.filter(|limit| needed.saturating_add(used) > *limit)
-                {
-                    Quota::Stored { limit, used, needed }
-                } else {
-                    return Ok(has_account);
-                };
-                Err(StoreError::QuotaExceeded { quota })
-            }
+/// Reads the number of all waiting jobs, and what is known of a submitter.
+async fn look<C: Messages>(
+    line: &mut C,
+    account: Uuid,
+    limits: KeyLimits,
+    jobs: &[NewJob],
+) -> Result<(usize, Queue), StoreError> {
+    let account = [Value::Id(account)];
+    let mut message = C::part();
+    message.push(QUEUED, &[]);
+    message.push(WAITING, &account);
+    message.push("SELECT count(*) FROM accounts WHERE id = $1", &account);
+    if limits.stored_bytes.is_some() {
+        message.push(STORED, &account);
+    } else {
+        message.push("SELECT CAST(0 AS BIGINT)", &[]);
+    }
+    let names: Vec<&str> =
+        jobs.iter().filter_map(|job| Some(job.idempotency.as_ref()?.key.as_str())).collect();
+    for name in &names {
+        message.push(KNOWN, &[account[0], Value::Text(Some(name))]);
+    }
+    let mut answers = line.send(message).await?.into_iter();
+    let mut next = || answers.next().unwrap_or_default();
+    let number = |rows: Vec<C::Row>| {
+        let number = rows.first().map(C::columns::<(i64,)>).transpose()?;
+        number.map_or_else(|| Err(damaged("no count")), |(number,)| count::<_, u64>(number))
+    };
+    let queued = number(next())?;
+    let mut waiting = BTreeMap::new();
+    for row in next() {
+        let (priority, jobs): (i32, i64) = C::columns(&row)?;
+        waiting.insert(priority, count(jobs)?);
+    }
+    let has_account = number(next())? > 0;
+    let used = number(next())?;
+    let mut known = HashMap::new();
+    for name in names {
+        for row in next() {
+            let (digest, job): (Vec<u8>, Uuid) = C::columns(&row)?;
+            known.insert(name.to_owned(), (digest, JobId::from(job)));
+        }
+    }
+    Ok((count(queued)?, Queue { limits, has_account, used, waiting, names: known }))
+}
 
-            async fn label(
-                &mut self,
-                job: JobId,
-                tags: BTreeMap<String, String>,
-            ) -> Result<(), StoreError> {
-                for (name, value) in tags {
-                    let tag =
-                        sqlx::query::<$database>(TAG).bind(job.uuid()).bind(name).bind(value);
-                    tag.execute(&mut *self).await?;
-                }
-                Ok(())
-            }
+/// Decides what becomes of a job, and counts it if it is taken in.
+fn decide(job: &NewJob, queue: &mut Queue, queued: &mut usize, capacity: usize) -> Decision {
+    if let Some(name) = &job.idempotency
+        && let Some((digest, first)) = queue.names.get(&name.key)
+    {
+        return if *digest == name.digest {
+            Decision::Replayed(*first)
+        } else {
+            Decision::Refused(StoreError::KeyReused)
+        };
+    }
+    if *queued >= capacity {
+        return Decision::Refused(StoreError::QueueFull { queued: *queued });
+    }
+    if let Err(refused) = queue.check(job) {
+        return Decision::Refused(refused);
+    }
+    *queued += 1;
+    *queue.waiting.entry(i32::from(job.priority)).or_default() += 1;
+    queue.used = queue.used.saturating_add(job.result_bytes);
+    if let Some(name) = &job.idempotency {
+        queue.names.insert(name.key.clone(), (name.digest.to_vec(), job.id));
+    }
+    Decision::New
+}
 
-            async fn replay(
-                &mut self,
-                job: JobId,
-                submitter: Uuid,
-                name: &Idempotency,
-            ) -> Result<Option<JobRecord>, StoreError> {
-                let taken = sqlx::query::<$database>(TAKE_NAME)
-                    .bind(submitter)
-                    .bind(name.key.clone())
-                    .bind(name.digest.to_vec())
-                    .bind(job.uuid())
-                    .execute(&mut *self)
-                    .await?;
-                if taken.rows_affected() == 1 {
-                    return Ok(None);
-                }
-                let known = sqlx::query_as::<$database, (Vec<u8>, Uuid)>(KNOWN)
-                    .bind(submitter)
-                    .bind(name.key.clone())
-                    .fetch_optional(&mut *self)
-                    .await?;
-                // Another transaction is removing the job: the client may retry.
-                let gone =
-                    || StoreError::unavailable("the job of this idempotency key is being removed");
-                let (digest, first) = known.ok_or_else(gone)?;
-                if digest != name.digest {
-                    return Err(StoreError::KeyReused);
-                }
-                self.find(JobId::from(first)).await.map(Some)
-            }
+/// Appends the statements that insert a job.
+fn push_job(message: &mut Message, job: &NewJob, now: i64) -> Result<(), StoreError> {
+    let (id, account) = (Value::Id(job.id.uuid()), Value::Id(account_of(job)));
+    let (tags, trace) = (to_json(&job.tags)?, job.trace.map(|trace| trace.to_string()));
+    let values = [
+        id,
+        Value::number(job.priority),
+        Value::number(job.memory),
+        Value::Text(Some(&tags)),
+        job.submitter.map_or(Value::Number(None), |key| Value::Id(key.uuid())),
+        Value::Number(Some(now)),
+        Value::number(job.result_bytes),
+        account,
+        Value::Text(trace.as_deref()),
+    ];
+    message.push(INSERT, &values);
+    message.push(REQUEST, &[id, Value::Bytes(&pack(&job.request)?)]);
+    let words: Vec<_> = job.words.iter().map(|word| label_of(word)).collect();
+    let words = words.iter().map(|(name, value)| (name, value));
+    for (name, value) in job.tags.iter().chain(words) {
+        message.push(TAG, &[id, Value::Text(Some(name)), Value::Text(Some(value))]);
+    }
+    if let Some(name) = &job.idempotency {
+        let (key, digest) = (Value::Text(Some(&name.key)), Value::Bytes(&name.digest));
+        message.push(TAKE_NAME, &[account, key, digest, id]);
+    }
+    if let Some(url) = &job.callback_url {
+        let values = [id, Value::Id(Uuid::now_v7()), Value::Text(Some(url))];
+        message.push(deliveries::ADD, &values);
+    }
+    Ok(())
+}
 
-            async fn cancel(&mut self, id: JobId, now: i64) -> Result<JobRecord, StoreError> {
-                sqlx::query::<$database>(CANCEL)
-                    .bind(id.uuid())
-                    .bind(now)
-                    .execute(&mut *self)
-                    .await?;
-                self.find(id).await
+/// Takes jobs in: returns one outcome for each, in order. Their number does not matter for the
+/// number of messages.
+pub(super) async fn enqueue_all<C: Messages + Reading>(
+    line: &mut C,
+    jobs: Vec<NewJob>,
+    limits: StoreLimits,
+    now: i64,
+) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError> {
+    let (mut queues, mut queued) = (HashMap::<Uuid, Queue>::new(), 0);
+    let mut ended = Vec::new();
+    for job in &jobs {
+        let account = account_of(job);
+        if queues.contains_key(&account) || ended.contains(&account) {
+            continue;
+        }
+        let of_key = match lock(line, job.submitter, limits.by_key, now).await {
+            Err(StoreError::KeyEnded) => {
+                ended.push(account);
+                continue;
             }
-
-            async fn record_health(&mut self, now: i64) -> Result<(), StoreError> {
-                let written = sqlx::query::<$database>(HEALTH).bind(now).execute(self).await?;
-                if written.rows_affected() == 1 {
-                    Ok(())
-                } else {
-                    Err(damaged("a table that has one row has none, or several"))
-                }
+            of_key => of_key?,
+        };
+        let mut known = look(line, account, of_key, &jobs).await?;
+        // A submission without a key already holds this lock.
+        let is_nearly_full = known.0.saturating_add(ON_THEIR_WAY) >= limits.queue_capacity;
+        if is_nearly_full && job.submitter.is_some() {
+            lock_intake(line).await?;
+            known = look(line, account, of_key, &jobs).await?;
+        }
+        queued = known.0;
+        queues.insert(account, known.1);
+    }
+    let mut message = C::part();
+    for (account, _) in queues.iter().filter(|(_, queue)| !queue.has_account) {
+        message.push(ACCOUNT, &[Value::Id(*account)]);
+    }
+    let mut decisions = Vec::with_capacity(jobs.len());
+    for job in &jobs {
+        let decision = match queues.get_mut(&account_of(job)) {
+            Some(queue) => decide(job, queue, &mut queued, limits.queue_capacity),
+            None => Decision::Refused(StoreError::KeyEnded),
+        };
+        if matches!(decision, Decision::New) {
+            push_job(&mut message, job, now)?;
+        }
+        decisions.push(decision);
+    }
+    line.send(message).await?;
+    let mut ahead = Places::of(&queues, &jobs, &decisions);
+    let mut taken = Vec::with_capacity(jobs.len());
+    for (job, decision) in jobs.into_iter().zip(decisions) {
+        taken.push(match decision {
+            Decision::New => {
+                let place = ahead.next(&job);
+                Ok(Enqueued { job: record(job, place, now)?, replayed: false })
             }
-
-            async fn delete(&mut self, id: JobId) -> Result<(), StoreError> {
-                let done =
-                    sqlx::query::<$database>(DELETE).bind(id.uuid()).execute(&mut *self).await?;
-                if done.rows_affected() == 1 {
-                    return Ok(());
-                }
-                match self.find(id).await?.state {
-                    state @ (JobState::Queued | JobState::Running) => {
-                        Err(StoreError::Unfinished(state))
-                    }
-                    // The job finished between the two statements: the client may retry.
-                    _ => Err(StoreError::Unfinished(JobState::Running)),
-                }
+            Decision::Replayed(first) => {
+                Ok(Enqueued { job: line.find(first).await?, replayed: true })
             }
+            Decision::Refused(error) => Err(error),
+        });
+    }
+    Ok(taken)
+}
 
-            async fn sweep(
-                &mut self,
-                retention: &Retention,
-                surplus: &[JobId],
-                now: i64,
-            ) -> Result<usize, StoreError> {
-                let done = sqlx::query::<$database>(SWEEP_OLD)
-                    .bind(cutoff(now, retention.succeeded))
-                    .bind(cutoff(now, retention.failed))
-                    .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX))
-                    .execute(&mut *self)
-                    .await?;
-                let mut swept: usize = count(done.rows_affected())?;
-                for job in surplus {
-                    let done =
-                        sqlx::query::<$database>(DELETE).bind(job.uuid()).execute(&mut *self);
-                    swept += count::<_, usize>(done.await?.rows_affected())?;
-                }
-                Ok(swept)
+/// Waiting jobs before the next new job, by account and priority.
+struct Places(HashMap<Uuid, BTreeMap<i32, u64>>);
+
+impl Places {
+    /// The places once all new jobs are in the queue.
+    fn of(queues: &HashMap<Uuid, Queue>, jobs: &[NewJob], decisions: &[Decision]) -> Self {
+        let mut places: HashMap<_, _> =
+            queues.iter().map(|(account, queue)| (*account, queue.waiting.clone())).collect();
+        for (job, _) in jobs.iter().zip(decisions).filter(|(_, it)| matches!(it, Decision::New)) {
+            if let Some(waiting) = places.get_mut(&account_of(job)) {
+                *waiting.entry(i32::from(job.priority)).or_default() -= 1;
             }
         }
-    };
+        Self(places)
+    }
+
+    /// Returns the number of jobs before a new one; the next of its priority is behind it.
+    fn next(&mut self, job: &NewJob) -> u64 {
+        let priority = i32::from(job.priority);
+        let Some(waiting) = self.0.get_mut(&account_of(job)) else { return 0 };
+        let ahead = waiting.range(priority..).map(|(_, jobs)| jobs).sum();
+        *waiting.entry(priority).or_default() += 1;
+        ahead
+    }
 }
 
-intake!(Sqlite, SqliteConnection);
-intake!(Postgres, PgConnection);
+/// The record of a new job.
+fn record(job: NewJob, place: u64, now: i64) -> Result<JobRecord, StoreError> {
+    Ok(JobRecord {
+        id: job.id,
+        state: JobState::Queued,
+        tags: job.tags,
+        priority: job.priority,
+        submitter: job.submitter,
+        created_at: time(now)?,
+        started_at: None,
+        finished_at: None,
+        attempts: 0,
+        queue_position: Some(count(place)?),
+        cancel_requested: false,
+        iterations: 0,
+        latest: None,
+        has_report: false,
+        failure: None,
+        has_callback: job.callback_url.is_some(),
+    })
+}
+
+pub(super) async fn cancel<C: Messages + Reading>(
+    line: &mut C,
+    id: JobId,
+    now: i64,
+) -> Result<JobRecord, StoreError> {
+    let mut message = C::part();
+    message.push(CANCEL, &[Value::Id(id.uuid()), Value::Number(Some(now))]);
+    line.send(message).await?;
+    line.find(id).await
+}
+
+/// Writes one row to show that the database accepts writes.
+pub(super) async fn record_health<C: Messages>(line: &mut C, now: i64) -> Result<(), StoreError> {
+    let mut message = C::part();
+    message.push(HEALTH, &[Value::Number(Some(now))]);
+    match line.send(message).await?.first() {
+        Some(rows) if rows.len() == 1 => Ok(()),
+        _ => Err(damaged("a table that has one row has none, or several")),
+    }
+}
+
+/// Removes those of the jobs that have ended; returns their number.
+pub(super) async fn delete<C: Messages>(
+    line: &mut C,
+    jobs: &[JobId],
+) -> Result<usize, StoreError> {
+    let mut message = C::part();
+    message.push(DELETE, &[Value::Jobs(jobs)]);
+    Ok(line.send(message).await?.first().map_or(0, Vec::len))
+}
+
+/// Selects jobs that a sweep removes, [`SWEEP`] at most, with the bytes of their results: those
+/// whose time is over, and then those beyond the room for results.
+pub(super) async fn to_sweep<C: Messages>(
+    line: &mut C,
+    retention: &Retention,
+    now: Option<i64>,
+) -> Result<Vec<(JobId, u64)>, StoreError> {
+    let [succeeded, failed] =
+        [retention.succeeded, retention.failed].map(|keep| Value::number(keep.as_micros()));
+    let (most, mut message) = (Value::number(SWEEP), C::part());
+    message.push(OLD, &[Value::Time(now), succeeded, failed, most]);
+    if let Some(bytes) = retention.stored_bytes {
+        message.push(SURPLUS, &[Value::number(bytes), most]);
+    }
+    let mut jobs = BTreeMap::new();
+    for row in line.send(message).await?.into_iter().flatten().take(SWEEP) {
+        let (id, bytes): (Uuid, i64) = C::columns(&row)?;
+        jobs.insert(id, count(bytes)?);
+    }
+    Ok(jobs.into_iter().map(|(id, bytes)| (JobId::from(id), bytes)).collect())
+}

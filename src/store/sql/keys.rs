@@ -75,7 +75,8 @@ fn api_key(row: KeyRow) -> Result<ApiKey, StoreError> {
 }
 
 /// [`LimitsRow`], whether the key is revoked, and when it expires.
-type SubmitterRow = (Option<i64>, Option<i64>, Option<i64>, Option<i32>, bool, Option<i64>);
+pub(super) type SubmitterRow =
+    (Option<i64>, Option<i64>, Option<i64>, Option<i32>, bool, Option<i64>);
 
 fn key_limits((queued, running, bytes, priority): LimitsRow) -> Result<KeyLimits, StoreError> {
     Ok(KeyLimits {
@@ -84,6 +85,15 @@ fn key_limits((queued, running, bytes, priority): LimitsRow) -> Result<KeyLimits
         stored_bytes: bytes.map(count).transpose()?,
         priority: priority.map(count).transpose()?,
     })
+}
+
+/// Returns the limits of a key that has not ended.
+pub(super) fn limits_of(row: SubmitterRow, now: i64) -> Result<KeyLimits, StoreError> {
+    let (queued, running, bytes, priority, is_revoked, expires_at) = row;
+    if is_revoked || expires_at.is_some_and(|end| end <= now) {
+        return Err(StoreError::KeyEnded);
+    }
+    key_limits((queued, running, bytes, priority))
 }
 
 fn limits_row(limits: KeyLimits) -> LimitsRow {
@@ -103,18 +113,6 @@ pub(in crate::store) trait Keys: Send {
         &mut self,
         id: Option<KeyId>,
     ) -> impl Future<Output = Result<Vec<ApiKey>, StoreError>> + Send;
-    /// Locks the row of a key and returns the key's limits. Until the transaction ends, no other
-    /// submission under this key proceeds: jobs are counted, and idempotency keys recorded, one
-    /// after the other.
-    fn lock_key(
-        &mut self,
-        key: KeyId,
-        now: i64,
-    ) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
-    /// Serializes all submissions, also those without a key. A transaction that locks the row of a
-    /// key locks it before this lock, never after; a transaction without a key takes this lock
-    /// first.
-    fn lock_intake(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn rotate_key(
         &mut self,
         id: KeyId,
@@ -135,7 +133,7 @@ pub(in crate::store) trait Keys: Send {
 }
 
 macro_rules! keys {
-    ($database:ty, $connection:ty, $limits:expr, $lock_intake:expr) => {
+    ($database:ty, $connection:ty) => {
         impl Keys for $connection {
             async fn add_key(&mut self, key: ApiKey) -> Result<(), StoreError> {
                 let (queued, running, bytes, priority) = limits_row(key.limits);
@@ -162,25 +160,6 @@ macro_rules! keys {
                     None => sqlx::query_as::<$database, KeyRow>(select_keys!("ORDER BY id")),
                 };
                 rows.fetch_all(self).await?.into_iter().map(api_key).collect()
-            }
-
-            async fn lock_key(&mut self, key: KeyId, now: i64) -> Result<KeyLimits, StoreError> {
-                let row = sqlx::query_as::<$database, SubmitterRow>($limits).bind(key.uuid());
-                let Some(row) = row.fetch_optional(self).await? else {
-                    return Ok(KeyLimits::default());
-                };
-                let (queued, running, bytes, priority, is_revoked, expires_at) = row;
-                if is_revoked || expires_at.is_some_and(|end| end <= now) {
-                    return Err(StoreError::KeyEnded);
-                }
-                key_limits((queued, running, bytes, priority))
-            }
-
-            async fn lock_intake(&mut self) -> Result<(), StoreError> {
-                if let Some(lock) = $lock_intake {
-                    sqlx::query::<$database>(lock).execute(self).await?;
-                }
-                Ok(())
             }
 
             async fn rotate_key(
@@ -219,19 +198,5 @@ macro_rules! keys {
     };
 }
 
-macro_rules! limits_of_key {
-    ($lock:literal) => {
-        concat!(
-            "SELECT max_queued, max_running, max_stored, max_priority, revoked_at IS NOT NULL, \
-             expires_at FROM api_keys WHERE id = $1",
-            $lock
-        )
-    };
-}
-
-/// An advisory lock; no other lock has this number.
-const LOCK_INTAKE: &str = "SELECT pg_advisory_xact_lock(4242001)";
-
-// SQLite has one writer, which needs no lock.
-keys!(Sqlite, SqliteConnection, limits_of_key!(""), None::<&str>);
-keys!(Postgres, PgConnection, limits_of_key!(" FOR UPDATE"), Some(LOCK_INTAKE));
+keys!(Sqlite, SqliteConnection);
+keys!(Postgres, PgConnection);

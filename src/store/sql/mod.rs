@@ -12,6 +12,8 @@ mod intake;
 mod key_store;
 mod keys;
 mod leasing;
+mod listing;
+mod message;
 mod reading;
 
 use std::path::Path;
@@ -22,24 +24,25 @@ use async_trait::async_trait;
 use bytes::Bytes;
 use sqlx::types::Uuid;
 use tokio::task::spawn_blocking;
+use tokio::time::timeout;
 
 use super::StoreLimits;
 use crate::jobs::{
-    Claim, ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FieldsPart,
+    ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FIELDS_PART, FieldsPart,
     FieldsReader, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState,
     JobStore, KeyStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult,
     StoreError, Turn, WorkerId,
 };
 use backend::Durability::{self, Synced, Written};
-pub(super) use backend::{Backend, Change, WriteTransaction};
+pub(super) use backend::{Backend, Change, Reserved, WriteTransaction};
 #[cfg(test)]
 pub(super) use claiming::NEXT;
-use claiming::{Claiming, LeasedRow, Terms, Which};
+use claiming::Terms;
 use codec::{count, unpack_records};
 use deliveries::Deliveries;
-use intake::{Intake, Savepoint};
 use keys::Keys;
-use leasing::Leasing;
+use leasing::StepPart;
+use message::Messages;
 use reading::Reading;
 
 /// SQLite's code for a full disk or a database at its largest size, and PostgreSQL's for a full
@@ -65,6 +68,11 @@ impl From<sqlx::Error> for StoreError {
     }
 }
 
+/// Jobs that one transaction of a sweep removes, and bytes of their results: a result that is
+/// larger is removed alone.
+const SWEPT_AT_ONCE: usize = 20;
+const SWEPT_BYTES: u64 = 8 << 20;
+
 /// Jobs that one query of the damage check reads.
 const CHECKED: i64 = 500;
 
@@ -75,39 +83,6 @@ pub(super) struct SqlStore<B> {
     pub(super) limits: StoreLimits,
 }
 
-/// Makes a claim of what the store has leased.
-fn claim_of(
-    (id, memory, attempt, trace): LeasedRow,
-    owner: WorkerId,
-    exclusive: bool,
-    request: Bytes,
-) -> Result<Claim, StoreError> {
-    Ok(Claim {
-        lease: Lease { job: JobId::from(id), owner, attempt: count(attempt)? },
-        exclusive,
-        memory: count(memory)?,
-        request,
-        trace: trace.and_then(|text| text.parse().ok()),
-    })
-}
-
-/// Leases a job and reads its text.
-async fn take(
-    line: &mut impl Statements,
-    which: Which,
-    terms: &mut Terms,
-    request: &ClaimRequest,
-    now: Option<i64>,
-) -> Result<Option<Claim>, StoreError> {
-    let Some(leased) = line.lease(which, terms, now).await? else { return Ok(None) };
-    let memory: u64 = count(leased.1)?;
-    if memory > request.memory_of_place {
-        terms.shared = terms.shared.saturating_sub(memory);
-    }
-    let text = line.begin(&leased).await?;
-    claim_of(leased, request.owner, which == Which::LastChance, text).map(Some)
-}
-
 /// A backend whose connections execute all statements.
 pub(super) trait SqlBackend: Backend<Connection: Statements> {}
 
@@ -115,11 +90,11 @@ impl<B: Backend<Connection: Statements>> SqlBackend for B {}
 
 /// All statements that a connection executes, for either database.
 pub(in crate::store) trait Statements:
-    Reading + Intake + Claiming + Leasing + Keys + Deliveries
+    Messages + Reading + Keys + Deliveries
 {
 }
 
-impl<T: Reading + Intake + Claiming + Leasing + Keys + Deliveries> Statements for T {}
+impl<T: Messages + Reading + Keys + Deliveries> Statements for T {}
 
 impl<B: SqlBackend> SqlStore<B> {
     /// Reads all rows of a job.
@@ -176,29 +151,78 @@ impl<B: SqlBackend> SqlStore<B> {
         }
     }
 
-    /// Queues the jobs again whose worker is lost, or ends them.
-    async fn expire(&self, max_attempts: u32) -> Result<(), StoreError> {
-        let (mut transaction, now) = self.backend.write().await?;
-        let ended = Claiming::expire(&mut *transaction, max_attempts, now).await?;
-        for job in &ended {
-            transaction.forget_steps(*job).await?;
+    /// Writes the results of steps, without counting them. Each part takes a connection of its own,
+    /// so that a slow line holds none for longer than a part.
+    async fn append_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError> {
+        leasing::begin_steps(&mut *self.backend.statements().await?, lease, steps).await?;
+        for step in steps {
+            let fields = step.parts().map(|(first, part)| StepPart::Fields(first, part));
+            // Fields are found through the report, which is therefore the last part.
+            for part in fields.chain([StepPart::Report(step.report.packed())]) {
+                let mut line = self.backend.statements().await?;
+                leasing::append_part(&mut *line, lease, step.number, part).await?;
+            }
         }
-        let changes: Vec<Change> = ended.into_iter().map(Change::Finished).collect();
-        self.commit(transaction, Written, &changes).await
+        Ok(())
+    }
+
+    /// Leases jobs as [`JobStore::claim`] describes.
+    async fn claim_on(
+        &self,
+        line: &mut B::Connection,
+        request: &ClaimRequest,
+    ) -> Result<Claims, StoreError> {
+        let now = self.backend.now();
+        let (expired, lost) = claiming::look(line, now).await?;
+        if expired && request.expires {
+            let ended = claiming::expire(line, request.max_attempts, now).await?;
+            let changes: Vec<_> = ended.into_iter().map(Change::Finished).collect();
+            self.announce(&changes);
+        }
+        let (mut claims, mut terms) = (Claims::default(), Terms::new(request, self.limits, now));
+        if expired || lost {
+            terms.shared = request.memory;
+            let places = usize::from(request.exclusive);
+            let last = claiming::lease(line, claiming::LAST_CHANCE, places, &mut terms).await?;
+            claims.exclusive_pending = last.waits && !request.exclusive;
+            claims.jobs.extend(last.jobs);
+            if let Some(alone) = claims.jobs.first_mut() {
+                alone.exclusive = true;
+                return Ok(claims);
+            }
+            terms.shared = request.free_memory;
+        }
+        while claims.jobs.len() < request.places {
+            let places = request.places - claims.jobs.len();
+            let leased = match claiming::lease(line, claiming::NEXT, places, &mut terms).await {
+                Err(error) if !claims.jobs.is_empty() => {
+                    // The jobs that are leased must run.
+                    let error = &error as &dyn std::error::Error;
+                    tracing::warn!(error, "no further job can be claimed");
+                    break;
+                }
+                leased => leased?,
+            };
+            let is_stuck = leased.jobs.is_empty();
+            claims.jobs.extend(leased.jobs);
+            if !leased.waits || (is_stuck && claims.large_pending) {
+                break;
+            }
+            if is_stuck {
+                // A large job does not fit; small ones may pass it.
+                claims.large_pending = true;
+                terms.largest = request.memory_of_place;
+            }
+        }
+        Ok(claims)
     }
 }
 
 #[async_trait]
 impl<B: SqlBackend> JobStore for SqlStore<B> {
     async fn enqueue(&self, job: NewJob, turn: Turn) -> Result<Enqueued, StoreError> {
-        self.backend.check_space().await?;
-        let durability = if job.interactive { Written } else { Synced };
-        let (mut transaction, now) = self.backend.write().await?;
-        let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
-        // Submissions that arrive together share one sync.
-        drop(turn);
-        self.commit(transaction, durability, &[Change::Work]).await?;
-        Ok(enqueued)
+        let taken = self.enqueue_all(vec![job], turn).await?.pop();
+        taken.unwrap_or_else(|| Err(StoreError::unavailable("nothing came of a submission")))
     }
 
     async fn enqueue_all(
@@ -209,19 +233,10 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         self.backend.check_space().await?;
         let durability = if jobs.iter().all(|job| job.interactive) { Written } else { Synced };
         let (mut transaction, now) = self.backend.write().await?;
-        let mut enqueued = Vec::with_capacity(jobs.len());
-        for job in jobs {
-            transaction.savepoint(Savepoint::Set).await?;
-            let taken = Intake::enqueue(&mut *transaction, job, self.limits, now).await;
-            match &taken {
-                Ok(_) => transaction.savepoint(Savepoint::Release).await?,
-                Err(error) if error.is_of_storage() => return taken.map(|taken| vec![Ok(taken)]),
-                Err(_) => transaction.savepoint(Savepoint::RollBack).await?,
-            }
-            enqueued.push(taken);
-        }
-        self.commit(transaction, durability, &[Change::Work]).await?;
+        let enqueued = intake::enqueue_all(&mut *transaction, jobs, self.limits, now).await?;
+        // Submissions that arrive together share one sync.
         drop(turn);
+        self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }
 
@@ -264,55 +279,20 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
     }
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
-        let now = self.backend.now();
-        let (expired, lost) = self.backend.read().await?.look(now).await?;
-        if expired && request.expires {
-            self.expire(request.max_attempts).await?;
-        }
-        let mut line = self.backend.statements().await?;
-        let (mut claims, mut terms) = (Claims::default(), Terms::new(request, self.limits));
-        if expired || lost {
-            if request.exclusive {
-                terms.shared = request.memory;
-                claims
-                    .jobs
-                    .extend(take(&mut *line, Which::LastChance, &mut terms, request, now).await?);
-            } else {
-                claims.exclusive_pending = line.is_pending(Which::LastChance, &terms, now).await?;
-            }
-            terms.shared = request.free_memory;
-        }
-        let is_alone = claims.jobs.iter().any(|claim| claim.exclusive);
-        while !is_alone && claims.jobs.len() < request.places {
-            let taken = match take(&mut *line, Which::Next, &mut terms, request, now).await {
-                Ok(None) if !claims.large_pending => {
-                    let pending = line.is_pending(Which::Next, &terms, now).await;
-                    claims.large_pending = matches!(pending, Ok(true));
-                    if claims.large_pending {
-                        terms.largest = request.memory_of_place;
-                        continue;
-                    }
-                    pending.map(|_| None)
-                }
-                taken => taken,
-            };
-            match taken {
-                Ok(Some(claim)) => claims.jobs.push(claim),
-                Ok(None) => break,
-                Err(error) if claims.jobs.is_empty() => return Err(error),
-                // The jobs that are leased must run.
-                Err(error) => {
-                    let error = &error as &dyn std::error::Error;
-                    tracing::warn!(error, "no further job can be claimed");
-                    break;
-                }
-            }
-        }
-        drop(line);
+        let mut line = self.backend.reserved(Reserved::Claims).await?;
+        let claims = self.claim_on(&mut line, request).await?;
+        self.backend.keep(line);
         for claim in &claims.jobs {
             self.announce(&[Change::Progress(claim.lease.job)]);
         }
         Ok(claims)
+    }
+
+    async fn give_back(&self, owner: WorkerId, known: &[JobId]) -> Result<(), StoreError> {
+        let mut line = self.backend.reserved(Reserved::Claims).await?;
+        leasing::give_back(&mut *line, owner, known).await?;
+        self.backend.keep(line);
+        Ok(())
     }
 
     async fn heartbeat(
@@ -321,7 +301,12 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         lease: Duration,
     ) -> Result<Vec<LeaseStatus>, StoreError> {
         let now = self.backend.now();
-        Leasing::heartbeat(&mut *self.backend.statements().await?, leases, lease, now).await
+        let mut line = self.backend.reserved(Reserved::Heartbeats).await?;
+        // A line that is silent for so long is given up while there is time for another.
+        let beat = leasing::heartbeat(&mut *line, leases, lease, now);
+        let statuses = timeout(lease / 3, beat).await.map_err(StoreError::silent)??;
+        self.backend.keep(line);
+        Ok(statuses)
     }
 
     async fn record_progress(
@@ -331,16 +316,15 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         latest: &IterationRecord,
     ) -> Result<(), StoreError> {
         let mut line = self.backend.statements().await?;
-        Leasing::record_progress(&mut *line, lease, records, latest).await?;
+        leasing::record_progress(&mut *line, lease, records, latest).await?;
         drop(line);
         self.announce(&[Change::Progress(lease.job)]);
         Ok(())
     }
 
     async fn record_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError> {
-        let mut line = self.backend.statements().await?;
-        line.append_steps(lease, steps).await?;
-        line.count_steps(lease, steps).await
+        self.append_steps(lease, steps).await?;
+        leasing::count_steps(&mut *self.backend.statements().await?, lease, steps).await
     }
 
     async fn finish(
@@ -350,33 +334,36 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {
-        let mut line = self.backend.statements().await?;
-        line.append_records(lease, records).await?;
-        if matches!(outcome, Outcome::Reported { .. }) {
-            line.append_steps(lease, steps).await?;
+        let bytes: usize = steps.iter().map(StepResult::bytes).sum();
+        // What fits a part goes with the end of the job.
+        let is_large = matches!(outcome, Outcome::Reported { .. }) && bytes > FIELDS_PART;
+        if is_large {
+            self.append_steps(lease, steps).await?;
         }
+        let (mut line, now) = (self.backend.statements().await?, self.backend.now());
+        leasing::finish(&mut *line, lease, records, steps, is_large, &outcome, now).await?;
         drop(line);
-        let (mut transaction, now) = self.backend.write().await?;
-        Leasing::finish(&mut *transaction, lease, records, steps, &outcome, now).await?;
-        self.commit(transaction, Synced, &[Change::Finished(lease.job)]).await
+        self.backend.sync().await?;
+        self.announce(&[Change::Finished(lease.job)]);
+        Ok(())
     }
 
     async fn release(&self, leases: &[Lease]) -> Result<(), StoreError> {
-        let (mut transaction, now) = self.backend.write().await?;
-        let mut changes = vec![Change::Work];
+        let (mut line, now) = (self.backend.statements().await?, self.backend.now());
         for lease in leases {
-            match Leasing::release(&mut *transaction, lease, now).await? {
-                Some(true) => changes.push(Change::Finished(lease.job)),
-                Some(false) => changes.push(Change::Progress(lease.job)),
-                None => {}
-            }
+            let change = match leasing::release(&mut *line, lease, now).await? {
+                Some(true) => Change::Finished(lease.job),
+                Some(false) => Change::Progress(lease.job),
+                None => continue,
+            };
+            self.announce(&[change, Change::Work]);
         }
-        self.commit(transaction, Written, &changes).await
+        Ok(())
     }
 
     async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
-        let record = Intake::cancel(&mut *transaction, id, now).await?;
+        let record = intake::cancel(&mut *transaction, id, now).await?;
         let changes: &[Change] = match record.state {
             JobState::Running => &[Change::Cancel(id)],
             JobState::Cancelled => &[Change::Finished(id)],
@@ -387,12 +374,21 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
     }
 
     async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError> {
-        Reading::list(&mut *self.backend.read().await?, filter).await
+        listing::list(&mut *self.backend.read().await?, filter).await
     }
 
     async fn delete(&self, id: JobId) -> Result<(), StoreError> {
         let (mut transaction, _) = self.backend.write().await?;
-        Intake::delete(&mut *transaction, id).await?;
+        if intake::delete(&mut *transaction, &[id]).await? == 0 {
+            let state = transaction.find(id).await?.state;
+            // A job that has ended between the two statements may be removed by the next request.
+            let is_running = state.is_finished();
+            return Err(StoreError::Unfinished(if is_running {
+                JobState::Running
+            } else {
+                state
+            }));
+        }
         self.commit(transaction, Synced, &[]).await
     }
 
@@ -401,14 +397,23 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
     }
 
     async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError> {
-        // What a scan of all finished jobs finds is removed by id: submissions do not wait for it.
-        let surplus = match retention.stored_bytes {
-            Some(bytes) => self.backend.read().await?.surplus(bytes).await?,
-            None => Vec::new(),
-        };
-        let (mut transaction, now) = self.backend.write().await?;
-        let swept = Intake::sweep(&mut *transaction, retention, &surplus, now).await?;
-        self.commit(transaction, Written, &[]).await?;
+        let mut line = self.backend.read().await?;
+        let mut jobs = intake::to_sweep(&mut *line, retention, self.backend.now()).await?;
+        drop(line);
+        // Submissions wait for one small transaction at most.
+        let mut swept = 0;
+        while let Some((first, mut bytes)) = jobs.pop() {
+            let mut few = vec![first];
+            while few.len() < SWEPT_AT_ONCE
+                && let Some((job, more)) = jobs.pop_if(|(_, more)| bytes + *more <= SWEPT_BYTES)
+            {
+                bytes += more;
+                few.push(job);
+            }
+            let (mut transaction, _) = self.backend.write().await?;
+            swept += intake::delete(&mut *transaction, &few).await?;
+            self.commit(transaction, Written, &[]).await?;
+        }
         Ok(swept)
     }
 
@@ -449,7 +454,7 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
     async fn ping(&self) -> Result<(), StoreError> {
         self.backend.check_space().await?;
         let (mut transaction, now) = self.backend.write().await?;
-        Intake::record_health(&mut *transaction, now).await?;
+        intake::record_health(&mut *transaction, now).await?;
         self.commit(transaction, Synced, &[]).await
     }
 

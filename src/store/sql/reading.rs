@@ -2,12 +2,11 @@
 
 use bytes::Bytes;
 use sqlx::types::Uuid;
-use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
+use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack};
 use crate::jobs::{
-    Counts, Deflated, FieldsPart, HISTORY_PAGE, JobFilter, JobId, JobPage, JobRecord, ResultHead,
-    SWEEP, StoreError,
+    Counts, Deflated, FieldsPart, HISTORY_PAGE, JobId, JobRecord, ResultHead, StoreError,
 };
 
 /// One job with its place in the queue.
@@ -19,9 +18,6 @@ const FIND: &str = concat!(
        AND (q.priority > j.priority OR (q.priority = j.priority AND q.id < j.id))) END
      FROM jobs j WHERE j.id = $1"
 );
-
-/// Jobs without their places in the queue: each place would cost a scan of the queue.
-const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE TRUE");
 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
 const IDS_AFTER: &str = "SELECT id FROM jobs WHERE id > $1 ORDER BY id LIMIT $2";
@@ -38,32 +34,11 @@ const FIELDS: &str = "SELECT f.first, f.body FROM result_steps s
          AND f.first = (SELECT max(p.first) FROM field_parts p
              WHERE p.job = s.job AND p.step = s.step AND p.first <= $3)
      WHERE s.job = $1 AND s.step = $2";
-/// Selects the oldest results of the key whose results take the most bytes, until all results
-/// together fit the limit: a key with few results loses none.
-const SURPLUS: &str = "SELECT id FROM (
-         SELECT id, finished_at,
-             sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
-         FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
-             SELECT account FROM jobs WHERE finished_at IS NOT NULL
-             GROUP BY account ORDER BY sum(stored_bytes) DESC, account LIMIT 1)) AS oldest
-     WHERE older < (SELECT sum(stored_bytes) FROM jobs WHERE finished_at IS NOT NULL) - $1
-     ORDER BY finished_at LIMIT $2";
 const HEALTH_ROWS: &str = "SELECT count(*) FROM health";
 const WITHOUT_ACCOUNT: &str = "SELECT id FROM jobs WHERE state = 'queued'
      AND NOT EXISTS (SELECT 1 FROM accounts a WHERE a.id = jobs.account) ORDER BY id";
 const COUNTS: &str =
     "SELECT state, count(*) FROM jobs WHERE state IN ('queued', 'running') GROUP BY state";
-
-/// Converts a row to a job; `None` and a line in the log where the row is damaged, so that a list
-/// still shows its other rows.
-fn readable(row: JobRow) -> Option<JobRecord> {
-    let id = JobId::from(row.0);
-    let record = job_record(row);
-    if let Err(error) = &record {
-        tracing::error!(job = %id, error = error as &dyn std::error::Error, "left out of a list");
-    }
-    record.ok()
-}
 
 type ResultRow = (Option<Vec<u8>>, i32, i32, bool);
 
@@ -94,20 +69,11 @@ pub(in crate::store) trait Reading: Send {
         step: usize,
         at: usize,
     ) -> impl Future<Output = Result<Option<FieldsPart>, StoreError>> + Send;
-    fn list(
-        &mut self,
-        filter: &JobFilter,
-    ) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
     /// Returns the ids of the jobs after `id`, in order.
     fn ids_after(
         &mut self,
         id: JobId,
         limit: i64,
-    ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
-    /// Returns the jobs whose results are beyond so many bytes, some hundred of them at most.
-    fn surplus(
-        &mut self,
-        bytes: u64,
     ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
     /// Checks the tables that concern all jobs; returns one line for each fault.
     fn check_tables(&mut self) -> impl Future<Output = Result<Vec<String>, StoreError>> + Send;
@@ -176,59 +142,6 @@ macro_rules! reading {
                 Ok(Some(FieldsPart { first: count(first)?, bytes: body.into() }))
             }
 
-            async fn list(&mut self, filter: &JobFilter) -> Result<JobPage, StoreError> {
-                let mut query = QueryBuilder::<$database>::new(LIST);
-                if !filter.states.is_empty() {
-                    let mut among = query.push(" AND j.state IN (").separated(", ");
-                    for state in &filter.states {
-                        among.push_bind(state.name());
-                    }
-                    query.push(")");
-                }
-                if !filter.ids.is_empty() {
-                    let mut among = query.push(" AND j.id IN (").separated(", ");
-                    for id in &filter.ids {
-                        among.push_bind(id.uuid());
-                    }
-                    query.push(")");
-                }
-                if let Some(since) = filter.since {
-                    query.push(" AND j.created_at >= ").push_bind(since.as_microsecond());
-                }
-                if let Some(until) = filter.until {
-                    query.push(" AND j.created_at < ").push_bind(until.as_microsecond());
-                }
-                if let Some(key) = filter.submitter {
-                    query.push(" AND j.submitter = ").push_bind(key.uuid());
-                }
-                let (after, order) = if filter.oldest_first {
-                    (" AND j.id > ", "")
-                } else {
-                    (" AND j.id < ", " DESC")
-                };
-                if let Some(cursor) = filter.cursor {
-                    query.push(after).push_bind(cursor.uuid());
-                }
-                for (name, value) in &filter.tags {
-                    query.push(
-                        " AND EXISTS (SELECT 1 FROM job_tags t WHERE t.job = j.id AND t.name = ",
-                    );
-                    query
-                        .push_bind(name.clone())
-                        .push(" AND t.value = ")
-                        .push_bind(value.clone())
-                        .push(")");
-                }
-                let one_more = i64::try_from(filter.limit).unwrap_or(i64::MAX).saturating_add(1);
-                query.push(" ORDER BY j.id").push(order).push(" LIMIT ").push_bind(one_more);
-                let rows: Vec<JobRow> = query.build_query_as().fetch_all(self).await?;
-                let is_last = rows.len() <= filter.limit;
-                let last = rows.get(filter.limit.saturating_sub(1)).map(|row| JobId::from(row.0));
-                let next = if is_last { None } else { last };
-                let jobs = rows.into_iter().take(filter.limit).filter_map(readable).collect();
-                Ok(JobPage { jobs, next })
-            }
-
             async fn ids_after(
                 &mut self,
                 id: JobId,
@@ -237,13 +150,6 @@ macro_rules! reading {
                 let ids =
                     sqlx::query_scalar::<$database, Uuid>(IDS_AFTER).bind(id.uuid()).bind(limit);
                 Ok(ids.fetch_all(self).await?.into_iter().map(JobId::from).collect())
-            }
-
-            async fn surplus(&mut self, bytes: u64) -> Result<Vec<JobId>, StoreError> {
-                let found = sqlx::query_scalar::<$database, Uuid>(SURPLUS)
-                    .bind(i64::try_from(bytes).unwrap_or(i64::MAX))
-                    .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX));
-                Ok(found.fetch_all(self).await?.into_iter().map(JobId::from).collect())
             }
 
             async fn check_tables(&mut self) -> Result<Vec<String>, StoreError> {
