@@ -249,6 +249,7 @@ service.test(
     await follow(page, `job=${ids[0]}&with=${ids[1]}`);
     await page.locator(ROWS).first().waitFor();
     const legend = page.locator('#panel-depth .legend');
+    await page.locator('#panel-depth').getByRole('radio', { name: 'Lower' }).check();
     await legend.getByText(': yield stress').waitFor();
     await page.locator('#report').click();
     const colours = await page

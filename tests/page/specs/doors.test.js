@@ -43,6 +43,7 @@ service.test(
   'what is not as usual is seen, and so is what is wrong',
   async (page) => {
     const field = (/** @type {string} */ place) => page.locator(`[data-place="${place}"]`);
+    await page.locator('[data-door=press]').click();
     assert.equal(await field('/upper/support').isVisible(), false);
     assert.equal(await field('/solver/tolerance').isVisible(), false);
     const job = { ...(await draft(page)), solver: { tolerance: 5 } };

@@ -125,7 +125,7 @@ service.test(
     const place = page.locator('[data-place="/upper/material/plasticity/points"]');
     await paste(place.locator('textarea'), '0 0\n0.001 210\n0.002 420\n0.01 500\n0.1 600');
     await place.getByText('5 points read').waitFor();
-    await page.getByRole('button', { name: 'From total strain' }).click();
+    await page.getByRole('button', { name: 'From total strain' }).first().click();
     await place.getByText('The test rises with 210000 MPa').waitFor();
     await page.getByRole('button', { name: 'Undo' }).click();
     assert.equal((await draft(page)).upper.material.plasticity.points.length, 5);
@@ -352,7 +352,7 @@ service.test(
 service.test('a tensile test becomes a hardening table', async (page) => {
   await page.getByLabel('Hardening').first().selectOption('table');
   const chooser = page.waitForEvent('filechooser');
-  await page.getByRole('button', { name: 'Open CSV…' }).click();
+  await page.getByRole('button', { name: 'Open CSV…' }).first().click();
   const csv = 'strain [%];stress [MPa]\n0;0\n0,1;210\n0,2;420\n1;500\n5;560\n10;580\n';
   await (
     await chooser
@@ -621,7 +621,7 @@ service.test('a force is looked for by what it does', async (page) => {
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.locator('[data-status=succeeded]').waitFor();
   const found = page.locator('#headline > dl > div', { hasText: 'Force found' });
-  assert.match((await found.textContent()) ?? '', /for a half-width of 0\.2 mm/);
+  assert.match((await found.textContent()) ?? '', /^Force found3\d\dN\/mm ± /);
 });
 
 service.test('every example converges', async (page) => {

@@ -100,9 +100,9 @@ service.test(
     await press(page, /^Jobs$/, 'Enter');
     await press(page, new RegExp(`^Compare ${other.slice(-8)}`), 'Space');
     await page.locator('#panel-differences tbody tr').first().waitFor();
+    await press(page, /^Download$/, 'Enter');
     await press(page, /^Markdown: figures$/, 'Enter');
     await page.getByText('Markdown copied').waitFor();
-    await press(page, /^Download$/, 'Enter');
     const [file] = await Promise.all([
       page.waitForEvent('download'),
       press(page, /^Pressure, CSV$/, 'Enter'),
