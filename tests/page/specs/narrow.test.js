@@ -62,7 +62,7 @@ service.test(
       await page.getByRole('button', { name: part, exact: true }).click();
     await page.locator('#jobs-list .load').first().waitFor();
     await page.getByText('Units shown').click();
-    await page.locator('#headline summary').last().click();
+    await page.locator('.remarks > summary').click();
     assert.deepEqual(await beyond(page), []);
     await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Report' }).click();
