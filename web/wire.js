@@ -410,6 +410,7 @@
  * @property {(Step)[]} steps
  * @property {Tags} [tags]
  * @property {TargetResult} [target]
+ * @property {string | null} theory
  * @property {Timings} timings_ms
  * @property {Units} units
  * @property {string} version

@@ -75,7 +75,9 @@ impl Page {
     fn lay_out(mut self, job: &Job, report: &Report) -> String {
         let analysis = report.analysis.replace('_', " ");
         let title = self.style.bold(&format!("Brinell {}", report.version));
-        self.line(&format!("{title} · {analysis} · {}", report.units));
+        let theory = report.theory.as_deref();
+        let theory = theory.map_or_else(String::new, |theory| format!(" · {theory} theory"));
+        self.line(&format!("{title} · {analysis}{theory} · {}", report.units));
         if let Some(target) = &report.target {
             self.target(job, target);
             self.line("");

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use axum::http::header::RETRY_AFTER;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use brinell_solver::job::{Analysis, Job, Load, Theory};
+use brinell_solver::job::{Analysis, Job, Load};
 use jiff::Timestamp;
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -96,7 +96,7 @@ impl Links {
             with_result(name).filter(|_| {
                 has(|job| {
                     let has_increments = !matches!(job.load, Load::Onset | Load::Rolling(_));
-                    job.solver.theory == Theory::Flow && has_increments
+                    job.has_memory() && has_increments
                 })
             })
         };
@@ -141,7 +141,7 @@ fn has_curve(job: &Job) -> bool {
     }
     match &job.load {
         Load::Onset | Load::Rolling(_) => false,
-        _ if job.solver.theory == Theory::Flow => true,
+        _ if job.has_memory() => true,
         Load::Target(_) => false,
         Load::Forces(sweep) | Load::Approaches(sweep) => differ(sweep),
         Load::History(history) => differ(history),

@@ -11,6 +11,7 @@ fn solved(service: &Target, load: &serde_json::Value, output: &serde_json::Value
     job["mesh"] = json!({"elements_per_half_width": 6});
     job["load"] = load.clone();
     job["output"] = output.clone();
+    job["solver"] = json!({"theory": "deformation"});
     let job = service.submit(&job);
     service.wait_for(&job, &["succeeded"]);
     job

@@ -121,6 +121,7 @@ fn report(status: SolveStatus) -> Report {
     Report {
         units: "mm_N_MPa".to_owned(),
         analysis: "plane_strain".to_owned(),
+        theory: None,
         status,
         steps: Vec::new(),
         load_approach: None,

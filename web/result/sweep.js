@@ -106,7 +106,8 @@ const approachOf = ({ approach }) => approach ?? 0;
  * @param {Shown} shown
  */
 const turnsBack = ({ job, report: { steps } }) =>
-  job.solver?.theory === 'flow' &&
+  job.load?.history != null &&
+  job.solver?.theory !== 'deformation' &&
   steps.some((step, k) => k > 0 && approachOf(step) < approachOf(steps[k - 1])) &&
   steps.some((step) => (strainOf(step) ?? 1) > 0);
 

@@ -367,7 +367,7 @@ export const ANALYSES = {
 /** @type {Record<string, string>} */
 export const UNIT_SYSTEMS = { mm_N_MPa: 'mm, N, MPa', SI: 'm, N, Pa' };
 /** @type {Record<string, string>} */
-export const THEORIES = { deformation: 'Deformation theory', flow: 'Flow theory' };
+export const THEORIES = { flow: 'Flow theory', deformation: 'Deformation theory' };
 /** @type {Record<string, string>} */
 export const SUPPORTS = { clamped: 'Clamped', roller: 'Roller' };
 
@@ -427,7 +427,7 @@ export const DEFAULTS = {
   '/upper/surface/detrend': 'none',
   '/lower/surface/detrend': 'none',
   '/mesh/elements_per_half_width': 20,
-  '/solver/theory': 'deformation',
+  '/solver/theory': 'flow',
   '/solver/coupling': 'accelerated',
   '/solver/contact': 'active_set',
   '/solver/tolerance': 1e-6,

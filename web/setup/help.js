@@ -50,7 +50,7 @@ export const TEXTS = {
   'solver/tolerance':
     'Relative change of displacements and out-of-balance force at which the iteration ends.',
   theory:
-    'Deformation theory takes plastic strain from the state as it is: fast, and close as long as the load only grows. Flow theory follows the history in increments: it knows unloading, residual stresses and the dent.',
+    'Flow theory follows the load from rest in increments: it knows unloading, residual stresses and the dent. Deformation theory takes plastic strain from the state as it is: faster, and wrong by some per cent far beyond yield, which no error bar holds.',
 };
 
 /**

@@ -15,7 +15,6 @@ import {
   PERMANENT,
   TARGETS,
   lawOf,
-  hasTerms,
   loadOf,
   overDepthOf,
   plasticityLike,
@@ -41,8 +40,6 @@ export class Kinds {
   #given = new Map();
   /** Hardening of the bodies that were made rigid with their shape. @type {Map<Body, string>} */
   #stiffened = new Map();
-  /** Whether flow theory was chosen with a load that it alone knows. */
-  #lent = false;
 
   /** @param {import('./draft.js').Draft} draft @param {string} source of its changes */
   constructor(draft, source) {
@@ -51,7 +48,6 @@ export class Kinds {
     draft.addEventListener('change', (event) => {
       const { detail } = /** @type {CustomEvent} */ (event);
       const own = [source, 'slider', 'page'].includes(detail);
-      if (!own || draft.job.solver?.theory !== 'flow') this.#lent = false;
       // Another job has nothing to do with what was given before.
       if (!own && detail !== 'undo') this.forget('');
     });
@@ -236,17 +232,13 @@ export class Kinds {
     );
   }
 
-  /** Gives the job another load, and flow theory as long as that alone knows the load. @param {object} load @param {boolean} flow */
+  /** Gives the job another load, and flow theory where that alone knows the load. @param {object} load @param {boolean} flow */
   #setLoad(load, flow) {
     const { job } = this.draft;
-    const theory = job.solver?.theory;
-    const needed =
-      flow || job.solver?.increments != null || hasTerms(job.upper) || hasTerms(job.lower);
-    const back = this.#lent && !needed;
-    const solver = { ...job.solver, theory: flow ? 'flow' : 'deformation' };
-    this.draft.replace({ ...job, load, ...((flow || back) && { solver }) }, this.source);
-    this.#lent = flow && (theory !== 'flow' || this.#lent);
-    if (back) toast('Deformation theory again: this load does not need flow theory');
+    const needed = flow && job.solver?.theory === 'deformation';
+    const solver = { ...job.solver, theory: 'flow' };
+    this.draft.replace({ ...job, load, ...(needed && { solver }) }, this.source);
+    if (needed) toast('Flow theory: this load needs it');
   }
 }
 

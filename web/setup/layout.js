@@ -101,7 +101,7 @@ const isOverruled = (material, { key }) =>
 /** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {Job} job @param {Body} body */
 const hasBackstress = (job, body) =>
   Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
-  (job.solver?.theory === 'flow' || hasTerms(job[body]));
+  (job.solver?.theory !== 'deformation' || hasTerms(job[body]));
 
 /** @param {Part} part @param {string} parent @param {Field[]} all @returns {Place[]} */
 const fields = (part, parent, all) =>

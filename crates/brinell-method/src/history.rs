@@ -21,6 +21,7 @@ use super::couplings::iteration::{Controls, Outcome};
 use super::figures::Figures;
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
 use super::increments::{Division, Growth, IncrementEnds, Leg};
+use super::loads::Stretch;
 use super::observer::{Held, IncrementNumber, Interrupt, IterationRecord, SolveStatus};
 use super::progress::Progress;
 use super::run::Run;
@@ -158,7 +159,7 @@ pub struct NextIncrement<'a, M> {
 /// Those of the engine and of a contact solve.
 pub fn run<E: Memory>(
     (engine, design): (E, E::Design),
-    loads: &[ContactLoad],
+    stretch: Stretch<'_>,
     increments: Option<u32>,
     run: &mut Run<'_>,
     receiver: &mut dyn StepReceiver<E::Field>,
@@ -166,7 +167,7 @@ pub fn run<E: Memory>(
     let mut preliminary = Vec::new();
     let chosen = run.preliminarily(|run| {
         let division = increments.map_or(Division::Level(0), Division::Fixed);
-        let history = History { engine: &engine, loads, division, guide: None };
+        let history = History { engine: &engine, stretch, division, guide: None };
         history.choose_increments(design, &mut preliminary, run)
     });
     let (coarse, division, errors) = match chosen {
@@ -177,7 +178,7 @@ pub fn run<E: Memory>(
         }
     };
     let (engine, design) = engine.finer(&coarse.memory);
-    let history = History { engine: &engine, loads, division, guide: Some(&coarse.memory) };
+    let history = History { engine: &engine, stretch, division, guide: Some(&coarse.memory) };
     let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
     let interrupt = match history.solve(design, &mut steps, run) {
@@ -205,7 +206,7 @@ struct Found<M> {
 /// A history by one engine and one division of its loads.
 struct History<'a, E: Memory> {
     engine: &'a E,
-    loads: &'a [ContactLoad],
+    stretch: Stretch<'a>,
     division: Division,
     /// The memory of the coarser history.
     guide: Option<&'a E::Record>,
@@ -300,7 +301,7 @@ impl<E: Memory> History<'_, E> {
         // The worst status so far: a load after an increment that has not converged inherits its
         // error.
         let mut status = SolveStatus::Converged;
-        for (number, &load) in self.loads.iter().enumerate() {
+        for (number, &load) in self.stretch.loads.iter().enumerate() {
             let leg = self.leg(load, &progress);
             let mut ends = IncrementEnds::of(&leg, self.division);
             let (mut history, mut increments) = (Vec::new(), Vec::new());
@@ -312,8 +313,8 @@ impl<E: Memory> History<'_, E> {
                 progress.number = IncrementNumber {
                     number: k + 1,
                     count,
-                    load: number + 1,
-                    loads: self.loads.len(),
+                    load: self.stretch.before + number + 1,
+                    loads: self.stretch.all,
                 };
                 let guide = self.guide;
                 let next = NextIncrement { target, time, leg: &leg, progress: &progress, guide };

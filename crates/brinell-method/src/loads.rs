@@ -1,6 +1,6 @@
 //! Loads one after the other: independent ones, and those of a trial in the search of a force.
 
-use super::observer::{Interrupt, SolveStatus};
+use super::observer::{Interrupt, Observer, SolveStatus};
 use super::run::Run;
 use super::steps::{Step, StepReceiver};
 use crate::{Error, Interrupted, Limit};
@@ -34,6 +34,91 @@ pub fn each_load<F, E: Interrupted>(
         }
     }
     Ok(None)
+}
+
+/// Solves loads that are each applied to bodies at rest, where the bodies have a memory.
+///
+/// Loads that rise are one history: each is on the way from rest to the next one. It ends where a
+/// load falls, where a body collapses, and before a load whose system would be too coarse for the
+/// first load: `serves` takes that one and the larger one. The next load begins at rest again.
+/// `history` solves one history and hands its steps over.
+///
+/// # Errors
+/// Errors of `history`, also the interrupt before the first step is finished.
+pub fn each_from_rest<F, E: Interrupted>(
+    loads: &[ContactLoad],
+    receiver: &mut dyn StepReceiver<F>,
+    run: &mut Run<'_>,
+    serves: impl Fn(ContactLoad, ContactLoad) -> bool,
+    mut history: impl FnMut(
+        Stretch<'_>,
+        &mut Run<'_>,
+        &mut dyn StepReceiver<F>,
+    ) -> Result<Option<Interrupt>, E>,
+) -> Result<Option<Interrupt>, E> {
+    let mut before = 0;
+    while let [first, ..] = loads[before..] {
+        let pairs = loads[before..].windows(2);
+        let rises = |pair: &&[ContactLoad]| {
+            pair[0].magnitude() <= pair[1].magnitude() && serves(first, pair[1])
+        };
+        let count = 1 + pairs.take_while(rises).count();
+        let stretch = Stretch { loads: &loads[before..before + count], before, all: loads.len() };
+        let mut steps = StepsFromRest { receiver: &mut *receiver, done: 0, skipped: 0 };
+        let end = history(stretch, run, &mut steps);
+        let done = steps.done;
+        match end {
+            Ok(None) => before += done.max(1),
+            Ok(Some(interrupt)) => return Ok(Some(interrupt)),
+            // Finished steps are kept.
+            Err(error) if before + done > 0 => return error.interrupt().ok_or(error).map(Some),
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(None)
+}
+
+/// Loads of one history among all loads of a solve.
+#[derive(Debug, Clone, Copy)]
+pub struct Stretch<'a> {
+    /// The loads in order.
+    pub loads: &'a [ContactLoad],
+    /// Number of loads before them.
+    pub before: usize,
+    /// Number of all loads.
+    pub all: usize,
+}
+
+impl<'a> Stretch<'a> {
+    /// All loads of a solve.
+    pub fn whole(loads: &'a [ContactLoad]) -> Self {
+        Self { loads, before: 0, all: loads.len() }
+    }
+}
+
+/// Hands over the steps of loads from rest. Where a history begins again on a wider system, steps
+/// that were handed over stay: each has the answer to its load.
+struct StepsFromRest<'a, F> {
+    receiver: &'a mut dyn StepReceiver<F>,
+    /// Steps that were handed over.
+    done: usize,
+    /// Steps to come that were handed over before.
+    skipped: usize,
+}
+
+impl<F> StepReceiver<F> for StepsFromRest<'_, F> {
+    fn step(&mut self, step: Step<F>, observer: &mut dyn Observer) {
+        if self.skipped > 0 {
+            self.skipped -= 1;
+            return;
+        }
+        self.receiver.step(step, observer);
+        self.done += 1;
+    }
+
+    fn begin_anew(&mut self) {
+        self.skipped = self.done;
+    }
 }
 
 /// A figure that is sought.

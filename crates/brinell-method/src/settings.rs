@@ -10,9 +10,9 @@ use crate::couplings::{Accelerated, Coupling};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Theory {
     /// Stress is a function of the total strain (Hencky): the paper's theory, for rising loads.
-    #[default]
     Deformation,
-    /// Stress follows the history of strain (Prandtl and Reuss): the loads form a history.
+    /// Stress follows the history of strain (Prandtl and Reuss).
+    #[default]
     Flow,
 }
 

@@ -5,8 +5,10 @@ use brinell_contact::ContactLoad;
 /// The loads of a solve.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Loads {
-    /// The loads in order.
-    Given(Vec<ContactLoad>),
+    /// Loads that are applied to bodies at rest, each by itself.
+    Each(Vec<ContactLoad>),
+    /// Loads one after the other. Bodies with a memory keep what the loads before have left.
+    History(Vec<ContactLoad>),
     /// A force that is sought for its effect.
     Sought(Sought),
 }
@@ -49,7 +51,7 @@ pub enum TargetFigure {
 impl Loads {
     /// Returns the smallest force above zero, if all loads are given as forces.
     pub fn least_force(&self) -> Option<f64> {
-        let Self::Given(loads) = self else { return None };
+        let (Self::Each(loads) | Self::History(loads)) = self else { return None };
         let force = |load: &ContactLoad| match *load {
             ContactLoad::Force(force) => Some(force),
             ContactLoad::Approach(_) => None,
@@ -59,12 +61,12 @@ impl Loads {
     }
 }
 
-/// Returns loads one after the other as given ones; `None` without a load above zero.
+/// Returns loads one after the other as a history; `None` without a load above zero.
 pub fn history_of(loads: &[ContactLoad]) -> Option<Loads> {
     let are_loads =
         loads.iter().all(|load| load.magnitude().is_finite() && load.magnitude() >= 0.0);
     let is_loaded = loads.iter().any(|load| load.magnitude() > 0.0);
-    (are_loads && is_loaded).then(|| Loads::Given(loads.to_vec()))
+    (are_loads && is_loaded).then(|| Loads::History(loads.to_vec()))
 }
 
 /// Returns the largest force and the largest approach, if they are above zero.

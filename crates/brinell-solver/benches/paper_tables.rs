@@ -14,7 +14,7 @@ use brinell_solver::contact::{
     ContactError, ContactProblem, ContactSolution, ContactSolver, SimplexSolver, StopHook,
 };
 use brinell_solver::inputs;
-use brinell_solver::job::{Coupling, Job, Named, PositiveF64};
+use brinell_solver::job::{Coupling, Job, Named, PositiveF64, Theory};
 use brinell_solver::solver::{
     Interrupt, IterationRecord, Observer, Options, SolveStatus, StepSolution,
 };
@@ -161,6 +161,7 @@ fn milliseconds(time: Duration) -> f64 {
 fn measure(tolerance: f64) -> [Row; 4] {
     let jobs = COUPLINGS.map(|coupling| {
         let mut job = Job::from_json(JOB.as_bytes()).unwrap();
+        job.solver.theory = Theory::Deformation;
         job.solver.coupling = coupling;
         job.solver.tolerance = PositiveF64::new(tolerance).unwrap();
         job

@@ -51,7 +51,8 @@ fn cases() -> [(&'static str, usize, Value); 7] {
         job
     };
     let force = json!({"force": OF_BALL});
-    let deformation = ball(&force, &plastic, 10, &json!({}));
+    let by_deformation = json!({"theory": "deformation"});
+    let deformation = ball(&force, &plastic, 10, &by_deformation);
     let on_axes = ball(&history, &plastic, 10, &flow);
     let fine = ball(&history, &plastic, 20, &flow);
     // Its initial stress is in no axes of the contact.
@@ -68,7 +69,7 @@ fn cases() -> [(&'static str, usize, Value); 7] {
         ("flow, 20 cells", 3, fine),
         ("elastic, 10 cells", 7, ball(&force, &Value::Null, 10, &json!({}))),
         ("elastic, 60 cells", 3, ball(&force, &Value::Null, 60, &json!({}))),
-        ("deformation, 40 cells", 1, ball(&force, &plastic, 40, &json!({}))),
+        ("deformation, 40 cells", 1, ball(&force, &plastic, 40, &by_deformation)),
     ]
 }
 

@@ -7,8 +7,14 @@ use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
+#[path = "support/theory.rs"]
+mod theory;
+
+use theory::by_deformation_theory;
+
 fn solve(job: &Value) -> Report {
-    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?} of {job}"));
+    let job = Job::from_value(&by_deformation_theory(job))
+        .unwrap_or_else(|error| panic!("{error:?} of {job}"));
     let report = report::run(&job, &mut Unobserved).unwrap();
     assert_eq!(report.status, SolveStatus::Converged);
     report

@@ -7,8 +7,14 @@ use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
+#[path = "support/theory.rs"]
+mod theory;
+
+use theory::by_deformation_theory;
+
 fn solve(job: &Value) -> Report {
-    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?}"));
+    let job =
+        Job::from_value(&by_deformation_theory(job)).unwrap_or_else(|error| panic!("{error:?}"));
     let report = report::run(&job, &mut Unobserved).unwrap();
     for step in &report.steps {
         assert_eq!(step.status, SolveStatus::Converged, "{:?}", step.validity);

@@ -16,8 +16,14 @@ mod random_job;
 
 use random_job::{Random, half_spaces};
 
+#[path = "support/theory.rs"]
+mod theory;
+
+use theory::by_deformation_theory;
+
 fn solve(job: &Value) -> Report {
-    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?} of {job}"));
+    let job = Job::from_value(&by_deformation_theory(job))
+        .unwrap_or_else(|error| panic!("{error:?} of {job}"));
     report::run(&job, &mut Unobserved).unwrap()
 }
 

@@ -9,11 +9,6 @@ const service = suite();
 service.test('a history of loads is typed, brought back to 0 and undone', async (page) => {
   await page.getByLabel('Given').selectOption('history');
   assert.deepEqual((await draft(page)).load, { history: [{ force: 612.6106 }, { force: 0 }] });
-  assert.equal(
-    (await draft(page)).solver.theory,
-    'flow',
-    'only flow theory knows what a load leaves behind',
-  );
   const loads = page.getByLabel('Loads in turn');
   await loads.fill('500 α0.02 300');
   assert.deepEqual((await draft(page)).load.history, [

@@ -114,7 +114,6 @@ service.test(
   async (page) => {
     const given = page.locator('[data-place="/load/kind"] select');
     await given.focus();
-    // History asks for flow theory, which gives both bodies a backstress.
     for (const kind of ['forces', 'approach', 'approaches', 'history', 'onset', 'target']) {
       await page.keyboard.press('ArrowDown');
       assert.equal(await at(page), '/load/kind SELECT');

@@ -555,6 +555,7 @@ service.test(
 );
 
 service.test('terms of the backstress are a table where flow theory is chosen', async (page) => {
+  await page.getByLabel('Theory').selectOption('deformation');
   assert.equal(await page.getByLabel('Backstress C, γ').count(), 0);
   await page.getByLabel('Theory').selectOption('flow');
   const terms = page.getByLabel('Backstress C, γ').first();
@@ -605,7 +606,6 @@ service.test('a force is looked for by what it does', async (page) => {
   await page.getByLabel('Given').selectOption('target');
   assert.deepEqual((await draft(page)).load, { target: { peak_pressure: 1200 } });
   await page.getByLabel('Figure', { exact: true }).selectOption('dent_depth');
-  assert.equal((await draft(page)).solver.theory, 'flow', 'only flow theory knows what is left');
   await page.getByLabel('Units').selectOption('SI');
   assert.deepEqual((await draft(page)).load, { target: { dent_depth: 1e-6 } });
   await page.getByRole('button', { name: 'Undo' }).click();

@@ -78,7 +78,7 @@ service.test('the stress that is left has the names of axisymmetry', async (page
   await shown(page, { analysis: 'axisymmetric', load: { history }, solver: { theory: 'flow' } });
   assert.deepEqual((await cards(page)).slice(0, 3), ['Dent', 'Pile-up', 'Permanent approach']);
   const tension = await row(page, 'Residual tension');
-  await tension.getByText(/largest principal stress of all /).waitFor();
+  await tension.getByText(/^largest principal stress of all /).waitFor();
   for (const name of ['σr', 'σθ'])
     await page.locator('#panel-depth .legend').getByText(name, { exact: true }).waitFor();
 });
@@ -222,7 +222,7 @@ service.test('JSON with a key that no job has says so beside it', async (page) =
 });
 
 service.test('remarks are short, with the rest behind them', async (page) => {
-  await shown(page, { load: { force: 612.6106 } });
+  await shown(page, { load: { force: 612.6106 }, solver: { theory: 'deformation' } });
   const remark = page.locator('#headline [data-code=deformation_theory]');
   await page.locator('#headline .remarks').evaluate((one) => one.setAttribute('open', ''));
   await remark.getByText('Plasticity by deformation theory').waitFor();

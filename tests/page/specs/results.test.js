@@ -174,7 +174,7 @@ service.test(
       /pump: P-12/,
       /± 0\.\d+ %/,
       /diametral plane/,
-      /Theorydeformation theory/,
+      /Theoryflow theory/,
       /612\.61N\/mm/,
       new RegExp(`#job=${id}`),
     ])

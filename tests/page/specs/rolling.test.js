@@ -38,8 +38,7 @@ service.test('figures stay when the load rolls no more', async (page) => {
   const kind = page.locator('[data-place="/load/kind"] select');
   await kind.selectOption('rolling');
   await kind.selectOption('force');
-  const { load, solver } = await draft(page);
-  assert.deepEqual([load, solver.theory], [{ force: 612.6106 }, 'deformation']);
+  assert.deepEqual((await draft(page)).load, { force: 612.6106 });
 });
 
 service.test(

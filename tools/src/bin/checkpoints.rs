@@ -68,7 +68,7 @@ fn job(elements: u32, coupling: &str) -> Result<Job, JobError> {
         serde_json::from_str(include_str!("../../../api/examples/two_cylinders.json"))
             .unwrap_or_default();
     job["mesh"] = json!({"elements_per_half_width": elements});
-    job["solver"] = json!({"coupling": coupling});
+    job["solver"] = json!({"theory": "deformation", "coupling": coupling});
     job["output"] = json!({"fields": true, "subsurface": true});
     job["lower"]["material"]["plasticity"]["yield_stress"] = json!(501.0);
     Job::from_json(job.to_string().as_bytes())

@@ -109,6 +109,9 @@ fn flow() {
 }
 
 fn up_and_back(asked: &Value) -> String {
+    let mut asked = asked.clone();
+    asked["solver"]["theory"] = json!("deformation");
+    let asked = &asked;
     let mut history = asked.clone();
     let force = asked["load"]["force"].clone();
     history["load"] = json!({"history": [{"force": force}, {"force": 0}]});

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::super::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
 use super::super::force_search::{Terms, find};
 use super::super::history;
-use super::super::loads::{Wanted, each_load};
+use super::super::loads::{Stretch, Wanted, each_load};
 use super::super::observer::{Interrupt, IterationRecord, Observer, SolveStatus};
 use super::*;
 use crate::observer::Unobserved;
@@ -107,8 +107,9 @@ fn history_of(
 ) -> (Vec<Step<()>>, Option<Interrupt>) {
     let loads: Vec<_> = forces.iter().map(|force| ContactLoad::Force(*force)).collect();
     let mut steps = Vec::new();
-    let (end, _) =
-        with_run(observer, |run| history::run(coarse(coupling), &loads, None, run, &mut steps));
+    let (end, _) = with_run(observer, |run| {
+        history::run(coarse(coupling), Stretch::whole(&loads), None, run, &mut steps)
+    });
     (steps, end.unwrap())
 }
 

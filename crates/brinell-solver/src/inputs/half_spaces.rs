@@ -49,7 +49,7 @@ fn shapes_of(job: &Job) -> Option<HalfSpaceProblem> {
         cells_per_semi_axis: job.mesh.elements_per_half_width,
         cells_of_slopes: of_slopes(job),
         onset: None,
-        solver: settings(&job.solver),
+        solver: settings(job),
     })?;
     if problem.heights.is_some() {
         return Some(problem);

@@ -19,7 +19,7 @@ pub(crate) fn meshed_contact(job: &Job) -> MeshedContact {
     MeshedContact {
         problem: problem(job),
         loads: loads(&job.load),
-        asked: Asked { elements: job.mesh.elements_per_half_width, solver: settings(&job.solver) },
+        asked: Asked { elements: job.mesh.elements_per_half_width, solver: settings(job) },
         elements_of_slopes: of_slopes(job),
     }
 }

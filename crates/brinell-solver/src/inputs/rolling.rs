@@ -52,7 +52,7 @@ pub(crate) fn rolling(job: &Job) -> Result<RollingInput, TrackError> {
     }
     let lines = problem(job);
     let curvature = lines.curvature().filter(|_| lines.conforming.is_none());
-    let asked = (job.mesh.elements_per_half_width as usize, settings(&job.solver));
+    let asked = (job.mesh.elements_per_half_width as usize, settings(job));
     let materials = lines.bodies.each_ref().map(|body| body.material.clone());
     let problem = RollingProblem::of_lines(materials, curvature, load, asked)?;
     Ok(RollingInput { problem, lines: Some(lines) })

@@ -5,14 +5,17 @@ use brinell_method::settings::Settings;
 use brinell_method::sought::{self, Loads, Sought};
 
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
-use crate::job::{ContactMethod, Coupling, HistoryLoad, Load, SolverSettings, Target};
+use crate::job::{
+    ContactMethod, Coupling, HistoryLoad, Job, Load, SolverSettings, Target, Theory,
+};
 
-/// Returns the settings of the solve that a job asks for.
-pub fn settings(settings: &SolverSettings) -> Settings {
-    let SolverSettings { theory, increments, coupling, contact, tolerance, max_iterations } =
-        *settings;
+/// Returns the settings of the solve that a job asks for. Of bodies without a memory each load is
+/// solved at once.
+pub fn settings(job: &Job) -> Settings {
+    let SolverSettings { increments, coupling, contact, tolerance, max_iterations, .. } =
+        job.solver;
     Settings {
-        theory,
+        theory: if job.has_memory() { Theory::Flow } else { Theory::Deformation },
         increments,
         coupling: coupling_of(coupling),
         contact: contact_solver_of(contact),
@@ -43,9 +46,9 @@ fn contact_solver_of(method: ContactMethod) -> &'static (dyn ContactSolver + Syn
 pub fn loads(load: &Load) -> Loads {
     match load {
         Load::Forces(forces) => {
-            Loads::Given(forces.iter().map(|force| ContactLoad::Force(force.get())).collect())
+            Loads::Each(forces.iter().map(|force| ContactLoad::Force(force.get())).collect())
         }
-        Load::Approaches(approaches) => Loads::Given(
+        Load::Approaches(approaches) => Loads::Each(
             approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect(),
         ),
         Load::History(loads) => {
@@ -53,9 +56,9 @@ pub fn loads(load: &Load) -> Loads {
                 HistoryLoad::Force(force) => ContactLoad::Force(force.get()),
                 HistoryLoad::Approach(approach) => ContactLoad::Approach(approach.get()),
             };
-            Loads::Given(loads.iter().map(load).collect())
+            Loads::History(loads.iter().map(load).collect())
         }
-        Load::Rolling(rolling) => Loads::Given(vec![ContactLoad::Force(rolling.force.get())]),
+        Load::Rolling(rolling) => Loads::Each(vec![ContactLoad::Force(rolling.force.get())]),
         Load::Onset => Loads::Sought(Sought::Onset),
         Load::Target(Target { figure, value }) => {
             let target = sought::Target { figure: *figure, value: value.get() };

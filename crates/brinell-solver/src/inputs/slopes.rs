@@ -1,6 +1,6 @@
 //! The small meshes that tell a contact stiffness, and what they take.
 
-use crate::job::{Analysis, Job, Theory};
+use crate::job::{Analysis, Job};
 
 /// Elements over the half-width of the small meshes, and cells over the semi-axes of small grids.
 const ELEMENTS: u32 = 12;
@@ -26,9 +26,8 @@ pub(crate) fn of_small_mesh(job: &Job, own: u64) -> u64 {
     of_slopes(job).map_or(0, |small| own * of(small) / of(job.mesh.elements_per_half_width))
 }
 
-/// Returns the small meshes that are solved for so many steps: under flow theory each with the
-/// loads before.
+/// Returns the small meshes that are solved for so many steps: of a history each with the loads
+/// before.
 pub(crate) fn small_solves(job: &Job, steps: u64) -> u64 {
-    let is_history = job.solver.theory == Theory::Flow;
-    if is_history { steps * (steps + 1) } else { 2 * steps }
+    if job.has_memory() && job.load.is_history() { steps * (steps + 1) } else { 2 * steps }
 }

@@ -9,7 +9,7 @@ use super::fields::{InUnits, read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
 use super::{
     Analysis, Body, FaultCode, FieldError, HardnessTest, JobError, Load, Material, MeshSettings,
-    OutputSettings, Quantity, SolverSettings, Units, hardness, name, tags,
+    OutputSettings, Quantity, SolverSettings, Theory, Units, hardness, name, tags,
 };
 
 /// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
@@ -75,6 +75,19 @@ impl Job {
         bodies.iter().any(
             |body| matches!(&body.material, Material::Deformable(of) if of.plasticity().is_some()),
         )
+    }
+
+    /// The theory of plasticity, where a body can yield.
+    pub fn theory(&self) -> Option<Theory> {
+        self.has_plasticity().then_some(self.solver.theory)
+    }
+
+    /// Whether loads leave something in the bodies: under flow theory, where a body can yield or
+    /// the loads are a history. The onset of yield is one of elastic bodies.
+    pub fn has_memory(&self) -> bool {
+        self.solver.theory == Theory::Flow
+            && self.load != Load::Onset
+            && (self.has_plasticity() || self.load.is_history())
     }
 
     fn solvable(document: &Node) -> Result<Self, JobError> {

@@ -8,7 +8,7 @@ use super::fields::{Field, Known, read_record_of, record};
 use super::reader::Cursor;
 use super::{
     Body, Cone, Deformable, Elastic, FaultCode, FieldError, Material, MeshSettings, Named,
-    PoissonRatio, PositiveF64, Profile, Quantity, Shape, SolverSettings, Support, Theory, Units,
+    PoissonRatio, PositiveF64, Profile, Quantity, Shape, SolverSettings, Support, Units,
 };
 
 /// Standard gravity \[N/kgf\].
@@ -372,11 +372,7 @@ fn ball(radius: f64) -> Option<Profile> {
 
 /// Settings of the solver for a test that gives none.
 pub(super) fn settings() -> SolverSettings {
-    SolverSettings {
-        theory: Theory::Flow,
-        increments: Some(INCREMENTS),
-        ..SolverSettings::default()
-    }
+    SolverSettings { increments: Some(INCREMENTS), ..SolverSettings::default() }
 }
 
 /// Mesh of a test that gives none.

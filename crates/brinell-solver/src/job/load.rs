@@ -190,6 +190,15 @@ impl Load {
         }
     }
 
+    /// Whether its loads come one after the other; a force that is taken away counts.
+    pub fn is_history(&self) -> bool {
+        match self {
+            Self::History(_) => true,
+            Self::Target(target) => target.figure.is_permanent(),
+            _ => false,
+        }
+    }
+
     /// Returns the hardness test whose history this is.
     pub fn hardness(&self) -> Option<&HardnessTest> {
         let Self::History(history) = self else { return None };

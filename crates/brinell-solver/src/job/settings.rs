@@ -99,7 +99,7 @@ impl Named for ContactMethod {
 }
 
 impl Named for Theory {
-    const ALL: &'static [Self] = &[Self::Deformation, Self::Flow];
+    const ALL: &'static [Self] = &[Self::Flow, Self::Deformation];
 
     fn name(self) -> &'static str {
         match self {
@@ -113,8 +113,8 @@ record! {
     /// Iteration controls.
     #[derive(Copy)]
     pub struct SolverSettings("", "Solver") {
-        /// Theory of plasticity: `deformation` knows no unloading, `flow` follows the loads as a
-        /// history.
+        /// Theory of plasticity: `flow` follows the loads from rest in increments; `deformation`
+        /// takes each load at once, knows no unloading, and its error has no bound.
         pub theory: Theory = Field::choice::<Theory>("Theory").label("Theory", ""),
         /// Increments of each load of a history, of equal size. Without it the program chooses
         /// them. Only with `flow`.

@@ -21,7 +21,8 @@ impl Job {
             Theory::Flow => {
                 if self.solver.coupling == Coupling::SecantStiffness {
                     let detail = "`secant_stiffness` has the moduli of deformation theory, which \
-                                  `flow` does not know; take `accelerated`, `strong` or `weak`";
+                                  `flow` does not know; take `accelerated`, `strong` or `weak`, \
+                                  or the theory `deformation`";
                     fault("/solver/coupling".to_owned(), detail);
                 }
             }

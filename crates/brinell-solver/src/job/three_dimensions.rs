@@ -393,7 +393,8 @@ mod tests {
         wrong["lower"]["shape"] = json!({"type": "block", "width": 20, "depth": 20});
         wrong["lower"]["support"] = json!("clamped");
         wrong["mesh"] = json!({"elements_per_half_width": 61});
-        wrong["solver"] = json!({"coupling": "secant_stiffness", "contact": "simplex"});
+        wrong["solver"] =
+            json!({"theory": "deformation", "coupling": "secant_stiffness", "contact": "simplex"});
         let expected = [
             "/lower/shape/type",
             "/lower/support",

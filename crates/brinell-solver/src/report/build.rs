@@ -32,8 +32,6 @@ pub(super) struct ReportBuilder<'a> {
     status: Option<SolveStatus>,
     /// Points of the converged load steps.
     curve: Vec<CurvePoint>,
-    /// Whether the load steps form a history; otherwise they are independent points of a curve.
-    is_history: bool,
     /// Largest force so far that has left plastic strain in a history.
     dented_under: f64,
     /// Figures of the bodies that the loads of the history so far have left unknown.
@@ -57,7 +55,6 @@ impl<'a> ReportBuilder<'a> {
             write,
             status: None,
             curve: Vec::new(),
-            is_history: false,
             dented_under: 0.0,
             unknown: FigureSet::default(),
             target: TargetSeen::default(),
@@ -96,8 +93,7 @@ impl<'a> ReportBuilder<'a> {
         findings.extend(validity::small_approach(step, approach_bar));
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
-            self.is_history |= !step.path.increments.is_empty();
-            if self.is_history {
+            if self.job.load.is_history() {
                 self.unknown = left_unknown(self.unknown, &findings);
             }
             let (half_width, stiffness) = (step.figures.half_width, step.contact_stiffness);
@@ -122,6 +118,7 @@ impl<'a> ReportBuilder<'a> {
             ..measured(self.job, self.problem, step, reference.as_ref(), &findings)
         };
         if step.path.energy.is_some()
+            && self.job.load.is_history()
             && step.field.bodies.iter().flatten().any(|body| body.has_yielded())
         {
             self.dented_under = self.dented_under.max(step.figures.force);
@@ -145,20 +142,16 @@ impl<'a> ReportBuilder<'a> {
 
     /// Returns the report without its load steps.
     pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
-        let Self { job, write, status, curve, is_history, target, hardness, mesh, time, .. } =
-            self;
+        let Self { job, write, status, curve, target, hardness, mesh, time, .. } = self;
         let interrupted = solution.interrupted.map(SolveStatus::from);
         let status = interrupted.map_or(status, |interrupted| worse(status, interrupted));
         Report {
             units: job.units.name().to_owned(),
             analysis: job.analysis.name().to_owned(),
+            theory: job.theory().map(|theory| theory.name().to_owned()),
             status: status.unwrap_or(SolveStatus::Cancelled),
             steps: Vec::new(),
-            load_approach: if is_history {
-                load_approach::history(&curve, write)
-            } else {
-                load_approach::curve(curve, write)
-            },
+            load_approach: load_approach::of_job(job, curve, write),
             target: target.finish(job, solution.sensitivity, write),
             hardness: hardness.finish(job, write),
             mesh: MeshReport { passes: solution.passes, ..mesh },

@@ -25,6 +25,10 @@ pub struct Report {
     pub units: String,
     /// `plane_strain`, `plane_stress`, `axisymmetric` or `three_dimensional`.
     pub analysis: String,
+    /// Theory of plasticity, `flow` or `deformation`; `null` where no body can yield.
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub theory: Option<String>,
     /// The least good status of all steps.
     pub status: SolveStatus,
     /// One entry for each load.

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::job::Job;
 use crate::solver::IncrementRecord;
 use crate::units::UnitConverter;
 
@@ -78,11 +79,27 @@ pub(super) fn points(
     points
 }
 
+/// Returns the curve of a job through the points of its converged load steps. Of bodies with a
+/// memory it begins at rest; loads from rest are points of one rising curve.
+pub(super) fn of_job(
+    job: &Job,
+    mut points: Vec<CurvePoint>,
+    write: UnitConverter,
+) -> Option<LoadApproach> {
+    if !job.has_memory() {
+        return curve(points, write);
+    }
+    if !job.load.is_history() {
+        points.sort_by(|a, b| a.approach.total_cmp(&b.approach));
+    }
+    history(&points, write)
+}
+
 /// Returns the curve through points of converged load steps, or `None` for fewer than two
 /// different approaches.
 ///
 /// Deformation theory has no memory, so that the order of the loads does not matter.
-pub(super) fn curve(mut points: Vec<CurvePoint>, write: UnitConverter) -> Option<LoadApproach> {
+fn curve(mut points: Vec<CurvePoint>, write: UnitConverter) -> Option<LoadApproach> {
     points.sort_by(|a, b| a.approach.total_cmp(&b.approach));
     points.dedup_by(|b, a| b.is_at(a));
     (points.len() >= 2).then(|| written(&points, &slopes(&points), write))
@@ -90,7 +107,7 @@ pub(super) fn curve(mut points: Vec<CurvePoint>, write: UnitConverter) -> Option
 
 /// Returns the path of a history from rest through the ends of its increments. Slopes are computed
 /// within each rising or falling branch.
-pub(super) fn history(points: &[CurvePoint], write: UnitConverter) -> Option<LoadApproach> {
+fn history(points: &[CurvePoint], write: UnitConverter) -> Option<LoadApproach> {
     let mut way = vec![CurvePoint::default()];
     way.extend(points);
     // The later one of two points at the same approach may have a stiffness.

@@ -16,7 +16,7 @@ use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
 use crate::inputs::SolveError::{self, HalfSpaces, Meshed, Track};
 use crate::inputs::{self, meshed_contact, of_small_mesh, small_solves};
-use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
+use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape};
 use crate::solver::half_spaces::HalfSpaceError;
 use crate::solver::method;
 use crate::solver::rolling::TrackError;
@@ -227,8 +227,7 @@ pub(super) fn increments_of(job: &Job, steps: u64) -> [u64; 2] {
 /// Adds the memory and work of the result to the estimate of the solver.
 fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let [steps, solves] = steps_and_solves(job);
-    let is_history = job.solver.theory == Theory::Flow;
-    let increments = if is_history { increments_of(job, steps)[1] } else { 0 };
+    let increments = if job.has_memory() { increments_of(job, steps)[1] } else { 0 };
     let nodes = estimate.equations as u64 / 2;
     let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
     let step =

@@ -14,9 +14,7 @@ use super::{onset, plastic_strain, strength};
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::mesh::Outline;
 use crate::inputs::outline_of;
-use crate::job::{
-    Analysis, Coupling, HistoryLoad, Job, Load, PositiveF64, Shape, SolverSettings, Theory,
-};
+use crate::job::{Analysis, Coupling, HistoryLoad, Job, Load, Shape, SolverSettings, Theory};
 use crate::material::Solid;
 use crate::solver::{
     ElasticReference, IterationRecord, LastIncrement, PairState, Problem, SolveStatus,
@@ -370,18 +368,14 @@ pub(super) fn of_history(job: &Job, load: ContactLoad, touches: bool) -> Option<
     (is_pressed && !touches).then_some(Finding::NoContact)
 }
 
-/// Returns whether any load of a job is smaller than the load before it.
+/// Returns whether a load of a history is smaller than the load before it.
 fn falls(job: &Job) -> bool {
-    let falls = |loads: &[PositiveF64]| loads.windows(2).any(|pair| pair[1] < pair[0]);
-    match &job.load {
-        Load::Forces(loads) | Load::Approaches(loads) => falls(loads),
-        Load::History(loads) => loads.windows(2).any(|pair| match pair {
-            [HistoryLoad::Force(a), HistoryLoad::Force(b)]
-            | [HistoryLoad::Approach(a), HistoryLoad::Approach(b)] => b < a,
-            _ => false,
-        }),
-        Load::Onset | Load::Target(_) | Load::Rolling(_) => false,
-    }
+    let Load::History(loads) = &job.load else { return false };
+    loads.windows(2).any(|pair| match pair {
+        [HistoryLoad::Force(a), HistoryLoad::Force(b)]
+        | [HistoryLoad::Approach(a), HistoryLoad::Approach(b)] => b < a,
+        _ => false,
+    })
 }
 
 /// State of a load step that did not converge.

@@ -51,7 +51,7 @@ fn steel(tangent: Option<f64>) -> Solid {
 
 /// Forces in their order \[N\].
 fn forces(forces: impl IntoIterator<Item = f64>) -> Loads {
-    Loads::Given(forces.into_iter().map(ContactLoad::Force).collect())
+    Loads::History(forces.into_iter().map(ContactLoad::Force).collect())
 }
 
 /// A rigid ellipsoid of radii 10 mm and `radius_y` on a body, elastic at first.
@@ -66,7 +66,7 @@ fn on_flat(radius_y: f64, material: Solid, cells: u32) -> HalfSpaceProblem {
         heights: None,
         loads: Loads::Sought(Sought::Onset),
         cells_per_semi_axis: cells,
-        solver: Settings::default(),
+        solver: Settings { theory: Theory::Deformation, ..Settings::default() },
     }
 }
 
@@ -290,7 +290,7 @@ fn elastic_ellipses_agree_with_hertz_on_finer_grids() {
 fn force_and_approach_are_one_contact() {
     let mut problem = on_flat(30.0, steel(None), 6);
     let step = under(problem.clone(), 3.0);
-    problem.loads = Loads::Given(vec![ContactLoad::Approach(step.figures.approach)]);
+    problem.loads = Loads::Each(vec![ContactLoad::Approach(step.figures.approach)]);
     let other = solved(&problem).remove(0);
     near(other.figures.force, step.figures.force, 1e-4, "force");
 }
@@ -303,7 +303,7 @@ fn bodies_apart_are_at_the_approach_that_was_given() {
     problem.solver.theory = Theory::Flow;
     let last = |end: ContactLoad| {
         let mut problem = problem.clone();
-        problem.loads = Loads::Given(vec![ContactLoad::Approach(0.01), end]);
+        problem.loads = Loads::History(vec![ContactLoad::Approach(0.01), end]);
         solved(&problem).pop().expect("two loads")
     };
     let touching = last(ContactLoad::Force(0.0)).figures.approach;

@@ -8,8 +8,11 @@ use brinell_solver::report::{self, Report};
 use brinell_solver::solver::Unobserved;
 use serde_json::{Value, json};
 
+use crate::theory::by_deformation_theory;
+
 fn solve(job: &Value) -> (Job, Report) {
-    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?}"));
+    let job =
+        Job::from_value(&by_deformation_theory(job)).unwrap_or_else(|error| panic!("{error:?}"));
     let report = report::run(&job, &mut Unobserved).unwrap();
     (job, report)
 }

@@ -127,7 +127,7 @@ fn peak_pressures_are_below_those_of_deformation_theory() {
     assert_within(three.steps[0].figures.peak_pressure, 1149.0, 2e-3);
     let four = solve(&cylinders(BILINEAR, &up_and_down(4.0), FLOW, 20));
     let load = format!(r#"{{"force": {}}}"#, force(4.0));
-    let deformation = solve(&cylinders(BILINEAR, &load, "{}", 20));
+    let deformation = solve(&cylinders(BILINEAR, &load, r#"{"theory": "deformation"}"#, 20));
     let ratio = four.steps[0].figures.peak_pressure / deformation.steps[0].figures.peak_pressure;
     assert!((ratio - 0.932).abs() < 3e-3, "{ratio}");
 }
@@ -279,7 +279,10 @@ fn what_a_theory_cannot_do_is_refused_by_name() {
     let secant =
         faults(r#"{"force": 100}"#, r#"{"theory": "flow", "coupling": "secant_stiffness"}"#);
     assert!(secant.contains("/solver/coupling"), "{secant}");
-    let memory = faults(r#"{"history": [{"force": 100}, {"force": 0}]}"#, r#"{"increments": 4}"#);
+    let memory = faults(
+        r#"{"history": [{"force": 100}, {"force": 0}]}"#,
+        r#"{"theory": "deformation", "increments": 4}"#,
+    );
     for pointer in
         ["/upper/material/plasticity/backstress", "/load/history/1", "/solver/increments"]
     {

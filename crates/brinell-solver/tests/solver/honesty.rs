@@ -259,7 +259,7 @@ fn a_bilinear_curve_is_said_to_tell_little_of_small_strains() {
     for (strain, is_told) in [(0.002, true), (0.02, false)] {
         let job = cylinders(5000.0, &json!({"target": {"max_plastic_strain": strain}}));
         let report: Result<_, RunError> =
-            report::run(&Job::from_value(&job).unwrap(), &mut Unobserved);
+            report::run(&crate::problems::parse(&job), &mut Unobserved);
         assert_eq!(
             remark(&report.unwrap().steps[0], "bilinear_curve").is_some(),
             is_told,

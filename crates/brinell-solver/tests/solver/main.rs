@@ -17,6 +17,7 @@ mod conforming;
 mod contact_stiffness;
 #[path = "../support/contacts.rs"]
 mod contacts;
+mod default_theory;
 mod error_bars;
 mod exports;
 mod factor_cache;
@@ -54,6 +55,8 @@ mod strength_over_depth;
 mod subsurface;
 mod sweeps;
 mod targets;
+#[path = "../support/theory.rs"]
+mod theory;
 mod thick_cylinder;
 mod traces;
 mod trial_model;

@@ -6,6 +6,8 @@ use brinell_solver::report::{self, Report, StepReport};
 use brinell_solver::solver::{Options, Solution, Unobserved};
 use serde_json::{Value, json};
 
+use crate::theory::by_deformation_theory;
+
 /// Reference force of the paper's problem: elastic peak pressure of three yield stresses \[N/mm\].
 pub const FORCE_3: f64 = 612.6106;
 /// The same for four yield stresses.
@@ -37,12 +39,12 @@ pub fn two_cylinders(support: &str, plasticity: Value, force: f64) -> Value {
 /// The paper's problem, clamped, with a coupling.
 pub fn paper(force: f64, coupling: &str) -> Value {
     let mut job = two_cylinders("clamped", bilinear(), force);
-    job["solver"] = json!({"coupling": coupling});
+    job["solver"] = json!({"theory": "deformation", "coupling": coupling});
     job
 }
 
 pub fn parse(job: &Value) -> Job {
-    Job::from_value(job).unwrap_or_else(|error| panic!("{error:?}"))
+    Job::from_value(&by_deformation_theory(job)).unwrap_or_else(|error| panic!("{error:?}"))
 }
 
 pub fn report(job: &Value) -> Report {

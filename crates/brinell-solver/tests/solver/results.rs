@@ -11,10 +11,13 @@ use brinell_solver::solver::{
 };
 use serde_json::{Value, json};
 
+use crate::theory::by_deformation_theory;
+
 const FORCE: f64 = 612.6106;
 
 fn run(job: &Value) -> Report {
-    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?}"));
+    let job =
+        Job::from_value(&by_deformation_theory(job)).unwrap_or_else(|error| panic!("{error:?}"));
     report::run(&job, &mut Unobserved).unwrap()
 }
 
@@ -411,7 +414,7 @@ impl Observer for Impatient {
 
 #[test]
 fn cancelled_and_timed_out() {
-    let job = Job::from_value(&paper()).unwrap();
+    let job = Job::from_value(&by_deformation_theory(&paper())).unwrap();
     for (interrupt, status, code) in [
         (Interrupt::Cancelled, SolveStatus::Cancelled, "cancelled"),
         (Interrupt::TimedOut, SolveStatus::TimedOut, "timed_out"),
@@ -448,7 +451,9 @@ fn iterations_are_shown_in_the_units_of_the_job() {
     si["load"]["force"] = json!(FORCE * 1e3);
     for (job, peak) in [(paper(), 1.0e3), (si, 1.0e9)] {
         let mut shown = Recorder::default();
-        let report = report::run(&Job::from_value(&job).unwrap(), &mut shown).unwrap();
+        let report =
+            report::run(&Job::from_value(&by_deformation_theory(&job)).unwrap(), &mut shown)
+                .unwrap();
         let history = &report.steps[0].history;
         assert_eq!(&shown.0[shown.0.len() - history.len()..], history.as_slice());
         let last = history.last().unwrap();
@@ -497,7 +502,7 @@ fn steps_of_a_history_are_handed_over_as_they_end() {
     job["solver"] = json!({"theory": "flow"});
     job["mesh"] = json!({"elements_per_half_width": 6});
     job["load"] = json!({"history": [{"force": FORCE}, {"force": 0.5 * FORCE}, {"force": 0}]});
-    let job = Job::from_value(&job).unwrap();
+    let job = Job::from_value(&by_deformation_theory(&job)).unwrap();
     let seen = RefCell::new(Vec::new());
     let mut observer = Steps { seen: &seen, held: [0; 2] };
     let mut on_step = |number, _| seen.borrow_mut().push(('s', number));

@@ -50,7 +50,7 @@ fn job(coupling: &str) -> Job {
                   "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
                       "plasticity": law}},
         "load": {"force": 1200.0}, "mesh": {"elements_per_half_width": 8},
-        "solver": {"coupling": coupling},
+        "solver": {"theory": "deformation", "coupling": coupling},
     });
     Job::from_json(job.to_string().as_bytes()).unwrap()
 }
@@ -67,6 +67,7 @@ fn a_sweep_that_is_stopped_keeps_the_steps_before() {
     let job: Value = json!({
         "analysis": "plane_strain", "upper": cylinder, "lower": cylinder,
         "load": {"forces": [300.0, 330.0, 360.0, 390.0]}, "mesh": {"elements_per_half_width": 5},
+        "solver": {"theory": "deformation"},
     });
     let job = Job::from_json(job.to_string().as_bytes()).unwrap();
     let (mut most, mut stopped) = (0, 0);
@@ -223,6 +224,7 @@ fn the_report_of_a_job_can_be_stopped() {
         "analysis": "plane_strain", "upper": cylinder(500.0), "lower": cylinder(400.0),
         "load": {"force": 400.0},
         "mesh": {"elements_per_half_width": 5}, "output": {"fields": true, "subsurface": true},
+        "solver": {"theory": "deformation"},
     });
     let job = Job::from_json(job.to_string().as_bytes()).unwrap();
     let mut whole = StopSweepAt(usize::MAX);

@@ -14,7 +14,7 @@ const DIGITS: f64 = 0.06;
 /// All sentences of an answer or a refusal, and whether their figures are those of an answer. An
 /// iteration that ends without an answer depends on rounding.
 fn told(job: &Value) -> (Vec<String>, bool) {
-    let Ok(parsed) = Job::from_value(job) else {
+    let Ok(parsed) = Job::from_value(&crate::theory::by_deformation_theory(job)) else {
         return (vec!["refused by the reader".to_owned()], true);
     };
     let report = match report::run(&parsed, &mut Unobserved) {

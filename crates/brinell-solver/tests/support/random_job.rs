@@ -87,11 +87,9 @@ pub fn in_millimetres(random: &mut Random, elements: &[u32]) -> Value {
         "load": load(random, &scale),
         "mesh": {"elements_per_half_width": random.one_of(elements)}});
     let mut solver = Map::new();
-    if is_flow {
-        solver.insert("theory".into(), json!("flow"));
-        if random.happens(0.3) {
-            solver.insert("increments".into(), json!(random.count(5)));
-        }
+    solver.insert("theory".into(), json!(if is_flow { "flow" } else { "deformation" }));
+    if is_flow && random.happens(0.3) {
+        solver.insert("increments".into(), json!(random.count(5)));
     }
     if random.happens(0.15) {
         let coupling = random.one_of(&["strong", "weak", "secant_stiffness"]);

@@ -154,13 +154,12 @@ def job(
         approach: how far the supports approach each other [mm]; the force is an output.
         approaches: several of them, a step each.
         history: loads one after the other, `{"force": F}` or `{"approach": a}`; 0 takes the
-            load away (theory "flow").
+            load away.
         onset: ask for the force at which the contact begins to yield.
         target: ask for the force under which a figure has a value: `{"peak_pressure": 1200}`.
-        rolling: a force that rolls over its track: `{"force": 2000, "friction": 0.2}`; the
-            theory is "flow" then.
-        theory: "deformation" (default) knows one loading; "flow" follows the loads, with
-            dents and residual stress.
+        rolling: a force that rolls over its track: `{"force": 2000, "friction": 0.2}`.
+        theory: "flow" (default) follows the load from rest in increments; "deformation" takes
+            it at once, knows no unloading, and its error has no bound.
         elements_per_half_width: how fine the mesh is (default 20).
         fields: whether the result has mesh and stresses of both bodies, for `result.fields()`.
         contact_stiffness: whether bodies that yield have a contact stiffness too, from two more
@@ -191,7 +190,6 @@ def job(
             ]
         )
     load = _load(given[0], loads[given[0]], {"analysis": analysis})
-    theory = theory or ("flow" if rolling is not None else None)
     settings = {**(solver or {}), **({"theory": theory} if theory else {})}
     document: dict[str, Any] = {
         "analysis": analysis,

@@ -11,10 +11,15 @@ use crate::engine::problem::Problem;
 use crate::engine::solution::SectionField;
 use brinell_contact::{ContactLoad, ContactSolver};
 use brinell_method::history;
-use brinell_method::loads::each_load;
+use brinell_method::loads::{Stretch, each_from_rest, each_load};
 use brinell_method::observer::Interrupt;
 use brinell_method::run::Run;
 use brinell_method::steps::StepReceiver;
+
+/// Elements over the half-width under the first load of a history, at least: from so many on a mesh
+/// is not called coarse. Where fewer are asked for, the contact may still grow by `LEAST_GROWTH`.
+const FEWEST_OF_FIRST: f64 = 10.0;
+const LEAST_GROWTH: f64 = 1.25;
 
 /// The bodies, and how loads on them are solved.
 #[derive(Clone, Copy)]
@@ -28,8 +33,8 @@ pub(super) struct LoadSequence<'a> {
     pub cache: Option<&'a Arc<FactorCache>>,
 }
 
-impl LoadSequence<'_> {
-    /// Solves loads in order and hands over each step as soon as it is finished.
+impl<'a> LoadSequence<'a> {
+    /// Solves loads one after the other and hands over each step as soon as it is finished.
     ///
     /// Where the observer stops it, the steps that are done are kept, and the interrupt says why
     /// the others are missing; before the first of them is done it is an error.
@@ -39,13 +44,55 @@ impl LoadSequence<'_> {
         run: &mut Run<'_>,
         receiver: &mut dyn StepReceiver<SectionField>,
     ) -> Result<Option<Interrupt>, MeshedError> {
-        let mut stepper = LoadStepper::new(self.problem, self.asked, self.contact, self.cache);
-        if let Some(problem) = self.with_memory {
-            let (asked, contact) = (self.asked, self.contact);
-            let bodies = MeshedHistory { problem, sizing: &stepper, asked, contact, loads };
-            let coarse = bodies.coarse(run)?;
-            return history::run(coarse, loads, asked.solver.increments, run, receiver);
+        match self.with_memory {
+            Some(problem) => self.history(problem, Stretch::whole(loads), run, receiver),
+            None => self.independent(loads, run, receiver),
         }
+    }
+
+    /// Solves loads that are each applied to bodies at rest, as [`Self::solve`].
+    pub fn solve_each(
+        &self,
+        loads: &[ContactLoad],
+        run: &mut Run<'_>,
+        receiver: &mut dyn StepReceiver<SectionField>,
+    ) -> Result<Option<Interrupt>, MeshedError> {
+        let Some(problem) = self.with_memory else {
+            return self.independent(loads, run, receiver);
+        };
+        let stepper = self.stepper();
+        let most = (f64::from(self.asked.elements) / FEWEST_OF_FIRST).max(LEAST_GROWTH);
+        let serves = |first, load| stepper.growth(first, load) <= most;
+        each_from_rest(loads, receiver, run, serves, |stretch, run, receiver| {
+            self.history(problem, stretch, run, receiver)
+        })
+    }
+
+    fn stepper(&self) -> LoadStepper<'a> {
+        LoadStepper::new(self.problem, self.asked, self.contact, self.cache)
+    }
+
+    fn independent(
+        &self,
+        loads: &[ContactLoad],
+        run: &mut Run<'_>,
+        receiver: &mut dyn StepReceiver<SectionField>,
+    ) -> Result<Option<Interrupt>, MeshedError> {
+        let mut stepper = self.stepper();
         each_load(loads, receiver, run, |load, next, run| stepper.step(load, next, run))
+    }
+
+    fn history(
+        &self,
+        problem: &Problem,
+        stretch: Stretch<'_>,
+        run: &mut Run<'_>,
+        receiver: &mut dyn StepReceiver<SectionField>,
+    ) -> Result<Option<Interrupt>, MeshedError> {
+        let (asked, contact, loads) = (self.asked, self.contact, stretch.loads);
+        let stepper = self.stepper();
+        let bodies = MeshedHistory { problem, sizing: &stepper, asked, contact, loads };
+        let coarse = bodies.coarse(run)?;
+        history::run(coarse, stretch, asked.solver.increments, run, receiver)
     }
 }

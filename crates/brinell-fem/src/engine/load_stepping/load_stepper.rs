@@ -149,7 +149,7 @@ impl<'a> LoadStepper<'a> {
     }
 
     /// Returns the contact size of an elastic body under the load `to` over that under `from`.
-    fn growth(&self, from: ContactLoad, to: ContactLoad) -> f64 {
+    pub fn growth(&self, from: ContactLoad, to: ContactLoad) -> f64 {
         let exponent = match (self.problem.stress_state, to) {
             (StressState::Axisymmetric, ContactLoad::Force(_)) => 0.4,
             (_, ContactLoad::Force(_)) => 0.6,

@@ -70,7 +70,7 @@ pub fn run_each(
         let interrupt = solution.map(|solution| solution.interrupted);
         reached(&interrupt, &steps)
     };
-    let is_history = asked.solver.theory == Theory::Flow;
+    let is_history = asked.solver.theory == Theory::Flow && !matches!(loads, Loads::Each(_));
     let mut slopes = Slopes::new(receiver, lacks_slope, is_history, &mut under);
     solve(problem, loads, *asked, options, observer, &mut slopes)
 }
@@ -101,7 +101,10 @@ fn solve(
     let mut solution = Solution::default();
     let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
     match loads {
-        Loads::Given(loads) => {
+        Loads::Each(loads) => {
+            solution.interrupted = sequence.solve_each(loads, &mut run, receiver)?;
+        }
+        Loads::History(loads) => {
             solution.interrupted = sequence.solve(loads, &mut run, receiver)?;
         }
         Loads::Sought(sought) => {

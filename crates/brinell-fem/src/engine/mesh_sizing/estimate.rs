@@ -40,8 +40,8 @@ pub fn estimate(contact: &MeshedContact) -> Result<Estimate, MeshedError> {
     let is_history = asked.solver.theory == Theory::Flow;
     let loads = match loads {
         // One mesh for all of a history.
-        Loads::Given(loads) if is_history => largest_loads(loads),
-        Loads::Given(loads) => loads.clone(),
+        Loads::History(loads) if is_history => largest_loads(loads),
+        Loads::Each(loads) | Loads::History(loads) => loads.clone(),
         Loads::Sought(sought) => return nominal(problem, *sought, elements),
     };
     if is_history && loads.is_empty() {

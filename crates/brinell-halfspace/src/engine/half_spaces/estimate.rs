@@ -41,7 +41,7 @@ pub fn estimate(problem: &HalfSpaceProblem) -> Result<HalfSpaceEstimate, HalfSpa
 /// Returns the expected contacts under the largest loads.
 fn of_loads(problem: &HalfSpaceProblem) -> Result<Vec<Expected>, HalfSpaceError> {
     Ok(match &problem.loads {
-        Loads::Given(loads) => {
+        Loads::Each(loads) | Loads::History(loads) => {
             largest_loads(loads).into_iter().filter_map(|load| problem.expected(load)).collect()
         }
         Loads::Sought(sought) => {

@@ -143,6 +143,16 @@ impl Memory for HalfSpaceEngine<'_> {
     }
 }
 
+/// Returns the size of the contact under a load over that under a smaller one, of bodies that
+/// yield.
+pub(super) fn contact_growth(from: ContactLoad, to: ContactLoad) -> f64 {
+    let exponent = match to {
+        ContactLoad::Force(_) => FORCE_EXPONENT,
+        ContactLoad::Approach(_) => APPROACH_EXPONENT,
+    };
+    (to.magnitude() / from.magnitude()).powf(exponent.recip())
+}
+
 /// Returns the engine of a history on a grid of half the cells, and the design of its grid.
 pub(super) fn coarse<'a>(
     problem: &'a HalfSpaceProblem,

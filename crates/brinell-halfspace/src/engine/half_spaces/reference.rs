@@ -241,7 +241,7 @@ mod tests {
             conformity: Conformity::default(),
             rollers: Vec::new(),
             heights: None,
-            loads: Loads::Given(vec![ContactLoad::Force(100.0)]),
+            loads: Loads::Each(vec![ContactLoad::Force(100.0)]),
             cells_per_semi_axis: 10,
             cells_of_slopes: None,
             onset: None,

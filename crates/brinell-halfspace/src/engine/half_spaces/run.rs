@@ -1,7 +1,7 @@
 //! Solves a problem: its given loads, or the force of a sought figure.
 
 use super::error::HalfSpaceError;
-use super::given::given;
+use super::given::{each, given};
 use super::problem::HalfSpaceProblem;
 use super::search;
 use super::step::{HalfSpaceField, HalfSpaceStep};
@@ -31,7 +31,7 @@ pub struct HalfSpaceRun {
 }
 
 /// Solves the loads of a problem, or searches for the force of a sought figure. By flow theory
-/// each load starts from the state after the load before.
+/// each load of a history starts from the state after the load before.
 ///
 /// # Errors
 /// [`HalfSpaceError`]. An iteration that does not converge is no error: its step has the
@@ -51,7 +51,8 @@ pub fn run_each(
         let interrupt = solve(&problem, observer, &mut steps).map(|done| done.interrupted);
         reached(&interrupt, &steps)
     };
-    let is_history = problem.solver.theory == Theory::Flow;
+    let is_history =
+        problem.solver.theory == Theory::Flow && !matches!(problem.loads, Loads::Each(_));
     solve(problem, observer, &mut Slopes::new(receiver, lacks_slope, is_history, &mut under))
 }
 
@@ -69,7 +70,8 @@ fn solve(
     let mut done = HalfSpaceRun::default();
     let mut run = Run { phases: &mut done.phases, passes: &mut done.grids, observer };
     match &problem.loads {
-        Loads::Given(loads) => done.interrupted = given(problem, loads, &mut run, receiver)?,
+        Loads::Each(loads) => done.interrupted = each(problem, loads, &mut run, receiver)?,
+        Loads::History(loads) => done.interrupted = given(problem, loads, &mut run, receiver)?,
         Loads::Sought(sought) => {
             let (steps, sensitivity) = search::run(problem, *sought, &mut run)?;
             for step in steps {

@@ -1,7 +1,7 @@
 //! Estimate of memory and work of a job in three dimensions.
 
 use crate::inputs::{of_small_mesh, small_solves};
-use crate::job::{Job, Theory};
+use crate::job::Job;
 use crate::report::run::{
     FIELD_COPIES, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
     steps_and_solves,
@@ -47,7 +47,7 @@ pub(super) fn estimate(
     let along = if problem.rollers.is_empty() { 0 } else { rows };
     let step = STEP_BYTES + ROW_BYTES * (columns + rows + along + layers) + maps;
     let work = (volume / WORK_UNIT).max(1);
-    let is_history = job.solver.theory == Theory::Flow;
+    let is_history = job.has_memory();
     let [of_load, increments] = if is_history { increments_of(job, steps) } else { [0; 2] };
     let preliminary = if is_history {
         size_of::<f64>() as u64 * steps * (PRELIMINARY * volume * bodies / 8 + 3 * surface / 4)

@@ -3,7 +3,7 @@
 use super::spots;
 use super::step::largest_strain;
 use crate::inputs::along_axes;
-use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller, Theory};
+use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
 use crate::report::findings::{
     CasePlace, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged, Wide, Work,
@@ -47,7 +47,7 @@ pub(super) fn findings(
     let search = Work::Search {
         meshes: step.search.systems,
         of_cells: true,
-        of_histories: job.solver.theory == Theory::Flow,
+        of_histories: job.has_memory(),
         force: step.figures.force,
     };
     findings.extend(long_search(search));
@@ -58,7 +58,7 @@ pub(super) fn findings(
     }
     let strain =
         step.figures.bodies.iter().map(|body| body.max_plastic_strain).fold(0.0, f64::max);
-    let is_history = job.solver.theory == Theory::Flow;
+    let is_history = job.has_memory();
     let last = is_history.then_some(step.path.last_increment);
     findings.extend(large_strain(strain, step.checks.has_collapsed, last));
     if strain > 0.0 && !is_history {
@@ -162,7 +162,7 @@ fn status(job: &Job, step: &HalfSpaceStep) -> Option<Finding> {
         has_collapsed: step.checks.has_collapsed,
         reaches_edge: step.checks.reaches_edge,
         inherits_error: step.path.last_increment.inherits_error,
-        is_history: job.solver.theory == Theory::Flow,
+        is_history: job.has_memory(),
         is_elastic: step.field.bodies.iter().flatten().all(|body| body.largest_strain.is_none()),
     };
     match step.status {

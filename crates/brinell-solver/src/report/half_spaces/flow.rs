@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::step::{of_bodies, section_along_x};
-use crate::job::{Job, Material, Theory};
+use crate::job::{Job, Material};
 use crate::report::flow::NOTICEABLE;
 use crate::report::{EnergyReport, FlowReport, IncrementsReport, PerBody, SurfaceReport};
 use crate::solver::half_spaces::{EllipticReference, HalfSpaceBody, HalfSpaceStep};
@@ -28,10 +28,10 @@ impl FlowState {
         reference: &EllipticReference,
         write: UnitConverter,
     ) -> Option<FlowReport> {
-        if job.solver.theory != Theory::Flow {
+        if !job.has_memory() {
             return None;
         }
-        let falls = step.figures.force < self.force;
+        let falls = job.load.is_history() && step.figures.force < self.force;
         if falls && self.before_unloading.is_none() {
             self.before_unloading = Some(self.bodies.clone());
         } else if !falls {

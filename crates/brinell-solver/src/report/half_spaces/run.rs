@@ -8,7 +8,7 @@ use super::flow::FlowState;
 use super::measured::measured;
 use super::step::StepWriter;
 use crate::inputs::{half_spaces, half_spaces_with_reference};
-use crate::job::{FieldError, Job, Load, Named as _, Theory};
+use crate::job::{FieldError, Job, Load, Named as _};
 use crate::report::answers::{Measured, is_dented};
 use crate::report::build::{timings, worse};
 use crate::report::findings::left_unknown;
@@ -58,13 +58,10 @@ pub fn run_each(
     Ok(Report {
         units: job.units.name().to_owned(),
         analysis: job.analysis.name().to_owned(),
+        theory: job.theory().map(|theory| theory.name().to_owned()),
         status: status.unwrap_or(SolveStatus::Cancelled),
         steps: Vec::new(),
-        load_approach: if job.solver.theory == Theory::Flow {
-            load_approach::history(&seen.curve, write)
-        } else {
-            load_approach::curve(seen.curve, write)
-        },
+        load_approach: load_approach::of_job(job, seen.curve, write),
         target: seen.target.finish(job, done.sensitivity, write),
         hardness: None,
         mesh: MeshReport { passes: done.grids, ..seen.mesh },
@@ -124,7 +121,7 @@ impl StepReceiver<HalfSpaceField> for Steps<'_> {
         let flow = seen.flow.report(job, &step, reference, write);
         step.path.unknown_before = seen.unknown;
         let findings = findings(job, self.writer.problem, &step);
-        if flow.is_some() {
+        if flow.is_some() && job.load.is_history() {
             seen.unknown = left_unknown(seen.unknown, &findings);
         }
         let force = step.figures.force;
@@ -133,6 +130,7 @@ impl StepReceiver<HalfSpaceField> for Steps<'_> {
             ..measured(job, self.writer.problem, reference, &step, &findings)
         };
         if flow.is_some()
+            && job.load.is_history()
             && step.field.bodies.iter().flatten().any(|body| body.largest_strain.is_some())
         {
             seen.dented_under = seen.dented_under.max(force);
@@ -270,7 +268,7 @@ mod tests {
 
     #[test]
     fn what_did_not_converge_has_no_bars_and_a_cause() {
-        let changes = json!({"load": {"force": 70}, "solver": {"max_iterations": 3}});
+        let changes = json!({"load": {"force": 70}, "solver": {"theory": "deformation", "max_iterations": 3}});
         let step = &ball(&perfect(), &changes).steps[0];
         assert_eq!(step.status, SolveStatus::NotConverged);
         assert_eq!(step.estimated_error, None);
@@ -296,7 +294,12 @@ mod tests {
 
     #[test]
     fn falling_loads_and_wrong_units_are_told() {
-        let steps = ball(&hardening(), &json!({"load": {"forces": [70, 30]}})).steps;
+        let steps = ball(
+            &hardening(),
+            &json!({"load": {"history": [{"force": 70}, {"force": 30}]},
+                "solver": {"theory": "deformation"}}),
+        )
+        .steps;
         assert!(steps.iter().all(|step| message(step, "falling_loads").is_some()));
         let soft = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
         let changes = json!({

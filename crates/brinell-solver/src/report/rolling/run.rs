@@ -82,6 +82,7 @@ pub fn run_each(
     Ok(Report {
         units: job.units.name().to_owned(),
         analysis: job.analysis.name().to_owned(),
+        theory: job.theory().map(|theory| theory.name().to_owned()),
         status,
         steps: Vec::new(),
         load_approach: None,
