@@ -554,3 +554,77 @@ fn a_service_that_is_not_there_is_not_well() {
         Some(1)
     );
 }
+
+#[test]
+fn the_tasks_of_an_array_solve_each_job_once() {
+    let folder = std::env::temp_dir().join(format!("brinell-array-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let jobs = folder.join("jobs.jsonl");
+    let line = |force: f64| {
+        let mut job = example();
+        job["mesh"] = json!({ "elements_per_half_width": 4 });
+        job["output"] = json!({ "fields": force > 400.0 });
+        job["load"] = json!({ "force": force });
+        job.to_string()
+    };
+    let good: Vec<String> = (1..=5).map(|k| line(100.0 * f64::from(k))).collect();
+    std::fs::write(&jobs, good.join("\n")).unwrap();
+    let out = folder.join("results");
+    let [jobs, out] = [&jobs, &out].map(|path| path.to_str().unwrap());
+    let task = |id: &str| {
+        let slurm = [("ID", id), ("MIN", "10"), ("STEP", "5"), ("COUNT", "2")];
+        let output = Command::new(env!("CARGO_BIN_EXE_brinell"))
+            .args(["solve", "--array", jobs, "--out", out])
+            .envs(slurm.map(|(name, value)| (format!("SLURM_ARRAY_TASK_{name}"), value)))
+            .output()
+            .unwrap();
+        (output.status.code(), stderr(&output))
+    };
+    let kept = || {
+        let files = std::fs::read_dir(out).unwrap().map(|file| file.unwrap());
+        let times =
+            files.map(|file| (file.file_name(), file.metadata().unwrap().modified().unwrap()));
+        times.collect::<std::collections::BTreeMap<_, _>>()
+    };
+    assert_eq!(task("10"), (Some(0), String::new()));
+    assert_eq!(kept().len(), 4, "lines 1, 3 and 5, the last with fields");
+    assert_eq!(task("15"), (Some(0), String::new()));
+    let all = kept();
+    assert_eq!(all.len(), 6);
+    // Again, with a line that is no job: what is there stays.
+    std::fs::write(jobs, [&good[..], &["{}".to_owned()]].concat().join("\n")).unwrap();
+    let output = brinell(&["solve", "--array", jobs, "--out", out], "");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).contains("jobs.jsonl line 6 is not a valid job"),
+        "{}",
+        stderr(&output)
+    );
+    assert_eq!(kept(), all);
+    let of = |force: f64| {
+        let output = brinell(&["solve", "-"], &line(force));
+        let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+        report["steps"][0]["contact"].clone()
+    };
+    let solved: Vec<Value> = all
+        .keys()
+        .filter(|name| name.to_str().unwrap().ends_with(".jsonl"))
+        .map(|name| {
+            let text = std::fs::read_to_string(Path::new(out).join(name)).unwrap();
+            let lines: Vec<Value> =
+                text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+            let [summary, job, report] = &lines[..] else { panic!("three lines") };
+            assert_eq!(summary["steps"][0]["answers"], report["steps"][0]["answers"]);
+            assert_eq!(summary["steps"][0]["history"], json!([]));
+            assert!(report["steps"][0].get("fields").is_none());
+            assert!(good.contains(&job.to_string()));
+            report["steps"][0]["contact"].clone()
+        })
+        .collect();
+    assert!((1..=4).all(|k| solved.contains(&of(100.0 * f64::from(k)))));
+    // A gap in the numbers of the tasks would leave jobs out.
+    let (code, said) = task("12");
+    assert_eq!(code, Some(2));
+    assert!(said.contains("SLURM_ARRAY_TASK_ID"), "{said}");
+    std::fs::remove_dir_all(folder).unwrap();
+}

@@ -3,6 +3,7 @@
 //! Exit codes: 0 done (and, for `solve`, converged), 1 the program or its surroundings are at
 //! fault, 2 bad input or usage, 3 not converged.
 
+mod array;
 mod backup;
 mod client;
 mod demo;

@@ -2,12 +2,13 @@
 
 use std::io::{self, IsTerminal};
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
 use super::NOT_CONVERGED;
+use super::array::{ArrayArgs, solve_array};
 use super::fault::Fault;
 use super::input::{read_job, write_answer};
 use super::progress::ProgressLine;
@@ -23,8 +24,8 @@ use brinell_solver::solver::SolveStatus;
 #[derive(Debug, Args)]
 pub(super) struct SolveArgs {
     /// The job (JSON); - is standard input
-    #[arg(value_name = "FILE")]
-    job: PathBuf,
+    #[arg(value_name = "FILE", required_unless_present = "array", conflicts_with = "array")]
+    job: Option<PathBuf>,
 
     /// How to print the result [default: table on a terminal, json elsewhere]
     #[arg(long, value_enum)]
@@ -38,6 +39,9 @@ pub(super) struct SolveArgs {
     /// Where to write the result [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+
+    #[command(flatten)]
+    array: ArrayArgs,
 }
 
 impl SolveArgs {
@@ -106,7 +110,10 @@ impl ResultFormat {
 }
 
 pub(super) fn solve(args: &SolveArgs) -> Result<ExitCode, Fault> {
-    let (name, mut job) = read_job(&args.job)?;
+    if let Some(jobs) = &args.array.array {
+        return solve_array(jobs, &args.array);
+    }
+    let (name, mut job) = read_job(args.job.as_deref().unwrap_or(Path::new("-")))?;
     let format = args.format();
     if let Some(form) = format.export() {
         form.require(&mut job);

@@ -82,6 +82,7 @@ pub use metrics::{Metrics, metrics_router, worker_router};
 pub use problem::Problem;
 pub use problem_type::ProblemType;
 pub use request_log::REQUEST_DURATION;
+pub(crate) use selection::summary;
 pub use streams::EVENT_STREAMS;
 pub use tls::{TlsError, TlsIdentity};
 

@@ -28,6 +28,15 @@ pub(super) fn edit_report(report: &[u8], selection: &Selection) -> Result<Bytes,
     Ok(serde_json::to_vec(&report).map_err(StoreError::unavailable)?.into())
 }
 
+/// Keeps none of the large parts of a report.
+pub(crate) fn summary(report: &[u8]) -> Result<Vec<u8>, serde_json::Error> {
+    let mut report: Value = serde_json::from_slice(report)?;
+    for step in report["steps"].as_array_mut().into_iter().flatten() {
+        keep(step, &[]);
+    }
+    serde_json::to_vec(&report)
+}
+
 /// Keeps the requested parts of a step.
 pub(super) fn edit(step: &[u8], selection: &Selection) -> Result<Bytes, serde_json::Error> {
     let mut step = serde_json::from_slice(step)?;

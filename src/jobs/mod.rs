@@ -52,7 +52,7 @@ pub use keys::{
 };
 pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
-pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult};
+pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult, take_fields};
 pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;

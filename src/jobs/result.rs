@@ -26,12 +26,7 @@ impl StepResult {
     /// # Errors
     /// [`EncodeError`] if a number in it is NaN or infinite.
     pub fn encode(number: usize, mut report: StepReport) -> Result<Self, EncodeError> {
-        let fields = report.fields.take().map(|fields| encode_fields(&fields));
-        let layers = || report.layers.take().map(|layers| encode_layers(&layers));
-        let fields = fields
-            .or_else(layers)
-            .transpose()
-            .map_err(|error| EncodeError::Altered(error.to_string()))?;
+        let fields = take_fields(&mut report)?;
         let report = Deflated::compress(&encode(&report)?)?;
         Ok(Self { number, report, fields: fields.map(Bytes::from) })
     }
@@ -46,6 +41,16 @@ impl StepResult {
     pub fn bytes(&self) -> usize {
         self.report.packed().len() + self.fields.as_ref().map_or(0, Bytes::len)
     }
+}
+
+/// Takes the fields or layers out of the report of a step, as [`encode_fields`] writes them.
+///
+/// # Errors
+/// [`EncodeError`] if a number in them is NaN or infinite.
+pub fn take_fields(report: &mut StepReport) -> Result<Option<Vec<u8>>, EncodeError> {
+    let fields = report.fields.take().map(|fields| encode_fields(&fields));
+    let layers = || report.layers.take().map(|layers| encode_layers(&layers));
+    fields.or_else(layers).transpose().map_err(|error| EncodeError::Altered(error.to_string()))
 }
 
 /// Size \[bytes\] of the stored parts of fields; the last part is shorter.
