@@ -22,7 +22,7 @@ service.test(
     await shown(page, SWEEP);
     const panel = page.locator('#panel-figures');
     assert.equal(await panel.locator('tbody tr').count(), 3);
-    await panel.getByRole('button', { name: 'Copy' }).click();
+    await taken(page, 'Copy: figures');
     await page.getByText('Table copied').waitFor();
     const lines = (await clipboard(page))
       .trim()
@@ -34,21 +34,18 @@ service.test(
     );
     assert.equal(Number(lines[3][1]), 612);
     assert.ok(lines[3][4].length > 10, 'figures go out in full');
-    await panel.getByRole('button', { name: 'Markdown' }).click();
+    await taken(page, 'Markdown: figures');
     await page.getByText('Markdown copied').waitFor();
     assert.match(
       await clipboard(page),
       /^\| step \| force \[N\/mm\] \|.*\n\| --: \| --: \|.*\n\| 1 \| 100\.00 \|/,
     );
-    await panel.getByRole('button', { name: 'LaTeX' }).click();
+    await taken(page, 'LaTeX: figures');
     await page.getByText('LaTeX copied').waitFor();
     const latex = await clipboard(page);
     assert.match(latex, /\\begin\{tabular\}\{r+l\}\n\\toprule\nstep & force \[N\/mm\]/);
     assert.match(latex, /dP\/d\$\\alpha\$/);
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      panel.getByRole('button', { name: 'CSV' }).click(),
-    ]);
+    const [file] = await Promise.all([page.waitForEvent('download'), taken(page, 'CSV: figures')]);
     assert.equal((await readFile(await file.path(), 'utf8')).split('\n').length, 5);
     await panel.locator('tbody tr').first().click();
     await page.locator('.steps output').getByText('1 of 3').waitFor();
