@@ -608,7 +608,7 @@ fn the_tasks_of_an_array_solve_each_job_once() {
     };
     let solved: Vec<Value> = all
         .keys()
-        .filter(|name| name.to_str().unwrap().ends_with(".jsonl"))
+        .filter(|name| Path::new(name).extension().is_some_and(|one| one == "jsonl"))
         .map(|name| {
             let text = std::fs::read_to_string(Path::new(out).join(name)).unwrap();
             let lines: Vec<Value> =

@@ -209,7 +209,8 @@ fn archive(fields: &[u8]) -> Result<Vec<u8>, Fault> {
 fn digest(document: &Value) -> String {
     let mut hash = Sha256::new();
     feed(document, &mut hash);
-    hash.finalize()[..16].iter().map(|byte| format!("{byte:02x}")).collect()
+    let bits = hash.finalize().first_chunk().copied().map_or(0, u128::from_be_bytes);
+    format!("{bits:032x}")
 }
 
 fn feed(value: &Value, hash: &mut Sha256) {
@@ -224,7 +225,9 @@ fn feed(value: &Value, hash: &mut Sha256) {
         Value::String(text) => feed_text(text, hash),
         Value::Array(list) => {
             hash.update(b"[");
-            list.iter().for_each(|one| feed(one, hash));
+            for one in list {
+                feed(one, hash);
+            }
             hash.update(b"]");
         }
         Value::Object(members) => {
