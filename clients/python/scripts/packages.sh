@@ -5,13 +5,18 @@
 #
 #     clients/python/scripts/packages.sh [PROFILE]
 #
-# PROFILE is that of the server's program: `release`, unless it is only a check.
+# PROFILE is that of the server's program: `release`, unless it is only a check. Needs Rust, and Python with venv.
 set -euo pipefail
 profile=${1:-release}
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-python=$PWD/target/python/bin/python
 dist=$PWD/target/python-dist
 rm -rf "$dist"
+
+# The tools that build, in an environment of their own.
+[ -x target/packages/bin/python ] || python3 -m venv target/packages
+python=$PWD/target/packages/bin/python
+mapfile -t tools < <(grep -E '^(build|maturin)==' clients/python/requirements.txt)
+"$python" -m pip install --quiet --disable-pip-version-check "${tools[@]}"
 
 "$python" -m build --outdir "$dist" clients/python/brinell
 (cd clients/python/server && CARGO_TARGET_DIR=$OLDPWD/target/python-server \

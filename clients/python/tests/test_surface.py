@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import runpy
 import struct
 from pathlib import Path
 from typing import Any
@@ -355,41 +356,12 @@ def test_the_page_of_the_documents_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Its blocks, one after the other, on files that are written here."""
-    topography = pytest.importorskip("SurfaceTopography")
-    from SurfaceTopography.IO.NC import write_nc_uniform
-    from SurfaceTopography.IO.X3P import write_x3p
-
+    pytest.importorskip("SurfaceTopography")
     monkeypatch.chdir(tmp_path)
-    rng = np.random.default_rng(7)
-    kx, ky = np.fft.fftfreq(128)[:, None], np.fft.rfftfreq(96)[None, :]
-    k = np.hypot(kx, ky)
-    waves = np.where(k > 0, np.maximum(k, 0.02), np.inf) ** -1.8 * (k < 0.08)
-    noise = rng.normal(size=k.shape) + 1j * rng.normal(size=k.shape)
-    heights = np.fft.irfft2(waves * noise, (128, 96))
-    heights *= 0.2e-6 / heights.std()
-    heights += 1e-9 * np.arange(128)[:, None]
-    mask = np.zeros(heights.shape, bool)
-    mask[40:44, 50:55] = mask[90, 10] = True
-    step = 2e-6
-    masked = np.ma.masked_array(heights, mask=mask)
-    measured = topography.Topography(masked, (128 * step, 96 * step), unit="m")
-    write_x3p(measured, "scan.x3p")
-    write_nc_uniform(measured, "scan.nc")
-    rows = [
-        "\t".join("nan" if hole else f"{z:.9e}" for z, hole in zip(line, holes, strict=True))
-        for line, holes in zip(heights.T[::-1], mask.T[::-1], strict=True)
-    ]
-    head = ["# Channel: Z", "# Width: 256.0 µm", "# Height: 192.0 µm", "# Value units: m"]
-    Path("scan.txt").write_text("\n".join([*head, *rows]), "utf-8")
-    x = 1e-3 * np.arange(4000)
-    trace = [
-        f"{a:.3f}, {b:.6f}" for a, b in zip(x, np.cos(x) + rng.normal(size=4000), strict=True)
-    ]
-    Path("trace.csv").write_text("x [mm], z [µm]\n" + "\n".join(trace), "utf-8")
-
+    runpy.run_path(str(ROOT / "clients/python/scripts/scans.py"))
     document = (ROOT / "docs/measured_surface.md").read_text("utf-8")
     blocks = re.findall(r"```python\n(.*?)```", document, re.DOTALL)
-    assert len(blocks) == 4
+    assert len(blocks) == 5
     names: dict[str, Any] = {}
     for block in blocks:
         exec(compile(block, "docs/measured_surface.md", "exec"), names)
@@ -399,6 +371,12 @@ def test_the_page_of_the_documents_runs(
     assert "cut-off λ_c 800 µm" in said
     assert names["result"].converged
     assert 0 < names["result"].steps[0].data["three_dimensional"]["surface"]["contact_ratio"] < 1
+    # The table of the self-affine surface, which is the last that was made.
+    job = {**names["job"], "upper": {**names["job"]["upper"], "surface": names["rough"]}}
+    contact = brinell.Client().solve(job).steps[0].data["three_dimensional"]["surface"]
+    (row,) = re.findall(r"\n\| 2 \| .*", document)
+    assert f" {100 * contact['contact_ratio']:.2f} % " in row
+    assert f" {contact['nominal_pressure']:.1f} " in row
 
 
 def test_the_line_of_the_documents_saves_a_masked_array(

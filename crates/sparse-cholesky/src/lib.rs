@@ -11,7 +11,7 @@
 //! - [`Cholesky::trailing_inverse`] takes the last rows and columns of `A⁻¹` from the last
 //!   diagonal block of `L`.
 //!
-//! The README has an example. This is the only crate of the workspace that names faer.
+//! The README has an example. Of the workspace this crate and `dense-cholesky` use faer.
 
 mod cholesky;
 mod elimination;
