@@ -60,11 +60,11 @@ core:
 
 # The reference problem over HTTP, shown
 demo:
-    cargo run --release -- demo
+    cargo run -- demo
 
 # The service on 127.0.0.1:8080
 serve:
-    cargo run --release -- serve
+    cargo run -- serve
 
 # What is written from the program anew: api/openapi.json, web/setup/tables.js, web/wire.js
 generate:

@@ -311,6 +311,9 @@ fn the_table_begins_with_the_answer() {
     let table = stdout(&brinell(&["solve", "-", "--format", "table"], &target.to_string()));
     let second = table.lines().nth(1).expect("two lines");
     assert!(second.starts_with("force for a peak pressure of 900 MPa: "), "{table}");
+    // The force has one error bar.
+    let forces = table.lines().filter(|line| line.starts_with("force") && line.contains('±'));
+    assert_eq!(forces.count(), 1, "{table}");
 }
 
 #[test]
@@ -401,11 +404,113 @@ fn files_that_are_not_there_and_places_that_cannot_be_written() {
     let output = brinell(&["solve", "no/such/job.json"], "");
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("no/such/job.json"));
-    let output = brinell(&["solve", EXAMPLE, "-o", "no/such/place.json"], "");
+    // Before the solve, which would take minutes.
+    let output = brinell(
+        &["solve", EXAMPLE, "--set", "/mesh/elements_per_half_width=320", "-o", "no/such/place"],
+        "",
+    );
     assert_eq!(output.status.code(), Some(1));
-    assert!(stderr(&output).contains("no/such/place.json"));
+    assert!(stderr(&output).contains("no/such/place"));
     assert_eq!(brinell(&["solve"], "").status.code(), Some(2));
     assert_eq!(brinell(&["dissolve"], "").status.code(), Some(2));
+}
+
+/// What was there stays until there is an answer.
+#[test]
+fn a_solve_that_fails_leaves_files_alone() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kept.json");
+    let name = path.to_str().unwrap();
+    let solve = || brinell(&["solve", EXAMPLE, "--format", "vtr", "-o", name], "");
+    let _ = std::fs::remove_file(&path);
+    assert_eq!(solve().status.code(), Some(1));
+    assert!(!path.exists());
+    std::fs::write(&path, "kept").unwrap();
+    assert_eq!(solve().status.code(), Some(1));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "kept");
+    let output = brinell(&["validate", EXAMPLE, "--format", "json"], "");
+    assert_eq!(output.status.code(), Some(0));
+    let output = brinell(&["solve", EXAMPLE, "--format", "summary-csv", "-o", name], "");
+    assert_eq!(output.status.code(), Some(0));
+    assert!(std::fs::read_to_string(&path).unwrap().starts_with("step,status,force"));
+}
+
+#[test]
+fn members_of_a_job_are_set() {
+    let equations = |args: &[&str]| {
+        let output = brinell(&[&["validate", EXAMPLE], args].concat(), "");
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()["estimate"]["equations"].as_u64()
+    };
+    let fine = ["--set", "/mesh/elements_per_half_width=40", "--set", "/title=fine"];
+    assert!(equations(&fine) > equations(&[]));
+    for (setting, told) in [
+        ("/load/force=-1", "/load/force: must be"),
+        ("/upper/shape/radius/x=1", "--set /upper/shape/radius/x: the job has no such place"),
+        ("load=1", "JSON pointer"),
+        ("/load", "JSON pointer"),
+    ] {
+        let output = brinell(&["validate", EXAMPLE, "--set", setting], "");
+        assert_eq!(output.status.code(), Some(2));
+        assert!(stderr(&output).contains(told), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn a_long_sweep_has_a_line_for_each_load() {
+    let forces = "/load={\"forces\": [100, 200, 300, 400, 500, 600, 700, 800]}";
+    let coarse = ["--set", "/mesh/elements_per_half_width=6", "--set", forces];
+    let table = |more: &[&str]| {
+        let output =
+            brinell(&[&["solve", EXAMPLE, "--format", "table"], &coarse[..], more].concat(), "");
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        stdout(&output)
+    };
+    let short = table(&[]);
+    assert!(short.lines().all(|line| line.chars().count() <= 80), "{short}");
+    assert!(short.lines().count() < 40, "{short}");
+    for force in 1..=8 {
+        let row = short.lines().find(|line| line.starts_with(&format!("   {force} ")));
+        assert!(row.is_some_and(|row| row.contains(&format!("{force}00.00"))), "{short}");
+    }
+    let third = table(&["--step", "3"]);
+    assert!(third.contains("force 300.0000 N/mm") && !third.contains("force 400"), "{third}");
+    let output = brinell(&["solve", EXAMPLE, "--format", "table", "--step", "2"], "");
+    assert_eq!(
+        (output.status.code(), stderr(&output).as_str()),
+        (Some(2), "error: there is no step 2\n")
+    );
+}
+
+#[test]
+fn examples_are_printed_and_can_be_solved() {
+    let names = stdout(&brinell(&["example"], ""));
+    assert!(names.lines().count() > 10 && names.lines().any(|name| name == "two_cylinders"));
+    let job = brinell(&["example", "ball_in_raceway"], "");
+    assert_eq!(brinell(&["validate", "-"], &stdout(&job)).status.code(), Some(0));
+    let output = brinell(&["example", "two_cylinder"], "");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("two_cylinders"), "{}", stderr(&output));
+}
+
+#[test]
+fn shells_complete_commands_and_options() {
+    for shell in ["bash", "zsh", "fish"] {
+        let script = stdout(&brinell(&["completions", shell], ""));
+        assert!(script.contains("validate") && script.contains("factor-cache"), "{shell}");
+    }
+}
+
+#[test]
+fn keys_are_not_looked_for_where_there_is_no_database() {
+    let nowhere = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no_database_here");
+    let id = "0197e1f0-0000-7000-8000-000000000000";
+    for args in [&["list"][..], &["revoke", id], &["rotate", id], &["limit", id]] {
+        let place = ["--data-dir", nowhere.to_str().unwrap()];
+        let output = brinell(&[&["key"], args, &place].concat(), "");
+        assert_eq!(output.status.code(), Some(1));
+        assert!(stderr(&output).contains("there is no database in"), "{}", stderr(&output));
+        assert!(!nowhere.exists());
+    }
 }
 
 #[test]
@@ -429,6 +534,14 @@ fn the_demonstration_goes_the_whole_way_and_ends_without_a_terminal() {
     {
         assert!(shown.contains(expected), "{expected:?} is missing:\n{shown}");
     }
+    assert!(!stderr(&output).contains("INFO"), "{}", stderr(&output));
+}
+
+#[test]
+fn an_address_that_cannot_be_is_bad_input() {
+    let output = brinell(&["serve", "--data-dir", ":memory:", "--listen", "127.0.0.1:99999"], "");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("--listen"), "{}", stderr(&output));
 }
 
 #[test]

@@ -8,7 +8,9 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::{fs, path::Path};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 type Module = Vec<String>;
 
@@ -147,4 +149,26 @@ fn no_files_import_each_other() {
     }
     assert!(count > 300, "the imports of {count} files only have been found");
     assert!(circles.is_empty(), "imports that lead back: {circles:#?}");
+}
+
+/// The packages of the two commands of README.md, each with its features.
+fn packages(edges: &str) -> BTreeSet<String> {
+    let tree = Command::new(env!("CARGO"))
+        .args(["tree", "--offline", "--locked", "--prefix", "none", "--format", "{p} {f}"])
+        .args(["--edges", edges])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    assert!(tree.status.success(), "{}", String::from_utf8_lossy(&tree.stderr));
+    let text = String::from_utf8(tree.stdout).unwrap();
+    text.lines().map(|line| line.trim_end_matches(" (*)").to_owned()).collect()
+}
+
+/// `cargo test` after `cargo run -- demo` builds nothing of it again.
+#[test]
+fn tests_take_every_package_of_the_program_as_it_is() {
+    let (program, tests) = (packages("normal,build"), packages("normal,build,dev"));
+    let built_again: Vec<_> = program.difference(&tests).collect();
+    assert!(program.len() > 200 && tests.len() > program.len(), "cargo tree prints packages");
+    assert!(built_again.is_empty(), "other features for the tests: {built_again:#?}");
 }

@@ -110,7 +110,7 @@ async fn show_a_job(client: &Client) -> Result<(JobId, Report), Fault> {
     let address = format!("{}/result", submitted.links.job);
     say(&format!("GET {address}\n200 {state}\n\n"))?;
     let report: Report = client.get(&address).await?;
-    say(&table(&job, &report, style))?;
+    say(&table(&job, &report, None, style))?;
     Ok((submitted.id, report))
 }
 

@@ -31,6 +31,9 @@ pub(super) enum Fault {
     /// The text is not a job.
     #[error("{name} is {error}")]
     Syntax { name: String, error: JobError },
+    /// No member of the job is there.
+    #[error("--set {0}: the job has no such place")]
+    Setting(String),
     /// The job is at fault.
     #[error("{name} is not a valid job")]
     Fields { name: String, errors: Vec<FieldError> },
@@ -83,8 +86,15 @@ impl Fault {
         match self {
             Self::Read { .. }
             | Self::Syntax { .. }
+            | Self::Setting(_)
             | Self::Fields { .. }
             | Self::Export(ExportError::NoStep(_)) => BAD_INPUT,
+            // An address that cannot be one, as with the port 99999.
+            Self::App(AppError::Listen { source, .. })
+                if source.kind() == io::ErrorKind::InvalidInput =>
+            {
+                BAD_INPUT
+            }
             _ => FAILED,
         }
     }

@@ -11,7 +11,7 @@ use jiff::{Span, Timestamp};
 use super::block_on;
 use super::fault::Fault;
 use super::input::write_answer;
-use crate::app::open_keys;
+use crate::app::{open_existing, open_keys};
 use crate::config::StorageConfig;
 use crate::jobs::{ApiKey, Clock, KeyId, KeyLimits, Scope, SystemClock, new_secret};
 use crate::telemetry::AUDIT;
@@ -138,7 +138,7 @@ pub(super) fn key(args: &KeyArgs) -> Result<ExitCode, Fault> {
             }
             KeyCommand::List { storage } => {
                 let now = SystemClock.now();
-                open_keys(storage)
+                open_existing(storage)
                     .await?
                     .keys(None)
                     .await?
@@ -147,7 +147,7 @@ pub(super) fn key(args: &KeyArgs) -> Result<ExitCode, Fault> {
                     .collect()
             }
             KeyCommand::Limit { id, limits, storage } => {
-                let keys = open_keys(storage).await?;
+                let keys = open_existing(storage).await?;
                 if !keys.limit_key(*id, limits.limits(), limits.expires).await? {
                     return Err(Fault::NoKey(*id));
                 }
@@ -157,14 +157,14 @@ pub(super) fn key(args: &KeyArgs) -> Result<ExitCode, Fault> {
             }
             KeyCommand::Rotate { id, overlap, storage } => {
                 let (digest, token) = new_secret(*id);
-                if !open_keys(storage).await?.rotate_key(*id, digest, *overlap).await? {
+                if !open_existing(storage).await?.rotate_key(*id, digest, *overlap).await? {
                     return Err(Fault::NoKey(*id));
                 }
                 tracing::info!(target: AUDIT, key = %id, ?overlap, "key rotated");
                 format!("{token}\n")
             }
             KeyCommand::Revoke { id, storage } => {
-                if !open_keys(storage).await?.revoke_key(*id).await? {
+                if !open_existing(storage).await?.revoke_key(*id).await? {
                     return Err(Fault::NoKey(*id));
                 }
                 tracing::info!(target: AUDIT, key = %id, "key revoked");
@@ -225,7 +225,7 @@ fn moment(text: &str) -> Result<Timestamp, String> {
     let span: Span = text.parse().map_err(
         |_| "must be a moment such as 2027-01-31T12:00:00Z, or a time such as `90 days`",
     )?;
-    let end = SystemClock.now().to_zoned(TimeZone::UTC).checked_add(span);
+    let end = SystemClock.now().to_zoned_datetime(TimeZone::UTC).checked_add(span);
     end.map(|end| end.timestamp()).map_err(|error| error.to_string())
 }
 

@@ -6,7 +6,9 @@
 mod array;
 mod backup;
 mod client;
+mod completions;
 mod demo;
+mod example;
 mod fault;
 mod healthcheck;
 mod input;
@@ -27,9 +29,11 @@ use std::process::ExitCode;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::config::{ServeConfig, WorkerConfig};
-use crate::telemetry::{self, LogConfig};
+use crate::telemetry::{self, LevelFilter, LogConfig};
 use backup::{BackupArgs, CheckArgs, RestoreArgs};
+use completions::CompletionsArgs;
 use demo::DemoArgs;
+use example::ExampleArgs;
 use fault::{Fault, report_fault};
 use healthcheck::HealthcheckArgs;
 use key::KeyArgs;
@@ -76,6 +80,10 @@ enum Command {
     Restore(RestoreArgs),
     /// Start the service, send it the reference problem over HTTP and show the answer
     Demo(DemoArgs),
+    /// Print a job to begin with, or the names of all
+    Example(ExampleArgs),
+    /// Print what completes commands and options in a shell
+    Completions(CompletionsArgs),
 }
 
 /// A command with settings, which can be shown instead.
@@ -114,12 +122,13 @@ pub fn main() -> ExitCode {
     if prints_config {
         return settings::print(&command, &matches).unwrap_or_else(|fault| report_fault(&fault));
     }
-    let default_filter = if matches!(cli.command, Command::Serve(_) | Command::Worker(_)) {
-        "info"
-    } else {
-        "warn,brinell::audit=info"
+    let (level, audit) = match cli.command {
+        Command::Serve(_) | Command::Worker(_) => (LevelFilter::INFO, LevelFilter::INFO),
+        // Its own job is shown, not logged.
+        Command::Demo(_) => (LevelFilter::WARN, LevelFilter::WARN),
+        _ => (LevelFilter::WARN, LevelFilter::INFO),
     };
-    telemetry::start(&cli.log, default_filter);
+    telemetry::start(&cli.log, level, audit);
     let done = match cli.command {
         Command::Serve(serve) => serve::serve(&serve.config),
         Command::Worker(worker) => worker::worker(&worker.config),
@@ -132,6 +141,8 @@ pub fn main() -> ExitCode {
         Command::Backup(args) => backup::backup(&args),
         Command::Restore(args) => backup::restore(&args),
         Command::Demo(args) => demo::demo(&args),
+        Command::Example(args) => example::example(&args),
+        Command::Completions(args) => completions::completions(&args),
     };
     #[cfg(feature = "otlp")]
     telemetry::flush();

@@ -10,13 +10,13 @@ use clap::{Args, ValueEnum};
 use super::NOT_CONVERGED;
 use super::array::{ArrayArgs, solve_array};
 use super::fault::Fault;
-use super::input::{read_job, write_answer};
+use super::input::{Output, Settings};
 use super::progress::ProgressLine;
 use super::style::Style;
 use super::table::table;
 use crate::jobs::encode;
 use brinell_solver::job::JobError;
-use brinell_solver::report::export::Export;
+use brinell_solver::report::export::{Export, ExportError};
 use brinell_solver::report::{self, RunError};
 use brinell_solver::solver::SolveStatus;
 
@@ -27,12 +27,15 @@ pub(super) struct SolveArgs {
     #[arg(value_name = "FILE", required_unless_present = "array", conflicts_with = "array")]
     job: Option<PathBuf>,
 
+    #[command(flatten)]
+    settings: Settings,
+
     /// How to print the result [default: table on a terminal, json elsewhere]
     #[arg(long, value_enum)]
     format: Option<ResultFormat>,
 
-    /// Which step of a sweep vtu, svg, depth-svg and surface-svg show, counted from 1 [default:
-    /// the last]
+    /// Which step of a sweep table, vtu, vtr, svg, depth-svg and surface-svg show, counted from 1
+    /// [default: the last; table: all in short]
     #[arg(long, value_name = "N")]
     step: Option<NonZeroUsize>,
 
@@ -62,6 +65,8 @@ enum ResultFormat {
     Json,
     /// A table, for people
     Table,
+    /// One row of figures for each step
+    SummaryCsv,
     /// Contact pressure of all steps
     Csv,
     /// Stresses over depth of all steps
@@ -93,6 +98,7 @@ impl ResultFormat {
     fn export(self) -> Option<Export> {
         match self {
             Self::Json | Self::Table => None,
+            Self::SummaryCsv => Some(Export::SummaryCsv),
             Self::Csv => Some(Export::PressureCsv),
             Self::SubsurfaceCsv => Some(Export::SubsurfaceCsv),
             Self::IncrementsCsv => Some(Export::IncrementsCsv),
@@ -113,29 +119,34 @@ pub(super) fn solve(args: &SolveArgs) -> Result<ExitCode, Fault> {
     if let Some(jobs) = &args.array.array {
         return solve_array(jobs, &args.array);
     }
-    let (name, mut job) = read_job(args.job.as_deref().unwrap_or(Path::new("-")))?;
+    let (name, mut job) = args.settings.read_job(args.job.as_deref().unwrap_or(Path::new("-")))?;
     let format = args.format();
     if let Some(form) = format.export() {
         form.require(&mut job);
     }
     // What is not solved is refused before anything is.
     report::preflight(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
+    let output = Output::open(args.output.as_deref())?;
     let mut progress = ProgressLine::start();
     let report = report::run(&job, &mut progress).map_err(|error| match error {
         RunError::Input(errors) => Fault::of_job(&name, JobError::Fields(errors)),
         other => Fault::Run(other),
     })?;
     drop(progress);
+    let step = args.step.map(|step| step.get() - 1);
     let text = if let Some(form) = format.export() {
         encode(&report)?;
-        form.write(&job, &report, args.step.map(|step| step.get() - 1))?.into_bytes()
+        form.write(&job, &report, step)?.into_bytes()
     } else if format == ResultFormat::Table {
         encode(&report)?;
-        table(&job, &report, args.style()).into_bytes()
+        if let Some(missing) = step.filter(|step| *step >= report.steps.len()) {
+            return Err(ExportError::NoStep(missing).into());
+        }
+        table(&job, &report, step, args.style()).into_bytes()
     } else {
         [encode(&report)?.as_ref(), b"\n"].concat()
     };
-    write_answer(args.output.as_deref(), &text)?;
+    output.write(&text)?;
     Ok(match report.status {
         SolveStatus::Converged => ExitCode::SUCCESS,
         _ => ExitCode::from(NOT_CONVERGED),

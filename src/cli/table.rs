@@ -6,6 +6,7 @@ mod history;
 mod number;
 mod passes;
 mod plot;
+mod sweep;
 
 use std::fmt::Write;
 
@@ -22,10 +23,11 @@ pub(super) use number::significant;
 /// Widest line.
 const WIDTH: usize = 80;
 
-/// Lays a report out as text. `job` is what was asked.
-pub fn table(job: &Job, report: &Report, style: Style) -> String {
+/// Lays a report out as text. `job` is what was asked. Of a long sweep it shows a line for each
+/// load, or one `step` as a whole.
+pub fn table(job: &Job, report: &Report, step: Option<usize>, style: Style) -> String {
     let page = Page { style, names: Names::of(job), text: String::new(), said: Vec::new() };
-    page.lay_out(job, report)
+    page.lay_out(job, report, step)
 }
 
 /// How units and figures are written, which depends on whether the bodies are turned about an
@@ -72,7 +74,7 @@ struct Page {
 }
 
 impl Page {
-    fn lay_out(mut self, job: &Job, report: &Report) -> String {
+    fn lay_out(mut self, job: &Job, report: &Report, step: Option<usize>) -> String {
         let analysis = report.analysis.replace('_', " ");
         let title = self.style.bold(&format!("Brinell {}", report.version));
         let theory = report.theory.as_deref();
@@ -93,9 +95,16 @@ impl Page {
         for (name, body) in [("upper", &job.upper), ("lower", &job.lower)] {
             self.line(&wrapped(&format!("{name}  "), &bodies::describe(body, job), ", "));
         }
-        for step in &report.steps {
-            self.line("");
-            self.step(step);
+        let is_sweep = matches!(job.load, Load::Forces(_) | Load::Approaches(_));
+        if step.is_none() && is_sweep && report.steps.len() > sweep::WHOLE {
+            self.sweep(&report.steps);
+        } else {
+            for (at, shown) in report.steps.iter().enumerate() {
+                if step.is_none_or(|step| step == at) {
+                    self.line("");
+                    self.step(shown, report.target.is_some());
+                }
+            }
         }
         self.line("");
         let mesh = &report.mesh;
@@ -113,6 +122,21 @@ impl Page {
         self.style.spell(self.text)
     }
 
+    /// A line for each load, and of each kind of remark that of the last load that has it.
+    fn sweep(&mut self, steps: &[StepReport]) {
+        self.line("");
+        self.text.push_str(&sweep::sweep(steps, self.names, self.style));
+        self.line("");
+        let mut kinds = Vec::new();
+        for note in steps.iter().rev().flat_map(|step| &step.validity) {
+            if !kinds.contains(&&note.code) {
+                kinds.push(&note.code);
+                self.remark(&note.message);
+            }
+        }
+        self.line(&self.style.dim("--step N shows one load as a whole"));
+    }
+
     /// The force that the job asked for by what it does.
     fn target(&mut self, job: &Job, target: &TargetReport) {
         let Load::Target(Target { figure, .. }) = &job.load else { return };
@@ -126,18 +150,15 @@ impl Page {
             }
             _ => "under this force",
         };
-        let bar = target
-            .relative_error
-            .map_or_else(String::new, |error| format!(" ± {} %", significant(100.0 * error, 2)));
         let force =
             self.style.bold(&format!("{} {}", significant(target.force, 7), self.names.force));
         let name = target.figure.replace('_', " ");
         let reached = significant(target.reached, 5);
-        self.line(&format!("force for a {name} of {}{unit}: {force}{bar}", target.wanted));
+        self.line(&format!("force for a {name} of {}{unit}: {force}", target.wanted));
         self.line(&self.style.dim(&format!("it is {reached}{unit} {when}")));
     }
 
-    fn step(&mut self, step: &StepReport) {
+    fn step(&mut self, step: &StepReport, is_sought: bool) {
         let load = match step.load {
             LoadReport::Force(force) => {
                 format!("force {} {}", significant(force, 7), self.names.force)
@@ -172,7 +193,7 @@ impl Page {
             self.line(&text);
             self.line("");
         }
-        self.answers(step);
+        self.answers(step, is_sought);
         let picture = plot::pressure(step, self.names, style);
         if !picture.is_empty() {
             self.line("");
@@ -192,13 +213,7 @@ impl Page {
             self.line("");
         }
         for note in &step.validity {
-            if self.said.contains(&note.message) {
-                continue;
-            }
-            self.said.push(note.message.clone());
-            let label = style.yellow("note ");
-            let text = wrapped("note   ", &words(&note.message), " ");
-            self.line(&text.replacen("note ", &label, 1));
+            self.remark(&note.message);
         }
         if !step.history.is_empty() {
             self.line("");
@@ -206,14 +221,28 @@ impl Page {
         }
     }
 
-    /// Writes the answers, each with its elastic reference or its place, and its error bar.
-    fn answers(&mut self, step: &StepReport) {
+    /// Writes a remark unless it is there.
+    fn remark(&mut self, message: &str) {
+        if self.said.iter().any(|said| said == message) {
+            return;
+        }
+        self.said.push(message.to_owned());
+        let label = self.style.yellow("note ");
+        let text = wrapped("note   ", &words(message), " ");
+        self.line(&text.replacen("note ", &label, 1));
+    }
+
+    /// Writes the answers, each with its elastic reference or its place, and its error bar. A
+    /// force that is sought stands under its own name.
+    fn answers(&mut self, step: &StepReport, is_sought: bool) {
         if step.answers.iter().any(|answer| answer.elastic.is_some()) {
             let head = format!("{:34}{:>12}{:>11}{:>8}", "", "this contact", "Hertz", "ratio");
             self.line(&self.style.dim(&head));
         }
         for answer in &step.answers {
-            self.answer(answer);
+            if !is_sought || answer.name != "force" {
+                self.answer(answer);
+            }
         }
         if let Some(whole) = &step.three_dimensional
             && whole.orientation != 0.0

@@ -9,7 +9,7 @@ use serde_json::json;
 
 use super::Format;
 use super::fault::Fault;
-use super::input::{read_job, write_answer};
+use super::input::{Settings, write_answer};
 use super::style::Style;
 use brinell_solver::job::JobError;
 use brinell_solver::report;
@@ -21,13 +21,16 @@ pub(super) struct ValidateArgs {
     #[arg(value_name = "FILE")]
     job: PathBuf,
 
+    #[command(flatten)]
+    settings: Settings,
+
     /// How to print the answer [default: table on a terminal, json elsewhere]
     #[arg(long, value_enum)]
     format: Option<Format>,
 }
 
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, Fault> {
-    let (name, job) = read_job(&args.job)?;
+    let (name, job) = args.settings.read_job(&args.job)?;
     let estimate = report::preflight(&job)
         .map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
     let default = if io::stdout().is_terminal() { Format::Table } else { Format::Json };

@@ -1,7 +1,7 @@
 //! Example jobs.
 
 /// Every file in `api/examples`.
-pub(super) const EXAMPLES: [(&str, &str); 15] = [
+pub(crate) const EXAMPLES: [(&str, &str); 15] = [
     ("two_cylinders", include_str!("../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../api/examples/ramberg_osgood.json")),

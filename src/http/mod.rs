@@ -77,6 +77,7 @@ use streams::EventStreamLimit;
 
 pub use client_address::Network;
 pub use edge::AllowedHosts;
+pub(crate) use examples::EXAMPLES;
 pub use listen::{ConnectionTimeouts, Listening, serve};
 pub use metrics::{Metrics, metrics_router, worker_router};
 pub use problem::Problem;

@@ -8,9 +8,11 @@ mod trace;
 use std::io::{self, IsTerminal};
 
 use clap::{Args, ValueEnum};
+pub use tracing_subscriber::filter::LevelFilter;
+use tracing_subscriber::filter::Targets;
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
-use tracing_subscriber::{EnvFilter, Layer, fmt, registry};
+use tracing_subscriber::{Layer, fmt, registry};
 
 pub use metrics::collect;
 #[cfg(feature = "otlp")]
@@ -24,10 +26,8 @@ pub const AUDIT: &str = "brinell::audit";
 #[derive(Debug, Clone, Args)]
 pub struct LogConfig {
     /// What to log, e.g. `info` or `brinell=debug,warn` [default: info for serve, warn elsewhere]
-    #[arg(
-        long, env = "BRINELL_LOG", value_name = "FILTER", global = true, value_parser = log_filter,
-    )]
-    pub log: Option<String>,
+    #[arg(long, env = "BRINELL_LOG", value_name = "FILTER", global = true)]
+    pub log: Option<Targets>,
 
     /// How to log
     #[arg(
@@ -55,14 +55,11 @@ pub enum LogFormat {
     Json,
 }
 
-fn log_filter(text: &str) -> Result<String, String> {
-    EnvFilter::try_new(text).map(|_| text.to_owned()).map_err(|error| error.to_string())
-}
-
-/// Starts logging with the filter `default` unless one is set. Panics are logged too. A second
-/// call changes nothing.
-pub fn start(config: &LogConfig, default: &str) {
-    let filter = EnvFilter::new(config.log.as_deref().unwrap_or(default));
+/// Starts logging. Unless a filter is set, it logs from `level` on, the audit log from `audit` on.
+/// Panics are logged too. A second call changes nothing.
+pub fn start(config: &LogConfig, level: LevelFilter, audit: LevelFilter) {
+    let default = || Targets::new().with_default(level).with_target(AUDIT, audit);
+    let filter = config.log.clone().unwrap_or_else(default);
     let log = fmt::layer().with_writer(io::stderr);
     let log = match config.log_format {
         LogFormat::Text => log.with_ansi(io::stderr().is_terminal()).boxed(),

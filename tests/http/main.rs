@@ -1,4 +1,4 @@
-//! The service as its clients see it: the real binary, asked by the real `curl`.
+//! The service as its clients see it: the real binary, asked by the real `curl` where there is one.
 #![expect(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -24,9 +24,12 @@ mod page;
 mod protocol;
 mod readme;
 mod results;
+#[path = "../support/schema.rs"]
+mod schema;
 mod server;
 mod shutdown;
 mod solvers;
+mod stand_in;
 mod storage;
 mod stored;
 mod submission;

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::curl::{Answer, curl};
 use crate::events::events;
 use crate::in_process::{InProcess, job};
+use crate::schema::Schema;
 use crate::server::{DEADLINE, Server, Target, example};
 
 /// A service and what it says of itself.
@@ -57,11 +58,10 @@ impl<'a> Documented<'a> {
 
     #[track_caller]
     fn fits(&self, schema: &Value, value: &Value) {
-        let mut root = self.document.clone();
-        root["allOf"] = json!([schema]);
-        let validator = jsonschema::draft202012::new(&root).unwrap();
-        let faults: Vec<_> = validator.iter_errors(value).map(|fault| fault.to_string()).collect();
-        assert!(faults.is_empty(), "{schema}: {faults:?}");
+        let mut document = self.document.clone();
+        document["schema"] = schema.clone();
+        let faults = Schema::at(&document, "/schema").faults(value);
+        assert!(faults.is_none(), "{schema}: {faults:?}");
     }
 
     fn get(&self, template: &str, path: &str) -> Answer {

@@ -33,6 +33,7 @@ fn printed(script: &str, server: &Server) -> String {
 }
 
 #[test]
+#[cfg_attr(no_curl, ignore = "needs curl: install it")]
 fn every_curl_example_works() {
     let blocks = curl_blocks(&readme());
     assert!(!blocks.is_empty(), "README.md has no block marked ```sh curl");

@@ -44,6 +44,7 @@ fn status(server: &Server, trusted: &str, path: &str) -> Option<u16> {
 }
 
 #[test]
+#[cfg_attr(no_curl, ignore = "needs curl: install it")]
 fn a_client_that_trusts_the_certificate_is_answered() {
     let data = Scratch::new();
     let server = start(&data);
@@ -79,6 +80,7 @@ fn the_health_check_knows_the_certificate() {
 }
 
 #[test]
+#[cfg_attr(no_curl, ignore = "needs curl: install it")]
 fn a_renewed_certificate_is_taken_up() {
     let data = Scratch::new();
     let server = start(&data);

@@ -4,6 +4,8 @@
 mod form;
 mod generated;
 mod job;
+#[path = "../support/schema.rs"]
+mod schema;
 mod types;
 
 use std::fs;
@@ -15,6 +17,7 @@ use brinell_solver::solver::Unobserved;
 use serde_json::{Value, json};
 
 use generated::root;
+use schema::Schema;
 
 /// Visits every value of a document with its pointer.
 fn visit(value: &Value, pointer: &str, see: &mut impl FnMut(&str, &Value)) {
@@ -49,8 +52,8 @@ fn references_lead_somewhere_and_schemas_are_schemas() {
         }
     });
     assert!(references > 100);
-    for (name, schema) in document["components"]["schemas"].as_object().unwrap() {
-        assert!(jsonschema::meta::validate(schema).is_ok(), "{name}");
+    for name in document["components"]["schemas"].as_object().unwrap().keys() {
+        Schema::named(&document, name);
     }
 }
 
@@ -100,30 +103,20 @@ fn everything_says_what_it_is() {
 }
 
 /// The document with objects closed, so that a member that nobody declared is a fault.
-fn strict(name: &str) -> jsonschema::Validator {
+fn strict(name: &str) -> Schema {
     let mut document = openapi::document();
     for schema in document["components"]["schemas"].as_object_mut().unwrap().values_mut() {
         if schema["properties"].is_object() {
             schema["additionalProperties"] = json!(false);
         }
     }
-    document["$ref"] = json!(format!("#/components/schemas/{name}"));
-    jsonschema::draft202012::new(&document).unwrap()
+    Schema::named(&document, name)
 }
 
 #[track_caller]
-fn assert_valid(validator: &jsonschema::Validator, what: &str, value: &Value) {
-    let faults: Vec<_> = validator
-        .iter_errors(value)
-        .map(|fault| {
-            format!(
-                "{}: {}",
-                fault.instance_path(),
-                fault.to_string().chars().take(300).collect::<String>()
-            )
-        })
-        .collect();
-    assert!(faults.is_empty(), "{what}: {faults:#?}");
+fn assert_valid(schema: &Schema, what: &str, value: &Value) {
+    let faults = schema.faults(value);
+    assert!(faults.is_none(), "{what}: {}", faults.unwrap_or_default());
 }
 
 /// The report of a job, as it is written.
@@ -142,7 +135,7 @@ fn examples_and_their_results_are_as_documented() {
         let mut report = solve(&job);
         assert_valid(&report_schema, &path.display().to_string(), &report);
         report["steps"][0]["contact"]["undeclared"] = json!(1);
-        assert!(!report_schema.is_valid(&report), "the schema takes anything");
+        assert!(report_schema.faults(&report).is_some(), "the schema takes anything");
     }
 }
 

@@ -23,3 +23,5 @@ mod server;
 #[path = "../http/solvers.rs"]
 #[expect(dead_code, reason = "shared with the HTTP tests")]
 mod solvers;
+#[path = "../http/stand_in.rs"]
+mod stand_in;

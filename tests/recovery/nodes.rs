@@ -47,6 +47,7 @@ impl Drop for WorkerProcess {
 }
 
 #[test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 fn a_job_is_the_same_on_every_node() {
     let database = database(Cluster::shared());
     let (here, there) =
@@ -71,6 +72,7 @@ fn a_job_is_the_same_on_every_node() {
 }
 
 #[test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 fn a_running_job_is_cancelled_from_another_node() {
     let database = database(Cluster::shared());
     let (solving, asking) =
@@ -85,6 +87,7 @@ fn a_running_job_is_cancelled_from_another_node() {
 }
 
 #[test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 fn the_same_idempotency_key_on_two_nodes_at_the_same_instant_is_one_job() {
     let database = database(Cluster::shared());
     let nodes = [service(&database, &["--no-workers"]), service(&database, &["--no-workers"])];
@@ -140,6 +143,7 @@ fn nodes_outlive_a_restart_of_the_database() {
 
 /// Told to try again, whoever waits would hand the job in twice.
 #[test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 fn a_job_that_was_taken_in_is_not_refused_when_the_database_goes_away() {
     let cluster = Cluster::start();
     let database = database(&cluster);

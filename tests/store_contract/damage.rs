@@ -29,6 +29,7 @@ async fn damaged_rows_of_sqlite_are_told() {
 }
 
 #[tokio::test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn damaged_rows_of_postgres_are_told() {
     damaged_rows_are_told(&Subject::postgres().await).await;
 }
@@ -69,6 +70,7 @@ async fn damage_in_every_table_of_sqlite_is_found() {
 }
 
 #[tokio::test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn damage_in_every_table_of_postgres_is_found() {
     damage_in_every_table_is_found(&Subject::postgres().await).await;
 }

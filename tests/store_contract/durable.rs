@@ -53,6 +53,7 @@ async fn a_data_directory_has_one_owner() {
 }
 
 #[tokio::test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn processes_hear_of_changes_of_others() {
     let here = Subject::postgres().await;
     let there = Subject::again(here.place.clone(), Arc::clone(&here.clock)).await;
@@ -76,6 +77,7 @@ async fn processes_hear_of_changes_of_others() {
 }
 
 #[tokio::test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn a_lost_worker_s_job_is_run_by_another_process() {
     let dead = Subject::postgres().await;
     let alive = Subject::again(dead.place.clone(), Arc::clone(&dead.clock)).await;
@@ -93,6 +95,7 @@ async fn a_lost_worker_s_job_is_run_by_another_process() {
 }
 
 #[tokio::test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn several_processes_may_start_at_once_on_an_empty_database() {
     let first = Subject::postgres().await;
     let Place::Database(url) = &first.place else { panic!("a database") };

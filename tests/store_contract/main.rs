@@ -27,11 +27,15 @@ mod silence;
 mod subject;
 mod upgrade;
 
-/// `contract!(name, start)`: all promises, each on a store of its own.
+/// `contract!(name, start)`: all promises, each on a store of its own; an attribute of its tests may
+/// stand before.
 macro_rules! contract {
     ($backend:ident, $start:expr) => {
+        contract! { [cfg(all())] $backend, $start }
+    };
+    ($attribute:tt $backend:ident, $start:expr) => {
         contract! {
-            $backend, $start,
+            $attribute $backend, $start,
             life a_job_goes_its_way;
             life unknown_jobs_are_not_found;
             life a_queued_job_is_cancelled_at_once;
@@ -97,9 +101,10 @@ macro_rules! contract {
             quotas a_key_that_has_ended_hands_nothing_in;
         }
     };
-    ($backend:ident, $start:expr, $($part:ident $promise:ident;)*) => {
+    ($attribute:tt $backend:ident, $start:expr, $($part:ident $promise:ident;)*) => {
         mod $backend {
             $(#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+            #$attribute
             async fn $promise() {
                 crate::$part::$promise(&$start).await;
             })*
@@ -109,4 +114,8 @@ macro_rules! contract {
 
 contract!(memory, crate::subject::Subject::memory(crate::subject::MEMORY_STORE).await);
 contract!(sqlite, crate::subject::Subject::sqlite().await);
-contract!(postgres, crate::subject::Subject::postgres().await);
+contract!(
+    [cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
+    postgres,
+    crate::subject::Subject::postgres().await
+);

@@ -140,6 +140,7 @@ async fn stop_in_calls(seed: u64) {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn processes_that_stop_hold_nobody_up() {
     for seed in 1..=2 {
         stop_in_calls(seed).await;
@@ -157,6 +158,7 @@ async fn processes_that_stop_at_many_moments_hold_nobody_up() {
 /// A slow line: a step takes longer to write than the lease lasts, and the worker's heartbeats
 /// come as ever.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn a_worker_that_writes_slowly_keeps_its_job() {
     for moment in [1, 3, 6, 10].map(Duration::from_millis) {
         let subject = Subject::postgres().await;
@@ -215,6 +217,7 @@ async fn one_caller_is_served(store: Arc<dyn Store>, notifier: Arc<JobNotifier>)
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn the_end_of_a_job_makes_room_for_the_next_of_its_key() {
     let limits = StoreLimits { queue_capacity: 100, ..LIMITS };
     let notifier = JobNotifier::new();

@@ -39,6 +39,7 @@ async fn sqlite_of_the_first_version_opens() {
 }
 
 #[tokio::test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn postgres_of_the_first_version_opens() {
     let url = crate::cluster::Cluster::shared().database().await;
     let mut database = PgConnection::connect(&url).await.unwrap();

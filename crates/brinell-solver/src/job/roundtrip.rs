@@ -56,6 +56,28 @@ proptest! {
     }
 }
 
+/// The schema of a job in the document of the service.
+fn schema() -> (boon::Schemas, boon::SchemaIndex) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../api/openapi.json");
+    let document = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let mut compiler = boon::Compiler::new();
+    compiler.add_resource("file:///openapi.json", document).unwrap();
+    let mut schemas = boon::Schemas::new();
+    let job = "file:///openapi.json#/components/schemas/ContactJob";
+    let index = compiler.compile(job, &mut schemas).unwrap();
+    (schemas, index)
+}
+
+#[test]
+fn whatever_the_format_can_say_is_in_the_schema() {
+    let (schemas, index) = schema();
+    proptest!(|(job in job())| {
+        let job = serde_json::to_value(job).unwrap();
+        let faults = schemas.validate(&job, index).err().map(|fault| fault.to_string());
+        prop_assert!(faults.is_none(), "{:?} in {job}", faults);
+    });
+}
+
 /// Every place of a document.
 fn pointers(value: &serde_json::Value, at: &str, found: &mut Vec<String>) {
     use serde_json::Value;

@@ -1,7 +1,5 @@
 //! A proptest strategy that generates any job of the wire format.
 
-#![expect(clippy::unwrap_used, reason = "the values drawn are in range")]
-
 use std::collections::BTreeMap;
 
 use proptest::collection::{btree_map, vec};

@@ -61,7 +61,23 @@ impl fmt::Display for List<'_> {
     }
 }
 
-/// The end of a message that suggests the most similar known word, if there is one.
+/// What others ask for and this solver does not have, and what it has in its place.
+const NOT_THERE: [(&[&str], &str); 6] = [
+    (
+        &["layer", "layers", "coating", "coatings"],
+        "layers of other moduli are not solved; strength over depth is `over_depth` of a law",
+    ),
+    (
+        &["slip", "creepage", "stick"],
+        "there is no partial slip; where there is friction, the whole contact slides",
+    ),
+    (&["friction", "friction_coefficient"], "friction is that of `load.rolling` alone"),
+    (&["adhesion", "work_of_adhesion", "surface_energy"], "adhesion is not solved"),
+    (&["torque", "moment", "tangential_force"], "bodies are pressed along the normal alone"),
+    (&["HRA", "HK", "HBS", "HR15N", "HR30N", "HR45N"], "tests by this scale are not there"),
+];
+
+/// The end of a message that says what is not there, or suggests the most similar known word.
 pub struct Guess<'a> {
     /// The word in the document.
     pub written: &'a str,
@@ -71,7 +87,12 @@ pub struct Guess<'a> {
 
 impl fmt::Display for Guess<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.nearest().map_or(Ok(()), |word| write!(f, "; did you mean `{word}`?"))
+        let absent = NOT_THERE.iter().find(|(words, _)| words.contains(&self.written));
+        match (absent, self.nearest()) {
+            (Some((_, instead)), _) => write!(f, "; {instead}"),
+            (None, Some(word)) => write!(f, "; did you mean `{word}`?"),
+            (None, None) => Ok(()),
+        }
     }
 }
 
@@ -153,6 +174,16 @@ mod tests {
         let keys = Guess { written: "youngModulus", known: &["young_modulus"] };
         assert_eq!(keys.nearest(), Some("young_modulus"));
         assert_eq!(guess(&"radius".repeat(100_000)), None);
+    }
+
+    #[test]
+    fn what_is_not_there_is_named() {
+        let said = |written| Guess { written, known: SHAPE_KEYS }.to_string();
+        for (words, instead) in NOT_THERE {
+            for word in words {
+                assert_eq!(said(word), format!("; {instead}"));
+            }
+        }
     }
 
     #[test]

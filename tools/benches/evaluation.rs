@@ -1,7 +1,7 @@
 //! An evaluation beside the Fourier transforms it consists of, and an elastic contact.
 //!
-//! `cargo bench -p brinell-halfspace`. The ratio of `evaluation` to `transforms` within one run is
-//! what counts.
+//! `cargo bench -p brinell-tools --bench evaluation`. The ratio of `evaluation` to `transforms`
+//! within one run is what counts.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
 use std::hint::black_box;

@@ -1,14 +1,14 @@
 //! A pass of a line contact, an evaluation of it beside the Fourier transforms it consists of, and
 //! the same pass by marching.
 //!
-//! `cargo bench -p brinell-halfspace --bench rolling`. The ratio of `evaluation` to `transforms`
+//! `cargo bench -p brinell-tools --bench rolling`. The ratio of `evaluation` to `transforms`
 //! within one run is what counts. Counts of evaluations and the time of a map of frictions and
 //! loads are printed first.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
-#[path = "../tests/rolling/driver.rs"]
+#[path = "../../crates/brinell-halfspace/tests/rolling/driver.rs"]
 mod driver;
-#[path = "../tests/rolling/march.rs"]
+#[path = "../../crates/brinell-halfspace/tests/rolling/march.rs"]
 mod march;
 
 use std::hint::black_box;

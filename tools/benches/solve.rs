@@ -1,4 +1,4 @@
-//! Whole jobs, by criterion: `cargo bench --bench solve`. How near they come to the floor under
+//! Whole jobs, by criterion: `cargo bench -p brinell-tools --bench solve`. How near they come to the floor under
 //! them is measured by `cargo bench --bench performance`.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
@@ -11,7 +11,7 @@ use brinell_solver::solver::{SolveStatus, Unobserved};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
 /// The default job: accelerated, active set, 1e-6.
-const JOB: &str = include_str!("../../../api/examples/two_cylinders.json");
+const JOB: &str = include_str!("../../api/examples/two_cylinders.json");
 /// Elastic peak pressure over yield stress, and the force per length that gives it \[N/mm\].
 const LOADS: [(u32, f64); 2] = [(3, 612.6106), (4, 1089.0855)];
 /// Elements over the half-width.
