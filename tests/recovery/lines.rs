@@ -13,8 +13,8 @@ use crate::line::Line;
 use crate::nodes::{WorkerProcess, database, service};
 use crate::server::{Server, example};
 
-/// Longest time for the jobs of a test.
-const BOUND: Duration = Duration::from_secs(150);
+/// Longest time for the jobs of a test. A worker whose server answers after 5 s starts in a minute.
+const BOUND: Duration = Duration::from_secs(400);
 
 /// Two workers on a line, and a service that no fault touches.
 struct Fleet {
@@ -104,15 +104,19 @@ fn no_lease_is_lost_through_a_line_that_falls_silent() {
     }
 }
 
+/// The fleets wait for most of the time, and do so at once.
 #[test]
 #[ignore = "full"]
 fn no_lease_is_lost_to_a_server_that_answers_after_5_s() {
-    for solvers in [1, 2, 4] {
+    let fleets = [1, 2, 4].map(|solvers| {
         let fleet = Fleet::start(solvers, "30");
-        let mut client = Client::connect(&fleet.api.target.url);
         fleet.line.set_late(Duration::from_secs(5));
+        let mut client = Client::connect(&fleet.api.target.url);
         let ids: Vec<_> =
             (0..2 * solvers).map(|number| client.submit(&small_job(number))).collect();
+        (fleet, ids)
+    });
+    for (fleet, ids) in fleets {
         fleet.assert_no_lease_is_lost(&ids, |_| ());
     }
 }
