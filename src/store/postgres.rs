@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use async_trait::async_trait;
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgPoolOptions};
-use sqlx::{Connection, Executor, PgConnection, PgPool, Postgres, Transaction};
+use sqlx::{ConnectOptions, Connection, Executor, PgConnection, PgPool, Postgres, Transaction};
 use thiserror::Error;
 use tokio::task::AbortHandle;
 use tokio::time::timeout;
@@ -157,6 +157,8 @@ pub async fn open_postgres(
     clock: Option<Arc<dyn Clock>>,
 ) -> Result<Arc<dyn Store>, PostgresError> {
     let address: PgConnectOptions = url.parse().map_err(PostgresError::Connect)?;
+    // The text of a message has what clients have sent, which no log may have.
+    let address = address.disable_statement_logging();
     let address = match address.get_application_name() {
         Some(_) => address,
         None => address.application_name(concat!("brinell ", env!("CARGO_PKG_VERSION"))),

@@ -25,7 +25,7 @@ use sqlx::pool::PoolConnection;
 use sqlx::sqlite::{
     SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous,
 };
-use sqlx::{Sqlite, SqliteConnection, SqlitePool};
+use sqlx::{ConnectOptions, Sqlite, SqliteConnection, SqlitePool};
 use thiserror::Error;
 use tokio::time::timeout;
 
@@ -211,9 +211,11 @@ fn private(path: &Path) -> io::Result<()> {
 }
 
 /// Options of all connections. Automatic indices are off: SQLite would build one for a single
-/// statement by reading the whole table, and every statement here has its own index.
+/// statement by reading the whole table, and every statement here has its own index. Statements are
+/// not logged: the text of a message has what clients have sent.
 fn connect_options() -> SqliteConnectOptions {
-    SqliteConnectOptions::new().foreign_keys(true).pragma("automatic_index", "off")
+    let options = SqliteConnectOptions::new().disable_statement_logging();
+    options.foreign_keys(true).pragma("automatic_index", "off")
 }
 
 impl SqliteDatabase {
