@@ -2,7 +2,8 @@
 //!
 //! The database ends the transaction by itself: a process that stops meanwhile holds nothing, and
 //! a slow line is waited for once. A message has no parameters: values are written into its text,
-//! as numbers and as hexadecimal digits, never as the text of a client.
+//! as numbers and as hexadecimal digits. Of the text of a client nothing but letters and digits
+//! stands in it as it is.
 
 use std::fmt::Write as _;
 
@@ -39,10 +40,11 @@ impl Value<'_> {
 pub(in crate::store) struct Dialect {
     begin: &'static str,
     commit: &'static str,
-    /// Before and behind the hexadecimal digits of an id, of bytes and of a text.
+    /// Before and behind the hexadecimal digits of an id and of bytes.
     id: [&'static str; 2],
     bytes: [&'static str; 2],
-    text: [&'static str; 2],
+    /// Writes the text of a client as a constant, which an index is searched by.
+    text: fn(&mut String, &str),
     clock: &'static str,
     /// Locks the row of a job against all others.
     pub(super) lock: &'static str,
@@ -66,7 +68,9 @@ const SQLITE: Dialect = Dialect {
     commit: "COMMIT",
     id: ["X'", "'"],
     bytes: ["X'", "'"],
-    text: ["CAST(X'", "' AS TEXT)"],
+    text: |message, client| {
+        write_hex(message, ["CAST(X'", "' AS TEXT)"], client.as_bytes());
+    },
     clock: "0",
     lock: "",
     lock_free: "",
@@ -83,7 +87,17 @@ const POSTGRES: Dialect = Dialect {
     commit: "",
     id: ["'", "'::uuid"],
     bytes: ["'\\x", "'::bytea"],
-    text: ["convert_from('\\x", "', 'UTF8')"],
+    text: |message, client| {
+        message.push_str("U&'");
+        for character in client.chars() {
+            if character.is_ascii_alphanumeric() {
+                message.push(character);
+            } else {
+                let _ = write!(message, "\\+{:06x}", u32::from(character));
+            }
+        }
+        message.push_str("'::text");
+    },
     clock: "(extract(epoch FROM statement_timestamp()) * 1000000)::bigint",
     lock: " FOR UPDATE",
     lock_free: " FOR UPDATE SKIP LOCKED",
@@ -95,15 +109,17 @@ const POSTGRES: Dialect = Dialect {
     durably: "SET LOCAL synchronous_commit = on",
 };
 
+/// Writes bytes as hexadecimal digits.
+fn write_hex(text: &mut String, [before, behind]: [&str; 2], bytes: &[u8]) {
+    text.push_str(before);
+    for byte in bytes {
+        let _ = write!(text, "{byte:02x}");
+    }
+    text.push_str(behind);
+}
+
 impl Dialect {
     fn write(&self, text: &mut String, value: Value<'_>) {
-        let hex = |text: &mut String, [before, behind]: [&str; 2], bytes: &[u8]| {
-            text.push_str(before);
-            for byte in bytes {
-                let _ = write!(text, "{byte:02x}");
-            }
-            text.push_str(behind);
-        };
         match value {
             Value::Flag(flag) => text.push_str(if flag { "TRUE" } else { "FALSE" }),
             Value::Number(None) | Value::Text(None) => text.push_str("NULL"),
@@ -111,16 +127,16 @@ impl Dialect {
                 let _ = write!(text, "CAST({number} AS BIGINT)");
             }
             Value::Time(None) => text.push_str(self.clock),
-            Value::Id(id) => hex(text, self.id, id.as_bytes()),
-            Value::Bytes(bytes) => hex(text, self.bytes, bytes),
-            Value::Text(Some(client)) => hex(text, self.text, client.as_bytes()),
+            Value::Id(id) => write_hex(text, self.id, id.as_bytes()),
+            Value::Bytes(bytes) => write_hex(text, self.bytes, bytes),
+            Value::Text(Some(client)) => (self.text)(text, client),
             Value::Jobs(jobs) => {
                 // No job has this id; an empty list would be an error.
                 text.push('(');
-                hex(text, self.id, Uuid::nil().as_bytes());
+                write_hex(text, self.id, Uuid::nil().as_bytes());
                 for job in jobs {
                     text.push(',');
-                    hex(text, self.id, job.uuid().as_bytes());
+                    write_hex(text, self.id, job.uuid().as_bytes());
                 }
                 text.push(')');
             }
@@ -250,3 +266,26 @@ macro_rules! messages {
 
 messages!(Sqlite, SqliteConnection, SqliteRow, SQLITE);
 messages!(Postgres, PgConnection, PgRow, POSTGRES);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_of_clients_end_no_literal() {
+        let client = "a'; DROP TABLE jobs; --\\é$1";
+        let written = |dialect: &'static Dialect| {
+            let mut message =
+                Message { dialect, text: String::new(), statements: 0, is_whole: false };
+            message.push("SELECT $1", &[Value::Text(Some(client))]);
+            message.text
+        };
+        for (dialect, begin, end) in
+            [(&SQLITE, "SELECT CAST(X'", "' AS TEXT);"), (&POSTGRES, "SELECT U&'", "'::text;")]
+        {
+            let message = written(dialect);
+            let literal = message.strip_prefix(begin).unwrap().strip_suffix(end).unwrap();
+            assert!(!literal.contains(['\'', ';', '$', ' ', '"']), "{message}");
+        }
+    }
+}
