@@ -332,6 +332,7 @@ service.test('initial stresses in the chart have the unit of its axis', async (p
     },
   });
   await follow(page, `job=${id}`);
+  await page.locator('#panel-depth').getByRole('radio', { name: 'Lower' }).check();
   await page.locator('#panel-depth .legend').getByText('σx before the load').waitFor();
   // What the closed form leaves out is said.
   await page.locator('#panel-depth .legend').getByText('von Mises, Hertz alone').waitFor();
