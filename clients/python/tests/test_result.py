@@ -19,7 +19,13 @@ from brinell import Client, Result
 @pytest.fixture(scope="module")
 def sweep(client: Client) -> Result:
     return client.solve(
-        brinell.job(roller(), roller(), analysis="plane_strain", forces=[200, 400, 612.6106])
+        brinell.job(
+            roller(),
+            roller(),
+            analysis="plane_strain",
+            forces=[200, 400, 612.6106],
+            theory="deformation",
+        )
     )
 
 

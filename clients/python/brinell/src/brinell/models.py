@@ -1921,9 +1921,9 @@ class SolverSettings(BaseModel):
         Field(description='Iteration limit. Default: `500`.', ge=1, le=100000),
     ] = None
     theory: Annotated[
-        Literal['deformation', 'flow'] | None,
+        Literal['flow', 'deformation'] | None,
         Field(
-            description='Theory of plasticity: `deformation` knows no unloading, `flow` follows the loads as a history. Default: `deformation`.'
+            description='Theory of plasticity: `flow` follows the loads from rest in increments; `deformation` takes each load at once, knows no unloading, and its error has no bound. Default: `flow`.'
         ),
     ] = None
     tolerance: Annotated[

@@ -2159,6 +2159,12 @@ class Report(BaseModel):
             description='The force that was asked for by what it does; only of a job with `load.target`.'
         ),
     ] = None
+    theory: Annotated[
+        str | None,
+        Field(
+            description='Theory of plasticity, `flow` or `deformation`; `null` where no body can yield.'
+        ),
+    ]
     timings_ms: Annotated[Timings, Field(description='Where the time went.')]
     units: Annotated[
         Literal['mm_N_MPa', 'SI'],
