@@ -25,6 +25,7 @@ const TITLES = /** @type {Record<string, string>} */ ({
   rolled_hardened_roller: 'Case-hardened roller that rolls',
   ball_runs_in: 'Ball that runs in, in three dimensions',
   brinell_test: 'Brinell test of a structural steel',
+  deep_rolling: 'Deep rolling of a shaft, in three dimensions',
 });
 
 const HARD = { name: 'Bearing steel, elastic', young_modulus: 207000, poisson_ratio: 0.3 };

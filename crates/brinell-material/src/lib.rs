@@ -23,6 +23,7 @@ pub mod hardness;
 mod inhomogeneous;
 mod initial_stress;
 mod interpolant;
+mod kinematic;
 mod model;
 mod moduli;
 mod return_mapping;

@@ -2,7 +2,8 @@
 //! the answers of two versions of the solver.
 //!
 //! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`, and `answers 200
-//! three_dimensional` for contacts of half-spaces; with names of files of jobs instead of the
+//! three_dimensional` for contacts of half-spaces, `rolling`, `rolling_near_traction` or
+//! `rolling_balls` for loads that roll, with the seconds of each; with names of files of jobs instead of the
 //! count those are solved, and the seconds of each are told. With `--jobs` last it prints the jobs.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
@@ -33,17 +34,30 @@ fn main() -> std::io::Result<()> {
         }
         return Ok(());
     }
-    let in_three = arguments.iter().any(|argument| argument == "three_dimensional");
+    let has = |name: &str| arguments.iter().any(|argument| argument == name);
+    let in_three = has("three_dimensional");
+    let rolls = [
+        ("rolling", random_job::Rolls::Lines),
+        ("rolling_near_traction", random_job::Rolls::NearTraction),
+        ("rolling_balls", random_job::Rolls::Balls),
+    ];
+    let rolls = rolls.into_iter().find(|(name, _)| has(name)).map(|(_, rolls)| rolls);
     let prints_jobs = arguments.last().is_some_and(|argument| argument == "--jobs");
     for seed in 0..count.unwrap_or_default() {
         let random = &mut random_job::Random(seed);
-        let job = if in_three {
+        let job = if let Some(rolls) = rolls {
+            random_job::rolling(random, rolls)
+        } else if in_three {
             random_job::in_three_dimensions(random)
         } else {
             random_job::job(random, &ELEMENTS)
         };
         let text = job.to_string();
+        let start = Instant::now();
         println!("{}", if prints_jobs { job } else { answer(text.as_bytes()) });
+        if rolls.is_some() && !prints_jobs {
+            eprintln!("{:7.2} s  seed {seed}", start.elapsed().as_secs_f64());
+        }
     }
     Ok(())
 }

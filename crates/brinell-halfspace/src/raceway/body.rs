@@ -11,6 +11,7 @@
 //! The plastic strain of the inlet does not depend on x. Its groove u_in and its residual stress
 //! are those of an endless track: sums of line loads, and G at q_x = 0.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use brinell_material::StreamLaw;
@@ -19,7 +20,7 @@ use super::grid::RacewayGrid;
 use super::space::{RacewaySpace, RacewayWork};
 use crate::stop::{Stop, Stopped};
 use crate::tensors::{COMPONENTS, DEVIATOR_COMPONENTS, from_isometric, isometric};
-use crate::track::{Outlet, Rolls, TrackFault};
+use crate::track::{FlowOfPass, Outlet, Rolls, TrackFault, excess, live_columns};
 
 /// The plastic law of the rows of a body.
 pub type RowLaw = dyn StreamLaw<COMPONENTS, DEVIATOR_COMPONENTS>;
@@ -55,6 +56,8 @@ pub struct RacewayBody {
     /// Cells that have flowed in this pass, in the order in which their flow began.
     flowed: Vec<usize>,
     has_flowed: Vec<bool>,
+    /// The largest flow of a pass so far.
+    most_flow: f64,
 }
 
 impl RacewayBody {
@@ -90,6 +93,7 @@ impl RacewayBody {
             pressure: vec![0.0; window],
             flowed: Vec::new(),
             has_flowed: vec![false; n_layers * grid.n_cells()],
+            most_flow: 0.0,
             space,
         };
         body.settle();
@@ -144,12 +148,7 @@ impl RacewayBody {
             stress[0] += xx;
             stress[1] += yy;
         }
-        for (deviator, [xx, yy, zz, xy, xz, yz]) in
-            self.residual_deviator.iter_mut().zip(&self.residual)
-        {
-            let mean = (xx + yy + zz) / 3.0;
-            *deviator = [xx - mean, yy - mean, *xy, *xz, *yz];
-        }
+        self.residual_deviator = self.residual.iter().map(deviator).collect();
         self.groove = self.space.uniform().groove(&self.inlet());
     }
 
@@ -192,11 +191,59 @@ impl RacewayBody {
             let [xx, yy, xy, xz, yz] = [s[0] - x, s[1] - y, s[2] - xy, s[3] - xz, s[4] - yz];
             3.0 * (xx * xx + yy * yy + xx * yy + xy * xy + xz * xz + yz * yz) > limit
         };
-        let nx = trial[0].len();
+        let n = trial[0].len();
         if is_outside(self.residual_deviator[row]) {
-            return nx.checked_sub(1);
+            return n.checked_sub(1);
         }
-        (0..nx).rev().find(|i| is_outside(trial.map(|row| row[*i])))
+        (0..n).rev().find(|i| is_outside(trial.map(|row| row[*i])))
+    }
+
+    /// Columns that may flow.
+    fn live(&self) -> Range<usize> {
+        live_columns(self.grid().n_columns())
+    }
+
+    /// The trial of the last live column, which is far behind the load: that of the uniform state
+    /// of its own c.
+    fn leave(&mut self, trial: &mut [f64]) {
+        if self.reach.iter().all(|rows| *rows == 0) {
+            return;
+        }
+        let (nx, rows, n_cells) =
+            (self.grid().n_columns(), self.grid().n_rows(), self.grid().n_cells());
+        let last = self.live().start;
+        let at = |row: usize, k: usize| {
+            (row / rows * DEVIATOR_COMPONENTS + k) * n_cells + row % rows * nx + last
+        };
+        let c: Vec<Deviator> = (0..self.inlet.len())
+            .map(|row| std::array::from_fn(|k| self.gained[at(row, k)]))
+            .collect();
+        let uniform = self.space.uniform_stress(&c, &mut self.work);
+        for (row, (c, stress)) in c.iter().zip(&uniform).enumerate() {
+            let stress = deviator(stress);
+            for (k, (c, stress)) in c.iter().zip(stress).enumerate() {
+                trial[at(row, k)] = self.residual_deviator[row][k] + stress + c;
+            }
+        }
+    }
+
+    /// By how much the residual stress at the front exceeds the yield stress, over the largest
+    /// yield stress.
+    fn excess(&self) -> f64 {
+        let of_row = |row: usize| {
+            let [x, y, _, xy, xz, yz] = self.law.backstress(row);
+            let s = self.residual_deviator[row];
+            let [xx, yy, xy, xz, yz] = [s[0] - x, s[1] - y, s[2] - xy, s[3] - xz, s[4] - yz];
+            let squares = xx * xx + yy * yy + xx * yy + xy * xy + xz * xz + yz * yz;
+            [(3.0 * squares).sqrt(), self.law.yield_stress(row)]
+        };
+        excess((0..self.inlet.len()).map(of_row))
+    }
+
+    /// Plastic flow of the last stream, and the part of it far from the load.
+    fn flow_of_pass(&self) -> FlowOfPass {
+        let (rows, layers) = (self.grid().n_rows(), self.space.layers());
+        FlowOfPass::of(&self.strain, self.grid().n_columns(), |row| layers.thickness(row / rows))
     }
 
     /// `∫∫σ:dε_p` of the last stream, per length of travel \[N\].
@@ -309,6 +356,7 @@ impl Rolls for RacewayBody {
                 }
             }
         }
+        self.leave(into);
         Ok(())
     }
 
@@ -319,13 +367,14 @@ impl Rolls for RacewayBody {
         self.law.rest();
         self.strain.fill(0.0);
         into.fill(0.0);
+        let live = self.live();
         for row in 0..self.law.n_rows() {
             let (layer, j) = (row / rows, row % rows);
             let from = layer * DEVIATOR_COMPONENTS * n_cells + j * nx;
             let of_row: [&[f64]; DEVIATOR_COMPONENTS] =
-                std::array::from_fn(|k| &trial[from + k * n_cells..][..nx]);
+                std::array::from_fn(|k| &trial[from + k * n_cells..][live.clone()]);
             let Some(first) = self.leaves_elastic_domain(row, of_row) else { continue };
-            let [xx, yy, xy, xz, yz] = if first + 1 < nx {
+            let [xx, yy, xy, xz, yz] = if first + 1 < live.len() {
                 of_row.map(|row| row[first + 1])
             } else {
                 self.residual_deviator[row]
@@ -333,12 +382,12 @@ impl Rolls for RacewayBody {
             let inlet = [xx, yy, -xx - yy, xy, xz, yz];
             let mut components = into[layer * DEVIATOR_COMPONENTS * n_cells..]
                 .chunks_exact_mut(n_cells)
-                .map(|component| &mut component[j * nx..][..=first]);
+                .map(|component| &mut component[j * nx + live.start..][..=first]);
             let into = std::array::from_fn(|_| components.next().unwrap_or_default());
-            let strain = &mut self.strain[row * nx..][..=first];
+            let strain = &mut self.strain[row * nx + live.start..][..=first];
             if self.law.follow(row, inlet, of_row.map(|row| &row[..=first]), into, strain) {
                 for (i, _) in strain.iter().enumerate().filter(|(_, dp)| **dp > 0.0) {
-                    let cell = row * nx + i;
+                    let cell = row * nx + live.start + i;
                     if !std::mem::replace(&mut self.has_flowed[cell], true) {
                         self.flowed.push(cell);
                     }
@@ -365,6 +414,7 @@ impl Rolls for RacewayBody {
         }
         let accumulated = self.strain.chunks_exact(nx).map(|row| row.iter().sum()).collect();
         self.law.accept();
+        self.most_flow = self.most_flow.max(self.flow_of_pass().whole);
         self.settle();
         for (n, row) in trial.chunks_exact_mut(nx).enumerate() {
             let (of, k) = place_of(n);
@@ -388,6 +438,7 @@ impl Rolls for RacewayBody {
             residual: self.residual.clone(),
             plastic_work: work,
             stored_energy: self.stored_energy() - stored,
+            excess: self.excess(),
         }
     }
 
@@ -454,6 +505,7 @@ impl Rolls for RacewayBody {
     }
 
     fn holds(&self) -> Result<(), TrackFault> {
+        self.flow_of_pass().holds(self.most_flow, self.grid().length())?;
         let (nx, rows) = (self.grid().n_columns(), self.grid().n_rows());
         let of_row: Vec<f64> = self.strain.chunks_exact(nx).map(|row| row.iter().sum()).collect();
         let largest = |rows: &mut dyn Iterator<Item = &f64>| rows.fold(0.0, |a: f64, b| a.max(*b));
@@ -498,6 +550,12 @@ impl RacewayGrid {
         };
         self.hy * (0..ny).map(of_row).sum::<f64>()
     }
+}
+
+/// The deviator of a stress `xx yy zz xy xz yz`.
+fn deviator([xx, yy, zz, xy, xz, yz]: &[f64; COMPONENTS]) -> Deviator {
+    let mean = (xx + yy + zz) / 3.0;
+    [xx - mean, yy - mean, *xy, *xz, *yz]
 }
 
 /// Returns the index of the first component of a cell in an increment.

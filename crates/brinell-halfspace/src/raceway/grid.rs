@@ -15,9 +15,9 @@ const WINDOW: f64 = 3.2;
 const FIRST_LAYER: f64 = 0.75;
 const GROWTH: f64 = 1.1;
 const DEPTH: f64 = 2.4;
-/// Friction above which the first layers may decide, and the first layer and growth of the layers
+/// Friction from which the first layers may decide, and the first layer and growth of the layers
 /// then.
-const FRICTION_OF_SURFACE: f64 = 0.3;
+const FRICTION_OF_SURFACE: f64 = 0.25;
 const THIN: [f64; 2] = [0.25, 1.12];
 /// Cells of the surface of a track: a hundred times those of a fine one.
 const MOST_CELLS: usize = 1 << 20;
@@ -99,7 +99,7 @@ impl RacewayGrid {
     /// [`GridError::Faces`].
     pub fn layers(&self, [a, b]: [f64; 2], friction: f64) -> Result<Layers, GridError> {
         let [first, growth] =
-            if friction.abs() > FRICTION_OF_SURFACE { THIN } else { [FIRST_LAYER, GROWTH] };
+            if friction.abs() >= FRICTION_OF_SURFACE { THIN } else { [FIRST_LAYER, GROWTH] };
         Layers::graded(first * self.hx.min(self.hy), growth, DEPTH * a.min(b))
     }
 

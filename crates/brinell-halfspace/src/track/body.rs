@@ -8,15 +8,22 @@
 //! T_i = dev(S p + μ S_t p + G c + σ_in) + c_i          trial
 //! 2μ Δε_i: flow along T_{i+1} -> T_i                   stream
 //! ```
+//! Only the [live](super::grid::live_columns) columns flow. The last of them is far behind the load:
+//! its T is that of the uniform state of its own c, `dev(λ'c_zz - c_xx, λ'c_zz - c_yy) + c` beside
+//! σ_in, so that the state that leaves is within its yield surface by the plastic law itself.
+//!
 //! σ_in is the residual stress of the inlet, uniform along the track: `σxx = λ'τzz - τxx`, `σyy =
 //! λ'τzz - τyy` with `τ = 2μ ε_p,in`, and the stress σ0 that the unloaded body has. Δε enters and
 //! leaves as `2μ Δε` \[MPa\], rows xx, zz, xz of N columns for each layer.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use brinell_material::{Rows, StreamLaw};
 
+use super::fault::{FlowOfPass, excess};
 use super::figures::Outlet;
+use super::grid::live_columns;
 use super::space::{TrackSpace, TrackWork};
 use super::sweep::ROWS;
 use crate::stop::{Stop, Stopped};
@@ -44,6 +51,8 @@ pub struct RollingBody {
     /// Cells that have flowed in this pass, in the order in which their flow began.
     flowed: Vec<usize>,
     has_flowed: Vec<bool>,
+    /// The largest flow of a pass so far.
+    most_flow: f64,
 }
 
 impl RollingBody {
@@ -73,6 +82,7 @@ impl RollingBody {
             displacement: vec![0.0; space.grid().window().len()],
             flowed: Vec::new(),
             has_flowed: vec![false; n_layers * n],
+            most_flow: 0.0,
             space,
         }
     }
@@ -208,8 +218,28 @@ impl RollingBody {
                     }
                 }
             }
+            let last = self.live().start;
+            let at = |k: usize| (layer * ROWS + k) * n + last;
+            let c = std::array::from_fn(|k| self.gained[at(k)]);
+            let [uniform_xx, uniform_yy] = self.uniform_stress(c);
+            let mean = (uniform_xx + uniform_yy) / 3.0;
+            into[at(0)] = xx + uniform_xx - mean + c[0];
+            into[at(1)] = zz - mean + c[1];
+            into[at(2)] = xz + c[2];
         }
         Ok(())
+    }
+
+    /// Columns that may flow.
+    fn live(&self) -> Range<usize> {
+        live_columns(self.space.grid().n)
+    }
+
+    /// Stress σxx, σyy of a polarization `2μ ε_p` xx, zz, xz that is uniform along the track.
+    fn uniform_stress(&self, [xx, zz, _]: [f64; 3]) -> [f64; 2] {
+        let nu = self.space.elastic().poisson();
+        let local = nu / (1.0 - nu);
+        [local * zz - xx, local * zz + xx + zz]
     }
 
     /// Answers T with `2μ Δε` of the plastic law.
@@ -221,14 +251,15 @@ impl RollingBody {
         self.law.rest();
         self.strain.fill(0.0);
         into.fill(0.0);
+        let live = self.live();
         for layer in 0..self.inlet.len() {
             let from = layer * ROWS * n;
             let (xx, rest) = trial[from..][..ROWS * n].split_at(n);
-            let rows = [xx, &rest[..n], &rest[n..]];
+            let rows = [xx, &rest[..n], &rest[n..]].map(|row| &row[live.clone()]);
             let inlet = self.inlet_deviator(layer);
             let Some(first) = self.leaves_elastic_domain(layer, inlet, rows) else { continue };
             let inlet = match first + 1 {
-                ahead if ahead < n => {
+                ahead if ahead < live.len() => {
                     let [xx, zz, xz] = rows.map(|row| row[ahead]);
                     [xx, -xx - zz, zz, xz]
                 }
@@ -236,11 +267,11 @@ impl RollingBody {
             };
             let (into_xx, rest) = into[from..][..ROWS * n].split_at_mut(n);
             let (into_zz, into_xz) = rest.split_at_mut(n);
-            let into = [into_xx, into_zz, into_xz].map(|row| &mut row[..=first]);
-            let strain = &mut self.strain[layer * n..][..=first];
+            let into = [into_xx, into_zz, into_xz].map(|row| &mut row[live.start..][..=first]);
+            let strain = &mut self.strain[layer * n + live.start..][..=first];
             if self.law.follow(layer, inlet, rows.map(|row| &row[..=first]), into, strain) {
                 for (i, _) in strain.iter().enumerate().filter(|(_, dp)| **dp > 0.0) {
-                    let cell = layer * n + i;
+                    let cell = layer * n + live.start + i;
                     if !std::mem::replace(&mut self.has_flowed[cell], true) {
                         self.flowed.push(cell);
                     }
@@ -272,10 +303,9 @@ impl RollingBody {
 
     /// Residual stress σxx, σyy of a layer at the front, σ0 included \[MPa\].
     pub fn residual(&self, layer: usize) -> [f64; 2] {
-        let nu = self.space.elastic().poisson();
-        let local = nu / (1.0 - nu);
-        let ([xx, zz, _], [initial_xx, initial_yy]) = (self.inlet[layer], self.initial[layer]);
-        [initial_xx + local * zz - xx, initial_yy + local * zz + xx + zz]
+        let [xx, yy] = self.uniform_stress(self.inlet[layer]);
+        let [initial_xx, initial_yy] = self.initial[layer];
+        [initial_xx + xx, initial_yy + yy]
     }
 
     /// Its deviator `xx yy zz xz`.
@@ -311,6 +341,7 @@ impl RollingBody {
         let strain = strain.collect();
         let accumulated = self.strain.chunks_exact(n).map(|row| row.iter().sum()).collect();
         self.law.accept();
+        self.most_flow = self.most_flow.max(self.flow_of_pass().whole);
         let layers = self.space.layers();
         let depths = (0..layers.len()).map(|layer| layers.middle(layer)).collect();
         let forward =
@@ -331,7 +362,32 @@ impl RollingBody {
                 .collect(),
             plastic_work: work,
             stored_energy: self.stored_energy() - stored,
+            excess: self.excess(),
         }
+    }
+
+    /// By how much the residual stress at the front exceeds the yield stress, over the largest
+    /// yield stress.
+    fn excess(&self) -> f64 {
+        let of_layer = |layer: usize| {
+            let [s_xx, _, s_zz, s_xz] = self.inlet_deviator(layer);
+            let [x, _, z, t] = self.law.backstress(layer);
+            let (xx, zz, xz) = (s_xx - x, s_zz - z, s_xz - t);
+            (3.0 * (xx * xx + zz * zz + xx * zz + xz * xz)).sqrt()
+        };
+        excess((0..self.inlet.len()).map(|l| [of_layer(l), self.law.yield_stress(l)]))
+    }
+
+    /// Plastic flow of the last stream, and the part of it far from the load.
+    pub(super) fn flow_of_pass(&self) -> FlowOfPass {
+        let layers = self.space.layers();
+        let n = self.space.grid().n;
+        FlowOfPass::of(&self.strain, n, |layer| layers.thickness(layer))
+    }
+
+    /// The largest flow of the passes that are accepted.
+    pub(super) const fn most_flow(&self) -> f64 {
+        self.most_flow
     }
 
     /// `∫σ:dε_p` of the last stream, per length of travel \[N\].

@@ -34,9 +34,17 @@ pub struct Outlet {
     pub plastic_work: f64,
     /// Change of the elastic energy of the residual stress, per length as the plastic work.
     pub stored_energy: f64,
+    /// By how much the residual stress lies beyond its yield surface, of the worst row, over the
+    /// largest yield stress: 0 or less, but for the residual of the iteration.
+    pub excess: f64,
 }
 
 impl Outlet {
+    /// Largest equivalent of the plastic strain that all passes have left.
+    pub fn strain_of_all(&self) -> f64 {
+        self.strain.iter().copied().map(equivalent).fold(0.0, f64::max)
+    }
+
     /// Values on the axis of a field, layer by layer.
     pub fn on_axis<'a, T>(
         &self,
@@ -44,6 +52,12 @@ impl Outlet {
     ) -> impl Iterator<Item = &'a T> + Clone + use<'a, T> {
         field.iter().step_by(self.across.len().max(1))
     }
+}
+
+/// Equivalent strain of a deviator: xx, yy, xy, xz, yz.
+fn equivalent([xx, yy, xy, xz, yz]: [f64; 5]) -> f64 {
+    let normal = xx * xx + yy * yy + xx * yy;
+    (4.0 / 3.0 * (normal + xy * xy + xz * xz + yz * yz)).sqrt()
 }
 
 /// A figure and the place where it is largest.
@@ -57,6 +71,19 @@ pub struct AtDepth {
     pub across: f64,
     /// Layer.
     pub layer: usize,
+    /// By how much the figure is larger at the surface, where the first layer decides; 0 elsewhere.
+    ///
+    /// Under friction a strain falls from the surface like the elastic stress there, whose slope
+    /// along the surface is infinite at the ends of the contact: like √z. The middle of the first
+    /// layer is a depth of the grid. `x(0) = x_1 + (x_1 - x_2) √z_1/(√z_2 - √z_1)`.
+    pub to_surface: f64,
+}
+
+impl AtDepth {
+    /// The figure at the surface where the first layer decides, and the figure elsewhere.
+    pub fn limit(&self) -> f64 {
+        self.value + self.to_surface
+    }
 }
 
 /// Plastic strain of a pass, or of a pair of passes: what a verdict judges.
@@ -90,22 +117,27 @@ impl PassStrain {
         accumulated: &[f64],
         change: impl Iterator<Item = [f64; 5]>,
     ) -> Self {
-        let net: Vec<f64> = change
-            .map(|[xx, yy, xy, xz, yz]| {
-                let normal = xx * xx + yy * yy + xx * yy;
-                (4.0 / 3.0 * (normal + xy * xy + xz * xz + yz * yz)).sqrt()
-            })
-            .collect();
+        let net: Vec<f64> = change.map(equivalent).collect();
         let rows = pass.across.len().max(1);
         let largest = |values: &[f64]| {
-            values.iter().enumerate().fold(AtDepth::default(), |most, (row, value)| {
+            let most = values.iter().enumerate().fold(AtDepth::default(), |most, (row, value)| {
                 if *value <= most.value {
                     return most;
                 }
                 let layer = row / rows;
                 let across = pass.across.get(row % rows).copied().unwrap_or(0.0);
-                AtDepth { value: *value, depth: pass.depths[layer], across, layer }
-            })
+                let depth = pass.depths[layer];
+                AtDepth { value: *value, depth, across, layer, to_surface: 0.0 }
+            });
+            let row = pass.across.iter().position(|y| *y >= most.across).unwrap_or(0);
+            let (Some(below), [first, second, ..], 0) =
+                (values.get(rows + row), &*pass.depths, most.layer)
+            else {
+                return most;
+            };
+            let [first, second] = [first.sqrt(), second.sqrt()];
+            let to_surface = (most.value - below).max(0.0) * first / (second - first);
+            AtDepth { to_surface, ..most }
         };
         Self { largest: largest(accumulated), net: largest(&net) }
     }

@@ -9,15 +9,23 @@ use crate::{GridError, Layers};
 
 /// Length of the track over the half-width of the contact.
 ///
-/// The material is a ring of this period. Its error acts on the first pass alone: with 16, 32 and
-/// 64 half-widths the groove is 1.075, 1.034 and 1.021e-3 a.
+/// The material is a ring of this period. With 16, 32 and 64 half-widths the groove of a first pass
+/// is 1.075, 1.034 and 1.021e-3 a; with friction every pass adds to this error.
 pub const TRACK_LENGTH: f64 = 32.0;
+/// Columns on each side of the load that may flow, in tenths of the ring.
+///
+/// Columns 0 and N-1 are neighbours, and the whole plastic change of a pass jumps between them, which
+/// it does on no real track. Material that flowed there would take its stress for that of the
+/// load. This far from the load the strain of a sound pass has long ended.
+const LIVE: usize = 3;
+
 /// Width of the window in which bodies may touch, over the half-width.
 const WINDOW: f64 = 3.2;
 /// Depth of the layers over the half-width.
 const DEPTH: f64 = 3.0;
-/// Friction above which the first layers may decide.
-const FRICTION_OF_SURFACE: f64 = 0.3;
+/// Friction from which the first layers may decide: with a backstress well below the 0.37 of perfect
+/// plasticity.
+const FRICTION_OF_SURFACE: f64 = 0.25;
 
 /// A hundred times the columns of a fine track.
 const MOST_COLUMNS: usize = 1 << 18;
@@ -79,7 +87,7 @@ impl TrackGrid {
     /// [`GridError::Faces`].
     pub fn layers(&self, half_width: f64, friction: f64) -> Result<Layers, GridError> {
         let (first, growth) =
-            if friction.abs() > FRICTION_OF_SURFACE { (0.25, 1.08) } else { (0.75, 1.06) };
+            if friction.abs() >= FRICTION_OF_SURFACE { (0.25, 1.08) } else { (0.75, 1.06) };
         Layers::graded(first * self.h, growth, DEPTH * half_width)
     }
 
@@ -112,6 +120,12 @@ impl TrackGrid {
     pub fn sample(&self, value: impl Fn(f64) -> f64) -> Vec<f64> {
         self.window().map(|i| value(self.x(i))).collect()
     }
+}
+
+/// Columns of a ring that may flow, with the load in the middle. Material enters at the last one.
+pub(crate) const fn live_columns(n: usize) -> std::ops::Range<usize> {
+    let half = LIVE * n / 10;
+    n / 2 - half..n / 2 + half
 }
 
 /// The flexibility of the columns of the window: force per length \[N/mm\] to displacement along

@@ -64,8 +64,8 @@ impl TrackLimits {
                 (&mut limits.kinematic, strength / radius),
             ] {
                 if value < limit.value {
-                    *limit =
-                        AtDepth { value, depth: space.layers().middle(layer), across: 0.0, layer };
+                    let depth = space.layers().middle(layer);
+                    *limit = AtDepth { value, depth, layer, ..AtDepth::default() };
                 }
             }
         }

@@ -25,10 +25,11 @@ mod sweep;
 mod verdict;
 
 pub use body::RollingBody;
-pub(crate) use fault::NOTHING;
-pub use fault::TrackFault;
+pub use fault::{DEEPEST, TrackFault};
+pub(crate) use fault::{FlowOfPass, NOTHING, excess};
 pub(crate) use figures::work_along;
 pub use figures::{AtDepth, Outlet, PassStrain, rolling_force};
+pub(crate) use grid::live_columns;
 pub use grid::{LineFlexibility, TRACK_LENGTH, TrackGrid};
 pub use limits::TrackLimits;
 pub use rolls::Rolls;

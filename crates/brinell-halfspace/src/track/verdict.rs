@@ -47,14 +47,14 @@ pub enum Verdict {
     },
     /// The material flows in every pass and returns to where it was: plastic shakedown.
     ClosedCycle {
-        /// Accumulated strain of a pass.
+        /// Accumulated strain of a pass, at the surface where the first layer decides.
         strain: f64,
         /// Its change over three passes.
         bar: f64,
     },
     /// Every pass adds a strain.
     Ratchets {
-        /// Net strain of a pass.
+        /// Net strain of a pass, at the surface where the first layer decides.
         rate: f64,
         /// Its change over three passes.
         bar: f64,
@@ -67,6 +67,9 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Passes, or pairs of alternating passes, without which none closes a cycle or ratchets.
+    pub const LEAST: usize = LEAST_PASSES + RUNNING - 1;
+
     /// The verdict of these passes, or pairs of alternating passes, alone. `yield_strain` is
     /// `σ_y/E`.
     pub fn of(passes: &[PassStrain], yield_strain: f64) -> Self {
@@ -99,11 +102,11 @@ impl Verdict {
         }
         if change < STEADY * dp {
             if net < CLOSED * dp || ends(nets, limit_of_net) {
-                return Self::ClosedCycle { strain: dp, bar: change };
+                return Self::ClosedCycle { strain: last.largest.limit(), bar: change };
             }
             let bar = (net - nets[1]).abs();
             if bar < STEADY_NET * net {
-                return Self::Ratchets { rate: net, bar };
+                return Self::Ratchets { rate: last.net.limit(), bar };
             }
         }
         undecided

@@ -38,14 +38,15 @@ fn roll(setup: &Setup, passes: usize) -> Vec<Pass> {
     passes
 }
 
-/// Groove by the ring and by line loads in µm, pile-up by the ring's offset, dp, net, σx, σy.
+/// Groove by the ring and by line loads in µm, dp, net, σx, σy. The prototype let its join flow
+/// (0.15 % of all flow): its σx are -350.4, -347.2 and -346.3.
 #[test]
 fn a_ball_rolls_a_groove() {
     let passes = roll(&Setup::ball(7, 3.5, TWENTIETH), 3);
     let references = [
-        (0.4012, 8.48e-3, 5.72e-3, -350.4, -267.5, 0.0830, 1284.2),
-        (0.4160, 2.02e-3, 1.94e-3, -347.2, -258.8, 0.0082, f64::NAN),
-        (0.4207, 2.11e-4, 2.1e-4, -346.3, -256.9, 0.0016, f64::NAN),
+        (0.4012, 8.48e-3, 5.72e-3, -351.8, -266.6, 0.0830, 1284.2),
+        (0.4160, 2.02e-3, 1.94e-3, -348.6, -257.7, 0.0082, f64::NAN),
+        (0.4207, 2.13e-4, 2.13e-4, -347.7, -256.0, 0.0016, f64::NAN),
     ];
     for (pass, (groove, dp, net, along, across, work, peak)) in passes.iter().zip(references) {
         close("groove", 1e3 * pass.ring_groove, groove, 2e-3);

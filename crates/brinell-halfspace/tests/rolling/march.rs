@@ -211,3 +211,25 @@ fn a_pass_is_what_marching_gives() {
     assert!((forward / pass.outlet.forward - 1.0).abs() < 0.05, "{forward}");
     assert!(march.evaluations > 12 * pass.evaluations, "{}", march.evaluations);
 }
+
+/// Near the limit of its traction a perfectly plastic track flows wherever its stress jumps. A load
+/// that is marched over a long straight track, whose ends it never sees, leaves what the pass in one
+/// piece leaves.
+#[test]
+#[ignore = "full"]
+fn a_pass_near_its_traction_is_what_marching_a_straight_track_gives() {
+    let setup = Setup { length: 48.0, ..Setup::new(10, 0.2, 1.45) };
+    let pass = super::driver::Roller::new(&Setup { length: 32.0, ..setup.clone() }).pass(150);
+    let mut march = March::new(&setup);
+    for part in 1..=5 {
+        march.step(0.2 * f64::from(part));
+    }
+    for _ in 0..140 {
+        march.shift();
+        march.step(1.0);
+    }
+    let (strain, forward) = march.behind(2.0);
+    println!("marching {strain:.3e} {forward:.3e}; one piece {}", pass.line());
+    assert!((strain / pass.strain.largest.value - 1.0).abs() < 0.05, "{strain}");
+    assert!((forward / pass.outlet.forward - 1.0).abs() < 0.05, "{forward}");
+}

@@ -4,8 +4,8 @@ use super::half_spaces::half_spaces;
 use super::plane::problem;
 use super::settings::settings;
 use crate::analytical::DepthLimit;
-use crate::job::{Analysis, Job, Load, Until};
-use crate::solver::rolling::{RollingLoad, RollingProblem, TrackError};
+use crate::job::{Analysis, HardeningRule, Job, Load, Until};
+use crate::solver::rolling::{Hardening, RollingLoad, RollingProblem, TrackError};
 use crate::solver::{ElasticReference, Problem};
 
 /// A contact that rolls, and what closed forms say of it.
@@ -40,6 +40,11 @@ pub(crate) fn rolling(job: &Job) -> Result<RollingInput, TrackError> {
         passes: given.passes,
         ends_at_verdict: given.until == Until::Verdict,
         friction: given.friction,
+        hardening: match given.hardening {
+            HardeningRule::Both => Hardening::Both,
+            HardeningRule::Isotropic => Hardening::Isotropic,
+            HardeningRule::Kinematic => Hardening::Kinematic,
+        },
         alternating: given.alternating,
         track: given.track,
     };

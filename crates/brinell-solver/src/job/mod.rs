@@ -64,7 +64,7 @@ pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
 pub(crate) use over_depth::YIELD_OVER_HARDNESS;
 pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, HardnessScale, OverDepth};
 pub use quantity::Quantity;
-pub use rolling::{Rolling, Until};
+pub use rolling::{HardeningRule, Rolling, Until};
 pub use settings::{
     ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory,
 };

@@ -24,8 +24,11 @@ record! {
         pub alternating: bool = Field::flag().label("There and back", ""),
         /// Length of the track over the elastic half-width or the semi-axis along the travel, after
         /// which the material comes back; 32 of a line and 12 in three dimensions, where it is
-        /// missing. It acts on the first pass alone.
+        /// missing.
         pub track: Option<f64> = Field::pure(8.0..=256.0).label("Length of the track", "Λ/a"),
+        /// How a body without a backstress hardens under a load that turns round, of which its curve
+        /// says nothing: by `both` rules, of which the worse decides, or by one alone.
+        pub hardening: HardeningRule = Field::choice::<HardeningRule>("HardeningRule").label("Hardening", ""),
     }
 }
 
@@ -42,6 +45,7 @@ impl Rolling {
             friction: 0.0,
             alternating: false,
             track: None,
+            hardening: HardeningRule::default(),
         }
     }
 
@@ -87,6 +91,31 @@ impl Named for Until {
         match self {
             Self::Verdict => "verdict",
             Self::Passes => "passes",
+        }
+    }
+}
+
+/// How bodies without a backstress harden under a load that rolls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HardeningRule {
+    /// Isotropically, and once more kinematically with the same uniaxial curve; the worse verdict
+    /// decides.
+    #[default]
+    Both,
+    /// Isotropically alone: every load shakes down in the end.
+    Isotropic,
+    /// Kinematically alone, with the same uniaxial curve.
+    Kinematic,
+}
+
+impl Named for HardeningRule {
+    const ALL: &'static [Self] = &[Self::Both, Self::Isotropic, Self::Kinematic];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Both => "both",
+            Self::Isotropic => "isotropic",
+            Self::Kinematic => "kinematic",
         }
     }
 }

@@ -10,10 +10,10 @@ use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words
 use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase,
-    Hardening, HardnessProfile, HardnessScale, HardnessTest, InitialStress, Interpolation, Job,
-    Load, MeshSettings, Named, OutputSettings, OverDepth, PositiveF64, Quantity, RollerProfile,
-    Rolling, Shape, SolverSettings, Support, Surface, Sweep, TargetFigure, TestScale, Theory,
-    Units, Until, name, tags, target,
+    Hardening, HardeningRule, HardnessProfile, HardnessScale, HardnessTest, InitialStress,
+    Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth, PositiveF64,
+    Quantity, RollerProfile, Rolling, Shape, SolverSettings, Support, Surface, Sweep,
+    TargetFigure, TestScale, Theory, Units, Until, name, tags, target,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -620,10 +620,16 @@ impl Schemas<'_> {
         ]
     }
 
-    fn rolling(&self) -> [(&'static str, Value); 2] {
+    fn rolling(&self) -> [(&'static str, Value); 3] {
         let default = Rolling::new(PositiveF64::MICRO);
         [
             ("Rolling", self.settings(&Rolling::TABLE, &default, &["force"])),
+            (
+                "HardeningRule",
+                enumeration::<HardeningRule>(
+                    "How bodies without a backstress harden as a load rolls.",
+                ),
+            ),
             ("Until", enumeration::<Until>("When the passes of a load that rolls end.")),
         ]
     }

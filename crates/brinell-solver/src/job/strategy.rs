@@ -11,9 +11,9 @@ use super::fields::{Example, FieldKind};
 use super::reader::{Cursor, Faults, Node};
 use super::{
     Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field,
-    FieldTable, Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings, Named,
-    NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape, SolverSettings,
-    Support, Sweep, Target, TargetFigure, Theory, Units, Until, target,
+    FieldTable, Hardening, HardeningRule, History, HistoryLoad, Job, Load, Material, MeshSettings,
+    Named, NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape,
+    SolverSettings, Support, Sweep, Target, TargetFigure, Theory, Units, Until, target,
 };
 
 /// Generates a positive number within two decades of a typical one, which is in range in both unit
@@ -169,15 +169,16 @@ fn sought() -> impl Strategy<Value = Target> {
 }
 
 fn rolling() -> impl Strategy<Value = Rolling> {
-    let ends = (1..=100_u32, any_of(Until::ALL), any::<bool>());
+    let ends = (1..=100_u32, any_of(Until::ALL), any::<bool>(), any_of(HardeningRule::ALL));
     (near(2000.0), ends, -1.0..=1.0, proptest::option::of(8.0..=256.0)).prop_map(
-        |(force, (passes, until, alternating), friction, track)| Rolling {
+        |(force, (passes, until, alternating, hardening), friction, track)| Rolling {
             force,
             passes,
             until,
             friction,
             alternating,
             track,
+            hardening,
         },
     )
 }

@@ -2,6 +2,8 @@
 //! Remarks, error bars, onset and target read them: [`Finding::voids`] says which figures lose
 //! their bar, [`Finding::text`] says a finding in the units of a job.
 
+use brinell_halfspace::track::TrackFault;
+
 use super::rolling::TrackVerdict;
 use super::surface_stress::UncertainStress;
 use crate::job::{Job, Load, Suspicion};
@@ -124,6 +126,8 @@ pub(super) enum Unconverged {
     Iteration { iterations: usize, residual: f64, advice: Advice },
     /// No tilt of the roller has its moment.
     Moment { missing: f64 },
+    /// A check of a pass of a load that rolls fails.
+    Pass(TrackFault),
 }
 
 /// A remedy for an iteration without an answer.

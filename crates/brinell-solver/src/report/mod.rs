@@ -53,7 +53,8 @@ pub use load_approach::LoadApproach;
 pub use onset::YieldOnsetReport;
 pub use rolling::{
     BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
-    RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+    RollingReport, RuleVerdict, ShakedownLimit, SolvedHardening, TrackLimitReport,
+    TrackLimitsReport, TrackVerdict,
 };
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
 pub use side::Side;

@@ -5,6 +5,7 @@ use super::findings::{
     Advice, CasePlace, Deformation, Density, Finding, HeightsFinding, MANY_MESHES, OnsetUnknown,
     Unconverged, Wide, Work,
 };
+use super::solve_error::track_text;
 use super::suspicions;
 use crate::job::{MeshSettings, Named as _, YIELD_OVER_HARDNESS};
 use crate::solver::method::figures::Figure;
@@ -27,7 +28,7 @@ impl Finding {
         let length = |core: f64| write.length_text(core);
         let small = |core: f64| write.length_about(core);
         match self {
-            Self::NotConverged(cause) => cause.text(),
+            Self::NotConverged(cause) => cause.text(write),
             Self::Stopped { status, is_preliminary } => stopped(*status, *is_preliminary),
             Self::Work(work) => work.text(write),
             Self::Wide(wide) => wide.text(write),
@@ -354,7 +355,7 @@ fn coarse_case(change: f64, place: CasePlace, wanted: f64, write: UnitConverter)
 }
 
 impl Unconverged {
-    fn text(&self) -> String {
+    fn text(&self, write: UnitConverter) -> String {
         let slow = |is_slow: bool| {
             if is_slow { " Use the accelerated coupling (`solver.coupling`)." } else { "" }
         };
@@ -411,6 +412,9 @@ impl Unconverged {
                  (`mesh.elements_per_half_width`).",
                 percent(missing)
             ),
+            Self::Pass(ref fault) => {
+                format!("The next pass has no answer: {}.", track_text(fault, write))
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Errors of a solve as sentences in the units of a job.
 
-use brinell_halfspace::track::TrackFault;
+use brinell_halfspace::track::{DEEPEST, TrackFault};
 
 use crate::fem::mesh::{MESHED_SLOPE, MeshError};
 use crate::inputs::SolveError;
@@ -83,6 +83,14 @@ pub(super) fn track_text(fault: &TrackFault, write: UnitConverter) -> String {
             write.stress_about(traction),
             write.stress_about(strength)
         ),
+        TrackFault::Deep { peak, yield_stress, force } => format!(
+            "Hertz's peak of {} is {} times the yield stress of {}: passes are solved up to \
+             {DEEPEST} times, which is a force of {}",
+            write.stress_about(peak),
+            about(peak / yield_stress),
+            write.stress_about(yield_stress),
+            write.force_text(force)
+        ),
         TrackFault::Window { width } => format!(
             "the contact reaches the end of the {} in which the bodies may touch",
             write.length_about(width)
@@ -90,6 +98,22 @@ pub(super) fn track_text(fault: &TrackFault, write: UnitConverter) -> String {
         TrackFault::Edge { half_width } => format!(
             "contact or yield reaches the edge of the track, {} from its axis",
             write.length_about(half_width)
+        ),
+        TrackFault::Far { part, length } => format!(
+            "{} % of the plastic flow is at the ends of a track of {}, far from the load: give a \
+             longer `load.rolling.track`",
+            about(100.0 * part),
+            write.length_about(length)
+        ),
+        TrackFault::BeyondYield { excess } => format!(
+            "its residual stress exceeds the yield stress by {} %: more columns \
+             (`mesh.elements_per_half_width`) or fewer passes may have an answer",
+            about(100.0 * excess)
+        ),
+        TrackFault::Energy { gap } => format!(
+            "{} % of the plastic work is missing in its balance of energy: more columns \
+             (`mesh.elements_per_half_width`) or a smaller load may have an answer",
+            about(100.0 * gap)
         ),
         TrackFault::Depth { depth } => format!(
             "the material yields down to a depth of {}, where the layers end",

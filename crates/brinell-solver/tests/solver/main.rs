@@ -46,6 +46,7 @@ mod raceway;
 mod random_jobs;
 mod results;
 mod rolling;
+mod rolling_kinds;
 #[path = "../support/rough_traces.rs"]
 mod rough_traces;
 mod shape_cases;

@@ -69,8 +69,9 @@ fn a_ball_rolls_a_groove() {
     for (pass, groove) in [(1, 0.4069), (2, 0.4194), (3, 0.4239)] {
         near(body(&step, pass).groove_depth, 1e-3 * 0.983 * groove, 0.005);
     }
-    near(body(&step, 1).largest_strain, 8.61e-3, 0.01);
-    near(body(&step, 1).least_sigma_x, -350.3, 0.005);
+    // The prototype, whose join flowed: 8.61e-3, -350.3 and -267.8.
+    near(body(&step, 1).largest_strain, 8.52e-3, 0.01);
+    near(body(&step, 1).least_sigma_x, -353.6, 0.005);
     near(body(&step, 1).least_sigma_z, -267.8, 0.005);
     near(step.approach.unwrap(), 1.636e-3, 0.003);
     let found = rolling(&step);

@@ -234,7 +234,8 @@ fn passes_there_and_back_close_a_cycle() {
     let step = step(&job);
     let found = rolling(&step);
     assert_eq!(found.verdict, TrackVerdict::ClosedCycle, "{:?}", found.reason);
-    near(found.rate.unwrap(), 1.17e-2, 0.05);
+    // On tracks of 32, 64 and 128 half-widths; 1.17e-2 while the join of the ring flowed.
+    near(found.rate.unwrap(), 1.24e-2, 0.02);
     let last = found.passes.last().unwrap().bodies.lower.unwrap();
     assert!(last.net_strain > 3e-3, "{last:?}");
     let text = &step.verdict.as_ref().unwrap().text;

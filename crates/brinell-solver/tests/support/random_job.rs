@@ -108,6 +108,79 @@ pub fn in_millimetres(random: &mut Random, elements: &[u32]) -> Value {
     job
 }
 
+/// Which loads that roll are drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Rolls {
+    /// Discs on discs, at 2.2 to 6 times the yield stress in shear and frictions up to 0.35.
+    Lines,
+    /// Discs whose traction is 0.7 to 1 of what the material bears at the surface, at 3 to 8 times
+    /// the yield stress in shear.
+    NearTraction,
+    /// Balls on flats and in grooves, at 2 to 6 times the yield stress.
+    Balls,
+}
+
+/// Three passes of a load on the default columns.
+pub fn rolling(random: &mut Random, rolls: Rolls) -> Value {
+    let yield_stress = random.between(300.0, 900.0);
+    let mut law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0});
+    // What the surface bears in the end over the yield stress.
+    let strength = match random.one_of(&[0, 1, 2, 3]) {
+        0 => 1.0,
+        1 => {
+            law["tangent_modulus"] = json!(random.decades(500.0, 20_000.0));
+            if rolls == Rolls::NearTraction { 1.0 } else { f64::INFINITY }
+        }
+        2 => {
+            law["law"] = json!("voce");
+            law["saturation_stress"] = json!(1.5 * yield_stress);
+            law["rate"] = json!(random.decades(10.0, 200.0));
+            law.as_object_mut().map(|law| law.remove("tangent_modulus"));
+            1.5
+        }
+        _ => {
+            let (modulus, rate) = (random.decades(1e4, 1e5), random.decades(100.0, 500.0));
+            law["backstress"] = json!([{"modulus": modulus, "rate": rate}]);
+            1.0 + modulus / rate / yield_stress
+        }
+    };
+    let k = yield_stress / 3f64.sqrt();
+    let peak = match rolls {
+        Rolls::Lines => k * random.between(2.2, 6.0),
+        Rolls::NearTraction => k * random.between(3.0, 8.0),
+        Rolls::Balls => yield_stress * random.between(2.0, 6.0),
+    };
+    let sense = random.one_of(&[1.0, -1.0]);
+    let most = 0.99 * k * strength / peak;
+    let friction = match rolls {
+        Rolls::NearTraction => sense * random.between(0.7, 1.0) * k * strength / peak,
+        _ if random.happens(0.4) => 0.0,
+        _ => sense * random.between(0.02, 0.35_f64.min(most)),
+    };
+    let elastic = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+    let mut yielding = elastic.clone();
+    yielding["plasticity"] = law;
+    let rolling = |force: f64| {
+        json!({"rolling": {"force": force, "friction": friction, "passes": 3, "until": "passes",
+            "hardening": "isotropic"}})
+    };
+    let modulus = 210_000.0 / (2.0 * 0.91);
+    let radius = random.decades(2.0, 50.0);
+    if rolls == Rolls::Balls {
+        let force = std::f64::consts::PI.powi(3) * peak.powi(3) * radius.powi(2)
+            / (6.0 * modulus * modulus);
+        return json!({"analysis": "three_dimensional",
+            "upper": {"shape": {"type": "sphere", "radius": radius}, "material": elastic},
+            "lower": {"shape": {"type": "flat"}, "material": yielding},
+            "load": rolling(force), "solver": {"theory": "flow"}});
+    }
+    let force = std::f64::consts::PI * peak * peak * 0.5 * radius / modulus;
+    json!({"analysis": "plane_strain",
+        "upper": {"shape": {"type": "cylinder", "radius": radius}, "material": elastic},
+        "lower": {"shape": {"type": "cylinder", "radius": radius}, "material": yielding},
+        "load": rolling(force), "solver": {"theory": "flow"}})
+}
+
 /// Half-spaces that a person might press together: a contact of half of a thousandth to a
 /// twentieth of the radius, at up to five yield stresses.
 pub fn half_spaces(random: &mut Random) -> Value {

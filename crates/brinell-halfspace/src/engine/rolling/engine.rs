@@ -21,15 +21,23 @@ use brinell_method::solve::{Engine, Round, Verdict, VerdictOf};
 
 /// Enlargements of a track at most.
 const MAX_ENLARGEMENTS: usize = 4;
+/// Length that a track is given at most where flow reaches its ends, over the length asked for.
+const LONGEST: f64 = 4.0;
 
 /// Largest violation of a contact condition that an iterative contact solver leaves: half of what
 /// the check lets pass.
 const CONTACT_TOLERANCE: f64 = 5e-9;
 
+/// Tolerance of tracks that nothing but errors is found from: strains of late passes agree to three
+/// digits.
+const OF_ERRORS: f64 = 1e-5;
+
 /// Two bodies on a track.
 pub(super) struct TrackEngine<'a, C> {
     pub problem: &'a RollingProblem,
     pub coupling: &'static dyn Coupling,
+    /// Residual over the contact force at which an iteration ends.
+    pub tolerance: f64,
     contact: ConjugateGradientSolver,
     course: PhantomData<C>,
 }
@@ -37,25 +45,22 @@ pub(super) struct TrackEngine<'a, C> {
 impl<'a, C: Course> TrackEngine<'a, C> {
     /// Iterated as the problem asks for.
     pub fn new(problem: &'a RollingProblem) -> Self {
-        Self::with(problem, problem.solver.coupling)
+        Self::with(problem, problem.solver.coupling, problem.solver.tolerance)
     }
 
-    /// Iterated as is best for tracks that nothing is reported of.
+    /// Iterated as is best for tracks that nothing but errors is found from.
     pub fn auxiliary(problem: &'a RollingProblem) -> Self {
-        Self::with(problem, &Accelerated)
+        Self::with(problem, &Accelerated, problem.solver.tolerance.max(OF_ERRORS))
     }
 
-    fn with(problem: &'a RollingProblem, coupling: &'static dyn Coupling) -> Self {
+    fn with(problem: &'a RollingProblem, coupling: &'static dyn Coupling, tolerance: f64) -> Self {
         Self {
             problem,
             coupling,
+            tolerance,
             contact: ConjugateGradientSolver::new(CONTACT_TOLERANCE),
             course: PhantomData,
         }
-    }
-
-    pub fn tolerance(&self) -> f64 {
-        self.problem.solver.tolerance
     }
 
     /// The increment is filled in.
@@ -63,7 +68,7 @@ impl<'a, C: Course> TrackEngine<'a, C> {
         Controls {
             contact: C::solver(self.problem, &self.contact),
             load: ContactLoad::Force(self.problem.load.force),
-            tolerance: self.tolerance(),
+            tolerance: self.tolerance,
             max_iterations: self.problem.solver.max_iterations,
             renewable: false,
             scales: Scales::default(),
@@ -141,8 +146,18 @@ impl<C: Course> Engine for TrackEngine<'_, C> {
         let held = bodies.iter().try_for_each(Rolls::holds);
         drop(bodies);
         let fault = system.grid.holds(&pressure).and(held).err();
-        let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;
-        let larger = TrackDesign { enlargements: design.enlargements + 1, ..*design };
+        let (larger, may_enlarge) = match fault {
+            Some(TrackFault::Far { .. }) => {
+                let length = 2.0 * design.length;
+                let longest = LONGEST * self.problem.length();
+                (TrackDesign { length, ..*design }, length <= longest)
+            }
+            _ => (
+                TrackDesign { enlargements: design.enlargements + 1, ..*design },
+                design.enlargements < MAX_ENLARGEMENTS,
+            ),
+        };
+        let may_enlarge = may_enlarge && !outcome.status.is_stopped();
         Ok(match fault {
             // The window of a larger track may outgrow its ring.
             Some(_) if may_enlarge && C::lay(&larger).is_ok() => Verdict::Again(larger),

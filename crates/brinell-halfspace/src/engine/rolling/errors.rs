@@ -3,10 +3,11 @@
 //! ```text
 //! error = 0.7 |x(c) - x(c/2)| + |x(Λ) - x(2Λ)| + (0.5 |x| + 0.3 |x_1|)/c
 //! ```
-//! with c columns over a, a track of length Λ and the figure x_1 of the first pass.
-//! The second term is that of the first pass, on half the columns: a longer track changes nothing
-//! else. The last one is that of strains, forward displacement and works, which in passes that die
+//! with c columns over a, a track of length Λ and the figure x_1 of the first pass. The second term
+//! is that of the same pass on half the columns. The last one is that of strains, forward displacement and works, which in passes that die
 //! out depend on what the first passes have left. Contact figures have neither.
+
+use crate::track::AtDepth;
 
 use super::pass::{BodyPass, Pass};
 
@@ -39,27 +40,30 @@ pub struct PassErrors {
 pub struct BodyPassErrors {
     /// Of the depth of the groove.
     pub groove_depth: f64,
+    /// Of the pile-up beside it.
+    pub pile_up: f64,
     /// Of the forward displacement.
     pub forward: f64,
-    /// Of the largest accumulated plastic strain of the pass.
+    /// Of the largest accumulated plastic strain of the pass; where the first layer decides, at
+    /// least its difference to the surface.
     pub largest_strain: f64,
-    /// Of the largest net strain of the pass.
+    /// Of the largest net strain of the pass, likewise.
     pub net_strain: f64,
     /// Of the smallest and of the largest residual stress, along the travel and across it.
     pub residual: f64,
 }
 
 impl PassErrors {
-    /// The errors of a pass beside the same pass on half the columns, and of first passes on
-    /// tracks of one and of two lengths on half the columns. `first` is the first pass.
+    /// The errors of a pass beside the same pass on half the columns, on tracks of one and of two
+    /// lengths. `first` is the first pass.
     pub fn of(
-        [fine, first, coarse]: [&Pass; 3],
-        lengths: Option<[&Pass; 2]>,
+        [fine, first]: [&Pass; 2],
+        [coarse, long]: [&Pass; 2],
         (h, columns): (f64, usize),
     ) -> Self {
         let [floor, floor_of_first] = [FLOOR, FLOOR_OF_FIRST].map(|floor| floor / columns as f64);
         let error = |of: &dyn Fn(&Pass) -> f64| {
-            let track = lengths.map_or(0.0, |[one, two]| (of(one) - of(two)).abs());
+            let track = (of(coarse) - of(long)).abs();
             OF_COLUMNS * (of(fine) - of(coarse)).abs() + track + floor * of(fine).abs()
         };
         let of_contact = |of: &dyn Fn(&Pass) -> f64| OF_COLUMNS * (of(fine) - of(coarse)).abs();
@@ -74,11 +78,16 @@ impl PassErrors {
                 let first = first.bodies[side].as_ref().map_or(0.0, of);
                 figure(of) + floor_of_first * first.abs()
             };
+            let strain = |of: &dyn Fn(&BodyPass) -> AtDepth| {
+                let here = fine.bodies[side].as_ref().map_or(0.0, |body| of(body).to_surface);
+                of_pass(&|body| of(body).limit()).max(here)
+            };
             Some(BodyPassErrors {
                 groove_depth: figure(&|body| body.outlet.groove_depth),
+                pile_up: figure(&|body| body.outlet.pile_up),
                 forward: of_pass(&|body| body.outlet.forward),
-                largest_strain: of_pass(&|body| body.strain.largest.value),
-                net_strain: of_pass(&|body| body.strain.net.value),
+                largest_strain: strain(&|body| body.strain.largest),
+                net_strain: strain(&|body| body.strain.net),
                 residual: residual.fold(0.0, f64::max),
             })
         };
@@ -87,8 +96,7 @@ impl PassErrors {
             half_width: of_contact(&Pass::half_width) + SCATTER_OF_WIDTH * h,
             approach: fine.approach.map_or(0.0, |approach| {
                 let of = |pass: &Pass| pass.approach.unwrap_or(0.0);
-                let track = lengths.map_or(0.0, |[one, two]| (of(one) - of(two)).abs());
-                of_contact(&of) + track + FLOOR_OF_APPROACH * approach
+                of_contact(&of) + (of(coarse) - of(long)).abs() + FLOOR_OF_APPROACH * approach
             }),
             work: error(&Pass::plastic_work)
                 + floor_of_first * first.plastic_work()

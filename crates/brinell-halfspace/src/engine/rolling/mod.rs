@@ -23,5 +23,5 @@ pub use errors::{BodyPassErrors, PassErrors};
 pub use estimate::{TrackEstimate, estimate};
 pub use limits::FrictionLimit;
 pub use pass::{BodyPass, Pass};
-pub use problem::{Footprint, Limit, RollingLoad, RollingProblem};
-pub use run::{RollingSolution, run};
+pub use problem::{Footprint, Hardening, Limit, RollingLoad, RollingProblem};
+pub use run::{KinematicPasses, RollingSolution, run};

@@ -1,6 +1,6 @@
 //! One pass: its figures, and the evidence on which it is judged.
 
-use crate::track::{Outlet, PassStrain, Rolls as _};
+use crate::track::{Outlet, PassStrain, Rolls as _, TrackFault};
 
 use brinell_contact::Flexibility as _;
 
@@ -13,6 +13,15 @@ use brinell_method::couplings::iteration::{norm, relative};
 use brinell_method::final_check::{Evidence, LeastScales, judge};
 use brinell_method::observer::IterationRecord;
 use brinell_method::observer::SolveStatus;
+
+/// Excess of a residual stress over its yield surface that the iteration may leave. Sound passes
+/// have none.
+const BEYOND_YIELD: f64 = 1e-3;
+/// Part of the largest plastic work of a pass that may be missing in the balance of energy.
+const ENERGY: f64 = 0.1;
+/// Plastic work over the force and the slope of the gap at the end of the contact, the size of an
+/// elastic rolling force on one side, below which the balance is not resolved.
+const LEAST_WORK: f64 = 1e-6;
 
 /// One pass of the load. Lengths in mm, stresses in MPa, forces and works per length of travel in
 /// N; of a line contact forces and works on unit thickness in N/mm.
@@ -38,6 +47,8 @@ pub struct Pass {
     pub rolling_force: f64,
     /// Work of the traction on the plastic displacement of the surfaces.
     pub work_of_traction: f64,
+    /// Why the pass is no answer although its iteration may have converged.
+    pub fault: Option<TrackFault>,
     /// Residual state of each body after the pass; of two equal bodies that roll freely in both.
     pub bodies: [Option<BodyPass>; 2],
 }
@@ -68,28 +79,52 @@ impl Pass {
     }
 
     /// Returns the error of the balance of energy over the plastic work; 0 without plastic work.
+    pub fn energy_gap(&self) -> f64 {
+        let done = self.plastic_work();
+        if done > 0.0 { relative(self.missing_work(), done) } else { 0.0 }
+    }
+
+    /// What is missing in the balance of energy \[N\].
     ///
     /// Elastic displacements do no work over a steady pass: the work of pressure and traction is
     /// the plastic work and the change of the energy of residual stress.
-    pub fn energy_gap(&self) -> f64 {
-        let (done, stored) = (self.plastic_work(), self.stored_energy());
-        if done <= 0.0 {
-            return 0.0;
+    fn missing_work(&self) -> f64 {
+        let spent = self.rolling_force + self.work_of_traction;
+        (spent - self.plastic_work() - self.stored_energy()).abs()
+    }
+
+    /// Checks the law and the balance of energy of a pass behind those of `earlier`: the residual
+    /// stress is within its yield surface, and no work is missing over the largest plastic work,
+    /// which counts as `least` at least.
+    ///
+    /// # Errors
+    /// [`TrackFault::BeyondYield`], [`TrackFault::Energy`].
+    fn check(&self, earlier: &[Self], least: f64) -> Result<(), TrackFault> {
+        let bodies = self.bodies.iter().flatten();
+        let excess = bodies.map(|body| body.outlet.excess).fold(f64::NEG_INFINITY, f64::max);
+        if excess > BEYOND_YIELD {
+            return Err(TrackFault::BeyondYield { excess });
         }
-        relative((self.rolling_force + self.work_of_traction - done - stored).abs(), done)
+        let works = earlier.iter().chain([self]).map(Self::plastic_work);
+        let gap = self.missing_work() / works.fold(least, f64::max);
+        if gap > ENERGY { Err(TrackFault::Energy { gap }) } else { Ok(()) }
     }
 }
 
 impl<C: Course> Answer<C> {
-    /// The figures of the pass, and the track as it leaves it. A pass that has not converged
-    /// leaves nothing.
-    pub fn pass(self, engine: &TrackEngine<'_, C>) -> (Pass, Track<C>, Vec<IterationRecord>) {
+    /// The figures of the pass behind `earlier` ones, and the track as it leaves it. A pass that
+    /// has not converged leaves nothing.
+    pub fn pass(
+        self,
+        engine: &TrackEngine<'_, C>,
+        earlier: &[Pass],
+    ) -> (Pass, Track<C>, Vec<IterationRecord>) {
         let evidence = self.evidence();
         let load = engine.controls().load;
         let least = LeastScales::default().contact;
         let (status, _) =
-            judge(&self.track, &self.outcome, &evidence, load, engine.tolerance(), least);
-        let Self { mut track, outcome, .. } = self;
+            judge(&self.track, &self.outcome, &evidence, load, engine.tolerance, least);
+        let Self { mut track, outcome, fault } = self;
         let contact = &outcome.state.response.contact;
         let pressure = track.pressure(&contact.force);
         let work = |body: &mut C::Body| {
@@ -115,6 +150,7 @@ impl<C: Course> Answer<C> {
             approach: C::approach(contact),
             rolling_force: track.grid.rolling_force(&track.initial_gap, &pressure),
             work_of_traction,
+            fault,
             bodies: [None, None],
         };
         if status == SolveStatus::Converged {
@@ -130,6 +166,12 @@ impl<C: Course> Answer<C> {
             if problem.is_shared() {
                 let [upper, lower] = &mut pass.bodies;
                 lower.clone_from(upper);
+            }
+            let least = LEAST_WORK * problem.load.force * problem.slope();
+            if let Err(fault) = pass.check(earlier, least) {
+                pass.status = SolveStatus::NotConverged;
+                pass.fault = Some(fault);
+                pass.bodies = [None, None];
             }
         }
         (pass, track, outcome.history)

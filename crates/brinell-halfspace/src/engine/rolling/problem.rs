@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::track::TrackFault;
+use crate::track::{DEEPEST, TrackFault};
 use crate::{EllipticContact, Layers};
 use brinell_material::{Deviators, StreamLaw, StreamOfLayers, TrackFrame};
 
@@ -55,6 +55,20 @@ pub struct RollingLoad {
     pub alternating: bool,
     /// Length of the track over the elastic semi-axis along the travel; `None` for the default.
     pub track: Option<f64>,
+    /// How bodies harden that have no backstress.
+    pub hardening: Hardening,
+}
+
+/// How bodies harden whose curve says nothing of a load that turns round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hardening {
+    /// Isotropically as given, and once more kinematically with the same uniaxial curve.
+    #[default]
+    Both,
+    /// Isotropically.
+    Isotropic,
+    /// Kinematically with the same uniaxial curve.
+    Kinematic,
 }
 
 /// Two bodies, the gap between them, and the load that rolls.
@@ -170,6 +184,18 @@ impl RollingProblem {
         Ok(problem)
     }
 
+    /// The problem with kinematic hardening of the same uniaxial curves; `None` where no body
+    /// hardens isotropically.
+    pub fn hardening_kinematically(&self) -> Option<Self> {
+        let other = |material: &Option<Solid>| material.as_ref()?.hardening_kinematically();
+        let others = self.materials.each_ref().map(other);
+        let is_changed = others.iter().any(Option::is_some);
+        let materials = others.into_iter().zip(&self.materials);
+        let mut materials = materials.map(|(other, given)| other.or_else(|| given.clone()));
+        let materials = [materials.next().flatten(), materials.next().flatten()];
+        is_changed.then(|| Self { materials, ..self.clone() })
+    }
+
     /// Whether the contact is a line.
     pub const fn is_line(&self) -> bool {
         matches!(self.footprint, Footprint::Line { .. })
@@ -242,7 +268,8 @@ impl RollingProblem {
         })
     }
 
-    /// Checks that the surfaces bear the traction under the pressure of Hertz.
+    /// Checks that the surfaces bear the traction under the pressure of Hertz, and that it is not too
+    /// far beyond yield.
     ///
     /// # Errors
     /// [`TrackError::Track`].
@@ -256,7 +283,21 @@ impl RollingProblem {
                 return Err(TrackError::Track(TrackFault::Traction { traction, strength }));
             }
         }
-        Ok(())
+        let solids = [0, 1].map(|side| self.materials[side].as_ref());
+        let peak = self.elastic_peak();
+        match Solid::over_yield_stress(solids, peak) {
+            Some(ratio) if ratio > DEEPEST => {
+                // Hertz's peak grows with the root of the force of a line, the cubic root of an
+                // ellipse.
+                let power = if self.is_line() { 2 } else { 3 };
+                Err(TrackError::Track(TrackFault::Deep {
+                    peak,
+                    yield_stress: peak / ratio,
+                    force: self.load.force * (DEEPEST / ratio).powi(power),
+                }))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The limit of shakedown of perfectly plastic bodies in closed form; `None` where no body
@@ -296,6 +337,11 @@ impl RollingProblem {
             Footprint::Line { radius } => radius,
             Footprint::Ellipse { curvatures: [along, across], .. } => along.max(across).recip(),
         }
+    }
+
+    /// Slope of the gap along the travel at the end of the elastic contact.
+    pub(super) fn slope(&self) -> f64 {
+        self.semi_axes()[0] / self.radius()
     }
 
     /// Radius of the gap along the travel \[mm\].

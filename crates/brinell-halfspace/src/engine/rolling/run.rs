@@ -1,7 +1,7 @@
 //! Solves the passes of a load: first on half the columns, then on all of them.
 
 use crate::raceway::RacewayGrid;
-use crate::track::{PassStrain, Rolls, TrackFault, TrackGrid, Verdict};
+use crate::track::{PassStrain, Rolls, TrackGrid, Verdict};
 
 use super::course::Course;
 use super::design::TrackDesign;
@@ -9,7 +9,7 @@ use super::engine::TrackEngine;
 use super::error::TrackError;
 use super::errors::PassErrors;
 use super::pass::Pass;
-use super::problem::{Limit, RollingProblem};
+use super::problem::{Hardening, Limit, RollingProblem};
 use brinell_method::Interrupted as _;
 use brinell_method::couplings::iteration::Controls;
 use brinell_method::observer::SolveStatus;
@@ -31,8 +31,11 @@ pub struct RollingSolution {
     pub errors: Vec<Option<PassErrors>>,
     /// Verdict on each body; `None` for one that cannot yield.
     pub verdicts: [Option<Verdict>; 2],
-    /// Verdict by all passes on half the columns.
+    /// Verdict by as many passes on half the columns.
     pub coarse_verdicts: [Option<Verdict>; 2],
+    /// The same load on bodies that harden kinematically, where both rules are asked for and
+    /// differ.
+    pub kinematic: Option<KinematicPasses>,
     /// Limit of shakedown of perfectly plastic bodies, and of bodies with kinematic hardening
     /// without bound on these layers.
     pub limits: [Option<Limit>; 2],
@@ -50,8 +53,6 @@ pub struct RollingSolution {
     pub gap: Vec<f64>,
     /// Records of the iterations of the last pass.
     pub history: Vec<IterationRecord>,
-    /// Why the pass after the last one has no answer.
-    pub fault: Option<TrackFault>,
     /// Times the track was enlarged.
     pub enlargements: usize,
     /// Wall time by phase.
@@ -60,6 +61,19 @@ pub struct RollingSolution {
     pub tracks: usize,
     /// Why the run ended before the last pass.
     pub interrupted: Option<Interrupt>,
+}
+
+/// Passes over bodies with kinematic hardening of the same uniaxial curves.
+#[derive(Debug, Clone)]
+pub struct KinematicPasses {
+    /// The passes that have converged.
+    pub passes: Vec<Pass>,
+    /// The last pass, converged or not.
+    pub last: Pass,
+    /// Estimated errors of the last converged pass, without that of the length of the track.
+    pub errors: Option<PassErrors>,
+    /// Verdict on each body; `None` for one that cannot yield.
+    pub verdicts: [Option<Verdict>; 2],
 }
 
 /// Solves the passes of a load.
@@ -72,45 +86,52 @@ pub fn run(
     observer: &mut dyn Observer,
 ) -> Result<RollingSolution, TrackError> {
     problem.bears()?;
+    let asked = problem.load.hardening;
+    let other = problem.hardening_kinematically().filter(|_| asked != Hardening::Isotropic);
+    let (problem, other) = match &other {
+        Some(kinematic) if asked == Hardening::Kinematic => (kinematic, None),
+        other => (problem, other.as_ref()),
+    };
     if problem.is_line() {
-        run_on::<TrackGrid>(problem, observer)
+        run_on::<TrackGrid>(problem, other, observer)
     } else {
-        run_on::<RacewayGrid>(problem, observer)
+        run_on::<RacewayGrid>(problem, other, observer)
     }
 }
 
 fn run_on<C: Course>(
     problem: &RollingProblem,
+    other: Option<&RollingProblem>,
     observer: &mut dyn Observer,
 ) -> Result<RollingSolution, TrackError> {
     let (mut phases, mut tracks) = (PhaseTimes::default(), 0);
     let mut run = Run { phases: &mut phases, passes: &mut tracks, observer };
-    let half = (problem.columns / 2).max(2);
-    let design = TrackDesign::new(problem, half);
-    let auxiliary = TrackEngine::<C>::auxiliary(problem);
+    let design = TrackDesign::new(problem, problem.columns);
     let passes = problem.load.passes as usize;
-    let coarse = run.preliminarily(|run| sequence(&auxiliary, design, (passes, false), run))?;
-    interrupted(&coarse)?;
-    let long = TrackDesign { length: 2.0 * design.length, ..design };
-    let long = run.preliminarily(|run| sequence(&auxiliary, long, (1, false), run))?;
-    interrupted(&long)?;
     let engine = TrackEngine::<C>::new(problem);
-    let fine = TrackDesign::new(problem, problem.columns);
-    let fine = sequence(&engine, fine, (passes, problem.load.ends_at_verdict), &mut run)?;
-    let lengths = coarse.passes.first().zip(long.passes.first());
-    let errors = fine.passes.iter().enumerate().map(|(k, pass)| {
-        let beside = coarse.passes.get(k)?;
-        let lengths = lengths.filter(|_| k == 0).map(|(one, two)| [one, two]);
-        let columns = (fine.column, problem.columns);
-        Some(PassErrors::of([pass, &fine.passes[0], beside], lengths, columns))
-    });
-    let errors = errors.collect();
-    let last = fine.last.ok_or(TrackError::NoTrack)?;
+    let ends_at_verdict = problem.load.ends_at_verdict;
+    let fine = sequence(&engine, design, (passes, ends_at_verdict), &mut run)?;
+    let coarse = beside::<C>(problem, &fine, 1.0, &mut run)?;
+    let long = beside::<C>(problem, &fine, 2.0, &mut run)?;
+    let other = other.filter(|_| !long.is_stopped() && may_differ(problem, &fine.passes));
+    let kinematic = match other {
+        Some(other) => Some(kinematic::<C>(other, &fine, &mut run)?),
+        None => None,
+    };
+    let pairs = coarse.passes.iter().zip(&long.passes).map(|(coarse, long)| [coarse, long]);
+    let errors = errors(problem, &fine, pairs);
+    let mut last = fine.last.ok_or(TrackError::NoTrack)?;
+    let after = [&coarse.last, &long.last, &kinematic.as_ref().map(|of| of.last.clone())];
+    let interrupt = after.iter().find_map(|last| last.as_ref()?.status.interrupt());
+    if let Some(interrupt) = interrupt {
+        last.status = interrupt.into();
+    }
     Ok(RollingSolution {
         status: last.status,
         errors,
         verdicts: verdicts(problem, &fine.passes),
         coarse_verdicts: verdicts(problem, &coarse.passes),
+        kinematic,
         limits: [problem.perfect_limit(), fine.kinematic],
         passes: fine.passes,
         x: fine.x,
@@ -120,7 +141,6 @@ fn run_on<C: Course>(
         pressure: fine.pressure,
         gap: fine.gap,
         history: fine.history,
-        fault: fine.fault,
         enlargements: fine.enlargements,
         interrupted: last.status.interrupt(),
         last,
@@ -129,12 +149,78 @@ fn run_on<C: Course>(
     })
 }
 
-/// Returns an error if the observer stopped auxiliary passes, which have nothing to report.
-fn interrupted(passes: &Sequence) -> Result<(), TrackError> {
-    let status = passes.last.as_ref().map(|last| last.status);
-    status.and_then(SolveStatus::interrupt).map_or(Ok(()), |interrupt| {
-        Err(TrackError::Method(brinell_method::Error::Interrupted(interrupt)))
+/// Whether another rule of hardening may have a worse word: not where nothing yields, and not where
+/// these passes tell nothing and are too few for a worse one.
+fn may_differ(problem: &RollingProblem, passes: &[Pass]) -> bool {
+    let yields = passes.first().is_some_and(|first| first.plastic_work() > 0.0);
+    let each = if problem.load.alternating { 2 } else { 1 };
+    let many = problem.load.passes as usize >= each * Verdict::LEAST;
+    yields && (many || is_decided(problem, passes))
+}
+
+/// The passes of a sequence once more, on half the columns of a track so many times as long.
+fn beside<C: Course>(
+    problem: &RollingProblem,
+    fine: &Sequence,
+    times: f64,
+    run: &mut Run<'_>,
+) -> Result<Sequence, TrackError> {
+    if fine.passes.is_empty() || fine.is_stopped() {
+        return Ok(Sequence::default());
+    }
+    let half = TrackDesign::new(problem, (problem.columns / 2).max(2));
+    let design =
+        TrackDesign { length: times * fine.length, enlargements: fine.enlargements, ..half };
+    let engine = TrackEngine::<C>::auxiliary(problem);
+    let found =
+        run.preliminarily(|run| sequence(&engine, design, (fine.passes.len(), false), run));
+    found.or_else(|error| stopped_beside(fine, error))
+}
+
+/// A sequence that was stopped in its first pass, beside one that has an answer.
+fn stopped_beside(fine: &Sequence, error: TrackError) -> Result<Sequence, TrackError> {
+    let last = fine.last.clone().zip(error.interrupt());
+    let (last, interrupt) = last.ok_or(error)?;
+    let last = Pass { status: interrupt.into(), ..last };
+    Ok(Sequence { last: Some(last), ..Sequence::default() })
+}
+
+/// Passes over bodies that harden kinematically.
+fn kinematic<C: Course>(
+    problem: &RollingProblem,
+    given: &Sequence,
+    run: &mut Run<'_>,
+) -> Result<KinematicPasses, TrackError> {
+    let design = TrackDesign::new(problem, problem.columns);
+    let passes = (problem.load.passes as usize, problem.load.ends_at_verdict);
+    let engine = TrackEngine::<C>::new(problem);
+    let fine = run.preliminarily(|run| sequence(&engine, design, passes, run));
+    let fine = fine.or_else(|error| stopped_beside(given, error))?;
+    let coarse = beside::<C>(problem, &fine, 1.0, run)?;
+    let errors = errors(problem, &fine, coarse.passes.iter().map(|pass| [pass; 2]));
+    let mut last = fine.last.ok_or(TrackError::NoTrack)?;
+    if let Some(stopped) = coarse.last.filter(|last| last.status.is_stopped()) {
+        last.status = stopped.status;
+    }
+    Ok(KinematicPasses {
+        errors: errors.into_iter().next_back().flatten(),
+        verdicts: verdicts(problem, &fine.passes),
+        last,
+        passes: fine.passes,
     })
+}
+
+/// Errors of passes beside the same on half the columns of a track and of a longer one.
+fn errors<'a>(
+    problem: &RollingProblem,
+    fine: &Sequence,
+    mut beside: impl Iterator<Item = [&'a Pass; 2]>,
+) -> Vec<Option<PassErrors>> {
+    let columns = (fine.column, problem.columns);
+    let passes = fine.passes.iter();
+    passes
+        .map(|pass| Some(PassErrors::of([pass, &fine.passes[0]], beside.next()?, columns)))
+        .collect()
 }
 
 /// Passes on one track.
@@ -150,11 +236,16 @@ struct Sequence {
     pressure: Vec<f64>,
     gap: Vec<f64>,
     history: Vec<IterationRecord>,
-    fault: Option<TrackFault>,
+    /// Length of the track over the semi-axis along the travel.
+    length: f64,
     enlargements: usize,
 }
 
 impl Sequence {
+    fn is_stopped(&self) -> bool {
+        self.last.as_ref().is_some_and(|last| last.status.is_stopped())
+    }
+
     /// Keeps the passes that are finished if the observer stopped the next one.
     fn stopped_by<D>(mut self, leave: Leave<D, TrackError>) -> Result<Self, Leave<D, TrackError>> {
         if let (Leave::Failed(error), Some(last)) = (&leave, &mut self.last)
@@ -186,6 +277,7 @@ fn sequence<C: Course>(
             column: grid.column(),
             cell: grid.area(),
             grid: [grid.n_columns(), layers.unwrap_or(0), grid.n_rows()],
+            length: track.design.length,
             enlargements: track.design.enlargements,
             ..Sequence::default()
         };
@@ -199,11 +291,10 @@ fn sequence<C: Course>(
                 Ok(answer) => answer,
                 Err(leave) => return done.stopped_by(leave),
             };
-            done.fault = answer.fault;
             let contact = &answer.outcome.state.response.contact;
             done.pressure = answer.track.grid.along(&answer.track.pressure(&contact.force));
             done.gap = answer.track.grid.along(&contact.gap);
-            let (pass, next, history) = answer.pass(engine);
+            let (pass, next, history) = answer.pass(engine, &done.passes);
             done.history = history;
             let is_converged = pass.status == SolveStatus::Converged;
             if is_converged {

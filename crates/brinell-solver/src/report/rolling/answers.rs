@@ -1,6 +1,9 @@
 //! Answers and verdict of a load that rolls.
 
-use super::document::{BodyPassReport, PassReport, RollingReport, TrackVerdict};
+use super::document::{
+    BodyPassReport, PassReport, RollingReport, RuleVerdict, SolvedHardening, TrackVerdict,
+};
+use crate::job::Load;
 use crate::report::answers::{Answer, AnswerBody, AnswerPlace, AnswerQuantity, Facts};
 use crate::report::{PerBody, Side, VerdictLevel};
 use crate::solver::method::figures::Figure;
@@ -14,20 +17,20 @@ impl Facts<'_> {
         &self,
         rolling: &RollingReport,
     ) -> (VerdictLevel, String) {
-        let passes = match rolling.passes.len() {
-            1 => "1 pass".to_owned(),
-            n => format!("{n} passes"),
-        };
+        let is_worst =
+            |rule: &&RuleVerdict| (rule.verdict, rule.rate) == (rolling.verdict, rolling.rate);
+        let worst = rolling.rules.iter().rev().find(is_worst);
+        let rule = worst.map_or("", |worst| by_rule(worst.hardening));
+        let passes = self.passes_of(worst.map_or(rolling.passes.len(), |worst| worst.passes));
         let body = in_body(rolling.body);
-        let rate = rolling.rate.map_or_else(String::new, |rate| {
-            let bar = rolling.rate_error.unwrap_or(0.0) / rate;
-            let bar = if bar.is_finite() {
-                format!(" (± {} %)", about(100.0 * bar))
-            } else {
-                String::new()
-            };
-            format!("{} %{bar}", about(100.0 * rate))
-        });
+        let rate = strain(rolling.rate, rolling.rate_error);
+        let at = match rolling.rate_depth {
+            Some(depth) if depth > 0.0 => {
+                format!(" at a depth of {}", self.with_unit(about, AnswerQuantity::Length, depth))
+            }
+            Some(_) => " at the surface".to_owned(),
+            None => String::new(),
+        };
         let each = if self.is_alternating() { "each pass there and back" } else { "each pass" };
         let (level, text) = match rolling.verdict {
             TrackVerdict::Elastic if !self.can_yield() => (
@@ -38,33 +41,76 @@ impl Facts<'_> {
                 (VerdictLevel::Elastic, "Elastic: nothing yields as the load rolls".to_owned())
             }
             TrackVerdict::ShakesDown => (
-                VerdictLevel::ShakesDown,
-                format!("Shakes down: plastic flow dies out{body} within {passes}"),
+                if self.is_beyond(rolling) {
+                    VerdictLevel::AboveShakedownLimit
+                } else {
+                    VerdictLevel::ShakesDown
+                },
+                format!("Shakes down{rule}: plastic flow dies out{body} within {passes}"),
             ),
             TrackVerdict::ClosedCycle => (
                 VerdictLevel::ClosedCycle,
                 format!(
-                    "Closes a cycle: {each} flows by a plastic strain of {rate}{body} and takes \
-                     it back, which is low-cycle fatigue"
+                    "Closes a cycle{rule}: {each} flows by a plastic strain of {rate}{at}{body} \
+                     and takes it back, which is low-cycle fatigue"
                 ),
             ),
             TrackVerdict::Ratchets => (
                 VerdictLevel::Ratchets,
-                format!("Ratchets: {each} adds a plastic strain of {rate}{body}"),
+                format!("Ratchets{rule}: {each} adds a plastic strain of {rate}{at}{body}"),
             ),
             TrackVerdict::Undecided => (
                 VerdictLevel::NotKnown,
-                format!("Not decided after {passes}: the track still changes"),
+                format!("Not decided after {passes}{rule}: the track still changes"),
             ),
         };
-        let limit = rolling.limits.perfect.zip(self.step.hertz.as_ref()).map(|(limit, hertz)| {
+        let other = rolling.rules.iter().find(|rule| {
+            rolling.rules.len() > 1 && worst.is_some_and(|worst| worst.hardening != rule.hardening)
+        });
+        let other = other.map_or_else(String::new, |rule| self.beside(rule));
+        let perfect = rolling.limits.perfect.zip(self.step.hertz.as_ref());
+        let limit = perfect.map_or_else(String::new, |(limit, hertz)| {
             format!(
                 "; Hertz's peak is {} times the limit of shakedown of a perfectly plastic body, {}",
                 about(hertz.peak_pressure / limit.peak_pressure),
                 self.with_unit(rounded, AnswerQuantity::Stress, limit.peak_pressure)
             )
         });
-        (level, format!("{text}{}.", limit.unwrap_or_default()))
+        (level, format!("{text}{other}{limit}."))
+    }
+
+    /// Returns what a second rule of hardening says.
+    fn beside(&self, rule: &RuleVerdict) -> String {
+        let rate = strain(rule.rate, rule.rate_error);
+        let passes = self.passes_of(rule.passes);
+        let says = match rule.verdict {
+            TrackVerdict::Elastic => "nothing yields".to_owned(),
+            TrackVerdict::ShakesDown => format!("it shakes down within {passes}"),
+            TrackVerdict::ClosedCycle => format!("it closes a cycle of {rate}"),
+            TrackVerdict::Ratchets => format!("it ratchets by {rate} a pass"),
+            TrackVerdict::Undecided => format!("it is not decided after {passes}"),
+        };
+        format!(";{} {says}", by_rule(rule.hardening))
+    }
+
+    /// Returns a number of passes, of those asked for where fewer were enough.
+    fn passes_of(&self, number: usize) -> String {
+        let asked = match self.job.load {
+            Load::Rolling(rolling) => rolling.passes as usize,
+            _ => number,
+        };
+        match number {
+            1 if asked == 1 => "1 pass".to_owned(),
+            n if n < asked => format!("{n} of {asked} passes"),
+            n => format!("{n} passes"),
+        }
+    }
+
+    /// Returns whether the pressure is above the limit of bodies whose backstress has no bound,
+    /// which no rule but isotropic hardening exceeds.
+    fn is_beyond(&self, rolling: &RollingReport) -> bool {
+        let limit = rolling.limits.kinematic.zip(self.step.hertz.as_ref());
+        limit.is_some_and(|(limit, hertz)| hertz.peak_pressure > limit.peak_pressure)
     }
 
     /// Returns the answers of the last pass.
@@ -115,6 +161,13 @@ impl Facts<'_> {
         let rate =
             self.answer("rate", "Strain of a steady pass", AnswerQuantity::Strain, rolling.rate);
         let body = rolling.body.map(of_side);
+        let place = |depth: f64| AnswerPlace {
+            body: body.unwrap_or(AnswerBody::Both),
+            x: 0.0,
+            y: None,
+            depth,
+        };
+        let rate = rate.place(rolling.rate_depth.map(place));
         Answer { body, ..rate.error(error.filter(|error| error.is_finite())).text(text) }
     }
 
@@ -134,7 +187,7 @@ impl Facts<'_> {
             Some(AnswerPlace { body: of, x: 0.0, y, depth })
         };
         let stress = AnswerQuantity::Stress;
-        vec![
+        let mut answers = vec![
             self.answer(
                 "groove_depth",
                 "Depth of the track",
@@ -173,7 +226,13 @@ impl Facts<'_> {
                 below(body.net_strain_depth, body.net_strain_across)
                     .filter(|_| body.net_strain > 0.0),
             )
-            .text("what the pass has not taken back, largest of all layers"),
+            .text(
+                if error(|errors| errors.net_strain).is_some_and(|error| error >= 1.0) {
+                    "below its error; what the pass has not taken back, largest of all layers"
+                } else {
+                    "what the pass has not taken back, largest of all layers"
+                },
+            ),
             self.figure(Figure::MaxPlasticStrain, body.accumulated_strain)
                 .of(of)
                 .text("accumulated by all passes, largest of all layers"),
@@ -185,7 +244,16 @@ impl Facts<'_> {
                 .error(error(|errors| errors.residual))
                 .of(of)
                 .text("across the travel, the least over depth after the last pass"),
-        ]
+        ];
+        if last.half_width_across.is_some() {
+            let pile_up = self.answer("pile_up", "Pile-up", AnswerQuantity::Length, body.pile_up);
+            let pile_up = pile_up.error(error(|errors| errors.pile_up)).of(of);
+            answers.insert(
+                1,
+                pile_up.text("how far all passes have raised the surface beside the track"),
+            );
+        }
+        answers
     }
 
     fn limits(&self, rolling: &RollingReport) -> Vec<Answer> {
@@ -226,6 +294,23 @@ const fn of_side(side: Side) -> AnswerBody {
     match side {
         Side::Upper => AnswerBody::Upper,
         Side::Lower => AnswerBody::Lower,
+    }
+}
+
+/// Returns a strain in per cent with its error.
+fn strain(rate: Option<f64>, error: Option<f64>) -> String {
+    let Some(rate) = rate else { return String::new() };
+    let bar = Some(error.unwrap_or(0.0) / rate).filter(|bar| bar.is_finite());
+    let bar = bar.map(|bar| format!(" (± {} %)", about(100.0 * bar)));
+    format!("{} %{}", about(100.0 * rate), bar.unwrap_or_default())
+}
+
+/// Returns the rule that a verdict is said under.
+const fn by_rule(rule: SolvedHardening) -> &'static str {
+    match rule {
+        SolvedHardening::Given => "",
+        SolvedHardening::Isotropic => " with isotropic hardening",
+        SolvedHardening::Kinematic => " with kinematic hardening",
     }
 }
 

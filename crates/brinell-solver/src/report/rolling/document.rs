@@ -17,12 +17,21 @@ pub struct RollingReport {
     pub body: Option<Side>,
     /// Plastic strain of a steady pass, or of a pair of passes there and back: net strain of a
     /// track that ratchets, accumulated strain of one that closes a cycle, 0 of one that shakes
-    /// down; `null` where it is undecided \[1 >= 0\].
+    /// down; `null` where it is undecided. Where the first layer decides it is that of the surface,
+    /// by √z from the first two layers \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub rate: Option<f64>,
-    /// Estimated error of the rate by columns, and its change over three passes \[1 >= 0\].
+    /// Estimated error of the rate by columns, and its change over three passes; of the surface at
+    /// least the difference to the first layer \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub rate_error: Option<f64>,
+    /// Depth of the rate, 0 at the surface; `null` where there is none \[length >= 0\].
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub rate_depth: Option<f64>,
+    /// The verdicts by each rule of hardening that was solved. `verdict` is the worst of them.
+    #[serde(default)]
+    pub rules: Vec<RuleVerdict>,
     /// Why the verdict is open or the passes end; `null` otherwise.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub reason: Option<String>,
@@ -41,6 +50,52 @@ pub struct RollingReport {
     /// Rows of cells in a layer on one side of the axis of the track, over which all fields are
     /// symmetric; 1 of a line.
     pub rows: usize,
+}
+
+/// The verdict on a track by one rule of hardening.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct RuleVerdict {
+    /// The rule.
+    pub hardening: SolvedHardening,
+    /// What becomes of the track, of both bodies the worse.
+    pub verdict: TrackVerdict,
+    /// As `rate` of the track \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub rate: Option<f64>,
+    /// As `rate_error` of the track \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub rate_error: Option<f64>,
+    /// Passes that have converged.
+    pub passes: usize,
+    /// Why the verdict is open or the passes end; `null` otherwise.
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub reason: Option<String>,
+}
+
+/// A rule of hardening that was solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum SolvedHardening {
+    /// That of the job: a backstress, no hardening, or a curve without a yield point.
+    Given,
+    /// Isotropic.
+    Isotropic,
+    /// Kinematic, with the same uniaxial curve.
+    Kinematic,
+}
+
+impl Named for SolvedHardening {
+    const ALL: &'static [Self] = &[Self::Given, Self::Isotropic, Self::Kinematic];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Isotropic => "isotropic",
+            Self::Kinematic => "kinematic",
+        }
+    }
 }
 
 /// What becomes of a track.
@@ -176,6 +231,10 @@ pub struct BodyPassErrorReport {
     /// Of the depth of the groove \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub groove_depth: Option<f64>,
+    /// Of the pile-up beside the groove \[1 >= 0\].
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub pile_up: Option<f64>,
     /// Of the forward displacement \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub forward: Option<f64>,

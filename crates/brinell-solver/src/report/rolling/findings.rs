@@ -1,5 +1,7 @@
 //! Findings on a load that rolls.
 
+use brinell_halfspace::track::TrackFault;
+
 use super::document::TrackVerdict;
 use super::verdicts::{word, worst};
 use crate::job::Job;
@@ -23,9 +25,12 @@ pub(super) fn findings(
     let last = &solution.last;
     match solution.status {
         SolveStatus::Converged => {}
-        SolveStatus::NotConverged if solution.fault.is_some() => {
+        SolveStatus::NotConverged if last.fault.is_some_and(cuts_off) => {
             findings.push(Finding::NotConverged(Unconverged::AtEdge));
             findings.push(Finding::AtEdge { in_hole: false });
+        }
+        SolveStatus::NotConverged if let Some(fault) = last.fault => {
+            findings.push(Finding::NotConverged(Unconverged::Pass(fault)));
         }
         SolveStatus::NotConverged => {
             let has_room = last.iterations < problem.solver.max_iterations;
@@ -42,9 +47,10 @@ pub(super) fn findings(
     if ratio > WIDE_CONTACT {
         findings.push(Finding::Wide(Wide::OverRadius { ratio, in_groove: false }));
     }
-    let strain = solution.passes.iter().flat_map(|pass| pass.bodies.iter().flatten());
-    let strain = strain.map(|body| body.strain.largest.value).fold(0.0, f64::max);
-    findings.extend(large_strain(strain, false, None));
+    let other = solution.kinematic.iter().flat_map(|other| &other.passes);
+    let bodies = solution.passes.iter().chain(other).flat_map(|pass| pass.bodies.iter().flatten());
+    let strain = bodies.map(|body| body.strain.largest.value.max(body.outlet.strain_of_all()));
+    findings.extend(large_strain(strain.fold(0.0, f64::max), false, None));
     let [fine, coarse] =
         [&solution.verdicts, &solution.coarse_verdicts].map(|verdicts| word(worst(verdicts).1));
     if fine != coarse && ![fine, coarse].contains(&TrackVerdict::Undecided) {
@@ -61,4 +67,9 @@ pub(super) fn findings(
         findings.push(Finding::HalfSpaces { reach: REACH * longest, across_roller });
     }
     findings
+}
+
+/// Whether a fault is one of cells that contact or yield outgrow.
+const fn cuts_off(fault: TrackFault) -> bool {
+    matches!(fault, TrackFault::Window { .. } | TrackFault::Edge { .. } | TrackFault::Depth { .. })
 }

@@ -10,6 +10,7 @@ mod verdicts;
 
 pub use document::{
     BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
-    RollingReport, ShakedownLimit, TrackLimitReport, TrackLimitsReport, TrackVerdict,
+    RollingReport, RuleVerdict, ShakedownLimit, SolvedHardening, TrackLimitReport,
+    TrackLimitsReport, TrackVerdict,
 };
 pub(super) use run::{preflight, run_each};

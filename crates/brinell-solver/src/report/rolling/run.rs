@@ -7,7 +7,9 @@ use crate::report::build::timings;
 use crate::report::run::{RunError, SOLVER_BYTES, STEP_BYTES};
 use crate::report::{JobEstimate, MeshReport, Report, StepReport};
 use crate::solver::Observer;
-use crate::solver::rolling::{RollingProblem, RollingSolution, TrackEstimate, estimate, run};
+use crate::solver::rolling::{
+    Hardening, RollingProblem, RollingSolution, TrackEstimate, estimate, run,
+};
 use crate::units::UnitConverter;
 
 /// Bytes of the report of a pass, and of a column of the window or a layer.
@@ -38,6 +40,9 @@ fn cost(job: &Job, problem: &RollingProblem, track: TrackEstimate) -> JobEstimat
     let cells = (columns * rows * layers * bodies) as u64;
     let components = if rows > 1 { 5 } else { 3 };
     let passes = u64::from(problem.load.passes);
+    let is_twice =
+        problem.load.hardening == Hardening::Both && problem.hardening_kinematically().is_some();
+    let rules = if is_twice { 2 } else { 1 };
     let section = if job.output.fields && rows > 1 { 2 * (2 * rows * layers) as u64 } else { 0 };
     let report = STEP_BYTES
         + PASS_BYTES * passes
@@ -47,7 +52,7 @@ fn cost(job: &Job, problem: &RollingProblem, track: TrackEstimate) -> JobEstimat
         equations: window * rows + components * columns * rows * layers * bodies,
         bytes: SOLVER_BYTES + bytes + 8 * report,
         result_bytes: report,
-        work: (cells / WORK_UNIT).max(1) * passes,
+        work: (cells / WORK_UNIT).max(1) * passes * rules,
     }
 }
 

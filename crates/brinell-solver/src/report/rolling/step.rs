@@ -6,7 +6,8 @@ use brinell_halfspace::track::Verdict;
 
 use super::document::{
     BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
-    RollingReport, TrackLimitReport, TrackLimitsReport,
+    RollingReport, RuleVerdict, SolvedHardening, TrackLimitReport, TrackLimitsReport,
+    TrackVerdict,
 };
 use super::findings::findings;
 use super::section::section;
@@ -23,7 +24,7 @@ use crate::report::{
 };
 use crate::solver::SolveStatus;
 use crate::solver::rolling::{
-    BodyPass, BodyPassErrors, FrictionLimit, Limit, Pass, PassErrors, RollingProblem,
+    BodyPass, BodyPassErrors, FrictionLimit, Hardening, Limit, Pass, PassErrors, RollingProblem,
     RollingSolution,
 };
 use crate::units::UnitConverter;
@@ -34,6 +35,14 @@ const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line loa
 
 /// Difference below which two frictions are one.
 const SAME_FRICTION: f64 = 1e-9;
+
+/// The verdict by one rule of hardening, the body of which it is said, and the depth of its rate.
+#[derive(Clone)]
+struct Ruled {
+    verdict: RuleVerdict,
+    body: Option<Side>,
+    depth: Option<f64>,
+}
 
 /// Writes the report of one job.
 pub(super) struct StepWriter<'a> {
@@ -158,20 +167,13 @@ impl StepWriter<'_> {
 
     fn rolling(&self, hertz: Option<&HertzReport>) -> RollingReport {
         let (write, solution) = (self.write, self.solution);
-        let (side, verdict) = self.verdict();
-        let (rate, change) = match verdict {
-            Verdict::Elastic | Verdict::ShakesDown { .. } => (Some(0.0), Some(0.0)),
-            Verdict::ClosedCycle { strain, bar } => (Some(strain), Some(bar)),
-            Verdict::Ratchets { rate, bar } => (Some(rate), Some(bar)),
-            Verdict::Undecided { .. } => (None, None),
-        };
-        let errors = solution.errors.last().and_then(Option::as_ref);
-        let errors = errors.and_then(|errors| errors.bodies[side?]);
-        let of_columns = match verdict {
-            Verdict::ClosedCycle { .. } => errors.map(|errors| errors.largest_strain),
-            Verdict::Ratchets { .. } => errors.map(|errors| errors.net_strain),
-            _ => Some(0.0),
-        };
+        let rules = self.rules();
+        // Of equal words the larger rate.
+        let worst = rules.iter().max_by(|a, b| {
+            let rate = |rule: &Ruled| rule.verdict.rate.unwrap_or(0.0);
+            a.verdict.verdict.cmp(&b.verdict.verdict).then(rate(a).total_cmp(&rate(b)))
+        });
+        let worst = worst.cloned();
         let limit = |limit: &Limit| TrackLimitReport {
             peak_pressure: write.stress(limit.peak_pressure),
             depth: write.length(limit.depth),
@@ -179,11 +181,13 @@ impl StepWriter<'_> {
         };
         let [perfect, kinematic] = &solution.limits;
         RollingReport {
-            verdict: word(verdict),
-            body: side.filter(|_| !self.problem.is_shared()).map(Side::of),
-            rate,
-            rate_error: change.zip(of_columns).map(|(change, columns)| change + columns),
-            reason: self.reason(verdict),
+            verdict: worst.as_ref().map_or(TrackVerdict::Undecided, |of| of.verdict.verdict),
+            body: worst.as_ref().and_then(|of| of.body),
+            rate: worst.as_ref().and_then(|of| of.verdict.rate),
+            rate_error: worst.as_ref().and_then(|of| of.verdict.rate_error),
+            rate_depth: worst.as_ref().and_then(|of| of.depth),
+            reason: worst.and_then(|of| of.verdict.reason),
+            rules: rules.into_iter().map(|of| of.verdict).collect(),
             friction: self.problem.load.friction,
             passes: self.passes(),
             limits: TrackLimitsReport {
@@ -218,16 +222,69 @@ impl StepWriter<'_> {
         limits.map(of_friction).collect()
     }
 
-    /// Returns the worse of both verdicts and the body that has it.
-    fn verdict(&self) -> (Option<usize>, Verdict) {
-        worst(&self.solution.verdicts)
+    /// Returns the verdicts by the rules of hardening that were solved.
+    fn rules(&self) -> Vec<Ruled> {
+        let solution = self.solution;
+        let errors = solution.errors.last().and_then(Option::as_ref);
+        let hardens = self.problem.hardening_kinematically().is_some();
+        let hardening = match self.problem.load.hardening {
+            _ if !hardens => SolvedHardening::Given,
+            Hardening::Kinematic => SolvedHardening::Kinematic,
+            Hardening::Both | Hardening::Isotropic => SolvedHardening::Isotropic,
+        };
+        let as_given = (&*solution.passes, &solution.last, errors);
+        let mut rules = vec![self.rule(hardening, &solution.verdicts, as_given)];
+        if let Some(other) = &solution.kinematic {
+            let passes = (&*other.passes, &other.last, other.errors.as_ref());
+            rules.push(self.rule(SolvedHardening::Kinematic, &other.verdicts, passes));
+        }
+        rules
+    }
+
+    /// Returns the verdict by one rule, of both bodies the worse.
+    fn rule(
+        &self,
+        hardening: SolvedHardening,
+        verdicts: &[Option<Verdict>; 2],
+        (passes, last, errors): (&[Pass], &Pass, Option<&PassErrors>),
+    ) -> Ruled {
+        let (side, verdict) = worst(verdicts);
+        let (rate, change) = match verdict {
+            Verdict::Elastic | Verdict::ShakesDown { .. } => (Some(0.0), Some(0.0)),
+            Verdict::ClosedCycle { strain, bar } => (Some(strain), Some(bar)),
+            Verdict::Ratchets { rate, bar } => (Some(rate), Some(bar)),
+            Verdict::Undecided { .. } => (None, None),
+        };
+        let errors = errors.and_then(|errors| errors.bodies[side?]);
+        let of_columns = match verdict {
+            Verdict::ClosedCycle { .. } => errors.map(|errors| errors.largest_strain),
+            Verdict::Ratchets { .. } => errors.map(|errors| errors.net_strain),
+            _ => Some(0.0),
+        };
+        let strain = passes.last().and_then(|pass| Some(pass.bodies[side?].as_ref()?.strain));
+        let place = strain.and_then(|strain| match verdict {
+            Verdict::ClosedCycle { .. } => Some(strain.largest),
+            Verdict::Ratchets { .. } => Some(strain.net),
+            _ => None,
+        });
+        let depth = place.map(|at| if at.to_surface > 0.0 { 0.0 } else { at.depth });
+        Ruled {
+            body: side.filter(|_| !self.problem.is_shared()).map(Side::of),
+            depth: depth.map(|depth| self.write.length(depth)),
+            verdict: RuleVerdict {
+                hardening,
+                verdict: word(verdict),
+                rate,
+                rate_error: change.zip(of_columns).map(|(change, columns)| change + columns),
+                passes: passes.len(),
+                reason: self.reason(verdict, passes.len(), last),
+            },
+        }
     }
 
     /// Returns why the verdict is open, or why the passes end.
-    fn reason(&self, verdict: Verdict) -> Option<String> {
-        let solution = self.solution;
-        let number = solution.passes.len();
-        match (solution.status, &solution.fault) {
+    fn reason(&self, verdict: Verdict, number: usize, last: &Pass) -> Option<String> {
+        match (last.status, &last.fault) {
             (SolveStatus::Converged, _) => {}
             (SolveStatus::NotConverged, Some(fault)) => {
                 let fault = track_text(fault, self.write);
@@ -237,7 +294,7 @@ impl StepWriter<'_> {
                 return Some(format!(
                     "pass {} has not converged in {} iterations",
                     number + 1,
-                    solution.last.iterations
+                    last.iterations
                 ));
             }
             _ => return Some(format!("the job was stopped in pass {}", number + 1)),
@@ -409,6 +466,7 @@ fn errors_report(
     let largest = stresses.fold(0.0, |most: f64, stress| most.max(stress.abs()));
     Some(BodyPassErrorReport {
         groove_depth: relative(errors.groove_depth, body.outlet.groove_depth),
+        pile_up: relative(errors.pile_up, body.outlet.pile_up),
         forward: relative(errors.forward, body.outlet.forward),
         largest_strain: relative(errors.largest_strain, body.strain.largest.value),
         net_strain: relative(errors.net_strain, body.strain.net.value),
