@@ -5,6 +5,8 @@
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
  * @typedef {object} Answer
+ * @property {number} [at_least]
+ * @property {number} [at_most]
  * @property {AnswerBody | null} body
  * @property {number | null} elastic
  * @property {number | null} error

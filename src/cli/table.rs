@@ -14,8 +14,8 @@ use super::style::Style;
 use brinell_solver::job::fields::Figure;
 use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure, measure_of};
 use brinell_solver::report::{
-    Answer, AnswerQuantity, FlowReport, LoadReport, PlasticityReport, Report, StepReport,
-    TargetReport, Timings, VerdictLevel,
+    Answer, FlowReport, LoadReport, PlasticityReport, Report, StepReport, TargetReport, Timings,
+    VerdictLevel,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -37,6 +37,7 @@ struct Names {
     length: &'static str,
     stress: &'static str,
     force: &'static str,
+    work: &'static str,
     is_round: bool,
     is_three_dimensional: bool,
 }
@@ -45,22 +46,17 @@ impl Names {
     fn of(job: &Job) -> Self {
         let is_round = job.analysis == Analysis::Axisymmetric;
         let is_three_dimensional = job.analysis == Analysis::ThreeDimensional;
-        let [length, stress, force] = [Quantity::Length, Quantity::Stress, job.analysis.force()]
-            .map(|q| q.symbol(job.units));
-        Self { length, stress, force, is_round, is_three_dimensional }
+        let force = job.analysis.force().quantity();
+        let work =
+            if force == Quantity::LineForce { Quantity::LineEnergy } else { Quantity::Energy };
+        let [length, stress, force, work] = [Quantity::Length, Quantity::Stress, force, work]
+            .map(|quantity| job.units.symbol(quantity));
+        Self { length, stress, force, work, is_round, is_three_dimensional }
     }
 
     /// Places along the surface.
     fn abscissa(self) -> &'static str {
         if self.is_round { "r" } else { "x" }
-    }
-
-    /// Unit of work: of a plane body per thickness, whose length cancels with the displacement.
-    fn work(self) -> String {
-        match self.force.strip_suffix(&format!("/{}", self.length)) {
-            Some(force) => force.to_owned(),
-            None => format!("{} {}", self.force, self.length),
-        }
     }
 }
 
@@ -265,7 +261,7 @@ impl Page {
     }
 
     fn answer(&mut self, answer: &Answer) {
-        let is_part = matches!(answer.quantity, AnswerQuantity::Strain | AnswerQuantity::Ratio);
+        let is_part = matches!(answer.quantity, Quantity::Strain | Quantity::Ratio);
         let (factor, unit) = if is_part { (100.0, "%") } else { (1.0, answer.unit.as_str()) };
         let shown = |value: f64| significant(factor * value, 5);
         let value = answer.value.map_or_else(|| "—".to_owned(), shown);
@@ -280,8 +276,16 @@ impl Page {
         }
         // A prescribed figure has no error.
         let error = answer.error.filter(|error| *error > 0.0);
-        let bound = answer.bound().map_or_else(String::new, |bound| format!("  {bound}"));
-        let bound = bound.replace("at least", "≥").replace("at most", "≤");
+        let limit = |value: f64| format!("{} {unit}", significant(factor * value, 3));
+        let bound = match (answer.at_least, answer.at_most) {
+            (Some(least), Some(most)) => {
+                format!("  {} to {}", significant(factor * least, 3), limit(most))
+            }
+            (Some(least), None) => format!("  ≥ {}", limit(least)),
+            (None, Some(most)) => format!("  ≤ {}", limit(most)),
+            (None, None) => String::new(),
+        };
+        let bound = bound.trim_end().to_owned();
         let error =
             error.map_or(bound, |error| format!("  ± {} %", significant(100.0 * error, 2)));
         let beside = match (answer.elastic, answer.value, &answer.place) {
@@ -303,9 +307,9 @@ impl Page {
             (None, ..) => format!("{:>19}{error}", ""),
         };
         let name = format!("{label:28}{unit:>6}");
-        if let (None, Some(reason)) = (answer.value, answer.text.strip_prefix("not known: ")) {
+        if answer.value.is_none() && !answer.text.is_empty() {
             let label = format!("{name}{plain}  ");
-            return self.line(&wrapped(&label, &words(reason), " "));
+            return self.line(&wrapped(&label, &words(&answer.text), " "));
         }
         let width = format!("{name}{plain}{beside}").trim_end().chars().count();
         if width <= WIDTH {
@@ -362,7 +366,7 @@ impl Page {
         let text = format!(
             "{} {}: elastic {}, dissipated {}{stored}",
             significant(energy.work, 4),
-            self.names.work(),
+            self.names.work,
             significant(energy.elastic, 3),
             significant(energy.dissipated, 3),
         );

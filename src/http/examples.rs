@@ -1,7 +1,7 @@
 //! Example jobs.
 
 /// Every file in `api/examples`.
-pub(crate) const EXAMPLES: [(&str, &str); 16] = [
+pub(crate) const EXAMPLES: [(&str, &str); 17] = [
     ("two_cylinders", include_str!("../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../api/examples/ramberg_osgood.json")),
@@ -17,5 +17,6 @@ pub(crate) const EXAMPLES: [(&str, &str); 16] = [
     ("rolled_hardened_roller", include_str!("../../api/examples/rolled_hardened_roller.json")),
     ("ball_runs_in", include_str!("../../api/examples/ball_runs_in.json")),
     ("deep_rolling", include_str!("../../api/examples/deep_rolling.json")),
+    ("paper_cylinders", include_str!("../../api/examples/paper_cylinders.json")),
     ("brinell_test", include_str!("../../api/examples/brinell_test.json")),
 ];

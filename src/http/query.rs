@@ -14,6 +14,7 @@ use axum::response::Response;
 use brinell_solver::job::{FaultCode, Named};
 use brinell_solver::report::{FIELD_NAMES, LAYER_NAMES};
 use jiff::Timestamp;
+use strum::{IntoStaticStr, VariantArray};
 use utoipa::openapi::path::{Parameter, ParameterIn};
 use utoipa::openapi::{HttpMethod, Paths, RefOr};
 
@@ -358,7 +359,8 @@ impl FromRequestParts<HttpState> for Step {
 }
 
 /// The large parts of a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub(super) enum StepPart {
     /// Values at the pairs of nodes.
     Contact,
@@ -374,27 +376,7 @@ pub(super) enum StepPart {
     History,
 }
 
-impl Named for StepPart {
-    const ALL: &'static [Self] = &[
-        Self::Contact,
-        Self::Subsurface,
-        Self::Plasticity,
-        Self::Fields,
-        Self::Maps,
-        Self::History,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Contact => "contact",
-            Self::Subsurface => "subsurface",
-            Self::Plasticity => "plasticity",
-            Self::Fields => "fields",
-            Self::Maps => "maps",
-            Self::History => "history",
-        }
-    }
-}
+impl Named for StepPart {}
 
 parameters! { "query", Selection {
     /// The large parts of a step that are wanted, separated by commas: `contact`

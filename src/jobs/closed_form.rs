@@ -4,7 +4,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use brinell_solver::inputs::{elastic_reference, elliptic_reference};
-use brinell_solver::job::{FieldError, Job, Load, Quantity, Sweep, Units};
+use brinell_solver::job::{FieldError, Job, Load, Named as _, Quantity, Sweep, Units};
 use brinell_solver::solver::half_spaces::EllipticReference;
 
 /// Hertz's contact of the bodies of a job, in the units of the job.
@@ -63,16 +63,16 @@ impl ClosedForm {
             let reference = elastic_reference(job, force).ok_or_else(not_hertzian)?;
             steps.push(ClosedFormStep {
                 force: force_unit.to_wire(units, force),
-                half_width: Quantity::Length.to_wire(units, reference.half_width),
-                peak_pressure: Quantity::Stress.to_wire(units, reference.peak_pressure),
+                half_width: units.to_wire(Quantity::Length, reference.half_width),
+                peak_pressure: units.to_wire(Quantity::Stress, reference.peak_pressure),
                 yields: reference.yield_onset_force.is_some_and(|onset| force > onset),
             });
             whole = Some(reference);
         }
         let whole = whole.ok_or_else(not_hertzian)?;
         Ok(Self {
-            units: Units::name(units),
-            effective_radius: Quantity::Length.to_wire(units, whole.effective_radius),
+            units: units.name(),
+            effective_radius: units.to_wire(Quantity::Length, whole.effective_radius),
             yield_onset_force: whole
                 .yield_onset_force
                 .map(|force| force_unit.to_wire(units, force)),
@@ -85,16 +85,16 @@ impl ClosedForm {
         let step = |force: f64| {
             let hertz = reference.under(force);
             ClosedFormStep {
-                force: Quantity::Force.to_wire(units, force),
-                half_width: Quantity::Length
-                    .to_wire(units, hertz.semi_axis_x.min(hertz.semi_axis_y)),
-                peak_pressure: Quantity::Stress.to_wire(units, hertz.peak_pressure),
+                force: units.to_wire(Quantity::Force, force),
+                half_width: units
+                    .to_wire(Quantity::Length, hertz.semi_axis_x.min(hertz.semi_axis_y)),
+                peak_pressure: units.to_wire(Quantity::Stress, hertz.peak_pressure),
                 yields: reference.onset_force().is_some_and(|onset| force > onset),
             }
         };
         Self {
-            units: Units::name(units),
-            effective_radius: Quantity::Length.to_wire(units, reference.effective_radius()),
+            units: units.name(),
+            effective_radius: units.to_wire(Quantity::Length, reference.effective_radius()),
             yield_onset_force: reference.onset_force(),
             steps: forces.iter().map(|force| step(force.get())).collect(),
         }

@@ -1,5 +1,5 @@
 //! The reference pages, `docs/reference/*.md`, are made of `api/openapi.json` and of the program's
-//! own help.
+//! own help, the tables of `docs/validity.md` of the findings of the solver.
 //!
 //! `BRINELL_WRITE=1 cargo test --test documents` writes them anew.
 
@@ -8,6 +8,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::process::Command;
 
+use brinell_solver::report::validity_tables;
 use serde_json::{Map, Value};
 
 use crate::{path, read};
@@ -85,6 +86,19 @@ fn the_command_line() {
         page.push_str("```\n\n");
     }
     hold("command_line.md", page.trim_end());
+}
+
+/// The tables of remarks in `docs/validity.md` are those of the findings of the solver.
+#[test]
+fn the_remarks() {
+    let mut page = read("docs/validity.md");
+    for (section, table) in validity_tables() {
+        let (start, end) = (format!("<!-- remarks: {section} -->\n"), "<!-- end -->");
+        let from = page.find(&start).expect("the section has a mark") + start.len();
+        let to = from + page[from..].find(end).expect("the table has an end");
+        page.replace_range(from..to, &format!("\n{table}\n"));
+    }
+    hold("../validity.md", &page);
 }
 
 /// Compares a page with what stands in the repository, or writes it there.

@@ -21,6 +21,7 @@ mod memory;
 mod metrics;
 mod openapi;
 mod page;
+mod paper;
 mod protocol;
 mod readme;
 mod results;

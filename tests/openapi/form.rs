@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use brinell_solver::job::fields::{Example, Field, FieldKind, FieldTable, Figure};
-use brinell_solver::job::{Hardening, InitialStress, OverDepth, Quantity, Shape};
+use brinell_solver::job::{Domain, Hardening, InitialStress, OverDepth, Shape};
 use brinell_solver::material::hardness;
 use serde_json::{Value, json};
 
@@ -139,18 +139,15 @@ fn field(field: &Field) -> Value {
 /// The page's name of a quantity.
 fn quantity(figure: &Figure) -> &'static str {
     match figure {
+        Figure::Quantity(Domain::Length | Domain::Position | Domain::Depth | Domain::Approach) => {
+            "length"
+        }
         Figure::Quantity(
-            Quantity::Length | Quantity::Position | Quantity::Depth | Quantity::Approach,
-        ) => "length",
-        Figure::Quantity(
-            Quantity::Modulus
-            | Quantity::TangentModulus
-            | Quantity::Stress
-            | Quantity::SignedStress,
+            Domain::Modulus | Domain::TangentModulus | Domain::Stress | Domain::SignedStress,
         ) => "stress",
-        Figure::Quantity(Quantity::LineForce) => "line_force",
-        Figure::Quantity(Quantity::Force) => "force",
-        Figure::Quantity(Quantity::Moment) => "energy",
+        Figure::Quantity(Domain::LineForce) => "line_force",
+        Figure::Quantity(Domain::Force) => "force",
+        Figure::Quantity(Domain::Moment) => "energy",
         Figure::Pure(_) => "number",
     }
 }

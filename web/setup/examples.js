@@ -26,6 +26,7 @@ const TITLES = /** @type {Record<string, string>} */ ({
   ball_runs_in: 'Ball that runs in, in three dimensions',
   brinell_test: 'Brinell test of a structural steel',
   deep_rolling: 'Deep rolling of a shaft, in three dimensions',
+  paper_cylinders: 'Two rollers by the method of Jiang and Shang',
 });
 
 const HARD = { name: 'Bearing steel, elastic', young_modulus: 207000, poisson_ratio: 0.3 };

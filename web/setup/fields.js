@@ -374,23 +374,6 @@ export const SUPPORTS = { clamped: 'Clamped', roller: 'Roller' };
 /** @type {Field[]} */
 export const SETTINGS = [
   { key: 'mesh/elements_per_half_width', label: 'Elements per half-width', quantity: 'number' },
-  {
-    key: 'solver/coupling',
-    label: 'Coupling',
-    kind: 'choice',
-    choices: {
-      accelerated: 'Accelerated',
-      strong: 'Strong',
-      weak: 'Weak',
-      secant_stiffness: 'Secant stiffness',
-    },
-  },
-  {
-    key: 'solver/contact',
-    label: 'Contact method',
-    kind: 'choice',
-    choices: { active_set: 'Active set', simplex: 'Simplex' },
-  },
   { key: 'solver/increments', label: 'Increments a load', quantity: 'number' },
   { key: 'solver/tolerance', label: 'Tolerance', quantity: 'number' },
   { key: 'solver/max_iterations', label: 'Iterations at most', quantity: 'number' },
@@ -428,8 +411,6 @@ export const DEFAULTS = {
   '/lower/surface/detrend': 'none',
   '/mesh/elements_per_half_width': 20,
   '/solver/theory': 'flow',
-  '/solver/coupling': 'accelerated',
-  '/solver/contact': 'active_set',
   '/solver/tolerance': 1e-6,
   '/solver/max_iterations': 500,
   '/output/subsurface': true,

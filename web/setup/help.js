@@ -41,10 +41,6 @@ export const TEXTS = {
     'How far the two held sides move towards each other. It depends on where the bodies are held.',
   'mesh/elements_per_half_width':
     'Elements over half the width of the contact, in three dimensions cells over each semi-axis. 20 gives the peak pressure to some 0.05 %, 10 is enough for a look; time and memory grow with the square.',
-  'solver/coupling':
-    'How plastic flow and contact find each other. All of them lead to the same answer; accelerated takes the fewest iterations, strong and weak are those of Jiang and Shang.',
-  'solver/contact':
-    'Two methods for the same contact problem; the simplex is that of Conry and Seireg (1971) and slower.',
   'solver/increments':
     'Steps in which flow theory puts each load on. Left empty, the program chooses them from its own estimate of their error.',
   'solver/tolerance':

@@ -3,20 +3,7 @@
 //! which needs nothing else to be shown. The row makes its member of [`Figures`], its name in the
 //! enumeration [`Figure`], and its place in every list of values, differences and error bars.
 
-/// The physical quantity of a figure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Measure {
-    /// A length \[mm\].
-    Length,
-    /// An area \[mm²\].
-    Area,
-    /// A stress \[MPa\].
-    Stress,
-    /// A force \[N/mm, or N\].
-    Force,
-    /// A strain \[1\].
-    Strain,
-}
+use crate::words::Quantity;
 
 macro_rules! home {
     (member) => {
@@ -29,8 +16,8 @@ macro_rules! home {
 
 macro_rules! figures {
     (
-        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_measure:ident $contact_home:ident,)* }
-        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_measure:ident $body_home:ident,)* }
+        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_quantity:ident $contact_home:ident,)* }
+        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_quantity:ident $body_home:ident,)* }
     ) => {
         /// A scalar figure of the contact, or of one body.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -64,11 +51,11 @@ macro_rules! figures {
                 }
             }
 
-            /// Returns the physical quantity.
-            pub const fn measure(self) -> Measure {
+            /// Returns the physical quantity; a force is that of the whole contact.
+            pub const fn quantity(self) -> Quantity {
                 match self {
-                    $(Self::$Contact => Measure::$contact_measure,)*
-                    $(Self::$Body => Measure::$body_measure,)*
+                    $(Self::$Contact => Quantity::$contact_quantity,)*
+                    $(Self::$Body => Quantity::$body_quantity,)*
                 }
             }
         }

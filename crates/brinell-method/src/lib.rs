@@ -28,5 +28,6 @@ pub mod solve;
 pub mod sought;
 pub mod steps;
 pub mod strays;
+pub mod words;
 
 pub use error::{Error, Interrupted, Limit, Unreachable, UnreachableReason};

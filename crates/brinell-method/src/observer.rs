@@ -3,11 +3,14 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+use strum::{IntoStaticStr, VariantArray};
+
 /// How a solve ended. Not converging is a status, not an error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[strum(serialize_all = "snake_case")]
 pub enum SolveStatus {
     /// Displacement change and equilibrium residual are below the tolerance, and the final state
     /// passes the independent contact check.

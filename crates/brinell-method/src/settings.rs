@@ -2,18 +2,21 @@
 
 use std::fmt;
 
+use strum::{IntoStaticStr, VariantArray};
+
 use brinell_contact::{ActiveSetSolver, ContactSolver};
 
 use crate::couplings::{Accelerated, Coupling};
 
 /// The theory of plasticity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum Theory {
-    /// Stress is a function of the total strain (Hencky): the paper's theory, for rising loads.
-    Deformation,
     /// Stress follows the history of strain (Prandtl and Reuss).
     #[default]
     Flow,
+    /// Stress is a function of the total strain (Hencky): the paper's theory, for rising loads.
+    Deformation,
 }
 
 /// Theory, methods and limits of a solve.

@@ -1,5 +1,7 @@
 //! The loads of a solve: given ones, or a force that is sought for its effect.
 
+use strum::{IntoStaticStr, VariantArray};
+
 use brinell_contact::ContactLoad;
 
 /// The loads of a solve.
@@ -32,7 +34,8 @@ pub struct Target {
 }
 
 /// A figure of the contact that determines the force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum TargetFigure {
     /// Approach after unloading.
     PermanentApproach,

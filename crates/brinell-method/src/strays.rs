@@ -7,9 +7,10 @@
 //! What a load has done to the bodies stays, and so does the error of it, also where the meshes of
 //! a later load agree by chance.
 
-use super::figures::{BodyFigures, Figures, Measure};
+use super::figures::{BodyFigures, Figures};
 use super::increments::Leg;
 use super::steps::{IncrementRecord, Step};
+use super::words::Quantity;
 
 /// Least number of increments that tell a scatter.
 const LEAST: usize = 6;
@@ -94,9 +95,9 @@ impl Shown {
             return step.path.shown;
         };
         let width = if figures.half_width > 0.0 { figures.half_width } else { path.reached[1] };
-        let scales = Figures::by(|figure, side| match figure.measure() {
-            Measure::Stress if figure.is_of_body() => 0.0,
-            Measure::Stress => width,
+        let scales = Figures::by(|figure, side| match figure.quantity() {
+            Quantity::Stress if figure.is_of_body() => 0.0,
+            Quantity::Stress => width,
             _ => figures.get(figure, side).abs(),
         });
         let now = figures.zip(coarse, |fine, coarse| ratio(fine - coarse, fine));

@@ -13,7 +13,7 @@ pub(crate) struct UnitConverter {
 
 impl UnitConverter {
     pub fn new(units: Units, analysis: Analysis) -> Self {
-        Self { units, force: analysis.force() }
+        Self { units, force: analysis.force().quantity() }
     }
 
     pub const fn units(self) -> Units {
@@ -22,7 +22,7 @@ impl UnitConverter {
 
     /// Converts a figure from N–mm–MPa to the units of the job. Zero loses its sign.
     pub fn figure(self, quantity: Quantity, core: f64) -> f64 {
-        quantity.to_wire(self.units, core) + 0.0
+        self.units.to_wire(quantity, core) + 0.0
     }
 
     pub fn length(self, core: f64) -> f64 {
@@ -47,14 +47,23 @@ impl UnitConverter {
         self.length(self.length(core))
     }
 
+    /// Converts the figure of a row of the table of figures.
+    pub fn of(self, quantity: Quantity, core: f64) -> f64 {
+        match quantity {
+            Quantity::Area => self.area(core),
+            Quantity::Force => self.force(core),
+            quantity => self.figure(quantity, core),
+        }
+    }
+
     /// Returns a length with its unit, for sentences: all digits of a dimension of the job.
     pub fn exact_length(self, core: f64) -> String {
-        format!("{} {}", self.length(core), Quantity::Length.symbol(self.units))
+        format!("{} {}", self.length(core), self.units.symbol(Quantity::Length))
     }
 
     /// Returns a length with its unit, to five digits, for sentences.
     pub fn length_text(self, core: f64) -> String {
-        format!("{} {}", rounded(self.length(core)), Quantity::Length.symbol(self.units))
+        format!("{} {}", rounded(self.length(core)), self.units.symbol(Quantity::Length))
     }
 
     /// Converts the figure of a target to its own unit.
@@ -73,22 +82,22 @@ impl UnitConverter {
 
     /// Returns a length with its unit, to three digits, for sentences.
     pub fn length_about(self, core: f64) -> String {
-        format!("{} {}", about(self.length(core)), Quantity::Length.symbol(self.units))
+        format!("{} {}", about(self.length(core)), self.units.symbol(Quantity::Length))
     }
 
     /// Returns a stress with its unit, to three digits, for sentences.
     pub fn stress_about(self, core: f64) -> String {
-        format!("{} {}", about(self.stress(core)), Quantity::Stress.symbol(self.units))
+        format!("{} {}", about(self.stress(core)), self.units.symbol(Quantity::Stress))
     }
 
     /// Returns a stress with its unit, to five digits, for sentences.
     pub fn stress_text(self, core: f64) -> String {
-        format!("{} {}", rounded(self.stress(core)), Quantity::Stress.symbol(self.units))
+        format!("{} {}", rounded(self.stress(core)), self.units.symbol(Quantity::Stress))
     }
 
     /// Returns a force with its unit, to five digits, for sentences.
     pub fn force_text(self, core: f64) -> String {
-        format!("{} {}", rounded(self.force(core)), self.force.symbol(self.units))
+        format!("{} {}", rounded(self.force(core)), self.units.symbol(self.force))
     }
 }
 

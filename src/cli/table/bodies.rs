@@ -2,7 +2,9 @@
 
 use super::number::{short, significant};
 use brinell_solver::job::fields::{Field, FieldKind, Value};
-use brinell_solver::job::{Analysis, Body, Deformable, Job, Material, Shape, Support, Units};
+use brinell_solver::job::{
+    Analysis, Body, Deformable, Job, Material, Quantity, Shape, Support, Units,
+};
 
 /// Shape, material and support, in the units of the job.
 pub(super) fn describe(body: &Body, job: &Job) -> Vec<String> {
@@ -30,7 +32,7 @@ pub(super) fn describe(body: &Body, job: &Job) -> Vec<String> {
 
 fn describe_material(material: &Deformable, job: &Job) -> Vec<String> {
     let units = job.units;
-    let stress = |value: f64| short(value / units.stress());
+    let stress = |value: f64| short(units.to_wire(Quantity::Stress, value));
     let elastic = material.elastic();
     let mut items = vec![
         format!("E {}", stress(elastic.young_modulus.get())),

@@ -70,7 +70,7 @@ pub fn document() -> Value {
         ("JobState", JobState::ALL.map(JobState::name).to_vec(), JOB_STATES),
         ("SolveStatus", words::<SolveStatus>(), SOLVE_STATUS),
         ("VerdictLevel", words::<report::VerdictLevel>(), VERDICT_LEVELS),
-        ("AnswerQuantity", words::<report::AnswerQuantity>(), ANSWER_QUANTITIES),
+        ("AnswerQuantity", words::<report::Quantity>(), ANSWER_QUANTITIES),
     ] {
         schemas[name] = open_set(description, &words);
     }
@@ -80,7 +80,7 @@ pub fn document() -> Value {
     schemas["Problem"]["properties"]["quota"] = open_set(QUOTAS, &Quota::NAMES);
     schemas["Fault"]["properties"]["code"] = open_set(FAULT_CODES, &words::<FaultCode>());
     schemas["ValidityNote"]["properties"]["code"] =
-        open_set(VALIDITY_CODES, report::VALIDITY_CODES);
+        open_set(VALIDITY_CODES, &report::validity_codes());
     for (name, schema) in schema_of_jobs(BASE) {
         schemas[name] = schema;
     }

@@ -1,10 +1,11 @@
 //! Prints the reports of seeded random jobs, one line of JSON for each, without times, to compare
 //! the answers of two versions of the solver.
 //!
-//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`, and `answers 200
-//! three_dimensional` for contacts of half-spaces, `rolling`, `rolling_near_traction` or
-//! `rolling_balls` for loads that roll, with the seconds of each; with names of files of jobs instead of the
-//! count those are solved, and the seconds of each are told. With `--jobs` last it prints the jobs.
+//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`. A second word chooses
+//! other jobs: `three_dimensional` contacts of half-spaces, `hardness` hardness tests, `rolling`,
+//! `rolling_near_traction` and `rolling_balls` loads that roll, with the seconds of each. With names
+//! of files of jobs instead of the count those are solved, and the seconds of each are told. With
+//! `--jobs` last it prints the jobs.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
@@ -47,6 +48,8 @@ fn main() -> std::io::Result<()> {
         let random = &mut random_job::Random(seed);
         let job = if let Some(rolls) = rolls {
             random_job::rolling(random, rolls)
+        } else if has("hardness") {
+            random_job::hardness(random)
         } else if in_three {
             random_job::in_three_dimensions(random)
         } else {

@@ -1,12 +1,14 @@
 //! The kinematic assumption of a job.
 
 use serde::Serialize;
+use strum::{IntoStaticStr, VariantArray};
 
-use super::{Named, Quantity};
+use super::{Domain, Named};
 
 /// Kinematic assumption.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Analysis {
     /// `ε_zz` = 0: long bodies.
     PlaneStrain,
@@ -18,27 +20,15 @@ pub enum Analysis {
     ThreeDimensional,
 }
 
-impl Named for Analysis {
-    const ALL: &'static [Self] =
-        &[Self::PlaneStrain, Self::PlaneStress, Self::Axisymmetric, Self::ThreeDimensional];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::PlaneStrain => "plane_strain",
-            Self::PlaneStress => "plane_stress",
-            Self::Axisymmetric => "axisymmetric",
-            Self::ThreeDimensional => "three_dimensional",
-        }
-    }
-}
+impl Named for Analysis {}
 
 impl Analysis {
     /// Returns the quantity of a force: per thickness in plane analyses, the total force in
     /// axisymmetry and three dimensions.
-    pub const fn force(self) -> Quantity {
+    pub const fn force(self) -> Domain {
         match self {
-            Self::PlaneStrain | Self::PlaneStress => Quantity::LineForce,
-            Self::Axisymmetric | Self::ThreeDimensional => Quantity::Force,
+            Self::PlaneStrain | Self::PlaneStress => Domain::LineForce,
+            Self::Axisymmetric | Self::ThreeDimensional => Domain::Force,
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use serde::Serialize;
+use strum::{IntoStaticStr, VariantArray};
 
 use super::fields::InUnits;
 use super::reader::Cursor;
@@ -92,8 +93,9 @@ struct WireMaterial<'a> {
 }
 
 /// The support of a body's far boundary: the diametral plane of a cylinder, the base of a block.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Support {
     /// Both displacement components are held.
     #[default]
@@ -102,13 +104,4 @@ pub enum Support {
     Roller,
 }
 
-impl Named for Support {
-    const ALL: &'static [Self] = &[Self::Clamped, Self::Roller];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Clamped => "clamped",
-            Self::Roller => "roller",
-        }
-    }
-}
+impl Named for Support {}

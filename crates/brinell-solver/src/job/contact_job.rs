@@ -8,8 +8,9 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::fields::{InUnits, read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
 use super::{
-    Analysis, Body, FaultCode, FieldError, HardnessTest, JobError, Load, Material, MeshSettings,
-    OutputSettings, Quantity, SolverSettings, Theory, Units, hardness, name, tags,
+    Analysis, Body, Domain, FaultCode, FieldError, HardnessTest, JobError, Load, Material,
+    MeshSettings, Method, Named as _, OutputSettings, SolverSettings, Theory, Units, hardness,
+    name, tags,
 };
 
 /// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
@@ -106,7 +107,7 @@ impl Job {
     /// Reads any job of the format, solvable or not.
     pub(super) fn read(document: &Node) -> Result<Self, JobError> {
         let faults = Faults::default();
-        let job = Self::read_members(Cursor::root(document, &faults), is_test(document));
+        let job = Self::read_members(Cursor::root(document, &faults), document);
         faults.extend(both_rigid(document));
         let faults = faults.into_sorted(document);
         match job {
@@ -117,8 +118,8 @@ impl Job {
 
     /// Reads the members. A hardness test brings its upper body and is of revolution, under flow
     /// theory.
-    fn read_members(cursor: Cursor<'_>, is_test: bool) -> Option<Self> {
-        let object = cursor.object()?;
+    fn read_members(cursor: Cursor<'_>, document: &Node) -> Option<Self> {
+        let (object, is_test) = (cursor.object()?, is_test(document));
         object.only(Self::KEYS);
         let title = object.or("title", None, |c| name::read(c).map(Some));
         let analysis = if is_test {
@@ -133,7 +134,7 @@ impl Job {
             object.fault("upper", FaultCode::Inconsistent, format_args!("{detail}"));
         }
         let lower = object.required("lower", |c| Body::read(c, units));
-        let force = analysis.map_or(Quantity::LineForce, Analysis::force);
+        let force = analysis.map_or(Domain::LineForce, Analysis::force);
         let load = object.required("load", |c| Load::read(c, force, units));
         let default_mesh = if is_test {
             hardness::mesh()
@@ -141,7 +142,13 @@ impl Job {
             analysis.map_or_else(MeshSettings::default, MeshSettings::of)
         };
         let mesh = object.or("mesh", default_mesh, |c| read_settings_from(c, default_mesh));
-        let given = if is_test { hardness::settings() } else { SolverSettings::default() };
+        let given = if is_paper(document) {
+            SolverSettings::paper()
+        } else if is_test {
+            hardness::settings()
+        } else {
+            SolverSettings::default()
+        };
         let solver = object.or("solver", given, |c| read_settings_from(c, given));
         let output = object.or("output", OutputSettings::default(), read_settings);
         let tags = object.or("tags", BTreeMap::new(), tags::read);
@@ -173,6 +180,12 @@ impl Job {
 fn is_test(document: &Node) -> bool {
     let test = document.at("/load").and_then(|load| load.at(&format!("/{}", HardnessTest::KEY)));
     test.is_some_and(|test| *test != Node::Null)
+}
+
+/// Whether the job names the paper's method.
+fn is_paper(document: &Node) -> bool {
+    let method = document.at("/solver").and_then(|solver| solver.at("/method"));
+    matches!(method, Some(Node::Text(word)) if *word == Method::Paper.name())
 }
 
 /// Refuses two rigid bodies. The check reads the document, so that other faults do not hide this

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use serde::Serialize;
+use strum::{IntoStaticStr, VariantArray};
 use thiserror::Error;
 
 use super::Named;
@@ -19,8 +20,9 @@ pub struct FieldError {
 }
 
 /// The kinds of faults in a job. Later versions may add more.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum FaultCode {
     /// A member is missing.
     Required,
@@ -44,35 +46,7 @@ pub enum FaultCode {
     MoreFaults,
 }
 
-impl Named for FaultCode {
-    const ALL: &'static [Self] = &[
-        Self::Required,
-        Self::UnknownKey,
-        Self::DuplicateKey,
-        Self::WrongType,
-        Self::OutOfRange,
-        Self::UnknownWord,
-        Self::WrongLength,
-        Self::Inconsistent,
-        Self::NotSolvable,
-        Self::MoreFaults,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Required => "required",
-            Self::UnknownKey => "unknown_key",
-            Self::DuplicateKey => "duplicate_key",
-            Self::WrongType => "wrong_type",
-            Self::OutOfRange => "out_of_range",
-            Self::UnknownWord => "unknown_word",
-            Self::WrongLength => "wrong_length",
-            Self::Inconsistent => "inconsistent",
-            Self::NotSolvable => "not_solvable",
-            Self::MoreFaults => "more_faults",
-        }
-    }
-}
+impl Named for FaultCode {}
 
 impl FieldError {
     /// Returns the fault of a value that contradicts another one.

@@ -4,11 +4,13 @@
 //! the pyramid, `tan ψ = 2 tan 68° / √π` (W. C. Oliver and G. M. Pharr, J. Mater. Res. 7 (1992)
 //! 1564).
 
+use strum::{IntoStaticStr, VariantArray};
+
 use super::fields::{Field, Known, read_record_of, record};
 use super::reader::Cursor;
 use super::{
-    Body, Cone, Deformable, Elastic, FaultCode, FieldError, Material, MeshSettings, Named,
-    PoissonRatio, PositiveF64, Profile, Quantity, Shape, SolverSettings, Support, Units,
+    Body, Cone, Deformable, Domain, Elastic, FaultCode, FieldError, Material, MeshSettings, Named,
+    PoissonRatio, PositiveF64, Profile, Shape, SolverSettings, Support, Units,
 };
 
 /// Standard gravity \[N/kgf\].
@@ -41,37 +43,28 @@ const NO_HOLD: &str = "no law here knows of time, so that nothing creeps in a ho
 const ELEMENTS: u32 = 24;
 
 /// A scale of hardness.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum TestScale {
     /// Brinell with a ball of tungsten carbide.
+    #[strum(serialize = "HBW")]
     Hbw,
     /// Vickers, by the cone of equal area.
+    #[strum(serialize = "HV")]
     Hv,
     /// Berkovich, by the cone of equal area.
     Berkovich,
     /// Rockwell C.
+    #[strum(serialize = "HRC")]
     Hrc,
     /// Rockwell B.
+    #[strum(serialize = "HRB")]
     Hrb,
     /// A sphere of diamond and what an instrument reads.
     Sphere,
 }
 
-impl Named for TestScale {
-    const ALL: &'static [Self] =
-        &[Self::Hbw, Self::Hv, Self::Berkovich, Self::Hrc, Self::Hrb, Self::Sphere];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Hbw => "HBW",
-            Self::Hv => "HV",
-            Self::Berkovich => "berkovich",
-            Self::Hrc => "HRC",
-            Self::Hrb => "HRB",
-            Self::Sphere => "sphere",
-        }
-    }
-}
+impl Named for TestScale {}
 
 impl TestScale {
     /// Whether the depth under the preliminary force is the answer.
@@ -96,16 +89,16 @@ record! {
         /// `sphere` for instrumented indentation.
         pub scale: TestScale = Field::choice::<TestScale>("TestScale").label("Scale", ""),
         /// Diameter of the ball of `HBW` (10, 5, 2.5 or 1 mm) or `sphere`.
-        pub ball: Option<PositiveF64> = Field::quantity(Quantity::Length).label("Ball", "D").example(10.0),
+        pub ball: Option<PositiveF64> = Field::quantity(Domain::Length).label("Ball", "D").example(10.0),
         /// Force in kgf of 9.80665 N, as scales name it.
         pub force_kgf: Option<PositiveF64> = Field::pure(1e-9..=3000.0).label("Force", "F").example(3000.0),
         /// Force, in place of `force_kgf`.
-        pub force: Option<PositiveF64> = Field::quantity(Quantity::Force).label("Force", "F").example(29420.0),
+        pub force: Option<PositiveF64> = Field::quantity(Domain::Force).label("Force", "F").example(29420.0),
         /// Radius of the tip of `HV`, 0.5 µm unless given, or `berkovich`, 0.1 µm.
-        pub tip_radius: Option<PositiveF64> = Field::quantity(Quantity::Length).label("Tip radius", "ρ").example(0.0005),
+        pub tip_radius: Option<PositiveF64> = Field::quantity(Domain::Length).label("Tip radius", "ρ").example(0.0005),
         /// Young's modulus of the indenter: 600 GPa of tungsten carbide for `HBW` and `HRB`, 1141
         /// GPa of diamond for all others, unless given.
-        pub indenter_young_modulus: Option<PositiveF64> = Field::quantity(Quantity::Modulus).label("Young’s modulus of the indenter", "E_i").example(600_000.0),
+        pub indenter_young_modulus: Option<PositiveF64> = Field::quantity(Domain::Modulus).label("Young’s modulus of the indenter", "E_i").example(600_000.0),
         /// Poisson's ratio of the indenter: 0.21 of tungsten carbide, 0.07 of diamond.
         pub indenter_poisson_ratio: Option<PoissonRatio> = Field::pure(PoissonRatio::RANGE).label("Poisson’s ratio of the indenter", "ν_i").example(0.21),
     }

@@ -4,7 +4,7 @@ use super::fields::{Field, FieldTable, Record as _, read_record, record};
 use super::over_depth::faults_of_depths;
 use super::reader::Cursor;
 use super::reader::text::five_digits;
-use super::{Analysis, FaultCode, FieldError, NonNegativeF64, Quantity, Units};
+use super::{Analysis, Domain, FaultCode, FieldError, NonNegativeF64, Units};
 use crate::material::{HardeningLaw, InitialStressProfile, StrengthProfile};
 
 record! {
@@ -13,13 +13,13 @@ record! {
     #[derive(Copy)]
     pub struct InitialStress("", "Initial stress") {
         /// Depth below the surface.
-        pub depth: NonNegativeF64 = Field::quantity(Quantity::Depth).label("Depth", "z").example(0.05),
+        pub depth: NonNegativeF64 = Field::quantity(Domain::Depth).label("Depth", "z").example(0.05),
         /// Stress along the surface in the plane of the section, in three dimensions along x;
         /// tension positive.
-        pub sigma_x: f64 = Field::quantity(Quantity::SignedStress).label("Along the surface", "σ_x").example(-600.0),
+        pub sigma_x: f64 = Field::quantity(Domain::SignedStress).label("Along the surface", "σ_x").example(-600.0),
         /// Stress along the surface out of that plane, in three dimensions along y, in axisymmetry
         /// equal to `sigma_x`, in plane stress zero.
-        pub sigma_z: f64 = Field::quantity(Quantity::SignedStress).label("Out of plane", "σ_z").example(-600.0),
+        pub sigma_z: f64 = Field::quantity(Domain::SignedStress).label("Out of plane", "σ_z").example(-600.0),
     }
 }
 

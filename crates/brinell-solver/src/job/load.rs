@@ -7,7 +7,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::fields::InUnits;
 use super::reader::Cursor;
 use super::{
-    FaultCode, FieldError, HardnessTest, NonNegativeF64, PositiveF64, Quantity, Rolling, Target,
+    Domain, FaultCode, FieldError, HardnessTest, NonNegativeF64, PositiveF64, Rolling, Target,
     Units,
 };
 
@@ -94,10 +94,10 @@ impl HistoryLoad {
         }
     }
 
-    fn read(cursor: Cursor<'_>, force: Quantity, units: Option<Units>) -> Option<Self> {
+    fn read(cursor: Cursor<'_>, force: Domain, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(Self::KINDS);
-        let figure = |key, quantity: Quantity| {
+        let figure = |key, quantity: Domain| {
             object.required(key, |c| {
                 if c.is_zero() {
                     NonNegativeF64::new(0.0).ok()
@@ -108,7 +108,7 @@ impl HistoryLoad {
         };
         match (object.has("force"), object.has("approach")) {
             (true, false) => figure("force", force).map(Self::Force),
-            (false, true) => figure("approach", Quantity::Approach).map(Self::Approach),
+            (false, true) => figure("approach", Domain::Approach).map(Self::Approach),
             (both, _) => {
                 let code = if both { FaultCode::Inconsistent } else { FaultCode::Required };
                 object.fault_here(
@@ -222,7 +222,7 @@ impl Load {
     }
 
     /// Reads a load. `force` is the quantity of a force in this analysis.
-    pub(super) fn read(cursor: Cursor<'_>, force: Quantity, units: Option<Units>) -> Option<Self> {
+    pub(super) fn read(cursor: Cursor<'_>, force: Domain, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(Self::KINDS);
         let one = |key, quantity| {
@@ -238,7 +238,7 @@ impl Load {
         let read = |kind: &&'static str| match *kind {
             "force" => one("force", force).map(Self::Forces),
             "forces" => many("forces", force).map(Self::Forces),
-            "approach" => one("approach", Quantity::Approach).map(Self::Approaches),
+            "approach" => one("approach", Domain::Approach).map(Self::Approaches),
             "history" => object
                 .required("history", |c| {
                     let loads = c.array(1..=Sweep::MAX_VALUES, |item| {
@@ -261,7 +261,7 @@ impl Load {
             HardnessTest::KEY => object
                 .required(HardnessTest::KEY, |c| History::of_test(HardnessTest::read(c, units)?))
                 .map(Self::History),
-            _ => many("approaches", Quantity::Approach).map(Self::Approaches),
+            _ => many("approaches", Domain::Approach).map(Self::Approaches),
         };
         let given: Vec<_> = Self::KINDS.iter().filter(|kind| object.has(kind)).collect();
         let loads: Vec<_> = given.iter().map(|kind| read(kind)).collect();
@@ -282,8 +282,8 @@ impl Load {
 
 impl InUnits<'_, Load> {
     /// Returns the load in the wire format. `force` is the quantity of a force in this analysis.
-    pub fn with_force(&self, force: Quantity) -> impl Serialize {
-        let wire = |values: &Sweep, quantity: Quantity| {
+    pub fn with_force(&self, force: Domain) -> impl Serialize {
+        let wire = |values: &Sweep, quantity: Domain| {
             let value = |value: &PositiveF64| quantity.to_wire(self.1, value.get());
             match &values[..] {
                 [one] => WireValue::One(value(one)),
@@ -295,12 +295,12 @@ impl InUnits<'_, Load> {
                 WireHistoryLoad::Force(force.to_wire(self.1, value.get()))
             }
             HistoryLoad::Approach(value) => {
-                WireHistoryLoad::Approach(Quantity::Approach.to_wire(self.1, value.get()))
+                WireHistoryLoad::Approach(Domain::Approach.to_wire(self.1, value.get()))
             }
         };
         let value = match self.0 {
             Load::Forces(values) => wire(values, force),
-            Load::Approaches(values) => wire(values, Quantity::Approach),
+            Load::Approaches(values) => wire(values, Domain::Approach),
             Load::History(loads) => match &loads.test {
                 Some(test) => WireValue::Hardness(InUnits(test, self.1)),
                 None => WireValue::History(loads.iter().map(entry).collect()),
@@ -308,7 +308,7 @@ impl InUnits<'_, Load> {
             Load::Onset => WireValue::Yes(true),
             Load::Target(target) => WireValue::Target(InUnits(target, self.1)),
             Load::Rolling(rolling) => {
-                let of_line = rolling.with_force(self.1, [force, Quantity::LineForce]);
+                let of_line = rolling.with_force(self.1, [force, Domain::LineForce]);
                 WireValue::Rolling(OfLine(of_line, self.1))
             }
         };

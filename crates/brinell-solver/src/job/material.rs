@@ -8,8 +8,8 @@ use serde::ser::{SerializeMap, Serializer};
 use super::fields::{Field, InUnits, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::{
-    BackstressTerm, FaultCode, FieldError, Hardening, InitialStress, OverDepth, PoissonRatio,
-    PositiveF64, Quantity, Units,
+    BackstressTerm, Domain, FaultCode, FieldError, Hardening, InitialStress, OverDepth,
+    PoissonRatio, PositiveF64, Units,
 };
 use crate::analytical::ElasticConstants;
 use crate::material::{ElasticModuli, HardeningLaw, InitialStressProfile, Solid, StrengthProfile};
@@ -201,7 +201,7 @@ record! {
     pub struct Elastic("", "Elastic") {
         /// Young's modulus E.
         pub young_modulus: PositiveF64 =
-            Field::quantity(Quantity::Modulus).label("Young’s modulus", "E").example(210_000.0),
+            Field::quantity(Domain::Modulus).label("Young’s modulus", "E").example(210_000.0),
         /// Poisson's ratio ν. What is incompressible has 0.499999.
         pub poisson_ratio: PoissonRatio = Field::pure(PoissonRatio::RANGE).label("Poisson’s ratio", "ν").example(0.3),
     }

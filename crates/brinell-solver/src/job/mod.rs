@@ -13,6 +13,7 @@
 pub mod analysis;
 pub mod body;
 pub mod contact_job;
+pub mod domain;
 pub mod error;
 pub mod fields;
 pub mod hardening;
@@ -26,7 +27,6 @@ mod no_data;
 mod npy;
 pub mod number;
 pub mod over_depth;
-pub mod quantity;
 mod reader;
 mod revolution;
 pub mod rolling;
@@ -48,7 +48,9 @@ pub mod units;
 
 pub use analysis::Analysis;
 pub use body::{Body, Support};
+pub use brinell_method::words::{Quantity, Side};
 pub use contact_job::Job;
+pub use domain::Domain;
 pub use error::{FaultCode, FieldError, JobError};
 pub use fields::{Field, FieldTable};
 pub use hardening::{
@@ -63,16 +65,15 @@ pub use no_data::NoData;
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
 pub(crate) use over_depth::YIELD_OVER_HARDNESS;
 pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, HardnessScale, OverDepth};
-pub use quantity::Quantity;
 pub use rolling::{HardeningRule, Rolling, Until};
 pub use settings::{
-    ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory,
+    ContactMethod, Coupling, MeshSettings, Method, OutputSettings, SolverSettings, Theory,
 };
 pub use shape::{
     Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge,
     Parabola, Power, Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
 pub use surface::{Detrend, Surface};
-pub use suspicions::{Finding, Guess, Suspicion};
+pub use suspicions::{Guess, Suspected, Suspicion};
 pub use target::{Target, TargetFigure, label_of, measure_of};
 pub use units::Units;

@@ -1,10 +1,23 @@
 //! Words of the wire format.
 
-/// An enumeration that the wire format writes as a word.
-pub trait Named: Copy + 'static {
+use brinell_method::observer::SolveStatus;
+use brinell_method::settings::Theory;
+use brinell_method::sought::TargetFigure;
+use brinell_method::words::Quantity;
+use strum::VariantArray;
+
+/// An enumeration that the wire format writes as a word. `strum` derives the words and the list.
+pub trait Named: Copy + VariantArray + Into<&'static str> {
     /// All values, in the order in which messages list them.
-    const ALL: &'static [Self];
+    const ALL: &'static [Self] = Self::VARIANTS;
 
     /// Returns the word of this value.
-    fn name(self) -> &'static str;
+    fn name(self) -> &'static str {
+        self.into()
+    }
 }
+
+impl Named for Quantity {}
+impl Named for SolveStatus {}
+impl Named for TargetFigure {}
+impl Named for Theory {}

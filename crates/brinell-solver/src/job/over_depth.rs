@@ -8,10 +8,11 @@ use std::f64::consts::SQRT_2;
 use std::ops::RangeInclusive;
 
 use serde::{Serialize, Serializer};
+use strum::{IntoStaticStr, VariantArray};
 
 use super::fields::{Field, Figure, InUnits, Known, Member, Record, read_record, record};
 use super::reader::Cursor;
-use super::{FaultCode, FieldError, Named, PositiveF64, Quantity, Units};
+use super::{Domain, FaultCode, FieldError, Named, PositiveF64, Units};
 use crate::material::{StrengthProfile, hardness};
 
 /// Variation of the strength with the depth below the surface.
@@ -32,7 +33,7 @@ record! {
         /// ends.
         pub profile: Vec<[f64; 2]> = Field::points(
             [
-                ("Depth below the surface.", Figure::Quantity(Quantity::Depth)),
+                ("Depth below the surface.", Figure::Quantity(Domain::Depth)),
                 ("Hardness, HV unless `hardness_scale` says HRC.", Figure::Pure(HARDNESS)),
             ],
             1..=OverDepth::MAX_POINTS,
@@ -54,7 +55,7 @@ record! {
         /// Hardness of the core.
         pub core: PositiveF64 = Field::pure(HARDNESS).label("Core hardness", "HV_c").example(380.0),
         /// Case depth: where the hardness has fallen to `limit`.
-        pub case_depth: PositiveF64 = Field::quantity(Quantity::Length).label("Case depth", "d").example(1.0),
+        pub case_depth: PositiveF64 = Field::quantity(Domain::Length).label("Case depth", "d").example(1.0),
         /// Hardness at the case depth: 550 HV unless given, as ISO 18203 has it for carburized
         /// cases. Nitrided cases have that of the core + 50 HV, induction-hardened ones 80 % of
         /// that of the surface.
@@ -68,27 +69,20 @@ record! {
 }
 
 /// A scale of hardness.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, IntoStaticStr, VariantArray)]
 pub enum HardnessScale {
     /// Vickers hardness.
     #[default]
     #[serde(rename = "HV")]
+    #[strum(serialize = "HV")]
     Vickers,
     /// Rockwell hardness, scale C.
     #[serde(rename = "HRC")]
+    #[strum(serialize = "HRC")]
     RockwellC,
 }
 
-impl Named for HardnessScale {
-    const ALL: &'static [Self] = &[Self::Vickers, Self::RockwellC];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Vickers => "HV",
-            Self::RockwellC => "HRC",
-        }
-    }
-}
+impl Named for HardnessScale {}
 
 impl HardnessScale {
     /// Returns the Vickers hardness; `None` beyond the table of the scale.
@@ -119,8 +113,9 @@ impl HardnessScale {
 }
 
 /// The hardness profile of a hardened case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum CaseCurve {
     /// The profile of carbon that diffuses into a half-space,
     /// `HV = HV_c + (HV_s - HV_c) erfc(u z/d)`. The factor u gives 550 HV at the case depth d.
@@ -130,16 +125,7 @@ pub enum CaseCurve {
     Lang,
 }
 
-impl Named for CaseCurve {
-    const ALL: &'static [Self] = &[Self::ErrorFunction, Self::Lang];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::ErrorFunction => "error_function",
-            Self::Lang => "lang",
-        }
-    }
-}
+impl Named for CaseCurve {}
 
 /// The yield stress as a function of the hardness, a regression over steels of 136 to 622 HV.
 ///
@@ -170,7 +156,7 @@ impl OverDepth {
     /// The field of factors, for the schema and the form.
     pub(crate) const FACTORS: Field = Field::points(
         [
-            ("Depth below the surface.", Figure::Quantity(Quantity::Depth)),
+            ("Depth below the surface.", Figure::Quantity(Domain::Depth)),
             ("Factor of the stresses of the hardening curve.", Figure::Pure(FACTORS)),
         ],
         1..=Self::MAX_POINTS,
@@ -419,7 +405,7 @@ impl Serialize for InUnits<'_, OverDepth> {
         }
         match self.0 {
             OverDepth::Factors(points) => {
-                let rows = points.iter().map(|[z, s]| [Quantity::Depth.to_wire(self.1, *z), *s]);
+                let rows = points.iter().map(|[z, s]| [Domain::Depth.to_wire(self.1, *z), *s]);
                 serializer.collect_seq(rows)
             }
             OverDepth::Hardness(hardness) => {

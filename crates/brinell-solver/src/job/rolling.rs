@@ -1,8 +1,10 @@
 //! A contact that rolls or slides over its track.
 
+use strum::{IntoStaticStr, VariantArray};
+
 use super::fields::{Field, read_record, record};
 use super::reader::Cursor;
-use super::{FaultCode, Named, PositiveF64, Quantity, Units};
+use super::{Domain, FaultCode, Named, PositiveF64, Units};
 
 record! {
     /// A contact that passes over its track again and again, in the direction of x: a line in plane
@@ -10,7 +12,7 @@ record! {
     #[derive(Copy)]
     pub struct Rolling("", "Rolling") {
         /// Force; on unit thickness in plane strain.
-        pub force: PositiveF64 = Field::quantity(Quantity::LineForce).label("Force", "P").example(2000.0),
+        pub force: PositiveF64 = Field::quantity(Domain::LineForce).label("Force", "P").example(2000.0),
         /// Passes at most.
         pub passes: u32 = Field::whole(1..=100).label("Passes", "N"),
         /// When to end: at the `verdict`, as soon as three passes running agree on it, or after
@@ -52,7 +54,7 @@ impl Rolling {
     /// Reads a load whose members but the force may be missing.
     ///
     /// The table has the force of a line; `force` is the quantity of a force in the analysis.
-    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>, force: Quantity) -> Option<Self> {
+    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>, force: Domain) -> Option<Self> {
         let object = cursor.object()?;
         let is_given = object.has("force");
         if !is_given {
@@ -61,21 +63,22 @@ impl Rolling {
         let default = Self::new(PositiveF64::MICRO);
         let read: Option<Self> = read_record(&object, None, units, Some(default), &[]);
         let in_units = |load: Self| match units {
-            Some(units) => load.with_force(units, [Quantity::LineForce, force]),
+            Some(units) => load.with_force(units, [Domain::LineForce, force]),
             None => load,
         };
         read.filter(|_| is_given).map(in_units)
     }
 
     /// The load whose force is that of one quantity, with the number of another.
-    pub(super) fn with_force(self, units: Units, [from, to]: [Quantity; 2]) -> Self {
+    pub(super) fn with_force(self, units: Units, [from, to]: [Domain; 2]) -> Self {
         let force = to.to_core(units, from.to_wire(units, self.force.get()));
         Self { force: PositiveF64::new(force).unwrap_or(self.force), ..self }
     }
 }
 
 /// When the passes of a load that rolls end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum Until {
     /// As soon as three passes running agree on what becomes of the track.
     #[default]
@@ -84,19 +87,11 @@ pub enum Until {
     Passes,
 }
 
-impl Named for Until {
-    const ALL: &'static [Self] = &[Self::Verdict, Self::Passes];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Verdict => "verdict",
-            Self::Passes => "passes",
-        }
-    }
-}
+impl Named for Until {}
 
 /// How bodies without a backstress harden under a load that rolls.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum HardeningRule {
     /// Isotropically, and once more kinematically with the same uniaxial curve; the worse verdict
     /// decides.
@@ -108,14 +103,4 @@ pub enum HardeningRule {
     Kinematic,
 }
 
-impl Named for HardeningRule {
-    const ALL: &'static [Self] = &[Self::Both, Self::Isotropic, Self::Kinematic];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Both => "both",
-            Self::Isotropic => "isotropic",
-            Self::Kinematic => "kinematic",
-        }
-    }
-}
+impl Named for HardeningRule {}

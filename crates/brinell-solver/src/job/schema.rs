@@ -9,11 +9,11 @@ use serde_json::{Map, Value, json};
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
-    Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase,
-    Hardening, HardeningRule, HardnessProfile, HardnessScale, HardnessTest, InitialStress,
-    Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth, PositiveF64,
-    Quantity, RollerProfile, Rolling, Shape, SolverSettings, Support, Surface, Sweep,
-    TargetFigure, TestScale, Theory, Units, Until, name, tags, target,
+    Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Domain, Elastic,
+    HardenedCase, Hardening, HardeningRule, HardnessProfile, HardnessScale, HardnessTest,
+    InitialStress, Interpolation, Job, Load, MeshSettings, Method, Named, OutputSettings,
+    OverDepth, PositiveF64, RollerProfile, Rolling, Shape, SolverSettings, Support, Surface,
+    Sweep, TargetFigure, TestScale, Theory, Units, Until, name, tags, target,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -62,23 +62,6 @@ impl Schemas<'_> {
                 ),
             ),
             (
-                "Coupling",
-                enumeration::<Coupling>(
-                    "How the contact iteration and the plastic iteration alternate.",
-                ),
-            ),
-            (
-                "Theory",
-                enumeration::<Theory>(
-                    "Theory of plasticity: stress as a function of the strain alone, or of its \
-                     history.",
-                ),
-            ),
-            (
-                "ContactMethod",
-                enumeration::<ContactMethod>("The method that solves the contact conditions."),
-            ),
-            (
                 "Interpolation",
                 enumeration::<Interpolation>("What a face given by points is like between them."),
             ),
@@ -99,6 +82,7 @@ impl Schemas<'_> {
                 ),
             ),
         ];
+        all.extend(words_of_settings());
         all.extend(self.variants(Shape::TAG, Shape::TABLES));
         all.extend(self.variants(Hardening::TAG, Hardening::TABLES).map(|(name, mut law)| {
             law["properties"]["backstress"] = json!({
@@ -270,7 +254,7 @@ impl Schemas<'_> {
         });
         let length = |along: &str| {
             let described = format!("Distance of heights along {along}.");
-            let mut schema = figure_schema(&Figure::Quantity(Quantity::Length), &described);
+            let mut schema = figure_schema(&Figure::Quantity(Domain::Length), &described);
             schema["examples"] = json!([0.001]);
             schema
         };
@@ -497,8 +481,8 @@ impl Schemas<'_> {
     fn loads(&self) -> Vec<(&'static str, Value)> {
         let force = "Force of the whole contact, both sides of the axis: on unit thickness, in \
                      axisymmetry and three dimensions in all.";
-        let force = figures_schema(&[Quantity::LineForce, Quantity::Force], force);
-        let approach = figures_schema(&[Quantity::Approach], "Approach α of the two supports.");
+        let force = figures_schema(&[Domain::LineForce, Domain::Force], force);
+        let approach = figures_schema(&[Domain::Approach], "Approach α of the two supports.");
         let example = |mut schema: Value, example: Value| {
             schema["examples"] = json!([example]);
             schema
@@ -749,9 +733,38 @@ fn figure_schema(figure: &Figure, description: &str) -> Value {
     }
 }
 
+/// Returns the enumerations of the settings of the solver.
+fn words_of_settings() -> [(&'static str, Value); 4] {
+    [
+        (
+            "Method",
+            enumeration::<Method>(
+                "A method by one word, which sets theory, coupling and contact method.",
+            ),
+        ),
+        (
+            "Coupling",
+            enumeration::<Coupling>(
+                "How the contact iteration and the plastic iteration alternate.",
+            ),
+        ),
+        (
+            "Theory",
+            enumeration::<Theory>(
+                "Theory of plasticity: stress as a function of the strain alone, or of its \
+                     history.",
+            ),
+        ),
+        (
+            "ContactMethod",
+            enumeration::<ContactMethod>("The method that solves the contact conditions."),
+        ),
+    ]
+}
+
 /// Returns the schema of a figure whose quantity depends on `analysis`. The bounds cover both
 /// systems of units; the description lists the bounds of each.
-fn figures_schema(quantities: &[Quantity], description: &str) -> Value {
+fn figures_schema(quantities: &[Domain], description: &str) -> Value {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     let mut ranges: Vec<String> = Vec::new();
     for units in Units::ALL {

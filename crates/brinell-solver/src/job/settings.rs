@@ -1,9 +1,10 @@
 //! Settings of the mesh, the solver and the output.
 
 use serde::Serialize;
+use strum::{IntoStaticStr, VariantArray};
 
-use super::fields::{Field, record};
-use super::{Analysis, Named, PositiveF64};
+use super::fields::{Field, Known, record};
+use super::{Analysis, FieldError, Named, PositiveF64};
 pub use brinell_method::settings::Theory;
 
 record! {
@@ -44,9 +45,25 @@ impl Default for MeshSettings {
     }
 }
 
+/// A method by one word, which sets theory, coupling and contact method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
+pub enum Method {
+    /// What the other settings say.
+    #[default]
+    Standard,
+    /// The method of Jiang and Shang: deformation theory, total initial stress on an elastic
+    /// stiffness that is factorized once, strong coupling, contact by the simplex with restricted
+    /// basis entry.
+    Paper,
+}
+
+impl Named for Method {}
+
 /// The alternation between contact and plasticity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Coupling {
     /// Strong coupling on the tangent stiffness of the coarse mesh's answer, with Anderson
     /// acceleration.
@@ -62,23 +79,12 @@ pub enum Coupling {
     SecantStiffness,
 }
 
-impl Named for Coupling {
-    const ALL: &'static [Self] =
-        &[Self::Accelerated, Self::Strong, Self::Weak, Self::SecantStiffness];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Accelerated => "accelerated",
-            Self::Strong => "strong",
-            Self::Weak => "weak",
-            Self::SecantStiffness => "secant_stiffness",
-        }
-    }
-}
+impl Named for Coupling {}
 
 /// The method that solves the contact problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum ContactMethod {
     /// Warm-started primal-dual active set.
     #[default]
@@ -87,32 +93,15 @@ pub enum ContactMethod {
     Simplex,
 }
 
-impl Named for ContactMethod {
-    const ALL: &'static [Self] = &[Self::ActiveSet, Self::Simplex];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::ActiveSet => "active_set",
-            Self::Simplex => "simplex",
-        }
-    }
-}
-
-impl Named for Theory {
-    const ALL: &'static [Self] = &[Self::Flow, Self::Deformation];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Deformation => "deformation",
-            Self::Flow => "flow",
-        }
-    }
-}
+impl Named for ContactMethod {}
 
 record! {
     /// Iteration controls.
     #[derive(Copy)]
-    pub struct SolverSettings("", "Solver") {
+    pub struct SolverSettings("", "Solver") where rules {
+        /// `paper` is the method of Jiang and Shang: deformation theory, strong coupling, contact by
+        /// the simplex; `coupling` may be `weak` or `secant_stiffness` for their comparisons.
+        pub method: Method = Field::choice::<Method>("Method").label("Method", ""),
         /// Theory of plasticity: `flow` follows the loads from rest in increments; `deformation`
         /// takes each load at once, knows no unloading, and its error has no bound.
         pub theory: Theory = Field::choice::<Theory>("Theory").label("Theory", ""),
@@ -133,6 +122,7 @@ record! {
 impl Default for SolverSettings {
     fn default() -> Self {
         Self {
+            method: Method::Standard,
             theory: Theory::default(),
             increments: None,
             coupling: Coupling::default(),
@@ -141,6 +131,42 @@ impl Default for SolverSettings {
             max_iterations: 500,
         }
     }
+}
+
+impl SolverSettings {
+    /// Returns the settings of the paper's method.
+    pub fn paper() -> Self {
+        Self {
+            method: Method::Paper,
+            theory: Theory::Deformation,
+            coupling: Coupling::Strong,
+            contact: ContactMethod::Simplex,
+            ..Self::default()
+        }
+    }
+}
+
+/// The paper's method brings its theory, its couplings and its contact method.
+fn rules(known: &Known) -> Vec<FieldError> {
+    if known.word("method") != Some(Method::Paper.name()) {
+        return Vec::new();
+    }
+    let paper = SolverSettings::paper();
+    let accelerated = Coupling::Accelerated.name();
+    let is_of_paper = |key: &str, word: &str| match key {
+        "theory" => word == paper.theory.name(),
+        "contact" => word == paper.contact.name(),
+        _ => word != accelerated,
+    };
+    let words = ["theory", "coupling", "contact"].map(|key| (key, known.word(key)));
+    let foreign = words.into_iter().filter_map(|(key, word)| {
+        word.filter(|word| !is_of_paper(key, word))?;
+        let detail = "must be left to the method `paper`, which is deformation theory with the \
+                      coupling `strong`, `weak` or `secant_stiffness` and the contact method \
+                      `simplex`";
+        Some(FieldError::new(format!("/{key}"), detail))
+    });
+    foreign.collect()
 }
 
 record! {

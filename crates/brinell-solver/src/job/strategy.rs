@@ -12,7 +12,7 @@ use super::reader::{Cursor, Faults, Node};
 use super::{
     Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field,
     FieldTable, Hardening, HardeningRule, History, HistoryLoad, Job, Load, Material, MeshSettings,
-    Named, NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape,
+    Method, Named, NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape,
     SolverSettings, Support, Sweep, Target, TargetFigure, Theory, Units, Until, target,
 };
 
@@ -199,12 +199,20 @@ fn settings() -> impl Strategy<Value = (MeshSettings, SolverSettings, OutputSett
     let theory = (any_of(Theory::ALL), proptest::option::of(1..=10_000_u32));
     let methods = (any_of(Coupling::ALL), any_of(ContactMethod::ALL));
     let solver = (theory, methods, between(1e-12, 1e-1), 1..=100_000_u32);
-    let solver =
-        solver.prop_map(
-            |((theory, increments), (coupling, contact), tolerance, max_iterations)| {
-                SolverSettings { theory, increments, coupling, contact, tolerance, max_iterations }
-            },
-        );
+    let solver = solver.prop_map(
+        |((theory, increments), (coupling, contact), tolerance, max_iterations)| {
+            let method = Method::Standard;
+            SolverSettings {
+                method,
+                theory,
+                increments,
+                coupling,
+                contact,
+                tolerance,
+                max_iterations,
+            }
+        },
+    );
     let mesh =
         (4..=320_u32).prop_map(|elements_per_half_width| MeshSettings { elements_per_half_width });
     let output = any::<[bool; 3]>().prop_map(|[subsurface, fields, contact_stiffness]| {

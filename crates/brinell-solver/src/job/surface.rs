@@ -3,10 +3,11 @@
 
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
+use strum::{IntoStaticStr, VariantArray};
 
 use super::fields::InUnits;
 use super::reader::Cursor;
-use super::{FaultCode, Named, NoData, Quantity, Units, no_data, npy};
+use super::{Domain, FaultCode, Named, NoData, Units, no_data, npy};
 
 /// Heights over the shape of a body at the middles of equal cells, along the outward normal.
 /// Lengths in mm.
@@ -22,7 +23,8 @@ pub struct Surface {
 }
 
 /// The trend that is subtracted from heights.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum Detrend {
     /// No trend.
     #[default]
@@ -31,16 +33,7 @@ pub enum Detrend {
     Plane,
 }
 
-impl Named for Detrend {
-    const ALL: &'static [Self] = &[Self::None, Self::Plane];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Plane => "plane",
-        }
-    }
-}
+impl Named for Detrend {}
 
 impl Surface {
     /// The key of heights in a body.
@@ -103,7 +96,7 @@ impl Surface {
     fn read_rows(c: Cursor<'_>, units: Option<Units>) -> Option<([usize; 2], Vec<f64>)> {
         let counts = Self::MIN_CELLS..=Self::MAX_CELLS;
         let row = |row: Cursor<'_>| {
-            row.array(counts.clone(), |c| c.quantity::<f64>(Quantity::Position, units))
+            row.array(counts.clone(), |c| c.quantity::<f64>(Domain::Position, units))
         };
         let rows: Vec<Vec<f64>> = c.array(counts.clone(), row)?;
         if rows.iter().any(|row| row.len() != rows[0].len()) {
@@ -139,16 +132,16 @@ impl Surface {
                 ));
             }
             let units = units?;
-            let (low, high) = Quantity::Position.wire_range(units);
+            let (low, high) = Domain::Position.wire_range(units);
             if let Some(k) = values.iter().position(|value| !(low..=high).contains(value)) {
-                let (i, j, unit) = (k / shape[1], k % shape[1], Quantity::Position.symbol(units));
+                let (i, j, unit) = (k / shape[1], k % shape[1], Domain::Position.symbol(units));
                 return fault(format!(
                     "must have heights between {low} and {high} {unit}, got {} at [{i}, {j}]",
                     values[k]
                 ));
             }
             for value in &mut values {
-                *value = Quantity::Position.to_core(units, *value);
+                *value = Domain::Position.to_core(units, *value);
             }
             Some((shape, values))
         })
@@ -164,7 +157,7 @@ impl Surface {
                 units.is_none_or(|u| is_all_data(c, *cells, heights, u))
             })
         });
-        let spacing = |key| object.required(key, |c| c.quantity::<f64>(Quantity::Length, units));
+        let spacing = |key| object.required(key, |c| c.quantity::<f64>(Domain::Length, units));
         let (spacing_x, spacing_y) = (spacing("spacing_x"), spacing("spacing_y"));
         let detrend = object.or("detrend", Detrend::default(), |c| c.named());
         let (cells, heights) = rows?;
@@ -175,10 +168,10 @@ impl Surface {
 
 /// Refuses heights that stand for no data, with their number and first places.
 fn is_all_data(c: Cursor<'_>, cells: [usize; 2], heights: &[f64], units: Units) -> bool {
-    let to_core = |mark| Quantity::Position.to_core(units, mark);
+    let to_core = |mark| Domain::Position.to_core(units, mark);
     let Some(found) = no_data::far_off(heights, cells[1], to_core) else { return true };
-    let wire = |height| Quantity::Position.to_wire(units, height);
-    let unit = Quantity::Position.symbol(units);
+    let wire = |height| Domain::Position.to_wire(units, height);
+    let unit = Domain::Position.symbol(units);
     let places: Vec<_> = found.places.iter().map(|[i, j]| format!("[{i}, {j}]")).collect();
     let more = if found.count > places.len() { ", …" } else { "" };
     c.fault(
@@ -205,7 +198,7 @@ fn rounded(value: f64) -> f64 {
 impl Serialize for InUnits<'_, Surface> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (surface, units) = (self.0, self.1);
-        let length = |value: &f64| Quantity::Position.to_wire(units, *value);
+        let length = |value: &f64| Domain::Position.to_wire(units, *value);
         let rows: Vec<Vec<f64>> = surface
             .heights
             .chunks(surface.cells[1])

@@ -6,8 +6,8 @@
 use super::fields::{Figure, Value};
 use super::no_data::NoData;
 use super::{
-    Analysis, Body, Deformable, Hardening, HistoryLoad, InitialStress, Job, Load, Material,
-    OverDepth, Quantity, RambergOsgood, Shape, TablePoints, Units,
+    Analysis, Body, Deformable, Domain, Hardening, HistoryLoad, InitialStress, Job, Load,
+    Material, OverDepth, RambergOsgood, Shape, TablePoints, Units,
 };
 use crate::material::HardeningLaw;
 use crate::material::hardening::PolyLine;
@@ -21,12 +21,12 @@ pub struct Suspicion {
     /// JSON pointer of the figure.
     pub pointer: String,
     /// The finding with its figures.
-    pub finding: Finding,
+    pub finding: Suspected,
 }
 
 /// A finding. Figures are in N–mm–MPa.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Finding {
+pub enum Suspected {
     /// A job in SI has a Young's modulus that is one of steel in MPa.
     MillimetresInSi {
         /// Young's modulus.
@@ -177,14 +177,14 @@ impl Job {
                 of_depths(material, size, &mut say);
             }
             if let Some(heights) = body.surface.as_ref().and_then(|surface| surface.block()) {
-                say(HEIGHTS, "/surface/heights", Finding::OneHeight(heights.clone()));
+                say(HEIGHTS, "/surface/heights", Suspected::OneHeight(heights.clone()));
             }
         }
         if let Some((half_width, limit)) = self.wider_than_body() {
             found.push(Suspicion {
                 code: UNITS,
                 pointer: "/load".to_owned(),
-                finding: Finding::ContactWiderThanBody { half_width, limit },
+                finding: Suspected::ContactWiderThanBody { half_width, limit },
             });
         }
         found
@@ -232,12 +232,12 @@ impl Job {
 }
 
 /// Adds a finding: code, pointer within the body, figures.
-type Say<'a> = dyn FnMut(&'static str, &str, Finding) + 'a;
+type Say<'a> = dyn FnMut(&'static str, &str, Suspected) + 'a;
 
 fn of_shape(shape: &Shape, say: &mut Say<'_>) {
     for (key, radius) in lengths(shape).filter(|(key, _)| key.starts_with("radius")) {
         if radius.abs() < ATOMIC {
-            say(UNITS, &format!("/shape/{key}"), Finding::TinyRadius { radius });
+            say(UNITS, &format!("/shape/{key}"), Suspected::TinyRadius { radius });
         }
     }
 }
@@ -245,13 +245,13 @@ fn of_shape(shape: &Shape, say: &mut Say<'_>) {
 fn of_material(material: &Deformable, units: Units, say: &mut Say<'_>) {
     let young_modulus = material.elastic().young_modulus.get();
     if units == Units::Si && young_modulus < SOFT {
-        let finding = Finding::MillimetresInSi { young_modulus };
+        let finding = Suspected::MillimetresInSi { young_modulus };
         say(UNITS, "/material/young_modulus", finding);
         return;
     }
     let Some(law) = material.hardening_law() else { return };
     let curve = material.plasticity().and_then(|given| of_curve(given, &*law, young_modulus));
-    let is_total = matches!(curve, Some((_, Finding::TotalStrain { .. })));
+    let is_total = matches!(curve, Some((_, Suspected::TotalStrain { .. })));
     let factors = material.strength().map_or((1.0, 1.0), |strength| strength.range());
     let nominal = law.nominal_yield_stress();
     let (weakest, strongest) = (factors.0 * nominal, factors.1 * nominal);
@@ -268,7 +268,7 @@ fn of_material(material: &Deformable, units: Units, say: &mut Say<'_>) {
         } else {
             "/material/plasticity"
         };
-        say(UNITS, at, Finding::YieldBesideModulus { yield_stress, young_modulus, guess });
+        say(UNITS, at, Suspected::YieldBesideModulus { yield_stress, young_modulus, guess });
     }
     if let Some((key, finding)) = curve {
         say(CURVE, &format!("/material/plasticity/{key}"), finding);
@@ -290,7 +290,7 @@ fn of_curve(
     law: &Hardening,
     curve: &dyn HardeningLaw,
     young_modulus: f64,
-) -> Option<(&'static str, Finding)> {
+) -> Option<(&'static str, Suspected)> {
     match law {
         Hardening::Table(table) => {
             let found = total_strain(&table.points, young_modulus);
@@ -303,7 +303,7 @@ fn of_curve(
     }
 }
 
-fn total_strain(points: &TablePoints, young_modulus: f64) -> Option<Finding> {
+fn total_strain(points: &TablePoints, young_modulus: f64) -> Option<Suspected> {
     let points = points.as_slice();
     let (first, last) = (points[0], points[points.len() - 1]);
     let rising = points.iter().rposition(|point| point[1] <= 0.5 * last[1]).unwrap_or(0).max(1);
@@ -334,10 +334,10 @@ fn total_strain(points: &TablePoints, young_modulus: f64) -> Option<Finding> {
     };
     let meant = hardening_curve(&total, settings).ok().map(|curve| curve.points[0][1]);
     let slope = if doubled { own } else { rise };
-    Some(Finding::TotalStrain { slope, young_modulus, given: first[1], meant })
+    Some(Suspected::TotalStrain { slope, young_modulus, given: first[1], meant })
 }
 
-fn in_percent(points: &TablePoints) -> Option<Finding> {
+fn in_percent(points: &TablePoints) -> Option<Suspected> {
     let points = points.as_slice();
     let largest = points[points.len() - 1][0];
     let step = points.get(1)?[0];
@@ -348,7 +348,7 @@ fn in_percent(points: &TablePoints) -> Option<Finding> {
     // Where it makes no difference nothing is to be said.
     let end = if largest > 5.0 { curve.stress(largest) } else { meant };
     let matters = end > 1.02 * given;
-    ((is_coarse || is_long) && matters).then_some(Finding::StrainInPercent {
+    ((is_coarse || is_long) && matters).then_some(Suspected::StrainInPercent {
         largest,
         given,
         meant,
@@ -359,13 +359,13 @@ fn offset_is_strain(
     law: &RambergOsgood,
     curve: &dyn HardeningLaw,
     young_modulus: f64,
-) -> Option<Finding> {
+) -> Option<Suspected> {
     let (stress, offset) = (law.reference_stress.get(), law.offset.get());
     let plastic_strain = offset * stress / young_modulus;
     let factor = offset * young_modulus / stress;
     let is_strain = (PROOF[0]..=PROOF[1]).contains(&offset);
     let meant = stress * (2e-3 / offset).powf(1.0 / law.exponent.get());
-    is_strain.then(|| Finding::OffsetIsStrain {
+    is_strain.then(|| Suspected::OffsetIsStrain {
         offset,
         plastic_strain,
         factor,
@@ -387,13 +387,13 @@ fn of_depths(material: &Deformable, size: Option<f64>, say: &mut Say<'_>) {
         };
         if is_deep(deepest) {
             let pointer = format!("/material/plasticity/over_depth{key}");
-            say(PROFILE, &pointer, Finding::DepthBeyondBody { deepest, size });
+            say(PROFILE, &pointer, Suspected::DepthBeyondBody { deepest, size });
         }
     }
     let deepest =
         material.initial_stress().last().map_or(0.0, |row: &InitialStress| row.depth.get());
     if is_deep(deepest) {
-        let finding = Finding::DepthBeyondBody { deepest, size };
+        let finding = Suspected::DepthBeyondBody { deepest, size };
         say(PROFILE, "/material/initial_stress", finding);
     }
     let Some(hardness) = over_depth.map(OverDepth::hardnesses).filter(|all| !all.is_empty())
@@ -404,13 +404,13 @@ fn of_depths(material: &Deformable, size: Option<f64>, say: &mut Say<'_>) {
     let ends = |(low, high): (f64, f64), value: &f64| (value.min(low), value.max(high));
     let (low, high) = hardness.iter().fold((f64::INFINITY, 0.0), ends);
     if high <= ROCKWELL {
-        say(PROFILE, pointer, Finding::RockwellAsVickers { largest: high });
+        say(PROFILE, pointer, Suspected::RockwellAsVickers { largest: high });
         return;
     }
     let is_outside = |value: &&f64| !(REGRESSION[0]..=REGRESSION[1]).contains(*value);
     let count = hardness.iter().filter(is_outside).count();
     if count > 0 {
-        let finding = Finding::HardnessOutside { count, of: hardness.len(), range: [low, high] };
+        let finding = Suspected::HardnessOutside { count, of: hardness.len(), range: [low, high] };
         say(BY_HARDNESS, pointer, finding);
     }
 }
@@ -421,7 +421,7 @@ fn lengths(shape: &Shape) -> impl Iterator<Item = (&'static str, f64)> {
         let is_length = matches!(
             field.kind,
             super::fields::FieldKind::Figure(Figure::Quantity(
-                Quantity::Length | Quantity::Position | Quantity::Depth
+                Domain::Length | Domain::Position | Domain::Depth
             ))
         );
         match value {

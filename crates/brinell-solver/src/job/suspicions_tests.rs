@@ -29,11 +29,11 @@ fn of_material(material: &Value) -> Vec<Suspicion> {
     suspicions(&job(material))
 }
 
-fn of_law(law: &Value) -> Option<(String, Finding)> {
+fn of_law(law: &Value) -> Option<(String, Suspected)> {
     of_material(&steel(law)).pop().map(|found| (found.pointer, found.finding))
 }
 
-fn table(points: &Value) -> Option<(String, Finding)> {
+fn table(points: &Value) -> Option<(String, Suspected)> {
     of_law(&json!({"law": "table", "points": points}))
 }
 
@@ -83,7 +83,7 @@ fn units_that_no_solid_has_are_told_with_a_guess() {
     ] {
         let found = of_material(&material(modulus, stress));
         let [Suspicion { code: UNITS, finding, .. }] = &found[..] else { panic!("{found:?}") };
-        let Finding::YieldBesideModulus { guess, .. } = finding else { panic!("{finding:?}") };
+        let Suspected::YieldBesideModulus { guess, .. } = finding else { panic!("{finding:?}") };
         match (guess, expected) {
             (Some(Guess::Modulus(a)), Some(Guess::Modulus(b)))
             | (Some(Guess::Stress(a)), Some(Guess::Stress(b))) => {
@@ -100,7 +100,7 @@ fn units_that_no_solid_has_are_told_with_a_guess() {
     si["lower"]["shape"]["radius"] = json!(0.01);
     assert_eq!(suspicions(&si).len(), 1);
     si["lower"]["material"] = material(2.1e5, 500.0);
-    assert!(matches!(suspicions(&si)[0].finding, Finding::MillimetresInSi { .. }));
+    assert!(matches!(suspicions(&si)[0].finding, Suspected::MillimetresInSi { .. }));
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn small_radii_and_large_forces_are_told() {
     tiny["load"] = json!({"force": 1e-4});
     let found = suspicions(&tiny);
     assert_eq!(found[0].pointer, "/lower/shape/radius");
-    assert!(matches!(found[0].finding, Finding::TinyRadius { .. }));
+    assert!(matches!(found[0].finding, Suspected::TinyRadius { .. }));
     let mut wide = job(&bilinear());
     wide["load"] = json!({"force": 4e6});
     let found = suspicions(&wide);
@@ -118,7 +118,7 @@ fn small_radii_and_large_forces_are_told() {
         Suspicion {
             code: UNITS,
             pointer,
-            finding: Finding::ContactWiderThanBody { half_width, limit },
+            finding: Suspected::ContactWiderThanBody { half_width, limit },
         },
     ] = &found[..]
     else {
@@ -147,16 +147,16 @@ fn total_strain_is_told_with_the_yield_stress_meant() {
         json!([[0, 1], [0.0005, 105], [0.001, 210], [0.0015, 315], [0.00167, 350], [0.02, 400]]),
         json!([[0, 0.1], [0.0009, 175], [0.0018, 350], [0.02, 400]]),
     ] {
-        let Some((pointer, Finding::TotalStrain { given, meant, .. })) = table(&points) else {
+        let Some((pointer, Suspected::TotalStrain { given, meant, .. })) = table(&points) else {
             panic!("{points}")
         };
         assert_eq!(pointer, "/lower/material/plasticity/points");
         assert!(given <= 1.0 && (meant.unwrap() / 350.0 - 1.0).abs() < 0.01, "{points} {meant:?}");
     }
     let doubled = json!([[0, 350], [0.00167, 350], [0.02, 400], [0.1, 480]]);
-    assert!(matches!(table(&doubled), Some((_, Finding::TotalStrain { .. }))));
+    assert!(matches!(table(&doubled), Some((_, Suspected::TotalStrain { .. }))));
     let jump = json!([[0, 0.5], [0.01, 380], [0.1, 480]]);
-    assert!(matches!(table(&jump), Some((_, Finding::TotalStrain { .. }))));
+    assert!(matches!(table(&jump), Some((_, Suspected::TotalStrain { .. }))));
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn strain_in_per_cent_is_told_where_it_matters() {
         json!([[0, 350], [0.05, 380], [1, 450], [12, 500]]),
         json!([[0, 500], [0.5, 560], [1, 600], [1.5, 610]]),
     ] {
-        let Some((_, Finding::StrainInPercent { given, meant, .. })) = table(&points) else {
+        let Some((_, Suspected::StrainInPercent { given, meant, .. })) = table(&points) else {
             panic!("{points}")
         };
         assert!(meant > 1.02 * given, "{points}");
@@ -178,7 +178,7 @@ fn strain_in_per_cent_is_told_where_it_matters() {
 fn an_offset_that_is_a_strain_is_told() {
     let law =
         json!({"law": "ramberg_osgood", "reference_stress": 355, "offset": 0.002, "exponent": 10});
-    let Some((pointer, Finding::OffsetIsStrain { plastic_strain, factor, given, meant, .. })) =
+    let Some((pointer, Suspected::OffsetIsStrain { plastic_strain, factor, given, meant, .. })) =
         of_law(&law)
     else {
         panic!()
@@ -199,7 +199,7 @@ fn depths_beyond_the_body_are_told() {
     let found = of_material(&hardness(&deep));
     let [Suspicion { code: PROFILE, pointer, finding }] = &found[..] else { panic!("{found:?}") };
     assert_eq!(pointer, "/lower/material/plasticity/over_depth/hardness/profile");
-    assert_eq!(*finding, Finding::DepthBeyondBody { deepest: 2000.0, size: 10.0 });
+    assert_eq!(*finding, Suspected::DepthBeyondBody { deepest: 2000.0, size: 10.0 });
     let case = json!({"surface": 600, "core": 380, "case_depth": 800});
     assert_eq!(of_material(&hardness(&case)).len(), 1);
     let mut peened = bilinear();
@@ -224,11 +224,11 @@ fn depths_beyond_the_body_are_told() {
 fn hardness_outside_of_its_regression_is_counted() {
     let hard = json!({"profile": [[0, 720], [0.5, 640], [1, 500], [2, 380]]});
     let found = of_material(&hardness(&hard));
-    let expected = Finding::HardnessOutside { count: 2, of: 4, range: [380.0, 720.0] };
+    let expected = Suspected::HardnessOutside { count: 2, of: 4, range: [380.0, 720.0] };
     assert_eq!((found[0].code, &found[0].finding), (BY_HARDNESS, &expected));
     let rockwell = json!({"profile": [[0, 61], [0.5, 58], [1, 52]]});
     let found = of_material(&hardness(&rockwell));
-    assert_eq!(found[0].finding, Finding::RockwellAsVickers { largest: 61.0 });
+    assert_eq!(found[0].finding, Suspected::RockwellAsVickers { largest: 61.0 });
     let said = json!({"profile": [[0, 55], [0.5, 52], [1, 40]], "hardness_scale": "HRC"});
     assert_eq!(of_material(&hardness(&said)), []);
 }

@@ -5,30 +5,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::fields::Figure;
 use super::fields::InUnits;
 use super::reader::Cursor;
-use super::{FaultCode, Named, PositiveF64, Quantity, Units};
+use super::{Domain, FaultCode, Named, PositiveF64, Units};
 pub use brinell_method::sought::TargetFigure;
-
-impl Named for TargetFigure {
-    const ALL: &'static [Self] = &[
-        Self::PermanentApproach,
-        Self::DentDepth,
-        Self::PeakPressure,
-        Self::MeanPressure,
-        Self::HalfWidth,
-        Self::MaxPlasticStrain,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::PermanentApproach => "permanent_approach",
-            Self::DentDepth => "dent_depth",
-            Self::PeakPressure => "peak_pressure",
-            Self::MeanPressure => "mean_pressure",
-            Self::HalfWidth => "half_width",
-            Self::MaxPlasticStrain => "max_plastic_strain",
-        }
-    }
-}
 
 /// Returns the name of the figure in a sentence.
 pub const fn label_of(figure: TargetFigure) -> &'static str {
@@ -77,12 +55,12 @@ pub(super) const fn example(figure: TargetFigure) -> f64 {
 pub const fn measure_of(figure: TargetFigure) -> Figure {
     match figure {
         TargetFigure::PermanentApproach | TargetFigure::DentDepth => {
-            Figure::Quantity(Quantity::Approach)
+            Figure::Quantity(Domain::Approach)
         }
         TargetFigure::PeakPressure | TargetFigure::MeanPressure => {
-            Figure::Quantity(Quantity::Stress)
+            Figure::Quantity(Domain::Stress)
         }
-        TargetFigure::HalfWidth => Figure::Quantity(Quantity::Length),
+        TargetFigure::HalfWidth => Figure::Quantity(Domain::Length),
         TargetFigure::MaxPlasticStrain => Figure::Pure(1e-9..=1.0),
     }
 }

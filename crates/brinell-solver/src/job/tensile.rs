@@ -3,10 +3,11 @@
 //! says in words what was done to the record.
 
 use serde::{Deserialize, Serialize};
+use strum::{IntoStaticStr, VariantArray};
 
 use super::fields::{Field, Figure, Record, read_record_of, record};
 use super::reader::{self, Cursor, Faults};
-use super::{FaultCode, FieldError, FieldTable, JobError, Named, PositiveF64, Quantity, Units};
+use super::{Domain, FaultCode, FieldError, FieldTable, JobError, Named, PositiveF64, Units};
 use crate::material::tensile::{
     LEAST_POINTS, Measure, TestCurve, TestFault, TestSettings, YieldRule, hardening_curve,
 };
@@ -19,7 +20,7 @@ record! {
         pub points: Vec<[f64; 2]> = Field::points(
             [
                 ("Strain, elastic part included.", Figure::Pure(-1e7..=1e7)),
-                ("Stress.", Figure::Quantity(Quantity::SignedStress)),
+                ("Stress.", Figure::Quantity(Domain::SignedStress)),
             ],
             LEAST_POINTS..=TensileTest::MAX_POINTS,
         )
@@ -28,7 +29,7 @@ record! {
         /// Young's modulus of the job, which the first slope is compared with, and which takes its
         /// place where no part of the record is straight.
         pub young_modulus: Option<PositiveF64> =
-            Field::quantity(Quantity::Modulus).label("Young’s modulus", "E"),
+            Field::quantity(Domain::Modulus).label("Young’s modulus", "E"),
         /// Unit of the strain: `1` unless given.
         pub strain_unit: Option<StrainUnit> =
             Field::choice::<StrainUnit>("StrainUnit").label("Unit of the strain", ""),
@@ -44,56 +45,50 @@ record! {
     }
 }
 
-macro_rules! words {
-    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),+ $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-        pub enum $name { $($(#[$variant_doc])* $variant),+ }
-
-        impl Named for $name {
-            const ALL: &'static [Self] = &[$(Self::$variant),+];
-
-            fn name(self) -> &'static str {
-                match self { $(Self::$variant => $word),+ }
-            }
-        }
-    };
+/// Unit of a strain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+pub enum StrainUnit {
+    /// A pure number.
+    #[default]
+    #[strum(serialize = "1")]
+    One,
+    /// Per cent.
+    #[strum(serialize = "percent")]
+    Percent,
+    /// Parts per million.
+    #[strum(serialize = "microstrain")]
+    Micro,
 }
 
-words! {
-    /// Unit of a strain.
-    StrainUnit {
-        /// A pure number.
-        #[default]
-        One = "1",
-        /// Per cent.
-        Percent = "percent",
-        /// Parts per million.
-        Micro = "microstrain",
-    }
+impl Named for StrainUnit {}
+
+/// What strain and stress are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+pub enum TestMeasure {
+    /// Over the first length and the first section.
+    #[default]
+    #[strum(serialize = "engineering")]
+    Engineering,
+    /// Logarithmic strain, stress over the section of the moment.
+    #[strum(serialize = "true")]
+    True,
 }
 
-words! {
-    /// What strain and stress are.
-    TestMeasure {
-        /// Over the first length and the first section.
-        #[default]
-        Engineering = "engineering",
-        /// Logarithmic strain, stress over the section of the moment.
-        True = "true",
-    }
+impl Named for TestMeasure {}
+
+/// What counts as yield.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, IntoStaticStr, VariantArray)]
+pub enum YieldPlace {
+    /// A plastic strain, R_p.
+    #[default]
+    #[strum(serialize = "offset")]
+    Offset,
+    /// Where the record leaves its first line for good.
+    #[strum(serialize = "departure")]
+    Departure,
 }
 
-words! {
-    /// What counts as yield.
-    YieldPlace {
-        /// A plastic strain, R_p.
-        #[default]
-        Offset = "offset",
-        /// Where the record leaves its first line for good.
-        Departure = "departure",
-    }
-}
+impl Named for YieldPlace {}
 
 /// Plastic strain at yield unless a test gives one: R_p0.01, the least that extensometers tell.
 const OFFSET: f64 = 1e-4;
@@ -240,11 +235,11 @@ struct Words(Units);
 
 impl Words {
     fn wire(self, stress: f64) -> f64 {
-        Quantity::SignedStress.to_wire(self.0, stress)
+        Domain::SignedStress.to_wire(self.0, stress)
     }
 
     fn stress(self, stress: f64) -> String {
-        format!("{} {}", figure(self.wire(stress)), Quantity::Stress.symbol(self.0))
+        format!("{} {}", figure(self.wire(stress)), Domain::Stress.symbol(self.0))
     }
 
     fn fault(self, fault: TestFault, young_modulus: Option<f64>) -> FieldError {

@@ -3,7 +3,7 @@
 use super::reader::Node;
 use super::reader::text::five_digits;
 use super::{
-    Analysis, Body, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Quantity, Shape,
+    Analysis, Body, ContactMethod, Coupling, Domain, FieldError, Job, Load, MeshSettings, Shape,
     Surface, TargetFigure,
 };
 
@@ -153,8 +153,8 @@ impl Job {
             Some(force) if moment.abs() >= force * half_length => format!(
                 "must be smaller than the smallest force times half the length of the roller, {} \
                  {}, beyond which no pressure balances it",
-                five_digits(Quantity::Moment.to_wire(self.units, force * half_length)),
-                Quantity::Moment.symbol(self.units)
+                five_digits(Domain::Moment.to_wire(self.units, force * half_length)),
+                Domain::Moment.symbol(self.units)
             ),
             Some(_) => return Vec::new(),
         };
@@ -182,8 +182,8 @@ impl Job {
         let detail = format!(
             "must be below half the length of the roller, {} {}: the half-width is the shorter \
              semi-axis of the contact",
-            five_digits(Quantity::Length.to_wire(self.units, most)),
-            Quantity::Length.symbol(self.units)
+            five_digits(Domain::Length.to_wire(self.units, most)),
+            Domain::Length.symbol(self.units)
         );
         Some(FieldError::new("/load/target/half_width", detail))
     }

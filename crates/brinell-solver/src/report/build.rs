@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::answers::{Measured, is_dented};
+use super::datum::Datum;
 use super::findings::{Finding, left_unknown};
 use super::hardness::HardnessSeen;
 use super::load_approach::CurvePoint;
@@ -15,7 +16,7 @@ use super::{
 };
 use crate::analytical::DepthLimit;
 use crate::contact::ContactLoad;
-use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
+use crate::job::{Job, Named, Quantity};
 use crate::solver::method::figures::FigureSet;
 use crate::solver::method::observer::ask;
 use crate::solver::{
@@ -115,6 +116,7 @@ impl<'a> ReportBuilder<'a> {
         self.hardness.see(self.job, step, &findings);
         let measured = Measured {
             is_dented: is_dented(self.dented_under, step.figures.force),
+            datum: Datum::of(self.job, self.write),
             ..measured(self.job, self.problem, step, reference.as_ref(), &findings)
         };
         if step.path.energy.is_some()
@@ -246,7 +248,7 @@ fn step_report(
         },
         status: step.status,
         approach: Some(write.length(step.figures.approach)),
-        approach_datum: approach_datum(job, write),
+        approach_datum: Datum::of(job, write).to_string(),
         contact: contact::report(step, write),
         contact_stiffness: step.contact_stiffness.map(|slope| write.stiffness(slope)),
         flow: flow::flow(step, write),
@@ -325,55 +327,10 @@ fn plasticity_report(
     }
 }
 
-/// Datum of the approach of half-spaces, which have no supported end.
-pub(super) const HALF_SPACE_DATUM: &str = "points of both half-spaces far from the contact; \
-                                           bodies of finite size give way by something else in \
-                                           their bulk and at their supports";
-
-fn approach_datum(job: &Job, write: UnitConverter) -> String {
-    let in_hole =
-        matches!((&job.upper.shape, &job.lower.shape), (Shape::Hole(_), _) | (_, Shape::Hole(_)));
-    let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
-        (Material::Rigid, _) => format!("the rigid {side} body"),
-        (_, Shape::Cylinder(_)) if in_hole => format!("the mean displacement of the {side} body"),
-        (_, Shape::Cylinder(Cylinder { radius })) => {
-            format!(
-                "the diametral plane of the {side} body, {} from the contact",
-                write.exact_length(radius.get())
-            )
-        }
-        (_, Shape::Block(Block { depth, .. })) => block_base(side, depth.get(), write),
-        (_, Shape::Hole(hole)) => {
-            format!(
-                "the outer edge of the {side} body, {} from the hole",
-                write.length_text(hole.wall())
-            )
-        }
-        (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
-        (_, Shape::Profile(profile)) => {
-            block_base(side, profile.depth().get() + profile.top(), write)
-        }
-        (_, Shape::Wedge(wedge)) => block_base(side, wedge.depth().get(), write),
-        (_, Shape::Cone(cone)) => block_base(side, cone.depth().get(), write),
-        (_, Shape::Punch(punch)) => block_base(side, punch.depth().get(), write),
-        (_, Shape::Parabola(parabola)) => block_base(side, parabola.depth().get(), write),
-        (_, Shape::Ellipse(ellipse)) => block_base(side, ellipse.semi_axis_y.get(), write),
-        (_, Shape::Power(power)) => block_base(side, power.depth().get(), write),
-        (_, Shape::Sphere(_) | Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_)) => {
-            format!("the far {side} body")
-        }
-    };
-    format!("{} towards {}", support("upper", &job.upper), support("lower", &job.lower))
-}
-
-fn block_base(side: &str, depth: f64, write: UnitConverter) -> String {
-    format!("the base of the {side} body, {} from the contact", write.exact_length(depth))
-}
-
 /// Returns an iteration in the units of the job.
 pub(super) fn in_units(record: &IterationRecord, write: UnitConverter) -> IterationRecord {
     IterationRecord {
-        approach: write.figure(Quantity::Approach, record.approach),
+        approach: write.figure(Quantity::Length, record.approach),
         peak_pressure: write.stress(record.peak_pressure),
         ..record.clone()
     }

@@ -16,7 +16,7 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{FieldsReport, LAYER_NAMES, LayersReport, PerBody};
+use super::{FieldsReport, LAYER_NAMES, LayersReport, PerBody, Side};
 
 const MAGIC: &[u8; 8] = b"BRNFLD01";
 /// Offset of the header \[bytes\].
@@ -42,25 +42,6 @@ pub enum FieldArraysError {
     /// The bytes were not written by [`encode_fields`].
     #[error("not an array of fields: {0}")]
     Malformed(String),
-}
-
-/// One of the two bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Side {
-    /// The upper body.
-    Upper,
-    /// The lower body.
-    Lower,
-}
-
-impl std::fmt::Display for Side {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Upper => "upper",
-            Self::Lower => "lower",
-        })
-    }
 }
 
 /// Type of the numbers of an array.

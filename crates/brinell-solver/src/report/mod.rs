@@ -3,6 +3,7 @@
 mod answers;
 mod build;
 mod contact;
+mod datum;
 mod document;
 mod error_bars;
 pub mod export;
@@ -21,10 +22,7 @@ mod plastic_strain;
 mod plastic_zone;
 mod rolling;
 mod run;
-mod sentences;
-mod side;
 mod solve_error;
-mod status;
 mod strength;
 mod subsurface;
 mod surface_stress;
@@ -33,15 +31,17 @@ mod target;
 mod validity;
 mod verdict;
 
-pub use answers::{Answer, AnswerBody, AnswerPlace, AnswerQuantity};
+pub use crate::job::{Quantity, Side};
+pub use answers::{Answer, AnswerBody, AnswerPlace};
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
 pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error, name_of, scales_of_floors};
 pub use field_arrays::{
-    FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece,
-    Side as FieldSide, encode_fields, encode_layers,
+    FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, encode_fields,
+    encode_layers,
 };
 pub use fields::FieldsReport;
+pub use findings::{validity_codes, validity_tables};
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
     EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
@@ -57,7 +57,6 @@ pub use rolling::{
     TrackLimitsReport, TrackVerdict,
 };
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
-pub use side::Side;
 pub use target::TargetReport;
-pub use validity::{VALIDITY_CODES, ValidityNote};
+pub use validity::ValidityNote;
 pub use verdict::{Verdict, VerdictLevel};

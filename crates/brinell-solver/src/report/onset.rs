@@ -2,11 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Side;
 use super::findings::{Finding, OnsetUnknown};
 use super::mesh_effects::{peak_is_next_to_end, peak_is_unbounded};
 use crate::contact::ContactLoad;
-use crate::job::{Job, Load, Shape};
+use crate::job::{Job, Load, Shape, Side};
 use crate::solver::{
     EDGE_UTILIZATION, Problem, StepSolution, at_narrow_edge, highest_utilization,
 };

@@ -7,7 +7,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::build::{ReportBuilder, in_units};
-use super::sentences::CONFORMING_ADVICE;
+use super::findings::CONFORMING_ADVICE;
 use super::validity::lies_in_groove;
 use super::{Report, StepReport, half_spaces, rolling, solve_error, target};
 use brinell_halfspace::track::TrackFault;

@@ -1,6 +1,6 @@
 //! Sentences on what in a job is probably not meant. Each names its field first.
 
-use crate::job::suspicions::{Finding, Guess, Suspicion};
+use crate::job::suspicions::{Guess, Suspected, Suspicion};
 use crate::job::{Quantity, Units};
 use crate::units::{UnitConverter, rounded};
 
@@ -10,17 +10,17 @@ pub(super) fn text(suspicion: &Suspicion, write: UnitConverter) -> String {
 }
 
 #[expect(clippy::too_many_lines, reason = "one text for each finding")]
-fn finding(finding: &Finding, write: UnitConverter) -> String {
+fn finding(finding: &Suspected, write: UnitConverter) -> String {
     let units = write.units();
     let stress = |core| write.stress_text(core);
     let length = |core: f64| write.length_text(core);
     match finding {
-        Finding::MillimetresInSi { .. } => {
+        Suspected::MillimetresInSi { .. } => {
             "Units are SI, but the figures look like millimetres, newtons and megapascals: metres, \
              N/m and pascals are expected. If they are meant in mm, leave `units` out."
                 .to_owned()
         }
-        Finding::YieldBesideModulus { yield_stress, young_modulus, guess } => {
+        Suspected::YieldBesideModulus { yield_stress, young_modulus, guess } => {
             let guess = match guess {
                 Some(Guess::Modulus(factor)) => format!(
                     " A Young's modulus of {} would fit: is it given in another unit, GPa perhaps?",
@@ -40,19 +40,19 @@ fn finding(finding: &Finding, write: UnitConverter) -> String {
                 stress(*young_modulus),
             )
         }
-        Finding::TinyRadius { radius } => format!(
+        Suspected::TinyRadius { radius } => format!(
             "A radius of {} is that of some hundred atoms: is it given in another unit?",
             length(*radius)
         ),
-        Finding::ContactWiderThanBody { half_width, limit } => format!(
+        Suspected::ContactWiderThanBody { half_width, limit } => format!(
             "By Hertz's theory this load makes a contact of {} to each side, and a body ends at \
              {}. Is the load in another unit? In plane analyses a force is that of one {} of \
              thickness.",
             length(*half_width),
             length(*limit),
-            Quantity::Length.symbol(units),
+            units.symbol(Quantity::Length),
         ),
-        Finding::TotalStrain { slope, young_modulus, given, meant } => {
+        Suspected::TotalStrain { slope, young_modulus, given, meant } => {
             let meant = meant.map_or_else(String::new, |meant| {
                 format!(" As total strain it has a yield stress of {}, not {}.", stress(meant), stress(*given))
             });
@@ -64,7 +64,7 @@ fn finding(finding: &Finding, write: UnitConverter) -> String {
                 share(slope / young_modulus),
             )
         }
-        Finding::StrainInPercent { largest, given, meant } => format!(
+        Suspected::StrainInPercent { largest, given, meant } => format!(
             "Plastic strain goes up to {}, {:.0} %: is it given in per cent? At a plastic strain \
              of 1 % the stress is {} now, and would be {}.",
             rounded(*largest),
@@ -72,7 +72,7 @@ fn finding(finding: &Finding, write: UnitConverter) -> String {
             stress(*given),
             stress(*meant),
         ),
-        Finding::OffsetIsStrain { offset, plastic_strain, factor, given, meant } => format!(
+        Suspected::OffsetIsStrain { offset, plastic_strain, factor, given, meant } => format!(
             "`offset` is the factor a of ε_p = a (σ_0/E) (q/σ_0)^m, and {} looks like the strain \
              of a proof stress: the plastic strain at the reference stress is {} now. For {} \
              there a is {}, and the proof stress R_p0.2 {} in place of {}.",
@@ -83,7 +83,7 @@ fn finding(finding: &Finding, write: UnitConverter) -> String {
             stress(*meant),
             stress(*given),
         ),
-        Finding::DepthBeyondBody { deepest, size } => {
+        Suspected::DepthBeyondBody { deepest, size } => {
             let end = if size.is_finite() {
                 format!(", and the body ends at {}", length(*size))
             } else {
@@ -99,18 +99,18 @@ fn finding(finding: &Finding, write: UnitConverter) -> String {
                 length(guess)
             )
         }
-        Finding::HardnessOutside { count, of, range: [least, largest] } => format!(
+        Suspected::HardnessOutside { count, of, range: [least, largest] } => format!(
             "{count} of {of} hardnesses, of {} to {} HV, lie outside of the 136 to 622 HV of the \
              steels behind the yield stress: it is extrapolated there.",
             rounded(*least),
             rounded(*largest),
         ),
-        Finding::RockwellAsVickers { largest } => format!(
+        Suspected::RockwellAsVickers { largest } => format!(
             "No hardness is above {}: these look like HRC, and HV is expected. Say \
              `\"hardness_scale\": \"HRC\"` if they are.",
             rounded(*largest)
         ),
-        Finding::OneHeight(found) => {
+        Suspected::OneHeight(found) => {
             let places: Vec<_> =
                 found.places.iter().map(|[i, j]| format!("[{i}, {j}]")).collect();
             format!(

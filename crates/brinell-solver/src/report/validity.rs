@@ -32,46 +32,6 @@ pub struct ValidityNote {
     pub message: String,
 }
 
-/// Every code that a remark can have.
-pub const VALIDITY_CODES: &[&str] = &[
-    "not_converged",
-    "cancelled",
-    "timed_out",
-    "slow_coupling",
-    "wide_contact",
-    "large_strain",
-    "collapse",
-    "deformation_theory",
-    "falling_loads",
-    "no_contact",
-    "contact_at_edge",
-    "coarse_mesh",
-    "coarse_case",
-    "onset_unknown",
-    "unbounded_strain",
-    "bilinear_curve",
-    "initial_yield",
-    "yield_by_hardness",
-    "near_support",
-    "sharp_corner",
-    "suspicious_units",
-    "suspicious_curve",
-    "suspicious_profile",
-    "suspicious_heights",
-    "half_spaces",
-    "roller_end",
-    "surface_end",
-    "near_limit",
-    "full_sliding",
-    "bias_unknown",
-    "blunt_tip",
-    "equal_cone",
-    "narrow_specimen",
-    "no_dent",
-    "outside_scale",
-    "thin_specimen",
-];
-
 /// Half-width over the smallest radius above which the surfaces deviate too far from their
 /// tangent.
 pub(super) const WIDE_CONTACT: f64 = 0.1;
@@ -98,7 +58,6 @@ pub(super) fn remarks(findings: &[Finding], write: UnitConverter) -> Vec<Validit
     let mut notes: Vec<ValidityNote> = Vec::with_capacity(findings.len());
     for finding in findings {
         let (code, message) = (finding.code(), finding.text(write));
-        debug_assert!(VALIDITY_CODES.contains(&code));
         match notes.iter_mut().find(|note| code == "coarse_mesh" && note.code == code) {
             Some(note) => note.message = format!("{} {message}", note.message),
             None => notes.push(ValidityNote { code: code.to_owned(), message }),
@@ -341,7 +300,7 @@ fn status(step: &StepSolution, settings: SolverSettings) -> Option<Finding> {
         SolveStatus::NotConverged => {
             Some(Finding::NotConverged(Unfinished::of(step).cause(settings)))
         }
-        status => Some(Finding::Stopped { status, is_preliminary: step.is_preliminary }),
+        status => Some(Finding::stopped(status, step.is_preliminary)),
     }
 }
 

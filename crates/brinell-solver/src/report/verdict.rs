@@ -1,10 +1,11 @@
 //! The verdict on a load step: one level and one sentence.
 
 use serde::{Deserialize, Serialize};
+use strum::{IntoStaticStr, VariantArray};
 
-use super::answers::{AnswerBody, AnswerQuantity, Facts};
+use super::answers::{AnswerBody, Facts};
 use super::findings::Finding;
-use crate::job::{Load, Named};
+use crate::job::{Load, Named, Quantity};
 use crate::solver::SolveStatus;
 use crate::units::{about, rounded};
 
@@ -19,9 +20,12 @@ pub struct Verdict {
 }
 
 /// The state of the bodies under a load.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr, VariantArray,
+)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum VerdictLevel {
     /// The step has not converged or was stopped: its figures are no answer.
     NotConverged,
@@ -48,6 +52,8 @@ pub enum VerdictLevel {
     /// The bodies do not touch, and none has yielded.
     NoContact,
 }
+
+impl Named for VerdictLevel {}
 
 impl Facts<'_> {
     /// Returns the verdict.
@@ -165,7 +171,7 @@ impl Facts<'_> {
             format!(
                 "above the shakedown limit of a perfectly plastic body (Hertz's peak {} > {})",
                 rounded(peak),
-                self.with_unit(rounded, AnswerQuantity::Stress, limit)
+                self.with_unit(rounded, Quantity::Stress, limit)
             )
         }));
         let level =
@@ -195,7 +201,7 @@ impl Facts<'_> {
             Some(strain) => format!(
                 "largest plastic strain {} %, {} deep{body}",
                 about(100.0 * strain),
-                self.with_unit(about, AnswerQuantity::Length, zone.depth)
+                self.with_unit(about, Quantity::Length, zone.depth)
             ),
             None => format!(
                 "mean plastic strain {} %{body}",
@@ -213,7 +219,7 @@ impl Facts<'_> {
             [depth(&surfaces.upper), depth(&surfaces.lower)]
         });
         let [upper, lower] = depths.unwrap_or_default();
-        let length = |depth: f64| self.with_unit(about, AnswerQuantity::Length, depth);
+        let length = |depth: f64| self.with_unit(about, Quantity::Length, depth);
         let dent = match (upper > 0.0, lower > 0.0) {
             (true, true) if self.is_alike() => {
                 format!("The load has left a dent of {} in both bodies", length(lower))
@@ -234,10 +240,7 @@ impl Facts<'_> {
         let tension = self.measured.tension.as_ref().filter(|most| most.value > 0.0);
         let tension = tension.map(|most| {
             let stress = self.write.stress(most.value);
-            format!(
-                ", with tension up to {}",
-                self.with_unit(about, AnswerQuantity::Stress, stress)
-            )
+            format!(", with tension up to {}", self.with_unit(about, Quantity::Stress, stress))
         });
         let strain = self.strained().map(|strain| format!("; {strain}"));
         format!("{dent}{}{}.", tension.unwrap_or_default(), strain.unwrap_or_default())
@@ -251,7 +254,7 @@ impl Facts<'_> {
         let touches = format!(
             "{} % of the area of the heights touches under a nominal pressure of {}",
             about(100.0 * rough.contact_ratio),
-            self.with_unit(about, AnswerQuantity::Stress, rough.nominal_pressure)
+            self.with_unit(about, Quantity::Stress, rough.nominal_pressure)
         );
         if self.measured.inside_rim.is_some_and(|(pressure, _)| pressure <= 0.0) {
             return (
@@ -269,38 +272,6 @@ impl Facts<'_> {
                 VerdictLevel::NotKnown,
                 format!("{touches}; no yield stress is given: elastic by assumption."),
             ),
-        }
-    }
-}
-
-impl Named for VerdictLevel {
-    const ALL: &'static [Self] = &[
-        Self::NotConverged,
-        Self::Collapse,
-        Self::AboveShakedownLimit,
-        Self::Ratchets,
-        Self::ClosedCycle,
-        Self::ShakesDown,
-        Self::Yields,
-        Self::Dented,
-        Self::Elastic,
-        Self::NotKnown,
-        Self::NoContact,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::NotConverged => "not_converged",
-            Self::Collapse => "collapse",
-            Self::AboveShakedownLimit => "above_shakedown_limit",
-            Self::Ratchets => "ratchets",
-            Self::ClosedCycle => "closed_cycle",
-            Self::ShakesDown => "shakes_down",
-            Self::Yields => "yields",
-            Self::Dented => "dented",
-            Self::Elastic => "elastic",
-            Self::NotKnown => "not_known",
-            Self::NoContact => "no_contact",
         }
     }
 }

@@ -314,6 +314,37 @@ pub fn in_three_dimensions(random: &mut Random) -> Value {
     job
 }
 
+/// A hardness test of a block, by any scale, on a mesh of few elements.
+pub fn hardness(random: &mut Random) -> Value {
+    let yield_stress = random.decades(100.0, 2000.0);
+    let test = match random.one_of(&[0, 1, 2, 3, 4, 5]) {
+        0 => json!("HBW 10/3000"),
+        1 => json!("HBW 2.5/62.5"),
+        2 => json!({"scale": "HV", "force_kgf": random.one_of(&[1, 10, 30])}),
+        3 => json!("HRC"),
+        4 => json!("HRB"),
+        _ => json!({"scale": "sphere", "ball": random.decades(0.01, 10.0),
+            "force": yield_stress * 1e-3}),
+    };
+    let coefficient = yield_stress * random.decades(0.1, 3.0);
+    let law = match random.one_of(&[0, 1, 2]) {
+        0 => json!({"law": "bilinear", "yield_stress": yield_stress,
+            "tangent_modulus": 2e5 * random.decades(1e-3, 0.1)}),
+        1 => json!({"law": "ludwik", "yield_stress": yield_stress,
+            "coefficient": coefficient, "exponent": random.between(0.1, 0.6)}),
+        _ => json!({"law": "swift", "yield_stress": yield_stress,
+            "strain_offset": random.decades(1e-3, 0.03), "exponent": random.between(0.05, 0.4)}),
+    };
+    json!({
+        "analysis": "axisymmetric",
+        "lower": {"shape": {"type": "block", "width": 200, "depth": 100},
+            "material": {"young_modulus": 2e5, "poisson_ratio": 0.3, "plasticity": law}},
+        "load": {"hardness": test},
+        "mesh": {"elements_per_half_width": random.one_of(&[6, 8])},
+        "solver": {"theory": "flow", "increments": 8},
+    })
+}
+
 fn load(random: &mut Random, scale: &Scale) -> Value {
     let Scale { half_width, radius, peak, .. } = *scale;
     let force = if scale.analysis == "axisymmetric" {

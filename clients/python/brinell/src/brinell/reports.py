@@ -1550,7 +1550,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'bias_unknown', 'blunt_tip', 'equal_cone', 'narrow_specimen', 'no_dent', 'outside_scale', 'thin_specimen'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'collapse', 'large_strain', 'deformation_theory', 'falling_loads', 'no_contact', 'sharp_corner', 'contact_at_edge', 'coarse_mesh', 'unbounded_strain', 'bilinear_curve', 'onset_unknown', 'yield_by_hardness', 'initial_yield', 'coarse_case', 'near_support', 'half_spaces', 'roller_end', 'surface_end', 'near_limit', 'full_sliding', 'inclined_pressure', 'bias_unknown', 'outside_scale', 'no_dent', 'thin_specimen', 'narrow_specimen', 'blunt_tip', 'equal_cone', 'suspicious_units', 'suspicious_curve', 'suspicious_profile', 'suspicious_heights'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -1594,6 +1594,16 @@ class Answer(BaseModel):
     One figure of a load step, made to be shown.
     """
 
+    at_least: Annotated[
+        float | None,
+        Field(description='What a figure without an error is at least. Unit: `unit`.'),
+    ] = None
+    at_most: Annotated[
+        float | None,
+        Field(
+            description='What a figure without an error is at most, one below zero by its size. Unit: `unit`.'
+        ),
+    ] = None
     body: Literal['upper', 'lower', 'both'] | None
     elastic: Annotated[
         float | None,

@@ -9,7 +9,7 @@
 //!     /// A straight line beyond the yield stress.
 //!     pub struct Bilinear("bilinear", "Bilinear") {
 //!         /// Yield stress σ_y.
-//!         pub yield_stress: PositiveF64 = Field::quantity(Quantity::Stress).label("Yield stress", "σ_y").example(500.0),
+//!         pub yield_stress: PositiveF64 = Field::quantity(Domain::Stress).label("Yield stress", "σ_y").example(500.0),
 //!     }
 //! }
 //! ```
@@ -19,7 +19,7 @@ mod record;
 
 use std::ops::RangeInclusive;
 
-use super::{FieldError, Named, Quantity, Units};
+use super::{Domain, FieldError, Named, Units};
 
 pub(super) use member::{Member, read_member};
 pub(super) use record::{
@@ -98,7 +98,7 @@ pub enum FieldKind {
 #[derive(Debug, Clone)]
 pub enum Figure {
     /// A figure with a unit; the quantity determines the range.
-    Quantity(Quantity),
+    Quantity(Domain),
     /// A figure without a unit.
     Pure(RangeInclusive<f64>),
 }
@@ -135,7 +135,7 @@ impl Field {
     }
 
     /// Returns a field for a figure with a unit.
-    pub(super) const fn quantity(quantity: Quantity) -> Self {
+    pub(super) const fn quantity(quantity: Domain) -> Self {
         Self::new(FieldKind::Figure(Figure::Quantity(quantity)))
     }
 

@@ -2,7 +2,7 @@
 
 use crate::job::fields::{Field, read_record, record};
 use crate::job::reader::Cursor;
-use crate::job::{NonNegativeF64, PositiveF64, Quantity, Units};
+use crate::job::{Domain, NonNegativeF64, PositiveF64, Units};
 use crate::material;
 
 record! {
@@ -11,7 +11,7 @@ record! {
     #[derive(Copy)]
     pub struct BackstressTerm("", "Backstress") {
         /// Modulus C.
-        pub modulus: PositiveF64 = Field::quantity(Quantity::Modulus).label("Modulus", "C").example(20_000.0),
+        pub modulus: PositiveF64 = Field::quantity(Domain::Modulus).label("Modulus", "C").example(20_000.0),
         /// Rate of recovery γ.
         pub rate: NonNegativeF64 = Field::pure(0.0..=1e6).label("Rate", "γ").example(100.0),
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Curve;
 use crate::job::fields::{Field, Known, record, unless};
-use crate::job::{FieldError, NonNegativeF64, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, NonNegativeF64, PositiveF64};
 use crate::material::{HardeningLaw, hardening};
 
 record! {
@@ -12,10 +12,10 @@ record! {
     pub struct Bilinear("bilinear", "Bilinear") where rules {
         /// Yield stress σ_y.
         pub yield_stress: PositiveF64 =
-            Field::quantity(Quantity::Stress).label("Yield stress", "σ_y").example(500.0),
+            Field::quantity(Domain::Stress).label("Yield stress", "σ_y").example(500.0),
         /// Slope E_t of stress over total strain beyond yield, below E; 0 is perfectly plastic.
         pub tangent_modulus: NonNegativeF64 =
-            Field::quantity(Quantity::TangentModulus).label("Tangent modulus", "E_t").example(10_500.0),
+            Field::quantity(Domain::TangentModulus).label("Tangent modulus", "E_t").example(10_500.0),
     }
 }
 

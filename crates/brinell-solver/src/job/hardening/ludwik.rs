@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Curve, STRAIN_EXPONENT};
 use crate::job::fields::{Field, record};
-use crate::job::{PositiveF64, Quantity};
+use crate::job::{Domain, PositiveF64};
 use crate::material::{HardeningLaw, hardening};
 
 record! {
@@ -12,10 +12,10 @@ record! {
     pub struct Ludwik("ludwik", "Ludwik") {
         /// Yield stress σ_y.
         pub yield_stress: PositiveF64 =
-            Field::quantity(Quantity::Stress).label("Yield stress", "σ_y").example(500.0),
+            Field::quantity(Domain::Stress).label("Yield stress", "σ_y").example(500.0),
         /// Coefficient k.
         pub coefficient: PositiveF64 =
-            Field::quantity(Quantity::Stress).label("Coefficient", "k").example(500.0),
+            Field::quantity(Domain::Stress).label("Coefficient", "k").example(500.0),
         /// Exponent n.
         pub exponent: PositiveF64 = Field::pure(STRAIN_EXPONENT).label("Exponent", "n").example(0.5),
     }

@@ -98,6 +98,10 @@ mod tests {
                 rate: positive(30.0),
             }),
         ];
+        for table in Hardening::TABLES {
+            let has_law = inputs.iter().any(|input| input.table().word == table.word);
+            assert!(has_law, "no material has the law {}", table.word);
+        }
         inputs.into_iter().map(|input| Deformable::new(elastic, Some(input)).unwrap()).collect()
     }
 
@@ -122,7 +126,9 @@ mod tests {
             |p| 500.0 + 700.0 * p.powf(0.4),
             |p| 800.0 - 300.0 * (-30.0 * p).exp(),
         ];
-        for (law, formula) in laws().iter().zip(formulas) {
+        let laws = laws();
+        assert_eq!(laws.len(), formulas.len(), "each law has a formula");
+        for (law, formula) in laws.iter().zip(formulas) {
             for p in [0.0, 1e-9, 1e-4, 5e-3, 0.05, 2.0] {
                 assert!((law.stress(p) - formula(p)).abs() < 1e-9, "{law:?} at {p}");
             }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Curve;
 use crate::job::fields::{Field, record};
-use crate::job::{PositiveF64, Quantity};
+use crate::job::{Domain, PositiveF64};
 use crate::material::{HardeningLaw, hardening};
 
 record! {
@@ -12,7 +12,7 @@ record! {
     pub struct RambergOsgood("ramberg_osgood", "Ramberg–Osgood") {
         /// Reference stress σ_0.
         pub reference_stress: PositiveF64 =
-            Field::quantity(Quantity::Stress).label("Reference stress", "σ_0").example(500.0),
+            Field::quantity(Domain::Stress).label("Reference stress", "σ_0").example(500.0),
         /// Offset a.
         pub offset: PositiveF64 = Field::pure(1e-9..=1e6).label("Offset", "a").example(0.3),
         /// Exponent m, from linear to, for every purpose, perfectly plastic.

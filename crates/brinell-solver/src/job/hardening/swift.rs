@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Curve, STRAIN_EXPONENT};
 use crate::job::fields::{Field, record};
-use crate::job::{PositiveF64, Quantity};
+use crate::job::{Domain, PositiveF64};
 use crate::material::{HardeningLaw, hardening};
 
 record! {
@@ -12,7 +12,7 @@ record! {
     pub struct Swift("swift", "Swift") {
         /// Yield stress σ_y.
         pub yield_stress: PositiveF64 =
-            Field::quantity(Quantity::Stress).label("Yield stress", "σ_y").example(500.0),
+            Field::quantity(Domain::Stress).label("Yield stress", "σ_y").example(500.0),
         /// Strain offset ε_0.
         pub strain_offset: PositiveF64 =
             Field::pure(1e-9..=1e3).label("Strain offset", "ε_0").example(0.002),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::Curve;
 use crate::job::fields::{Field, Figure, Member, Value, record};
 use crate::job::reader::Cursor;
-use crate::job::{FieldError, Quantity, Units};
+use crate::job::{Domain, FieldError, Units};
 use crate::material::{HardeningLaw, hardening};
 
 record! {
@@ -15,7 +15,7 @@ record! {
         pub points: TablePoints = Field::points(
             [
                 ("Plastic strain, rising; the first is 0.", Figure::Pure(0.0..=100.0)),
-                ("Stress, never falling.", Figure::Quantity(Quantity::Stress)),
+                ("Stress, never falling.", Figure::Quantity(Domain::Stress)),
             ],
             1..=TablePoints::MAX_POINTS,
         )

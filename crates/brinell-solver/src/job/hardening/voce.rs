@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Curve;
 use crate::job::fields::{Field, Known, record, unless};
-use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, PositiveF64};
 use crate::material::{HardeningLaw, hardening};
 
 record! {
@@ -12,10 +12,10 @@ record! {
     pub struct Voce("voce", "Voce") where rules {
         /// Yield stress σ_y.
         pub yield_stress: PositiveF64 =
-            Field::quantity(Quantity::Stress).label("Yield stress", "σ_y").example(500.0),
+            Field::quantity(Domain::Stress).label("Yield stress", "σ_y").example(500.0),
         /// Saturation stress σ_s, at least σ_y.
         pub saturation_stress: PositiveF64 =
-            Field::quantity(Quantity::Stress).label("Saturation", "σ_s").example(750.0),
+            Field::quantity(Domain::Stress).label("Saturation", "σ_s").example(750.0),
         /// Rate b.
         pub rate: PositiveF64 = Field::pure(1e-6..=1e6).label("Rate", "b").example(50.0),
     }

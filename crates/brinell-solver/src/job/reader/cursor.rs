@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use super::faults::{Faults, Place};
 use super::text::{Figure, Got, Guess, List, Quoted};
 use super::tree::Node;
-use crate::job::{FaultCode, FieldError, Named, Quantity, Units};
+use crate::job::{Domain, FaultCode, FieldError, Named, Units};
 
 /// A value of the document, its place, and the list of faults.
 #[derive(Debug, Clone, Copy)]
@@ -118,11 +118,7 @@ impl<'a> Cursor<'a> {
 
     /// Returns a figure with a unit, in the range of its quantity, converted to N–mm–MPa. Without
     /// a valid unit system, only the sign is checked.
-    pub fn quantity<T: TryFrom<f64>>(
-        &self,
-        quantity: Quantity,
-        units: Option<Units>,
-    ) -> Option<T> {
+    pub fn quantity<T: TryFrom<f64>>(&self, quantity: Domain, units: Option<Units>) -> Option<T> {
         let written = self.number()?;
         let (low, _) = quantity.range();
         let known = units.unwrap_or_default();

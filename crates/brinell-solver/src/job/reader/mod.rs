@@ -5,8 +5,8 @@
 //! if the value is invalid, so that a reader first reads *all* of its members and only then
 //! combines them with `?`:
 //! ```text
-//! let radius = object.required("radius", |c| c.quantity(Quantity::Length, units));
-//! let depth = object.required("depth", |c| c.quantity(Quantity::Length, units));
+//! let radius = object.required("radius", |c| c.quantity(Domain::Length, units));
+//! let depth = object.required("depth", |c| c.quantity(Domain::Length, units));
 //! Some(Shape::… { radius: radius?, depth: depth? })
 //! ```
 

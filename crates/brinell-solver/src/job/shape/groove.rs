@@ -1,18 +1,18 @@
 //! The concave circular trough.
 
 use crate::job::fields::{Field, Known, faults_of, record, unless};
-use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, PositiveF64};
 
 record! {
     /// A block with a concave circular trough across its whole upper face.
     #[derive(Copy)]
     pub struct Groove("groove", "Groove") where rules {
         /// Radius of the trough.
-        radius: PositiveF64 = Field::quantity(Quantity::Length).label("Radius", "R").example(30.0),
+        radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(30.0),
         /// Full width, at most twice the radius.
-        width: PositiveF64 = Field::quantity(Quantity::Length).label("Width", "w").example(40.0),
+        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(40.0),
         /// From the bottom of the trough to the base.
-        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 

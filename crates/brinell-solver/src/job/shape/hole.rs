@@ -1,7 +1,7 @@
 //! The hole around a pin.
 
 use crate::job::fields::{Field, Known, faults_of, record, unless};
-use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, PositiveF64};
 
 record! {
     /// A round hole in the middle of a disc or of a square plate, which holds a `cylinder` with
@@ -10,12 +10,12 @@ record! {
     #[derive(Copy)]
     pub struct Hole("hole", "Hole") where rules {
         /// Radius of the hole, larger than that of the cylinder in it.
-        radius: PositiveF64 = Field::quantity(Quantity::Length).label("Radius", "R").example(20.1),
+        radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.1),
         /// Radius of the disc, larger than that of the hole.
         outer_radius: Option<PositiveF64> =
-            Field::quantity(Quantity::Length).label("Outer radius", "R_o").example(200.0),
+            Field::quantity(Domain::Length).label("Outer radius", "R_o").example(200.0),
         /// Width of the square plate, in place of `outer_radius`; only in plane analyses.
-        width: Option<PositiveF64> = Field::quantity(Quantity::Length).label("Width of a square plate", "w"),
+        width: Option<PositiveF64> = Field::quantity(Domain::Length).label("Width of a square plate", "w"),
     }
 }
 

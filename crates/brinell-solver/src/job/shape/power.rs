@@ -2,18 +2,18 @@
 
 use crate::job::fields::{Field, Known, faults_of, record, unless};
 use crate::job::reader::text::five_digits;
-use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, PositiveF64};
 
 record! {
     /// A block with the surface y = −x²/2R.
     #[derive(Copy)]
     pub struct Parabola("parabola", "Parabola") where parabola_rules {
         /// Radius of curvature at the vertex.
-        radius: PositiveF64 = Field::quantity(Quantity::Length).label("Radius", "R").example(20.0),
+        radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.0),
         /// Full width.
-        width: PositiveF64 = Field::quantity(Quantity::Length).label("Width", "w").example(30.0),
+        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(30.0),
         /// From the vertex to the base, more than the fall of the surface at its ends.
-        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 
@@ -24,11 +24,11 @@ record! {
         /// Exponent n; 2 is a parabola, a large one nearly a flat punch.
         exponent: f64 = Field::pure(1.05..=50.0).label("Exponent", "n").example(4.0),
         /// Length L, the distance at which the surface has fallen by as much.
-        scale: PositiveF64 = Field::quantity(Quantity::Length).label("Scale", "L").example(30.0),
+        scale: PositiveF64 = Field::quantity(Domain::Length).label("Scale", "L").example(30.0),
         /// Full width.
-        width: PositiveF64 = Field::quantity(Quantity::Length).label("Width", "w").example(30.0),
+        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(30.0),
         /// From the vertex to the base, more than the fall of the surface at its ends.
-        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 
@@ -37,9 +37,9 @@ record! {
     #[derive(Copy)]
     pub struct Ellipse("ellipse", "Ellipse") {
         /// Half its extent along x.
-        pub semi_axis_x: PositiveF64 = Field::quantity(Quantity::Length).label("Semi-axis along x", "a_x").example(30.0),
+        pub semi_axis_x: PositiveF64 = Field::quantity(Domain::Length).label("Semi-axis along x", "a_x").example(30.0),
         /// Half its extent along y.
-        pub semi_axis_y: PositiveF64 = Field::quantity(Quantity::Length).label("Semi-axis along y", "a_y").example(20.0),
+        pub semi_axis_y: PositiveF64 = Field::quantity(Domain::Length).label("Semi-axis along y", "a_y").example(20.0),
     }
 }
 

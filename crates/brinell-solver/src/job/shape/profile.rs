@@ -1,7 +1,9 @@
 //! A face given by points.
 
+use strum::{IntoStaticStr, VariantArray};
+
 use crate::job::fields::{Field, Figure, Known, faults_of, record};
-use crate::job::{FieldError, Named, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, Named, PositiveF64};
 
 record! {
     /// A block whose upper face passes through points, smooth or straight between them.
@@ -10,15 +12,15 @@ record! {
         /// completed by its mirror image.
         points: Vec<[f64; 2]> = Field::points(
             [
-                ("x, tangential.", Figure::Quantity(Quantity::Position)),
-                ("Height.", Figure::Quantity(Quantity::Position)),
+                ("x, tangential.", Figure::Quantity(Domain::Position)),
+                ("Height.", Figure::Quantity(Domain::Position)),
             ],
             2..=Profile::MAX_POINTS,
         )
         .label("Points", "x, height")
         .example_points(&[[-10.0, -2.5], [-4.0, -0.4], [0.0, 0.0], [4.0, -0.4], [10.0, -2.5]]),
         /// From height 0 to the base; every height is above it.
-        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
         /// What the face is like between its points: `smooth` to the first derivative, without
         /// overshoot, or `linear`, so that points are corners. If it is left out, the face is
         /// smooth, and refused where that would round off a corner in the contact.
@@ -27,7 +29,8 @@ record! {
 }
 
 /// The shape of a profile between its points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum Interpolation {
     /// Smooth to the first derivative, without overshoot.
     Smooth,
@@ -35,16 +38,7 @@ pub enum Interpolation {
     Linear,
 }
 
-impl Named for Interpolation {
-    const ALL: &'static [Self] = &[Self::Smooth, Self::Linear];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Smooth => "smooth",
-            Self::Linear => "linear",
-        }
-    }
-}
+impl Named for Interpolation {}
 
 impl Profile {
     /// Most points of a profile.

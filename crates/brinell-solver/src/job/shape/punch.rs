@@ -1,18 +1,18 @@
 //! The flat punch.
 
 use crate::job::fields::{Field, Known, faults_of, record, unless};
-use crate::job::{FieldError, NonNegativeF64, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, NonNegativeF64, PositiveF64};
 
 record! {
     /// A rigid flat punch with sharp or rounded edges.
     #[derive(Copy)]
     pub struct Punch("punch", "Flat punch") where rules {
         /// Full width with the edges, the diameter in axisymmetry.
-        width: PositiveF64 = Field::quantity(Quantity::Length).label("Width", "w").example(10.0),
+        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(10.0),
         /// Radius of the edges, less than half the width; sharp if it is 0 or left out.
-        edge_radius: Option<NonNegativeF64> = Field::quantity(Quantity::Depth).label("Edge radius", "ρ"),
+        edge_radius: Option<NonNegativeF64> = Field::quantity(Domain::Depth).label("Edge radius", "ρ"),
         /// Height of the side walls, more than the edge radius.
-        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(20.0),
+        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(20.0),
     }
 }
 

@@ -5,10 +5,10 @@
 
 use super::turned;
 use crate::job::fields::{Field, Known, record, unless};
-use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, PositiveF64};
 
 /// Smallest radius of curvature \[mm\].
-const MIN_RADIUS: f64 = Quantity::Length.range().0;
+const MIN_RADIUS: f64 = Domain::Length.range().0;
 
 /// The field of the rotation about the normal.
 const ROTATION: Field = Field::pure(-360.0..=360.0).label("Rotation", "φ");
@@ -18,7 +18,7 @@ record! {
     #[derive(Copy)]
     pub struct Sphere("sphere", "Sphere") {
         /// Radius.
-        pub radius: PositiveF64 = Field::quantity(Quantity::Length).label("Radius", "R").example(20.0),
+        pub radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.0),
         /// Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out.
         pub rotation: Option<f64> = ROTATION,
     }
@@ -30,9 +30,9 @@ record! {
     #[derive(Copy)]
     pub struct Curved("curved", "Curved surface") where rules {
         /// Radius of curvature along its x; negative is concave, left out is straight.
-        pub radius_x: Option<f64> = Field::quantity(Quantity::Position).label("Radius along x", "R_x").example(10.0),
+        pub radius_x: Option<f64> = Field::quantity(Domain::Position).label("Radius along x", "R_x").example(10.0),
         /// Radius of curvature along its y; negative is concave, left out is straight.
-        pub radius_y: Option<f64> = Field::quantity(Quantity::Position).label("Radius along y", "R_y").example(50.0),
+        pub radius_y: Option<f64> = Field::quantity(Domain::Position).label("Radius along y", "R_y").example(50.0),
         /// Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left
         /// out.
         pub rotation: Option<f64> = ROTATION,

@@ -2,33 +2,35 @@
 
 use std::ops::RangeInclusive;
 
+use strum::{IntoStaticStr, VariantArray};
+
 use crate::job::fields::{Field, Figure, Known, record, unless};
-use crate::job::{FieldError, Named, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, Named, PositiveF64};
 
 record! {
     /// A cylinder of finite length, whose axis is its y: a roller, a rib; only in three
     /// dimensions.
     pub struct Roller("roller", "Roller") where rules {
         /// Radius.
-        pub radius: PositiveF64 = Field::quantity(Quantity::Length).label("Radius", "R").example(5.0),
+        pub radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(5.0),
         /// Length that can touch, without the rounded ends.
-        pub length: PositiveF64 = Field::quantity(Quantity::Length).label("Length", "L").example(10.0),
+        pub length: PositiveF64 = Field::quantity(Domain::Length).label("Length", "L").example(10.0),
         /// How the surface falls towards the ends: `crowned` in an arc of `crown_radius`,
         /// `logarithmic` by Lundberg for `design_force`, `iso_16281` with the factor of that
         /// standard, `points` as given. If it is left out, the roller is straight.
         pub profile: Option<RollerProfile> = Field::choice::<RollerProfile>("RollerProfile").label("Profile", ""),
         /// Radius of the arc along the axis, for `crowned`.
-        pub crown_radius: Option<f64> = Field::quantity(Quantity::Length).label("Crown radius", "R_c"),
+        pub crown_radius: Option<f64> = Field::quantity(Domain::Length).label("Crown radius", "R_c"),
         /// Force under which a `logarithmic` profile makes the pressure along the roller even.
-        pub design_force: Option<f64> = Field::quantity(Quantity::Force).label("Design force", "Q"),
+        pub design_force: Option<f64> = Field::quantity(Domain::Force).label("Design force", "Q"),
         /// Points `[y, height]` for `points`, y rising and passing 0, straight between them.
         /// Points that start or end at y = 0 are completed by their mirror image. Beyond the
         /// outermost ones the height stays.
         pub points: Option<Vec<[f64; 2]>> = Field::points(
             [
-                ("y, along the axis from the middle.", Figure::Quantity(Quantity::Position)),
+                ("y, along the axis from the middle.", Figure::Quantity(Domain::Position)),
                 ("Height over the cylinder, negative where the surface \
-                  falls.", Figure::Quantity(Quantity::Position)),
+                  falls.", Figure::Quantity(Domain::Position)),
             ],
             2..=Roller::MAX_POINTS,
         )
@@ -43,35 +45,26 @@ record! {
         /// Moment about its x axis through the middle, in place of `tilt`, which is found then:
         /// positive presses the end at positive y. It is whole from the smallest force of the job
         /// on and in proportion to the force below. Only with forces.
-        pub moment: Option<f64> = Field::quantity(Quantity::Moment).label("Moment", "M"),
+        pub moment: Option<f64> = Field::quantity(Domain::Moment).label("Moment", "M"),
     }
 }
 
 /// The profile of a roller towards its ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum RollerProfile {
     /// An arc over the whole length.
     Crowned,
     /// Lundberg's logarithmic profile for a design force.
     Logarithmic,
     /// The logarithmic profile of ISO 16281.
+    #[strum(serialize = "iso_16281")]
     Iso16281,
     /// Given points.
     Points,
 }
 
-impl Named for RollerProfile {
-    const ALL: &'static [Self] = &[Self::Crowned, Self::Logarithmic, Self::Iso16281, Self::Points];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Crowned => "crowned",
-            Self::Logarithmic => "logarithmic",
-            Self::Iso16281 => "iso_16281",
-            Self::Points => "points",
-        }
-    }
-}
+impl Named for RollerProfile {}
 
 impl RollerProfile {
     /// Returns the key of the field with the size of this profile.

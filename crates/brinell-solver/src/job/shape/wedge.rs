@@ -1,7 +1,7 @@
 //! The wedge and the cone.
 
 use crate::job::fields::{Field, Known, faults_of, record, unless};
-use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::job::{Domain, FieldError, PositiveF64};
 
 /// Largest angle of the flanks to the tangential plane \[degrees\].
 const MAX_ANGLE: f64 = 60.0;
@@ -13,11 +13,11 @@ record! {
         /// Angle β of the flanks to the tangential plane, in degrees.
         angle: PositiveF64 = Field::pure(0.001..=MAX_ANGLE).label("Angle of the flanks", "β").example(5.0),
         /// Radius of the tip; sharp if it is left out.
-        tip_radius: Option<PositiveF64> = Field::quantity(Quantity::Length).label("Tip radius", "ρ"),
+        tip_radius: Option<PositiveF64> = Field::quantity(Domain::Length).label("Tip radius", "ρ"),
         /// Full width.
-        width: PositiveF64 = Field::quantity(Quantity::Length).label("Width", "w").example(40.0),
+        width: PositiveF64 = Field::quantity(Domain::Length).label("Width", "w").example(40.0),
         /// From the tip to the base, more than the height of the flanks.
-        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 
@@ -28,11 +28,11 @@ record! {
         /// Angle β of the flank to the tangential plane, in degrees.
         angle: PositiveF64 = Field::pure(0.001..=MAX_ANGLE).label("Angle of the flank", "β").example(5.0),
         /// Radius of the tip; sharp if it is left out.
-        tip_radius: Option<PositiveF64> = Field::quantity(Quantity::Length).label("Tip radius", "ρ"),
+        tip_radius: Option<PositiveF64> = Field::quantity(Domain::Length).label("Tip radius", "ρ"),
         /// Diameter of the base.
-        width: PositiveF64 = Field::quantity(Quantity::Length).label("Diameter", "w").example(40.0),
+        width: PositiveF64 = Field::quantity(Domain::Length).label("Diameter", "w").example(40.0),
         /// From the tip to the base, more than the height of the flank.
-        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+        depth: PositiveF64 = Field::quantity(Domain::Length).label("Depth", "d").example(50.0),
     }
 }
 

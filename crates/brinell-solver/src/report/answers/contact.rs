@@ -1,7 +1,7 @@
 //! Answers on the contact: pressure, size, force; heights and rollers.
 
-use super::{Answer, AnswerBody, AnswerPlace, AnswerQuantity, Facts};
-use crate::job::Analysis;
+use super::{Answer, AnswerBody, AnswerPlace, Facts};
+use crate::job::{Analysis, Quantity};
 use crate::solver::method::figures::Figure;
 use crate::units::about;
 
@@ -15,20 +15,20 @@ impl Facts<'_> {
             self.answer(
                 "contact_ratio",
                 "Real contact area",
-                AnswerQuantity::Ratio,
+                Quantity::Ratio,
                 rough.contact_ratio,
             )
             .text("cells in contact over the area of all heights"),
             self.answer(
                 "nominal_pressure",
                 "Nominal pressure",
-                AnswerQuantity::Stress,
+                Quantity::Stress,
                 rough.nominal_pressure,
             )
             .text("force over the area of all heights"),
         ];
         answers.extend(rough.plastic_part.map(|part| {
-            self.answer("yielded_part", "Area that yields", AnswerQuantity::Ratio, part)
+            self.answer("yielded_part", "Area that yields", Quantity::Ratio, part)
                 .text("of the area in contact, below which a body has yielded")
         }));
         answers
@@ -49,16 +49,15 @@ impl Facts<'_> {
         } else {
             "the middle of the roller does not touch".to_owned()
         };
-        let mut answers = vec![
-            self.answer("edge_pressure", "Edge pressure", AnswerQuantity::Stress, edge).text(text),
-        ];
+        let mut answers =
+            vec![self.answer("edge_pressure", "Edge pressure", Quantity::Stress, edge).text(text)];
         if roller.moment.abs() > 1e-6 * self.step.contact.force * whole.b {
             answers.push(
-                self.answer("moment", "Moment", AnswerQuantity::Energy, roller.moment)
+                self.answer("moment", "Moment", Quantity::Energy, roller.moment)
                     .text("of the pressure about the middle, positive towards y"),
             );
             answers.push(
-                self.answer("tilt", "Tilt", AnswerQuantity::Angle, roller.tilt)
+                self.answer("tilt", "Tilt", Quantity::Angle, roller.tilt)
                     .text("positive where the surfaces are closer at positive y"),
             );
         }
@@ -77,8 +76,7 @@ impl Facts<'_> {
         let mut answers = Vec::new();
         let peak = |value: f64| self.figure(Figure::PeakPressure, value);
         let middle = self.middle_pressure();
-        let unknown =
-            || self.answer("peak_pressure", "Peak pressure", AnswerQuantity::Stress, None);
+        let unknown = || self.answer("peak_pressure", "Peak pressure", Quantity::Stress, None);
         answers.push(match self.measured.inside_rim {
             _ if self.measured.bearable.is_some() => {
                 unknown().text("not known: above what the flow stress carries")
@@ -96,7 +94,7 @@ impl Facts<'_> {
                 .error(bars.and_then(|bars| bars.peak_pressure))
                 .elastic(hertz.map(|hertz| hertz.peak_pressure))
                 .place(of_surface(contact.peak_position, whole.map(|whole| whole.peak_position_y)))
-                .text(self.least_peak().unwrap_or_else(|| beside.to_owned())),
+                .at_least(self.least_peak(), beside),
         });
         answers.extend(middle);
         let half_width = self
@@ -146,21 +144,16 @@ impl Facts<'_> {
             Some(std::f64::consts::FRAC_PI_4)
         };
         answers.push(
-            self.answer(
-                "mean_pressure",
-                "Mean pressure",
-                AnswerQuantity::Stress,
-                contact.mean_pressure,
-            )
-            .error(self.mean_pressure_bar())
-            .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
-            .labelled(if whole.is_none() && contact.patches.len() > 1 {
-                "Mean pressure, gaps included"
-            } else {
-                "Mean pressure"
-            })
-            .text(if self.is_rough() { "over the cells in contact" } else { beside })
-            .of_width(self.touches()),
+            self.answer("mean_pressure", "Mean pressure", Quantity::Stress, contact.mean_pressure)
+                .error(self.mean_pressure_bar())
+                .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
+                .labelled(if whole.is_none() && contact.patches.len() > 1 {
+                    "Mean pressure, gaps included"
+                } else {
+                    "Mean pressure"
+                })
+                .text(if self.is_rough() { "over the cells in contact" } else { beside })
+                .of_width(self.touches()),
         );
         answers
     }
@@ -173,17 +166,16 @@ impl Facts<'_> {
         Some(self.figure(Figure::MiddlePressure, pressure).error(Some(bar)))
     }
 
-    /// Says what a peak without a bar is at least: the larger of the pressures in the middle and in
-    /// the mean, less their bars.
-    fn least_peak(&self) -> Option<String> {
+    /// Returns what a peak without a bar is at least: the larger of the pressures in the middle and
+    /// in the mean, less their bars.
+    fn least_peak(&self) -> Option<f64> {
         let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
         let contact = &self.step.contact;
         let less =
             |pressure: f64, bar: Option<f64>| pressure * (1.0 - bar.unwrap_or(1.0)).max(0.0);
         let least = less(contact.middle_pressure, bars.middle_pressure)
             .max(less(contact.mean_pressure, self.mean_pressure_bar()));
-        let unit = self.unit(AnswerQuantity::Stress);
-        (least > 0.0).then(|| format!("at least {} {unit}", about(least)))
+        (least > 0.0).then_some(least)
     }
 
     /// Returns the bar of the mean pressure: under a given force that of the contact area.

@@ -6,11 +6,12 @@ mod strength;
 
 use serde::{Deserialize, Serialize};
 
+use super::datum::Datum;
 use super::findings::Finding;
-use super::{ErrorEstimate, FlowReport, LoadReport, PerBody, PlasticityReport, Side, StepReport};
-use crate::job::{Analysis, Job, Load, Material, Named, Quantity, Theory, label_of};
+use super::{ErrorEstimate, FlowReport, LoadReport, PerBody, PlasticityReport, StepReport};
+use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory, label_of};
 use crate::solver::SolveStatus;
-use crate::solver::method::figures::{Figure, Figures, Measure};
+use crate::solver::method::figures::{Figure, Figures};
 use crate::units::{UnitConverter, about};
 
 /// Relative difference of forces that are alike.
@@ -32,7 +33,7 @@ pub struct Answer {
     #[cfg_attr(feature = "openapi", schema(required))]
     pub value: Option<f64>,
     /// Its physical quantity. A `strain` and a `ratio` are shown in per cent.
-    pub quantity: AnswerQuantity,
+    pub quantity: Quantity,
     /// Symbol of its unit in the units of the job; empty of a strain, a ratio and a number.
     pub unit: String,
     /// Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is
@@ -40,6 +41,12 @@ pub struct Answer {
     /// then says \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub error: Option<f64>,
+    /// What a figure without an error is at least. Unit: `unit`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
+    /// What a figure without an error is at most, one below zero by its size. Unit: `unit`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
     /// The figure by Hertz's elastic theory, where that has one.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub elastic: Option<f64>,
@@ -64,71 +71,11 @@ pub enum AnswerBody {
     Both,
 }
 
-/// The physical quantity of an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum AnswerQuantity {
-    /// A length.
-    Length,
-    /// An area.
-    Area,
-    /// A stress.
-    Stress,
-    /// A force.
-    Force,
-    /// A force on unit thickness.
-    LineForce,
-    /// A force over a length.
-    Stiffness,
-    /// A force on unit thickness over a length.
-    LineStiffness,
-    /// A force times a length; also a moment.
-    Energy,
-    /// The same on unit thickness.
-    LineEnergy,
-    /// A strain, shown in per cent.
-    Strain,
-    /// A part of a whole, shown in per cent.
-    Ratio,
-    /// A factor.
-    Number,
-    /// An angle \[mrad\].
-    Angle,
-}
-
-impl Named for AnswerQuantity {
-    const ALL: &'static [Self] = &[
-        Self::Length,
-        Self::Area,
-        Self::Stress,
-        Self::Force,
-        Self::LineForce,
-        Self::Stiffness,
-        Self::LineStiffness,
-        Self::Energy,
-        Self::LineEnergy,
-        Self::Strain,
-        Self::Ratio,
-        Self::Number,
-        Self::Angle,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Length => "length",
-            Self::Area => "area",
-            Self::Stress => "stress",
-            Self::Force => "force",
-            Self::LineForce => "line_force",
-            Self::Stiffness => "stiffness",
-            Self::LineStiffness => "line_stiffness",
-            Self::Energy => "energy",
-            Self::LineEnergy => "line_energy",
-            Self::Strain => "strain",
-            Self::Ratio => "ratio",
-            Self::Number => "number",
-            Self::Angle => "angle",
+impl From<Side> for AnswerBody {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::Upper => Self::Upper,
+            Side::Lower => Self::Lower,
         }
     }
 }
@@ -178,6 +125,8 @@ pub(super) struct Measured {
     pub bearable: Option<f64>,
     /// All figures.
     pub figures: Figures,
+    /// Between what the approach is measured.
+    pub datum: Datum,
     /// Over which points the fields were searched.
     pub points: &'static str,
     /// Whether an earlier load of the history, at least as large, has dented the bodies.
@@ -217,17 +166,14 @@ impl StepReport {
 }
 
 impl Answer {
-    /// Returns the bound of a figure without a relative error, with which its text begins.
-    pub fn bound(&self) -> Option<&str> {
-        let clause = self.text.split(';').next().filter(|_| self.error.is_none())?;
-        ["at least ", "at most ", "± "]
-            .iter()
-            .any(|word| clause.starts_with(word))
-            .then_some(clause)
-    }
-
     pub(super) fn error(self, error: Option<f64>) -> Self {
         Self { error, ..self }
+    }
+
+    /// Sets what the figure is at least, or else a note.
+    fn at_least(self, at_least: Option<f64>, note: &str) -> Self {
+        let said = at_least.map(|least| format!("at least {} {}", about(least), self.unit));
+        Self { at_least, ..self.text(said.unwrap_or_else(|| note.to_owned())) }
     }
 
     fn elastic(self, elastic: Option<f64>) -> Self {
@@ -326,7 +272,7 @@ impl Facts<'_> {
 
     /// Returns whether a body has a law without a yield point.
     pub fn flows_from_the_first(&self) -> bool {
-        [Side::Upper, Side::Lower].into_iter().any(|side| self.yield_point(side) == Some(0.0))
+        Side::BOTH.into_iter().any(|side| self.yield_point(side) == Some(0.0))
     }
 
     /// Returns the stress from which a body has plastic strain, 0 without a yield point.
@@ -374,18 +320,13 @@ impl Facts<'_> {
     }
 
     pub fn body(&self, side: Side) -> AnswerBody {
-        match side {
-            _ if self.is_alike() => AnswerBody::Both,
-            Side::Upper => AnswerBody::Upper,
-            Side::Lower => AnswerBody::Lower,
-        }
+        if self.is_alike() { AnswerBody::Both } else { side.into() }
     }
 
     pub fn place_of(&self, largest: &Largest) -> AnswerPlace {
         let [x, y, depth] = largest.place.map(|length| self.write.length(length));
-        let side = if largest.side == 0 { Side::Upper } else { Side::Lower };
         AnswerPlace {
-            body: self.body(side),
+            body: self.body(Side::of(largest.side)),
             x,
             y: self.is_three_dimensional().then_some(y),
             depth,
@@ -396,7 +337,7 @@ impl Facts<'_> {
         &self,
         name: &str,
         label: &str,
-        quantity: AnswerQuantity,
+        quantity: Quantity,
         value: impl Into<Option<f64>>,
     ) -> Answer {
         Answer {
@@ -405,8 +346,10 @@ impl Facts<'_> {
             body: None,
             value: value.into().filter(|value| value.is_finite()),
             quantity,
-            unit: self.unit(quantity),
+            unit: self.unit(quantity).to_owned(),
             error: None,
+            at_least: None,
+            at_most: None,
             elastic: None,
             place: None,
             text: String::new(),
@@ -415,47 +358,24 @@ impl Facts<'_> {
 
     /// Returns the answer of a figure, whose name, label and quantity are those of its row.
     pub fn figure(&self, figure: Figure, value: impl Into<Option<f64>>) -> Answer {
-        let quantity = match figure.measure() {
-            Measure::Length => AnswerQuantity::Length,
-            Measure::Area => AnswerQuantity::Area,
-            Measure::Stress => AnswerQuantity::Stress,
-            Measure::Force => self.force_quantity(),
-            Measure::Strain => AnswerQuantity::Strain,
+        let quantity = match figure.quantity() {
+            Quantity::Force => self.force_quantity(),
+            quantity => quantity,
         };
         self.answer(figure.name(), &label(figure), quantity, value)
     }
 
-    pub fn force_quantity(&self) -> AnswerQuantity {
-        if self.is_whole() { AnswerQuantity::Force } else { AnswerQuantity::LineForce }
+    pub fn force_quantity(&self) -> Quantity {
+        if self.is_whole() { Quantity::Force } else { Quantity::LineForce }
     }
 
-    pub fn unit(&self, quantity: AnswerQuantity) -> String {
-        let symbol = |quantity: Quantity| quantity.symbol(self.job.units);
-        let (length, force) = (symbol(Quantity::Length), symbol(self.job.analysis.force()));
-        match quantity {
-            AnswerQuantity::Length => length.to_owned(),
-            AnswerQuantity::Area => format!("{length}²"),
-            AnswerQuantity::Stress => symbol(Quantity::Stress).to_owned(),
-            AnswerQuantity::Force | AnswerQuantity::LineForce => force.to_owned(),
-            AnswerQuantity::Stiffness => format!("{force}/{length}"),
-            AnswerQuantity::LineStiffness => format!("{force}²"),
-            AnswerQuantity::Energy => format!("{force} {length}"),
-            AnswerQuantity::LineEnergy => "N".to_owned(),
-            AnswerQuantity::Angle => "mrad".to_owned(),
-            AnswerQuantity::Strain | AnswerQuantity::Ratio | AnswerQuantity::Number => {
-                String::new()
-            }
-        }
+    pub fn unit(&self, quantity: Quantity) -> &'static str {
+        self.job.units.symbol(quantity)
     }
 
     /// Returns a value of the report with its unit, to `digits` of
     /// [`rounded`](crate::units::rounded) or [`about`].
-    pub fn with_unit(
-        &self,
-        digits: fn(f64) -> String,
-        quantity: AnswerQuantity,
-        value: f64,
-    ) -> String {
+    pub fn with_unit(&self, digits: fn(f64) -> String, quantity: Quantity, value: f64) -> String {
         format!("{} {}", digits(value), self.unit(quantity))
     }
 
@@ -465,15 +385,16 @@ impl Facts<'_> {
         if error < 1.0 || value == 0.0 {
             return answer;
         }
-        let most = value.abs() * (1.0 + error);
+        let size = value.abs() * (1.0 + error);
         let most = match answer.quantity {
-            AnswerQuantity::Strain | AnswerQuantity::Ratio => format!("{} %", about(100.0 * most)),
-            quantity => self.with_unit(about, quantity, most),
+            Quantity::Strain | Quantity::Ratio => format!("{} %", about(100.0 * size)),
+            quantity => self.with_unit(about, quantity, size),
         };
         let note =
             if answer.text.is_empty() { String::new() } else { format!("; {}", answer.text) };
         let sign = if value < 0.0 { " either way" } else { "" };
-        answer.error(None).text(format!("at most {most}{sign}{note}"))
+        Answer { at_most: Some(size), ..answer.error(None) }
+            .text(format!("at most {most}{sign}{note}"))
     }
 
     /// Returns the error estimate of a step that has converged.
@@ -605,7 +526,7 @@ impl Facts<'_> {
                 if surface.pile_up > 0.0 {
                     format!(
                         "highest point above the undeformed surface, {} from the middle",
-                        self.with_unit(about, AnswerQuantity::Length, surface.pile_up_position)
+                        self.with_unit(about, Quantity::Length, surface.pile_up_position)
                     )
                 } else {
                     String::new()
@@ -621,7 +542,7 @@ impl Facts<'_> {
         self.figure(Figure::Approach, step.approach)
             .error(self.bars().and_then(|bars| bars.approach))
             .elastic(hertz.filter(|_| self.touches()).map(|hertz| hertz.approach))
-            .text(format!("between {}", step.approach_datum.replacen(" towards ", " and ", 1)))
+            .text(format!("between {}", self.measured.datum.between()))
     }
 
     fn tension(&self) -> Option<Answer> {
@@ -631,7 +552,7 @@ impl Facts<'_> {
             self.answer(
                 "residual_tension",
                 "Residual tension",
-                AnswerQuantity::Stress,
+                Quantity::Stress,
                 self.write.stress(largest.value),
             )
             .of(place.body)
@@ -642,8 +563,7 @@ impl Facts<'_> {
 
     fn work(&self) -> Option<Answer> {
         let energy = &self.step.flow.as_ref()?.energy;
-        let quantity =
-            if self.is_whole() { AnswerQuantity::Energy } else { AnswerQuantity::LineEnergy };
+        let quantity = if self.is_whole() { Quantity::Energy } else { Quantity::LineEnergy };
         (energy.dissipated > 0.0).then(|| {
             self.answer("dissipated_work", "Dissipated work", quantity, energy.dissipated)
                 .text("since the bodies were at rest")
@@ -675,17 +595,14 @@ impl Facts<'_> {
     fn without_member(&self) -> Vec<Answer> {
         let mut answers = Vec::new();
         for figure in Figure::ALL.iter().filter(|figure| !figure.has_member()) {
-            let sides: &[Side] = if figure.is_of_body() && !self.is_alike() {
-                &[Side::Upper, Side::Lower]
-            } else {
-                &[Side::Lower]
-            };
+            let sides: &[Side] =
+                if figure.is_of_body() && !self.is_alike() { &Side::BOTH } else { &[Side::Lower] };
             for side in sides {
-                let core = self.measured.figures.get(*figure, usize::from(*side == Side::Lower));
+                let core = self.measured.figures.get(*figure, side.member());
                 if core == 0.0 {
                     continue;
                 }
-                let answer = self.figure(*figure, self.in_units(figure.measure(), core));
+                let answer = self.figure(*figure, self.write.of(figure.quantity(), core));
                 answers.push(if figure.is_of_body() {
                     answer.of(self.body(*side))
                 } else {
@@ -696,23 +613,8 @@ impl Facts<'_> {
         answers
     }
 
-    fn in_units(&self, measure: Measure, core: f64) -> f64 {
-        let write = self.write;
-        match measure {
-            Measure::Length => write.length(core),
-            Measure::Area => write.area(core),
-            Measure::Stress => write.stress(core),
-            Measure::Force => write.force(core),
-            Measure::Strain => core,
-        }
-    }
-
     fn stiffness(&self) -> Vec<Answer> {
-        let quantity = if self.is_whole() {
-            AnswerQuantity::Stiffness
-        } else {
-            AnswerQuantity::LineStiffness
-        };
+        let quantity = if self.is_whole() { Quantity::Stiffness } else { Quantity::LineStiffness };
         let contact = self.step.contact_stiffness.filter(|_| self.touches());
         let contact = contact.map(|slope| {
             self.answer("contact_stiffness", "Contact stiffness", quantity, slope)

@@ -1,6 +1,7 @@
 //! Answers on the strength of the bodies: utilization, margin, core, shakedown.
 
-use super::{Answer, AnswerQuantity, Facts};
+use super::{Answer, Facts};
+use crate::job::Quantity;
 use crate::report::findings::Finding;
 use crate::units::{about, rounded};
 
@@ -20,12 +21,7 @@ impl Facts<'_> {
         let used = self.measured.utilization.as_ref().filter(|_| reason.is_none());
         let place = used.map(|used| self.place_of(used));
         let utilization = self
-            .answer(
-                "utilization",
-                "Utilization",
-                AnswerQuantity::Ratio,
-                used.map(|used| used.value),
-            )
+            .answer("utilization", "Utilization", Quantity::Ratio, used.map(|used| used.value))
             .place(place)
             .text(if used.is_some() {
                 "largest von Mises stress of elastic bodies over the yield stress there"
@@ -43,7 +39,7 @@ impl Facts<'_> {
             .answer(
                 "margin",
                 "Margin to first yield",
-                AnswerQuantity::Number,
+                Quantity::Number,
                 first.map(|first| first / self.step.contact.force),
             )
             .text(match (first, reason) {
@@ -65,7 +61,7 @@ impl Facts<'_> {
         let core = self.measured.core.as_ref()?;
         let place = self.place_of(core);
         Some(
-            self.answer("core_utilization", "Core utilization", AnswerQuantity::Ratio, core.value)
+            self.answer("core_utilization", "Core utilization", Quantity::Ratio, core.value)
                 .of(place.body)
                 .place(Some(place))
                 .text(format!(
@@ -82,7 +78,7 @@ impl Facts<'_> {
                 self.answer(
                     "shakedown_pressure",
                     "Shakedown pressure",
-                    AnswerQuantity::Stress,
+                    Quantity::Stress,
                     limit,
                 )
                 .text(format!(
@@ -95,7 +91,7 @@ impl Facts<'_> {
             self.answer(
                 "effective_radius",
                 "Effective radius",
-                AnswerQuantity::Length,
+                Quantity::Length,
                 self.write.length(radius),
             )
             .text(

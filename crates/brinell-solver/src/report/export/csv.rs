@@ -8,7 +8,7 @@ use crate::report::{
     AnswerBody, BodyPassReport, FlowReport, PassReport, Report, StepReport, SubsurfaceReport,
     ThreeDimensionalReport,
 };
-use crate::solver::method::figures::{Figure, Measure};
+use crate::solver::method::figures::Figure;
 
 /// A table of all load steps, written one by one.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +60,7 @@ impl Table {
         Ok(Self {
             form,
             units: job.units,
-            force: job.analysis.force(),
+            force: job.analysis.force().quantity(),
             directions: match job.analysis {
                 Analysis::Axisymmetric => ["r", "z", "theta"],
                 Analysis::ThreeDimensional => ["xx", "zz", "yy"],
@@ -81,7 +81,7 @@ impl Table {
 
     /// Returns the first line, which names columns and units.
     pub fn header(&self) -> String {
-        let symbol = |quantity: Quantity| quantity.symbol(self.units);
+        let symbol = |quantity: Quantity| self.units.symbol(quantity);
         let (force, length, stress) =
             (symbol(self.force), symbol(Quantity::Length), symbol(Quantity::Stress));
         match self.form {
@@ -147,31 +147,28 @@ impl Table {
 
     /// Returns the heading of a table of passes.
     fn heading_of_passes(&self) -> String {
-        let column = |(name, measure): (&str, Option<Measure>)| {
-            let unit = measure.map(|measure| format!(" [{}]", self.unit(measure)));
+        let column = |(name, quantity): (&str, Option<Quantity>)| {
+            let unit = quantity.map(|quantity| format!(" [{}]", self.unit(quantity)));
             format!(",{name}{}", unit.unwrap_or_default())
         };
-        let columns = OF_PASS.iter().map(|(name, measure, _)| (*name, *measure));
-        let columns = columns.chain(OF_BODY.iter().map(|(name, measure, _)| (*name, *measure)));
+        let columns = OF_PASS.iter().map(|(name, quantity, _)| (*name, *quantity));
+        let columns = columns.chain(OF_BODY.iter().map(|(name, quantity, _)| (*name, *quantity)));
         format!("step,pass,body{}\n", columns.map(column).collect::<String>())
     }
 
-    /// Returns the unit of a measure; nothing of a strain.
-    fn unit(&self, measure: Measure) -> String {
-        let symbol = |quantity: Quantity| quantity.symbol(self.units);
-        match measure {
-            Measure::Length => symbol(Quantity::Length).to_owned(),
-            Measure::Area => format!("{}2", symbol(Quantity::Length)),
-            Measure::Stress => symbol(Quantity::Stress).to_owned(),
-            Measure::Force => symbol(self.force).to_owned(),
-            Measure::Strain => String::new(),
+    /// Returns the unit of a quantity, without characters beyond ASCII.
+    fn unit(&self, quantity: Quantity) -> String {
+        match quantity {
+            Quantity::Area => format!("{}2", self.units.symbol(Quantity::Length)),
+            Quantity::Force => self.units.symbol(self.force).to_owned(),
+            quantity => self.units.symbol(quantity).to_owned(),
         }
     }
 
     /// Returns the columns of the figures that are answers and have no member.
     fn answers_alone(&self) -> String {
         let column = |(body, figure): (&str, Figure)| {
-            let unit = Some(self.unit(figure.measure())).filter(|unit| !unit.is_empty());
+            let unit = Some(self.unit(figure.quantity())).filter(|unit| !unit.is_empty());
             let unit = unit.map(|unit| format!(" [{unit}]")).unwrap_or_default();
             format!(",{body}{}{unit}", figure.name())
         };
@@ -324,40 +321,40 @@ fn hardness(text: &mut String, number: usize, step: &StepReport) {
     }
 }
 
-/// A column: its name, its measure if it has a unit, and the figure; `None` of one that is empty.
-type Column<T> = (&'static str, Option<Measure>, fn(&T) -> Option<f64>);
+/// A column: its name, its quantity if it has a unit, and the figure; `None` of one that is empty.
+type Column<T> = (&'static str, Option<Quantity>, fn(&T) -> Option<f64>);
 
 /// Columns of a pass.
 const OF_PASS: [Column<PassReport>; 11] = [
     ("iterations", None, |pass| Some(pass.iterations as f64)),
-    ("peak_pressure", Some(Measure::Stress), |pass| Some(pass.peak_pressure)),
-    ("half_width", Some(Measure::Length), |pass| Some(pass.half_width)),
-    ("half_width_across", Some(Measure::Length), |pass| pass.half_width_across),
-    ("approach", Some(Measure::Length), |pass| pass.approach),
-    ("rolling_force", Some(Measure::Force), |pass| Some(pass.rolling_force)),
+    ("peak_pressure", Some(Quantity::Stress), |pass| Some(pass.peak_pressure)),
+    ("half_width", Some(Quantity::Length), |pass| Some(pass.half_width)),
+    ("half_width_across", Some(Quantity::Length), |pass| pass.half_width_across),
+    ("approach", Some(Quantity::Length), |pass| pass.approach),
+    ("rolling_force", Some(Quantity::Force), |pass| Some(pass.rolling_force)),
     ("loss", None, |pass| Some(pass.loss)),
-    ("plastic_work", Some(Measure::Force), |pass| Some(pass.plastic_work)),
-    ("stored_energy", Some(Measure::Force), |pass| Some(pass.stored_energy)),
-    ("traction_work", Some(Measure::Force), |pass| Some(pass.traction_work)),
+    ("plastic_work", Some(Quantity::Force), |pass| Some(pass.plastic_work)),
+    ("stored_energy", Some(Quantity::Force), |pass| Some(pass.stored_energy)),
+    ("traction_work", Some(Quantity::Force), |pass| Some(pass.traction_work)),
     ("energy_gap", None, |pass| Some(pass.energy_gap)),
 ];
 
 /// Columns of what a pass leaves in a body.
 const OF_BODY: [Column<BodyPassReport>; 14] = [
-    ("groove_depth", Some(Measure::Length), |body| Some(body.groove_depth)),
-    ("pile_up", Some(Measure::Length), |body| Some(body.pile_up)),
-    ("forward", Some(Measure::Length), |body| Some(body.forward)),
+    ("groove_depth", Some(Quantity::Length), |body| Some(body.groove_depth)),
+    ("pile_up", Some(Quantity::Length), |body| Some(body.pile_up)),
+    ("forward", Some(Quantity::Length), |body| Some(body.forward)),
     ("largest_strain", None, |body| Some(body.largest_strain)),
-    ("largest_strain_depth", Some(Measure::Length), |body| Some(body.largest_strain_depth)),
-    ("largest_strain_across", Some(Measure::Length), |body| Some(body.largest_strain_across)),
+    ("largest_strain_depth", Some(Quantity::Length), |body| Some(body.largest_strain_depth)),
+    ("largest_strain_across", Some(Quantity::Length), |body| Some(body.largest_strain_across)),
     ("net_strain", None, |body| Some(body.net_strain)),
-    ("net_strain_depth", Some(Measure::Length), |body| Some(body.net_strain_depth)),
-    ("net_strain_across", Some(Measure::Length), |body| Some(body.net_strain_across)),
+    ("net_strain_depth", Some(Quantity::Length), |body| Some(body.net_strain_depth)),
+    ("net_strain_across", Some(Quantity::Length), |body| Some(body.net_strain_across)),
     ("accumulated_strain", None, |body| Some(body.accumulated_strain)),
-    ("least_sigma_x", Some(Measure::Stress), |body| Some(body.least_sigma_x)),
-    ("largest_sigma_x", Some(Measure::Stress), |body| Some(body.largest_sigma_x)),
-    ("least_sigma_z", Some(Measure::Stress), |body| Some(body.least_sigma_z)),
-    ("largest_sigma_z", Some(Measure::Stress), |body| Some(body.largest_sigma_z)),
+    ("least_sigma_x", Some(Quantity::Stress), |body| Some(body.least_sigma_x)),
+    ("largest_sigma_x", Some(Quantity::Stress), |body| Some(body.largest_sigma_x)),
+    ("least_sigma_z", Some(Quantity::Stress), |body| Some(body.least_sigma_z)),
+    ("largest_sigma_z", Some(Quantity::Stress), |body| Some(body.largest_sigma_z)),
 ];
 
 /// Writes a row for each pass and each body that can yield; one without a body where none can.

@@ -26,7 +26,7 @@ const SAMPLES: u32 = 400;
 pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
     let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     let (length, stress) =
-        (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
+        (job.units.symbol(Quantity::Length), job.units.symbol(Quantity::Stress));
     let nodes = &step.contact.nodes;
     let mut curves = vec![Curve {
         name: "this contact".to_owned(),
@@ -153,7 +153,7 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     let (lowest, highest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     let margin = 0.06 * (highest - lowest).max(f64::MIN_POSITIVE);
     let (length, stress) =
-        (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
+        (job.units.symbol(Quantity::Length), job.units.symbol(Quantity::Stress));
     Chart {
         title: if step.contact.force > 0.0 {
             "Stresses below the contact"
@@ -211,7 +211,7 @@ pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportErr
     let force = job.analysis.force().symbol(job.units);
     Chart {
         title: "Force over approach".to_owned(),
-        x_label: format!("approach [{}]", Quantity::Length.symbol(job.units)),
+        x_label: format!("approach [{}]", job.units.symbol(Quantity::Length)),
         y_label: format!("force [{force}]"),
         x_range,
         y_range,
@@ -280,7 +280,7 @@ pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, Ex
             .collect();
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let (x_range, y_range) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
-    let length = Quantity::Length.symbol(job.units);
+    let length = job.units.symbol(Quantity::Length);
     let is_dent = step.contact.force == 0.0;
     Chart {
         title: if is_dent { "Residual profile" } else { "Surfaces under load" }.to_owned(),

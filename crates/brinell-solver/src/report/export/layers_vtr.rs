@@ -11,7 +11,7 @@ use super::vtk::Type::{Float64, UInt8};
 use super::vtk::{
     Array, Encoding, Places, Sources, Values, VtkContents, VtkFile, faces, places, unusable,
 };
-use crate::report::{FieldLayout, FieldSide, Report, encode_layers};
+use crate::report::{FieldLayout, Report, Side, encode_layers};
 
 /// Writes `stress` (XX, YY, ZZ, XY, YZ, XZ), `von_mises`, `plastic_strain`,
 /// `equivalent_plastic_strain` and `body` (0 lower, 1 upper) in the cells of both bodies, in the
@@ -51,14 +51,14 @@ impl VtrFile {
         [step, steps]: [usize; 2],
         layout: &FieldLayout,
     ) -> Result<Self, ExportError> {
-        let sides = [FieldSide::Upper, FieldSide::Lower];
+        let sides = [Side::Upper, Side::Lower];
         let sides: Vec<_> = sides.into_iter().filter(|side| layout.has(*side)).collect();
         let first =
             *sides.first().filter(|_| layout.member() == "layers").ok_or(ExportError::NoLayers)?;
         let count =
             |name: &str| Ok(layout.find(first, name).map_err(unusable)?.len() / size_of::<f64>());
         let cells = [count("x")?, count("y")?, count("z")?];
-        let body = |side| Ok((side == FieldSide::Upper, places::<Layers>(layout, side)?));
+        let body = |side| Ok((side == Side::Upper, places::<Layers>(layout, side)?));
         let bodies = sides.into_iter().map(body).collect::<Result<_, ExportError>>()?;
         Ok(Self::of(report, [step, steps], Layers { cells, bodies }))
     }

@@ -18,7 +18,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::ExportError;
-use crate::report::{FieldArraysError, FieldLayout, FieldSide, Report};
+use crate::report::{FieldArraysError, FieldLayout, Report, Side};
 
 /// Number of the quadrilateral with 4 nodes in VTK.
 pub(super) const QUAD: u8 = 9;
@@ -115,7 +115,7 @@ pub(super) type Places = BTreeMap<&'static str, Range<usize>>;
 /// Finds the source arrays of a body.
 pub(super) fn places<C: VtkContents>(
     layout: &FieldLayout,
-    side: FieldSide,
+    side: Side,
 ) -> Result<Places, ExportError> {
     let names = C::ARRAYS.iter().flat_map(|array| array.5);
     names.map(|name| Ok((*name, layout.find(side, name).map_err(unusable)?))).collect()

@@ -19,7 +19,7 @@ use super::vtk::{
 };
 use crate::job::{Analysis, Named};
 use crate::report::field_arrays::CHUNK;
-use crate::report::{FieldLayout, FieldSide, Report, encode_fields};
+use crate::report::{FieldLayout, Report, Side, encode_fields};
 
 /// Writes the mesh before loading with `displacement` \[length\], `stress` (XX, YY, ZZ, XY, YZ,
 /// XZ), `von_mises` and `equivalent_plastic_strain` at its nodes and `body` (0 lower, 1 upper) in
@@ -80,7 +80,7 @@ impl Body {
         is_half: bool,
         descent: f64,
     ) -> Result<Option<Self>, ExportError> {
-        let side = if name == 0 { FieldSide::Lower } else { FieldSide::Upper };
+        let side = if name == 0 { Side::Lower } else { Side::Upper };
         if !layout.has(side) {
             return Ok(None);
         }

@@ -26,6 +26,8 @@ const COARSE_GRID: f64 = 5.0;
 const REACH: f64 = 3.0;
 /// Inclination of the common normal at the end of a contact from which the remark says so \[rad\].
 const WIDE_ARC: f64 = 0.5;
+/// Sum of the pressures over the force from which the remark says so.
+const INCLINED: f64 = 1.01;
 /// Number of depths within a layer at which strengths are compared.
 const SAMPLES: u32 = 16;
 
@@ -41,6 +43,7 @@ pub(super) fn findings(
         widest(job, problem, problem.orientation(), step.figures.semi_axes()).map(Finding::Wide),
     );
     findings.extend(problem.half_length().and_then(|_| wide_tilt(step)).map(Finding::Wide));
+    findings.extend(inclined_pressure(problem, step));
     if step.checks.reaches_edge {
         findings.push(Finding::AtEdge { in_hole: false });
     }
@@ -119,6 +122,16 @@ fn deformation(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Deformation 
     ratio.map_or(Deformation::Other, Deformation::Ball)
 }
 
+/// Returns the finding on pressures that sum to more than the force: between conforming bodies they
+/// act along inclined normals.
+fn inclined_pressure(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
+    let is_inclined = problem.conformity.is_conforming() && step.figures.force > 0.0;
+    let map = &step.field.surface;
+    let borne = map.grid.cell_area() * map.pressure.iter().sum::<f64>();
+    let ratio = borne / step.figures.force;
+    (is_inclined && ratio > INCLINED).then_some(Finding::InclinedPressure { ratio })
+}
+
 /// Returns the finding on a contact of few cells.
 fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Finding> {
     let (grid, [a, b]) = (&step.field.surface.grid, step.figures.semi_axes());
@@ -171,7 +184,7 @@ fn status(job: &Job, step: &HalfSpaceStep) -> Option<Finding> {
             Some(Finding::NotConverged(Unconverged::Moment { missing: step.field.missing_moment }))
         }
         SolveStatus::NotConverged => Some(Finding::NotConverged(unfinished.cause(job.solver))),
-        status => Some(Finding::Stopped { status, is_preliminary: step.is_preliminary }),
+        status => Some(Finding::stopped(status, step.is_preliminary)),
     }
 }
 

@@ -4,7 +4,7 @@
 //! smooth summit where it has cells enough, its surface falls gently beside it, and the pressure
 //! on it is one that the bodies bear.
 
-use crate::report::findings::{Finding, HeightsFinding};
+use crate::report::findings::Finding;
 use crate::solver::half_spaces::{HalfSpaceProblem, HalfSpaceStep, SurfaceMap};
 
 /// Cells over the half-width of a spot of their area below which no figure has a bar. Nine balls
@@ -49,16 +49,16 @@ pub(super) fn findings(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Vec<
     let part = share(&|spot| spot.half_width() < FEW_CELLS);
     if part >= SHARE && !step.is_preliminary {
         let number = typical(&spots);
-        findings.push(Finding::Heights(HeightsFinding::FewCells { number, part }));
+        findings.push(Finding::SpotsOfFewCells { number, part });
     }
     let gap = problem.gap(&map.grid);
     let part = share(&|spot| spot.ends_at_step(map, &gap, step.figures.approach));
     if part >= SHARE {
-        findings.push(Finding::Heights(HeightsFinding::Steps { part }));
+        findings.push(Finding::StepsOfHeights { part });
     }
     if let Some(bearable) = unbearable(problem, step) {
         let pressure = step.figures.peak_pressure;
-        findings.push(Finding::Heights(HeightsFinding::Unbearable { pressure, bearable }));
+        findings.push(Finding::UnbearablePressure { pressure, bearable });
     }
     findings
 }

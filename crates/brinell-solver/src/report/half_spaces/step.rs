@@ -8,7 +8,8 @@ use super::layers::layers;
 use super::{seats, spots};
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, Job, Load, Material, Quantity};
-use crate::report::build::{HALF_SPACE_DATUM, in_units};
+use crate::report::build::in_units;
+use crate::report::datum::Datum;
 use crate::report::error_bars::BESIDE;
 use crate::report::findings::{Finding, Known};
 use crate::report::validity;
@@ -60,7 +61,7 @@ impl StepWriter<'_> {
             },
             status: step.status,
             approach: Some(write.length(step.figures.approach)),
-            approach_datum: HALF_SPACE_DATUM.to_owned(),
+            approach_datum: Datum::FarPoints.to_string(),
             contact: self.contact(step),
             contact_stiffness: contact_stiffness
                 .filter(|_| !is_stopped)

@@ -2,7 +2,7 @@
 
 use super::HardnessSeen;
 use crate::job::{Job, Quantity, TestScale};
-use crate::report::{Answer, AnswerQuantity, StepReport};
+use crate::report::{Answer, StepReport};
 use crate::units::{UnitConverter, about, percent};
 
 impl StepReport {
@@ -17,10 +17,10 @@ impl StepReport {
         let Some(test) = job.load.hardness() else { return self };
         let Some(found) = seen.clone().finish(job, write) else { return self };
         let (value, quantity, unit) = match (found.number, test.scale) {
-            (Some(number), _) => (number, AnswerQuantity::Number, ""),
+            (Some(number), _) => (number, Quantity::Number, ""),
             (None, TestScale::Berkovich | TestScale::Sphere) => {
-                let unit = Quantity::Stress.symbol(job.units);
-                (found.mean_pressure, AnswerQuantity::Stress, unit)
+                let unit = job.units.symbol(Quantity::Stress);
+                (found.mean_pressure, Quantity::Stress, unit)
             }
             (None, _) => return self,
         };
@@ -36,6 +36,7 @@ impl StepReport {
             let side = if bias < 0.0 { "below" } else { "above" };
             format!("its mean pressure is {} {side} that with large strains", percent(bias.abs()))
         };
+        let points = found.number_error.filter(|_| found.relative_error.is_none());
         self.answers.insert(
             0,
             Answer {
@@ -46,10 +47,11 @@ impl StepReport {
                 quantity,
                 unit: unit.to_owned(),
                 error: found.relative_error,
+                at_least: points.map(|points| value - points),
+                at_most: points.map(|points| value + points),
                 elastic: None,
                 place: None,
                 text: {
-                    let points = found.number_error.filter(|_| found.relative_error.is_none());
                     let points = points.map(|points| format!("± {} points", about(points)));
                     let clauses = points.into_iter().chain(found.bias.map(beside));
                     clauses.collect::<Vec<_>>().join("; ")

@@ -21,6 +21,7 @@ pub use self::result::{HardnessReport, OliverPharrReport};
 use self::seen::{Seen, is_pyramid};
 use super::error_bars::under_its_force;
 use super::findings::Finding;
+use super::validity;
 use crate::job::{Job, Material};
 use crate::solver::{SolveStatus, StepSolution};
 use crate::units::UnitConverter;
@@ -117,7 +118,7 @@ impl HardnessSeen {
             oliver_pharr: found.oliver_pharr(modulus, write),
             curvature_bias,
             least_thickness: found.least_thickness().map(|least| write.length(least)),
-            remarks: found.remarks(published.is_some(), write),
+            remarks: validity::remarks(&found.findings(published.is_some()), write),
         })
     }
 }

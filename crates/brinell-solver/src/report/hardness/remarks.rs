@@ -1,76 +1,45 @@
-//! Remarks on a hardness test.
+//! Findings on a hardness test.
 
 use super::found::Found;
 use super::seen::is_pyramid;
-use crate::job::{Named, TestScale};
-use crate::report::ValidityNote;
-use crate::units::{UnitConverter, percent};
+use crate::job::TestScale;
+use crate::report::findings::Finding;
 
 /// Part of the depth that has to be left.
 const SHALLOW: f64 = 0.1;
 
 impl Found<'_> {
     /// Returns what to keep in mind.
-    pub fn remarks(&self, is_bias_known: bool, write: UnitConverter) -> Vec<ValidityNote> {
-        let length = |value: f64| write.length_text(value);
-        let mut remarks = Vec::new();
-        let mut remark = |code: &str, message: String| {
-            remarks.push(ValidityNote { code: code.to_owned(), message });
-        };
+    pub fn findings(&self, is_bias_known: bool) -> Vec<Finding> {
+        let mut findings = Vec::new();
         if !is_bias_known {
-            remark("bias_unknown", self.why_unknown().to_owned());
+            findings.push(Finding::BiasUnknown { why: self.why_unknown() });
         }
-        if let (Some(number), Some([least, most])) = (self.number(), range(self.test.scale))
-            && !(least..=most).contains(&number)
+        let scale = self.test.scale;
+        if let (Some(number), Some(range)) = (self.number(), range(scale))
+            && !(range[0]..=range[1]).contains(&number)
         {
-            let name = self.test.scale.name();
-            let message = format!("The scale {name} is for {least} to {most} by its standard.");
-            remark("outside_scale", message);
+            findings.push(Finding::OutsideScale { scale, range });
         }
         if let Some(left) = self.left().filter(|left| *left < SHALLOW) {
-            let message = if self.load().has_yielded {
-                format!(
-                    "{} of the depth is left. Standards measure what is left; this number is that \
-                     of the contact under load.",
-                    percent(left)
-                )
-            } else {
-                "The specimen has not yielded: no dent is left that could be measured.".to_owned()
-            };
-            remark("no_dent", message);
+            let left = Some(left).filter(|_| self.load().has_yielded);
+            findings.push(Finding::NoDent { left });
         }
         if let Some(least) = self.least_thickness().filter(|_| self.is_thin()) {
-            let message = format!(
-                "The specimen is {} thick; the standard wants {} for this indentation, so that \
-                 the support does not bear it.",
-                length(self.specimen.depth.get()),
-                length(least)
-            );
-            remark("thin_specimen", message);
+            let thickness = self.specimen.depth.get();
+            findings.push(Finding::ThinSpecimen { thickness, least });
         }
         if self.is_narrow() {
-            let message = format!(
-                "The specimen is {} wide; the standards want {} for this indentation, so that no \
-                 edge gives way.",
-                length(self.specimen.width.get()),
-                length(self.least_width())
-            );
-            remark("narrow_specimen", message);
+            let (width, least) = (self.specimen.width.get(), self.least_width());
+            findings.push(Finding::NarrowSpecimen { width, least });
         }
         if self.is_blunt() {
-            let message = format!(
-                "The tip of {} reaches far into this indentation: its figures are more those of a \
-                 ball.",
-                length(self.test.radius())
-            );
-            remark("blunt_tip", message);
+            findings.push(Finding::BluntTip { radius: self.test.radius() });
         }
         if is_pyramid(self.test) {
-            let message = "A pyramid is solved as the cone of equal area, of 70.3° half-angle: \
-                           its edges are left out.";
-            remark("equal_cone", message.to_owned());
+            findings.push(Finding::EqualCone);
         }
-        remarks
+        findings
     }
 
     /// Returns why no published result tells the bias.

@@ -4,8 +4,8 @@ use super::document::{
     BodyPassReport, PassReport, RollingReport, RuleVerdict, SolvedHardening, TrackVerdict,
 };
 use crate::job::Load;
-use crate::report::answers::{Answer, AnswerBody, AnswerPlace, AnswerQuantity, Facts};
-use crate::report::{PerBody, Side, VerdictLevel};
+use crate::report::answers::{Answer, AnswerBody, AnswerPlace, Facts};
+use crate::report::{PerBody, Quantity, Side, VerdictLevel};
 use crate::solver::method::figures::Figure;
 use crate::units::{about, rounded};
 
@@ -26,7 +26,7 @@ impl Facts<'_> {
         let rate = strain(rolling.rate, rolling.rate_error);
         let at = match rolling.rate_depth {
             Some(depth) if depth > 0.0 => {
-                format!(" at a depth of {}", self.with_unit(about, AnswerQuantity::Length, depth))
+                format!(" at a depth of {}", self.with_unit(about, Quantity::Length, depth))
             }
             Some(_) => " at the surface".to_owned(),
             None => String::new(),
@@ -73,7 +73,7 @@ impl Facts<'_> {
             format!(
                 "; Hertz's peak is {} times the limit of shakedown of a perfectly plastic body, {}",
                 about(hertz.peak_pressure / limit.peak_pressure),
-                self.with_unit(rounded, AnswerQuantity::Stress, limit.peak_pressure)
+                self.with_unit(rounded, Quantity::Stress, limit.peak_pressure)
             )
         });
         (level, format!("{text}{other}{limit}."))
@@ -121,7 +121,7 @@ impl Facts<'_> {
         let is_shared = rolling.body.is_none() && last.bodies.upper == last.bodies.lower;
         let sides = sides.into_iter().filter(|(side, _)| !is_shared || *side == Side::Lower);
         for (side, body) in sides.filter_map(|(side, body)| Some((side, body.as_ref()?))) {
-            let of = if is_shared { AnswerBody::Both } else { of_side(side) };
+            let of = if is_shared { AnswerBody::Both } else { side.into() };
             answers.extend(self.of_body(last, (side, of), body));
         }
         let work = last.estimated_error.as_ref().and_then(|errors| errors.plastic_work);
@@ -132,7 +132,7 @@ impl Facts<'_> {
                 .text("against which the load is pushed in the last pass, without friction"),
         );
         answers.push(
-            self.answer("loss", "Rolling resistance", AnswerQuantity::Ratio, last.loss)
+            self.answer("loss", "Rolling resistance", Quantity::Ratio, last.loss)
                 .error(work)
                 .text("rolling force over the load"),
         );
@@ -158,9 +158,8 @@ impl Facts<'_> {
         };
         let of_rate = |(error, rate): (f64, f64)| if rate > 0.0 { error / rate } else { 0.0 };
         let error = rolling.rate_error.zip(rolling.rate).map(of_rate);
-        let rate =
-            self.answer("rate", "Strain of a steady pass", AnswerQuantity::Strain, rolling.rate);
-        let body = rolling.body.map(of_side);
+        let rate = self.answer("rate", "Strain of a steady pass", Quantity::Strain, rolling.rate);
+        let body = rolling.body.map(AnswerBody::from);
         let place = |depth: f64| AnswerPlace {
             body: body.unwrap_or(AnswerBody::Both),
             x: 0.0,
@@ -186,53 +185,36 @@ impl Facts<'_> {
             let y = last.half_width_across.map(|_| across);
             Some(AnswerPlace { body: of, x: 0.0, y, depth })
         };
-        let stress = AnswerQuantity::Stress;
+        let stress = Quantity::Stress;
         let mut answers = vec![
-            self.answer(
-                "groove_depth",
-                "Depth of the track",
-                AnswerQuantity::Length,
-                body.groove_depth,
-            )
-            .error(error(|errors| errors.groove_depth))
-            .of(of)
-            .text("how far all passes have sunk the surface, on the axis"),
-            self.answer("forward", "Forward displacement", AnswerQuantity::Length, body.forward)
+            self.answer("groove_depth", "Depth of the track", Quantity::Length, body.groove_depth)
+                .error(error(|errors| errors.groove_depth))
+                .of(of)
+                .text("how far all passes have sunk the surface, on the axis"),
+            self.answer("forward", "Forward displacement", Quantity::Length, body.forward)
                 .error(error(|errors| errors.forward))
                 .of(of)
                 .text("of the surface along the travel, by the last pass"),
-            self.answer(
-                "pass_strain",
-                "Strain, last pass",
-                AnswerQuantity::Strain,
-                body.largest_strain,
-            )
-            .error(error(|errors| errors.largest_strain))
-            .of(of)
-            .place(
-                below(body.largest_strain_depth, body.largest_strain_across)
-                    .filter(|_| body.largest_strain > 0.0),
-            )
-            .text("accumulated, largest of all layers"),
-            self.answer(
-                "net_strain",
-                "Net strain, last pass",
-                AnswerQuantity::Strain,
-                body.net_strain,
-            )
-            .error(error(|errors| errors.net_strain))
-            .of(of)
-            .place(
-                below(body.net_strain_depth, body.net_strain_across)
-                    .filter(|_| body.net_strain > 0.0),
-            )
-            .text(
-                if error(|errors| errors.net_strain).is_some_and(|error| error >= 1.0) {
+            self.answer("pass_strain", "Strain, last pass", Quantity::Strain, body.largest_strain)
+                .error(error(|errors| errors.largest_strain))
+                .of(of)
+                .place(
+                    below(body.largest_strain_depth, body.largest_strain_across)
+                        .filter(|_| body.largest_strain > 0.0),
+                )
+                .text("accumulated, largest of all layers"),
+            self.answer("net_strain", "Net strain, last pass", Quantity::Strain, body.net_strain)
+                .error(error(|errors| errors.net_strain))
+                .of(of)
+                .place(
+                    below(body.net_strain_depth, body.net_strain_across)
+                        .filter(|_| body.net_strain > 0.0),
+                )
+                .text(if error(|errors| errors.net_strain).is_some_and(|error| error >= 1.0) {
                     "below its error; what the pass has not taken back, largest of all layers"
                 } else {
                     "what the pass has not taken back, largest of all layers"
-                },
-            ),
+                }),
             self.figure(Figure::MaxPlasticStrain, body.accumulated_strain)
                 .of(of)
                 .text("accumulated by all passes, largest of all layers"),
@@ -246,7 +228,7 @@ impl Facts<'_> {
                 .text("across the travel, the least over depth after the last pass"),
         ];
         if last.half_width_across.is_some() {
-            let pile_up = self.answer("pile_up", "Pile-up", AnswerQuantity::Length, body.pile_up);
+            let pile_up = self.answer("pile_up", "Pile-up", Quantity::Length, body.pile_up);
             let pile_up = pile_up.error(error(|errors| errors.pile_up)).of(of);
             answers.insert(
                 1,
@@ -257,9 +239,9 @@ impl Facts<'_> {
     }
 
     fn limits(&self, rolling: &RollingReport) -> Vec<Answer> {
-        let stress = AnswerQuantity::Stress;
+        let stress = Quantity::Stress;
         let place = |limit: &super::TrackLimitReport| {
-            Some(AnswerPlace { body: of_side(limit.body), x: 0.0, y: None, depth: limit.depth })
+            Some(AnswerPlace { body: limit.body.into(), x: 0.0, y: None, depth: limit.depth })
         };
         let perfect = rolling.limits.perfect.as_ref().map(|limit| {
             self.answer("shakedown_pressure", "Shakedown pressure", stress, limit.peak_pressure)
@@ -287,13 +269,6 @@ impl Facts<'_> {
             .chain(kinematic)
             .chain([peak.text("to be held beside the limits")])
             .collect()
-    }
-}
-
-const fn of_side(side: Side) -> AnswerBody {
-    match side {
-        Side::Upper => AnswerBody::Upper,
-        Side::Lower => AnswerBody::Lower,
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a load that rolls adds to the JSON of a step.
 
 use serde::{Deserialize, Serialize};
+use strum::{IntoStaticStr, VariantArray};
 
 use crate::job::Named;
 use crate::report::{PerBody, Side};
@@ -74,9 +75,12 @@ pub struct RuleVerdict {
 }
 
 /// A rule of hardening that was solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr, VariantArray,
+)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum SolvedHardening {
     /// That of the job: a backstress, no hardening, or a curve without a yield point.
     Given,
@@ -86,22 +90,25 @@ pub enum SolvedHardening {
     Kinematic,
 }
 
-impl Named for SolvedHardening {
-    const ALL: &'static [Self] = &[Self::Given, Self::Isotropic, Self::Kinematic];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Given => "given",
-            Self::Isotropic => "isotropic",
-            Self::Kinematic => "kinematic",
-        }
-    }
-}
+impl Named for SolvedHardening {}
 
 /// What becomes of a track.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    IntoStaticStr,
+    VariantArray,
+)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum TrackVerdict {
     /// Nothing yields.
     Elastic,
@@ -115,20 +122,7 @@ pub enum TrackVerdict {
     Ratchets,
 }
 
-impl Named for TrackVerdict {
-    const ALL: &'static [Self] =
-        &[Self::Elastic, Self::ShakesDown, Self::ClosedCycle, Self::Undecided, Self::Ratchets];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Elastic => "elastic",
-            Self::ShakesDown => "shakes_down",
-            Self::ClosedCycle => "closed_cycle",
-            Self::Undecided => "undecided",
-            Self::Ratchets => "ratchets",
-        }
-    }
-}
+impl Named for TrackVerdict {}
 
 /// One pass of the load.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

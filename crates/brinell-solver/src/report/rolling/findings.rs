@@ -40,7 +40,7 @@ pub(super) fn findings(
                 advice: if has_room { Advice::SmallerLoad } else { Advice::MoreIterations },
             }));
         }
-        status => findings.push(Finding::Stopped { status, is_preliminary: false }),
+        status => findings.push(Finding::stopped(status, false)),
     }
     let half_width = last.half_width();
     let ratio = half_width / smallest_radius(job, reference).min(problem.smallest_radius());

@@ -15,7 +15,8 @@ use super::verdicts::{word, worst};
 use crate::inputs::RollingInput;
 use crate::job::Job;
 use crate::report::answers::Measured;
-use crate::report::build::{HALF_SPACE_DATUM, hertz, in_units, over_friction};
+use crate::report::build::{hertz, in_units, over_friction};
+use crate::report::datum::Datum;
 use crate::report::solve_error::track_text;
 use crate::report::validity;
 use crate::report::{
@@ -28,10 +29,6 @@ use crate::solver::rolling::{
     RollingSolution,
 };
 use crate::units::UnitConverter;
-
-/// What an approach would be counted between, had a line contact that rolls one.
-const DATUM_OF_LINE: &str = "none: how far half-planes approach under a line load depends on where \
-                             that is counted from";
 
 /// Difference below which two frictions are one.
 const SAME_FRICTION: f64 = 1e-9;
@@ -54,6 +51,10 @@ pub(super) struct StepWriter<'a> {
 }
 
 impl StepWriter<'_> {
+    fn datum(&self) -> Datum {
+        if self.problem.is_line() { Datum::None } else { Datum::FarPoints }
+    }
+
     /// Returns the report of the step.
     pub fn report(&self) -> StepReport {
         let (job, write, solution) = (self.job, self.write, self.solution);
@@ -72,8 +73,7 @@ impl StepWriter<'_> {
             load: LoadReport::Force(write.force(self.problem.load.force)),
             status: solution.status,
             approach: solution.last.approach.map(|approach| write.length(approach)),
-            approach_datum: if self.problem.is_line() { DATUM_OF_LINE } else { HALF_SPACE_DATUM }
-                .to_owned(),
+            approach_datum: self.datum().to_string(),
             contact: self.contact(),
             contact_stiffness: None,
             flow: None,
@@ -91,7 +91,7 @@ impl StepWriter<'_> {
             history: solution.history.iter().map(|record| in_units(record, write)).collect(),
         };
         let first_yield = reference.and_then(|reference| reference.yield_onset_force);
-        let measured = Measured { first_yield, ..Measured::default() };
+        let measured = Measured { first_yield, datum: self.datum(), ..Measured::default() };
         report.answered(job, &measured, &findings, write)
     }
 

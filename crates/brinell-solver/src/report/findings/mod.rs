@@ -1,0 +1,379 @@
+//! Findings: the limits of an answer, as data. Each engine makes the findings of a load step once.
+//! Remarks, error bars, onset and target read them: [`Finding::voids`] says which figures lose
+//! their bar, [`Finding::text`] says a finding in the units of a job. `table` has all of them.
+
+mod sentences;
+mod table;
+
+use brinell_halfspace::track::TrackFault;
+
+use std::fmt::Write as _;
+
+use strum::{IntoStaticStr, VariantArray};
+
+use super::error_bars::name_of;
+use crate::job::{Job, Load};
+use crate::solver::SolveStatus;
+use crate::solver::half_spaces::figure_of;
+use crate::solver::method::figures::{Figure, FigureSet};
+
+pub(super) use sentences::CONFORMING_ADVICE;
+pub(super) use table::Finding;
+use table::ROWS;
+
+/// Number of meshes above which a search for a force is called long.
+pub(super) const MANY_MESHES: usize = 40;
+
+/// Why a load step has not converged.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::report) enum Unconverged {
+    /// No force gives the figure that is sought; its ratio to the wanted value.
+    Missed { ratio: f64 },
+    /// The state violates the contact conditions by a part of their scale.
+    Contact { violation: f64, is_slow: bool },
+    /// No answer with small strains.
+    Collapse,
+    /// The contact is wider than the mesh.
+    AtEdge,
+    /// An earlier increment has not converged.
+    Inherited { is_slow: bool },
+    /// Forces are off balance over the whole bodies.
+    Unbalanced { residual: f64 },
+    /// The iteration has ended without an answer.
+    Iteration { iterations: usize, residual: f64, advice: Advice },
+    /// No tilt of the roller has its moment.
+    Moment { missing: f64 },
+    /// A check of a pass of a load that rolls fails.
+    Pass(TrackFault),
+}
+
+/// A remedy for an iteration without an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::report) enum Advice {
+    LargerLoad,
+    AcceleratedCoupling,
+    MoreIterations,
+    SmallerLoad,
+}
+
+/// Work that a load took.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::report) enum Work {
+    /// A slow coupling.
+    Coupling { updates: usize, iterations: usize },
+    /// Many evaluations of the plastic law.
+    Load {
+        updates: usize,
+        iterations: usize,
+        /// Number of increments, where they are the cause.
+        increments: Option<usize>,
+        /// Number of factorizations, where they are the cause.
+        factorizations: Option<usize>,
+    },
+    /// A search over many meshes, in three dimensions grids.
+    Search { meshes: usize, of_cells: bool, of_histories: bool, force: f64 },
+    /// A mesh that details of the surfaces make much finer than requested.
+    FineMesh { elements: f64, asked: f64, equations: usize },
+}
+
+/// Contacts that are too wide for the theory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::report) enum Wide {
+    /// Angle between the normals of pin and hole at the ends of the contact \[rad\].
+    InHole { angle: f64 },
+    /// Half-width over the smallest radius.
+    OverRadius { ratio: f64, in_groove: bool },
+    /// Slope of a surface within the contact.
+    Slope { slope: f64 },
+    /// Semi-axis over a radius of curvature, in three dimensions.
+    OverCurvature { ratio: f64, radius: f64 },
+    /// Inclination of the common normal at the end of a contact of half-spaces that conform \[rad\].
+    Inclined { angle: f64 },
+    /// Tilt of a roller under its moment, and the largest tilt that may be given \[mrad\].
+    Tilt { tilt: f64, most: f64 },
+}
+
+/// A remedy for a coarse mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::report) enum Density {
+    Elements,
+    Cells,
+    Heights,
+}
+
+/// A contact that yields by deformation theory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::report) enum Deformation {
+    /// A line, and the elastic peak pressure over the least yield stress.
+    Line(f64),
+    /// A ball or an ellipse, and the elastic peak pressure over the least yield stress.
+    Ball(f64),
+    /// A cone or a wedge.
+    Tip,
+    /// A contact without published figures.
+    Other,
+}
+
+/// Why the force at the onset of yield is not known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::report) enum OnsetUnknown {
+    /// Elements leave out a rounded edge, where closed forms yield under `force`.
+    AtEdge { width: f64, spacing: f64, force: f64 },
+    /// The peak pressure is next to an end of the contact.
+    NextToEnd { x: f64, spacing: f64 },
+    /// A sharp corner carries pressure.
+    AtCorner { x: f64 },
+    /// The contact runs to an end of a roller.
+    AtRollerEnd,
+}
+
+/// A place where strength changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::report) enum CasePlace {
+    /// An element, by its middle.
+    Element([f64; 2]),
+    /// A layer of cells, by the depth of its middle.
+    Layer(f64),
+}
+
+/// Error bars that a finding takes away.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::report) enum Voids {
+    /// The bars of a set of figures.
+    Figures(FigureSet),
+    /// The error estimate as a whole: the figures are no answer, or nothing bounds their errors.
+    Estimate,
+}
+
+/// Error bars that a kind of finding takes away.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Takes {
+    Nothing,
+    Figures(&'static [Figure]),
+    AllButMiddlePressure,
+    Estimate,
+}
+
+/// Figures below the surface and along it, which depend on the peak pressure.
+const BELOW: [Figure; 5] = [
+    Figure::MaxPlasticStrain,
+    Figure::MeanPlasticStrain,
+    Figure::PlasticArea,
+    Figure::LeastStress,
+    Figure::LargestVonMises,
+];
+const PEAK_AND_BELOW: [Figure; 6] = [
+    Figure::PeakPressure,
+    Figure::MaxPlasticStrain,
+    Figure::MeanPlasticStrain,
+    Figure::PlasticArea,
+    Figure::LeastStress,
+    Figure::LargestVonMises,
+];
+
+/// A part of the document on validity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "snake_case")]
+enum Section {
+    State,
+    Theory,
+    Mesh,
+    Hardness,
+}
+
+/// A row of `docs/validity.md`.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    code: &'static str,
+    section: Section,
+    condition: &'static str,
+    meaning: &'static str,
+    takes: Takes,
+}
+
+const fn suspicious(code: &'static str, condition: &'static str, meaning: &'static str) -> Row {
+    Row { code, section: Section::Theory, condition, meaning, takes: Takes::Nothing }
+}
+
+/// Rows of what in a job is probably not meant.
+const SUSPICIOUS: [Row; 4] = [
+    suspicious(
+        "suspicious_units",
+        "the job is in SI with a Young's modulus below 1 MPa; a yield stress is above a tenth or \
+         below 1e-5 of Young's modulus, or above 20 MPa beside a modulus of 50 to 1000 MPa; a \
+         radius is below 1e-4 mm; by Hertz's theory the contact is wider than a body",
+        "no solid has such figures, which are probably in another unit. Then every figure is \
+         wrong by powers of ten. The message names the field and, where there is one, the figure \
+         that would fit",
+    ),
+    suspicious(
+        "suspicious_curve",
+        "a table of plastic strain rises from nothing with 0.3 to 1.1 times Young's modulus, or \
+         its second point lies at σ/E; its plastic strains are as large and as coarse as figures \
+         in per cent are; `offset` of `ramberg_osgood` lies between 5e-5 and 0.02",
+        "total strain was given as plastic, strain is in per cent, the offset is the strain of a \
+         proof stress. The message has the figure that changes",
+    ),
+    suspicious(
+        "suspicious_profile",
+        "a table over depth, a case depth or an initial stress goes on beyond five times the \
+         depth of the body, or 100 mm; no hardness is above 70 HV",
+        "depths in micrometres, HRC taken for HV",
+    ),
+    suspicious(
+        "suspicious_heights",
+        "a hundredth of the heights, and 16 at least, have exactly one value, and most others \
+         differ",
+        "missing data that were filled",
+    ),
+];
+
+fn rows() -> impl Iterator<Item = &'static Row> {
+    ROWS.iter().chain(&SUSPICIOUS)
+}
+
+/// Returns every code that a remark can have.
+pub fn validity_codes() -> Vec<&'static str> {
+    let mut codes = Vec::new();
+    for row in rows() {
+        if !codes.contains(&row.code) {
+            codes.push(row.code);
+        }
+    }
+    codes
+}
+
+/// Returns the tables of remarks in `docs/validity.md`, by the names of their sections.
+pub fn validity_tables() -> Vec<(&'static str, String)> {
+    let of = |section: &Section| {
+        let mut table = "| code | condition | meaning | takes the bars of |\n".to_owned();
+        table.push_str("|---|---|---|---|\n");
+        for code in validity_codes() {
+            let of_code = rows().filter(|row| row.section == *section && row.code == code);
+            for (k, Row { condition, meaning, takes, .. }) in of_code.enumerate() {
+                let code = if k == 0 { format!("`{code}`") } else { String::new() };
+                let _ =
+                    writeln!(table, "| {code} | {condition} | {meaning} | {} |", takes.words());
+            }
+        }
+        (section.into(), table)
+    };
+    Section::VARIANTS.iter().map(of).collect()
+}
+
+impl Takes {
+    fn words(self) -> String {
+        match self {
+            Self::Nothing => String::new(),
+            Self::Estimate => "the whole estimate".to_owned(),
+            Self::AllButMiddlePressure => "all figures but the middle pressure".to_owned(),
+            Self::Figures(figures) => {
+                let names: Vec<_> = figures.iter().filter_map(|figure| name_of(*figure)).collect();
+                names.join(", ")
+            }
+        }
+    }
+}
+
+impl Finding {
+    /// Returns the finding on a job that was stopped.
+    pub fn stopped(status: SolveStatus, is_preliminary: bool) -> Self {
+        match status {
+            SolveStatus::Cancelled => Self::Cancelled { is_preliminary },
+            _ => Self::TimedOut { is_preliminary },
+        }
+    }
+
+    /// Returns the error bars that the finding takes away.
+    pub fn voids(&self) -> Voids {
+        let of = |figures: &[Figure], bodies: [bool; 2]| {
+            Voids::Figures(FigureSet::of_bodies(figures, bodies))
+        };
+        match (self, self.takes()) {
+            (Self::EarlierLoads { unknown }, _) => Voids::Figures(*unknown),
+            (Self::OnsetUnknown { is_sought: true, .. }, _) => Voids::Estimate,
+            (Self::CoarseCase { place: CasePlace::Layer(_), .. }, _) | (_, Takes::Nothing) => {
+                of(&[], [true; 2])
+            }
+            (
+                Self::CoarseCase { bodies, .. } | Self::UnboundedStrain { bodies },
+                Takes::Figures(figures),
+            ) => of(figures, *bodies),
+            (Self::RollerEnd { is_all: true, .. }, Takes::Figures(figures)) => {
+                let width = FigureSet::of(&[Figure::HalfWidth]);
+                Voids::Figures(FigureSet::of(figures).with(width))
+            }
+            (_, Takes::Figures(figures)) => of(figures, [true; 2]),
+            (_, Takes::AllButMiddlePressure) => {
+                Voids::Figures(FigureSet::all_but(Figure::MiddlePressure))
+            }
+            (_, Takes::Estimate) => Voids::Estimate,
+        }
+    }
+}
+
+/// Returns the figures that a history leaves unknown: those that earlier loads left
+/// unknown, those that the findings of this load take, and what depends on a peak that they take.
+pub(super) fn left_unknown(before: FigureSet, findings: &[Finding]) -> FigureSet {
+    const KEPT: [Figure; 3] = [Figure::Approach, Figure::Dent, Figure::PileUp];
+    let known = Known::by(findings);
+    let below = FigureSet::of(&BELOW);
+    let kept = below.with(FigureSet::of(&KEPT));
+    if !known.has_estimate() {
+        return kept;
+    }
+    let taken = known.void.within(kept);
+    let is_peak_known = known.has(Figure::PeakPressure, 0);
+    before.with(taken).with(if is_peak_known { FigureSet::default() } else { below })
+}
+
+/// The error bars that all findings of a load step take away.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Known {
+    has_estimate: bool,
+    void: FigureSet,
+}
+
+impl Known {
+    pub fn by(findings: &[Finding]) -> Self {
+        let none = Self { has_estimate: true, void: FigureSet::default() };
+        findings.iter().fold(none, |known, finding| match finding.voids() {
+            Voids::Estimate => Self { has_estimate: false, void: FigureSet::ALL },
+            Voids::Figures(figures) => Self { void: known.void.with(figures), ..known },
+        })
+    }
+
+    /// As [`by`](Self::by), of half-spaces. All bars are taken where the figure by which a force was
+    /// sought has none: the error of the force is in all of them.
+    pub fn of_job(job: &Job, findings: &[Finding]) -> Self {
+        let known = Self::by(findings);
+        match &job.load {
+            Load::Target(target)
+                if ![0, 1].iter().any(|side| known.has(figure_of(target.figure), *side)) =>
+            {
+                Self { has_estimate: false, void: FigureSet::ALL }
+            }
+            _ => known,
+        }
+    }
+
+    /// Returns whether the step has an error estimate.
+    pub const fn has_estimate(self) -> bool {
+        self.has_estimate
+    }
+
+    /// Returns the figures whose bars are taken.
+    pub const fn void(self) -> FigureSet {
+        self.void
+    }
+
+    /// Returns whether the mesh resolves a figure, of a body that of one side.
+    pub fn has(self, figure: Figure, side: usize) -> bool {
+        !self.void.has(figure, side)
+    }
+
+    /// Returns the bar of a figure if the mesh resolves the figure.
+    pub fn bar(self, figure: Figure, side: usize, bar: Option<f64>) -> Option<f64> {
+        bar.filter(|_| self.has(figure, side))
+    }
+}
