@@ -58,8 +58,8 @@ proptest! {
 
 /// The schema of a job in the document of the service.
 fn schema() -> (boon::Schemas, boon::SchemaIndex) {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../api/openapi.json");
-    let document = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let document = include_str!("../../../../api/openapi.json");
+    let document = serde_json::from_str(document).unwrap();
     let mut compiler = boon::Compiler::new();
     compiler.add_resource("file:///openapi.json", document).unwrap();
     let mut schemas = boon::Schemas::new();
