@@ -62,6 +62,7 @@
  * @property {number | null} groove_depth
  * @property {number | null} largest_strain
  * @property {number | null} net_strain
+ * @property {number | null} pile_up
  * @property {number | null} residual
  *
  * @typedef {object} BodyPassErrorsOfBodies
@@ -435,9 +436,11 @@
  * @property {TrackLimits} limits
  * @property {(Pass)[]} passes
  * @property {number | null} rate
+ * @property {number | null} rate_depth
  * @property {number | null} rate_error
  * @property {string | null} reason
  * @property {number} rows
+ * @property {(RuleVerdict)[]} [rules]
  * @property {TrackVerdict} verdict
  *
  * @typedef {object} RoughContact
@@ -447,6 +450,14 @@
  * @property {number} [plastic_part]
  * @property {(number)[]} pressure_quantiles
  *
+ * @typedef {object} RuleVerdict
+ * @property {SolvedHardening} hardening
+ * @property {number} passes
+ * @property {number | null} rate
+ * @property {number | null} rate_error
+ * @property {string | null} reason
+ * @property {TrackVerdict} verdict
+ *
  * @typedef {object} ShakedownLimit
  * @property {number} depth
  * @property {number} friction
@@ -455,6 +466,8 @@
  * @typedef {'upper' | 'lower'} Side
  *
  * @typedef {string} SolveStatus
+ *
+ * @typedef {'given' | 'isotropic' | 'kinematic'} SolvedHardening
  *
  * @typedef {object} Step
  * @property {(Answer)[]} answers
