@@ -1834,13 +1834,19 @@ class Rolling(BaseModel):
             le=1.0,
         ),
     ] = None
+    hardening: Annotated[
+        Literal['both', 'isotropic', 'kinematic'] | None,
+        Field(
+            description='How a body without a backstress hardens under a load that turns round, of which its curve says nothing: by `both` rules, of which the worse decides, or by one alone. Default: `both`.'
+        ),
+    ] = None
     passes: Annotated[
         int | None, Field(description='Passes at most. Default: `30`.', ge=1, le=100)
     ] = None
     track: Annotated[
         float | None,
         Field(
-            description='Length of the track over the elastic half-width or the semi-axis along the travel, after which the material comes back; 32 of a line and 12 in three dimensions, where it is missing. It acts on the first pass alone. Without unit.',
+            description='Length of the track over the elastic half-width or the semi-axis along the travel, after which the material comes back; 32 of a line and 12 in three dimensions, where it is missing. Without unit.',
             ge=8.0,
             le=256.0,
         ),
@@ -1919,6 +1925,12 @@ class SolverSettings(BaseModel):
     max_iterations: Annotated[
         int | None,
         Field(description='Iteration limit. Default: `500`.', ge=1, le=100000),
+    ] = None
+    method: Annotated[
+        Literal['standard', 'paper'] | None,
+        Field(
+            description='`paper` is the method of Jiang and Shang: deformation theory, strong coupling, contact by the simplex; `coupling` may be `weak` or `secant_stiffness` for their comparisons. Default: `standard`.'
+        ),
     ] = None
     theory: Annotated[
         Literal['flow', 'deformation'] | None,

@@ -204,6 +204,10 @@ class BodyPassErrors(BaseModel):
         float | None,
         Field(description='Of the largest net strain. Without unit.', ge=0.0),
     ]
+    pile_up: Annotated[
+        float | None,
+        Field(description='Of the pile-up beside the groove. Without unit.', ge=0.0),
+    ]
     residual: Annotated[
         float | None,
         Field(
@@ -1966,6 +1970,49 @@ class Pass(BaseModel):
     ]
 
 
+class RuleVerdict(BaseModel):
+    """
+    The verdict on a track by one rule of hardening.
+    """
+
+    hardening: Annotated[
+        Literal['given', 'isotropic', 'kinematic'], Field(description='The rule.')
+    ]
+    passes: Annotated[int, Field(description='Passes that have converged.', ge=0)]
+    rate: Annotated[
+        float | None, Field(description='As `rate` of the track. Without unit.', ge=0.0)
+    ]
+    rate_error: Annotated[
+        float | None,
+        Field(description='As `rate_error` of the track. Without unit.', ge=0.0),
+    ]
+    reason: Annotated[
+        str | None,
+        Field(
+            description='Why the verdict is open or the passes end; `null` otherwise.'
+        ),
+    ]
+    verdict: Annotated[
+        Literal['elastic', 'shakes_down', 'closed_cycle', 'undecided', 'ratchets'],
+        Field(description='What becomes of the track, of both bodies the worse.'),
+    ]
+
+
+class Verdict(BaseModel):
+    """
+    The verdict on a load step.
+    """
+
+    level: Annotated[
+        str,
+        Field(
+            description='The state of the bodies.',
+            examples=['not_converged', 'collapse', 'above_shakedown_limit', 'ratchets', 'closed_cycle', 'shakes_down', 'yields', 'dented', 'elastic', 'not_known', 'no_contact'],
+        ),
+    ]
+    text: Annotated[str, Field(description='One sentence for a person.')]
+
+
 class RollingResult(BaseModel):
     """
     The passes of a load that rolls and what becomes of the track. x points along the travel, and z across it. Works are those per length of travel, of a line on unit thickness too: forces.
@@ -1990,14 +2037,21 @@ class RollingResult(BaseModel):
     rate: Annotated[
         float | None,
         Field(
-            description='Plastic strain of a steady pass, or of a pair of passes there and back: net strain of a track that ratchets, accumulated strain of one that closes a cycle, 0 of one that shakes down; `null` where it is undecided. Without unit.',
+            description='Plastic strain of a steady pass, or of a pair of passes there and back: net strain of a track that ratchets, accumulated strain of one that closes a cycle, 0 of one that shakes down; `null` where it is undecided. Where the first layer decides it is that of the surface, by √z from the first two layers. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    rate_depth: Annotated[
+        float | None,
+        Field(
+            description='Depth of the rate, 0 at the surface; `null` where there is none. Unit: mm (SI: m).',
             ge=0.0,
         ),
     ]
     rate_error: Annotated[
         float | None,
         Field(
-            description='Estimated error of the rate by columns, and its change over three passes. Without unit.',
+            description='Estimated error of the rate by columns, and its change over three passes; of the surface at least the difference to the first layer. Without unit.',
             ge=0.0,
         ),
     ]
@@ -2014,25 +2068,16 @@ class RollingResult(BaseModel):
             ge=0,
         ),
     ]
+    rules: Annotated[
+        list[RuleVerdict] | None,
+        Field(
+            description='The verdicts by each rule of hardening that was solved. `verdict` is the worst of them.'
+        ),
+    ] = None
     verdict: Annotated[
         Literal['elastic', 'shakes_down', 'closed_cycle', 'undecided', 'ratchets'],
         Field(description='What becomes of the track, of both bodies the worse.'),
     ]
-
-
-class Verdict(BaseModel):
-    """
-    The verdict on a load step.
-    """
-
-    level: Annotated[
-        str,
-        Field(
-            description='The state of the bodies.',
-            examples=['not_converged', 'collapse', 'above_shakedown_limit', 'ratchets', 'closed_cycle', 'shakes_down', 'yields', 'dented', 'elastic', 'not_known', 'no_contact'],
-        ),
-    ]
-    text: Annotated[str, Field(description='One sentence for a person.')]
 
 
 class Step(BaseModel):
