@@ -21,7 +21,7 @@ use std::sync::Arc;
 
 use brinell_material::{Rows, StreamLaw};
 
-use super::fault::{FlowOfPass, excess};
+use super::fault::{FlowOfPass, NOTHING, TrackFault, excess};
 use super::figures::Outlet;
 use super::grid::live_columns;
 use super::space::{TrackSpace, TrackWork};
@@ -484,3 +484,35 @@ impl RollingBody {
 /// √(3/2), √(1/2), √2: `a:a = 3/2 (xx+zz)² + 1/2 (xx-zz)² + 2 xz²` of a deviator.
 pub(super) const ISOMETRIC: [f64; 3] =
     [1.224_744_871_391_589, std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::SQRT_2];
+
+impl RollingBody {
+    /// Why the body cannot bear the traction of a peak pressure \[MPa\], if it cannot. A pressure
+    /// is known before the first pass as that of Hertz.
+    ///
+    /// # Errors
+    /// [`TrackFault::Traction`].
+    pub fn bears(&self, peak_pressure: f64) -> Result<(), TrackFault> {
+        let traction = self.friction().abs() * peak_pressure;
+        let strength = self.law().largest_stress(0) / 3f64.sqrt();
+        if traction > strength {
+            return Err(TrackFault::Traction { traction, strength });
+        }
+        Ok(())
+    }
+
+    /// Why the plastic zone of the last stream is cut off, if it is.
+    ///
+    /// # Errors
+    /// [`TrackFault::Depth`], [`TrackFault::Far`].
+    pub fn holds(&self) -> Result<(), TrackFault> {
+        self.flow_of_pass().holds(self.most_flow(), self.space().grid().length())?;
+        let of_layer = |row: &[f64]| row.iter().sum::<f64>();
+        let rows = self.strains().chunks_exact(self.space().grid().n_columns());
+        let largest = rows.clone().map(of_layer).fold(0.0, f64::max);
+        if rows.last().map_or(0.0, of_layer) > NOTHING * largest {
+            let depth = self.space().layers().faces().last().copied().unwrap_or(0.0);
+            return Err(TrackFault::Depth { depth });
+        }
+        Ok(())
+    }
+}

@@ -2,7 +2,6 @@
 
 use thiserror::Error;
 
-use super::body::RollingBody;
 use super::grid::{TrackGrid, live_columns};
 
 /// Why a pass has no answer.
@@ -147,38 +146,6 @@ impl TrackGrid {
         let ends = [pressure.first(), pressure.last()];
         if ends.into_iter().flatten().any(|p| *p > 0.0) {
             return Err(TrackFault::Window { width: pressure.len() as f64 * self.h() });
-        }
-        Ok(())
-    }
-}
-
-impl RollingBody {
-    /// Why the body cannot bear the traction of a peak pressure \[MPa\], if it cannot. A pressure
-    /// is known before the first pass as that of Hertz.
-    ///
-    /// # Errors
-    /// [`TrackFault::Traction`].
-    pub fn bears(&self, peak_pressure: f64) -> Result<(), TrackFault> {
-        let traction = self.friction().abs() * peak_pressure;
-        let strength = self.law().largest_stress(0) / 3f64.sqrt();
-        if traction > strength {
-            return Err(TrackFault::Traction { traction, strength });
-        }
-        Ok(())
-    }
-
-    /// Why the plastic zone of the last stream is cut off, if it is.
-    ///
-    /// # Errors
-    /// [`TrackFault::Depth`], [`TrackFault::Far`].
-    pub fn holds(&self) -> Result<(), TrackFault> {
-        self.flow_of_pass().holds(self.most_flow(), self.space().grid().length())?;
-        let of_layer = |row: &[f64]| row.iter().sum::<f64>();
-        let rows = self.strains().chunks_exact(self.space().grid().n_columns());
-        let largest = rows.clone().map(of_layer).fold(0.0, f64::max);
-        if rows.last().map_or(0.0, of_layer) > NOTHING * largest {
-            let depth = self.space().layers().faces().last().copied().unwrap_or(0.0);
-            return Err(TrackFault::Depth { depth });
         }
         Ok(())
     }

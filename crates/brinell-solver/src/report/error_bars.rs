@@ -34,27 +34,6 @@ use crate::solver::{
     ElasticReference, MeshedContact, SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, StepSolution,
 };
 
-/// Returns the name in `docs/validity.md` of a figure that has a bar.
-pub const fn name_of(figure: Figure) -> Option<&'static str> {
-    Some(match figure {
-        Figure::PeakPressure => "peak pressure",
-        Figure::MiddlePressure => "middle pressure",
-        Figure::HalfWidth => "half-width",
-        Figure::SemiAxisY => "semi-axis along y",
-        Figure::ContactArea => "contact area",
-        Figure::Approach => "approach",
-        Figure::Force => "force",
-        Figure::MaxPlasticStrain => "largest plastic strain",
-        Figure::MeanPlasticStrain => "mean plastic strain",
-        Figure::PlasticArea => "plastic area",
-        Figure::Dent => "dent",
-        Figure::PileUp => "pile-up",
-        Figure::LeastStress => "residual stress",
-        Figure::LargestVonMises => "utilization",
-        Figure::PlasticDepth => return None,
-    })
-}
-
 /// Floors of the contact stiffness over h/a, for bodies that are elastic or unload: in plane
 /// analyses, and of bodies of revolution.
 const STIFFNESS_FLOORS: [f64; 2] = [0.1, 0.2];
@@ -351,7 +330,8 @@ pub(super) fn of_target(
 
 #[cfg(test)]
 mod tests {
-    use super::{Figure, name_of};
+    use super::Figure;
+    use crate::report::figure_names::name_of;
     use crate::solver::floors::floors;
 
     #[test]

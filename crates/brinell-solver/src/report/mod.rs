@@ -9,6 +9,7 @@ mod error_bars;
 pub mod export;
 mod field_arrays;
 mod fields;
+mod figure_names;
 mod findings;
 mod flow;
 mod half_spaces;
@@ -35,12 +36,13 @@ pub use crate::job::{Quantity, Side};
 pub use answers::{Answer, AnswerBody, AnswerPlace};
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
-pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error, name_of, scales_of_floors};
+pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error, scales_of_floors};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, encode_fields,
     encode_layers,
 };
 pub use fields::FieldsReport;
+pub use figure_names::name_of;
 pub use findings::{validity_codes, validity_tables};
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 
 use strum::{IntoStaticStr, VariantArray};
 
-use super::error_bars::name_of;
+use super::figure_names::name_of;
 use crate::job::{Job, Load};
 use crate::solver::SolveStatus;
 use crate::solver::half_spaces::figure_of;

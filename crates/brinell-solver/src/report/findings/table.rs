@@ -9,7 +9,7 @@ use super::{
     Unconverged, Wide, Work,
 };
 use crate::job::{Named as _, Suspicion, TestScale, YIELD_OVER_HARDNESS};
-use crate::report::error_bars::name_of;
+use crate::report::figure_names::name_of;
 use crate::report::rolling::TrackVerdict;
 use crate::report::surface_stress::UncertainStress;
 use crate::report::suspicions;
