@@ -8,6 +8,16 @@
  *   rigid body
  */
 
+/** Nodal fields that are shown. @type {import('../types.js').Scalar[]} */
+export const SCALARS = [
+  'von_mises',
+  'equivalent_plastic_strain',
+  'sigma_x',
+  'sigma_y',
+  'sigma_z',
+  'tau_xy',
+];
+
 const END = 0x06054b50;
 const END_BYTES = 22;
 const ENTRY_BYTES = 46;

@@ -4,17 +4,8 @@
  */
 
 import { NOTHING, UNREADABLE } from './answers.js';
-import { readFields } from './npz.js';
+import { SCALARS, readFields } from './npz.js';
 
-/** Nodal fields that are shown. */
-const SCALARS = [
-  'von_mises',
-  'equivalent_plastic_strain',
-  'sigma_x',
-  'sigma_y',
-  'sigma_z',
-  'tau_xy',
-];
 /** Bytes between two reports of progress. */
 const REPORTED = 1 << 20;
 

@@ -2,7 +2,7 @@
 
 import { Problem } from '../api/client.js';
 import { reconnected } from '../api/connection.js';
-import { h } from '../lib/dom.js';
+import { button, h, pngOf } from '../lib/dom.js';
 import { colour } from '../lib/theme.js';
 import { figure, loaded } from '../lib/units.js';
 import { isUnloaded } from '../result/loads.js';
@@ -63,7 +63,7 @@ export class FieldPanel {
       'div',
       { class: 'empty' },
       h('p', {}, 'This job did not ask for the stress field on the mesh.'),
-      h('button', { type: 'button', onclick: wanted }, 'Solve again with it'),
+      button('Solve again with it', wanted),
     );
     this.waiting = h('p', { class: 'empty waiting', role: 'status' });
     this.cutter = new CutTool(() => this.scene.later(false));
@@ -100,10 +100,11 @@ export class FieldPanel {
       ],
       {
         controls,
-        picture: async (title) => {
-          await this.settled;
-          const canvas = this.canvas(title);
-          return canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : null;
+        chart: {
+          picture: async (title) => {
+            await this.settled;
+            return pngOf(this.canvas(title));
+          },
         },
       },
     );
@@ -267,7 +268,7 @@ export class FieldPanel {
       const again = () => still() && this.#update();
       this.waiting.replaceChildren(
         `Could not load ${what}: ${/** @type {Error} */ (error).message}. `,
-        h('button', { type: 'button', onclick: again }, 'Try again'),
+        button('Try again', again),
       );
       if (error instanceof Problem && error.status === 0) reconnected().then(again);
     }

@@ -5,6 +5,7 @@
  * tens of megabytes.
  */
 
+import { SCALARS } from '../api/npz.js';
 import { fetchFields } from '../api/result.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
@@ -16,15 +17,6 @@ import { fetchFields } from '../api/result.js';
 const KEPT = 24e6;
 /** Arrays without which there is no picture. */
 const SHAPE = ['nodes', 'elements', 'displacement'];
-/** @type {Scalar[]} */
-const SCALARS = [
-  'von_mises',
-  'equivalent_plastic_strain',
-  'sigma_x',
-  'sigma_y',
-  'sigma_z',
-  'tau_xy',
-];
 /** Bytes of a node: two pairs, a number of each scalar, and the four corners of an element. */
 const PER_NODE = 4 * (4 + SCALARS.length + 4);
 

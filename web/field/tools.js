@@ -1,6 +1,6 @@
 /** What a field is looked at with: quantity, displacement, mesh, isolines, cut, zoom. */
 
-import { h } from '../lib/dom.js';
+import { h, plainButton } from '../lib/dom.js';
 
 const LOUPE = [0, 1, 2, 5, 10, 20];
 
@@ -31,12 +31,7 @@ export function fieldTools(on, range) {
     /** @type {string} */ sign,
     /** @type {string} */ name,
     /** @type {() => void} */ work,
-  ) =>
-    h(
-      'button',
-      { type: 'button', class: 'plain', 'aria-label': name, title: name, onclick: work },
-      sign,
-    );
+  ) => plainButton(sign, work, { 'aria-label': name, title: name });
   const displacement = h('label', {}, 'Displacement ', loupe);
   const element = h(
     'div',

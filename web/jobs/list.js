@@ -5,7 +5,7 @@
 
 import { Problem, ask, post, request } from '../api/client.js';
 import { dialogue } from '../lib/dialogue.js';
-import { byId, debounce, h, toast } from '../lib/dom.js';
+import { byId, debounce, h, plainButton, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import { duration, figure, unit, unitsOf } from '../lib/units.js';
 import { asked } from '../result/loads.js';
@@ -259,18 +259,11 @@ export class JobList {
           () => this.#do(() => post(`v1/jobs/${job.id}/cancel`, ''), `${label} is asked to stop`),
         ];
     const stopping = job.cancel_requested && !finished(job);
-    return h(
-      'button',
-      {
-        type: 'button',
-        class: 'plain',
-        title: stopping ? 'Stopping…' : word,
-        'aria-label': word,
-        'aria-disabled': stopping ? 'true' : null,
-        onclick: stopping ? () => {} : work,
-      },
-      '×',
-    );
+    return plainButton('×', stopping ? () => {} : work, {
+      title: stopping ? 'Stopping…' : word,
+      'aria-label': word,
+      'aria-disabled': stopping ? 'true' : null,
+    });
   }
 
   /** @param {JobDocument} job @param {string} label */

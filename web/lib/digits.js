@@ -2,10 +2,8 @@
 
 import { figure } from './units.js';
 
-/** Least and most digits that are written: errors have two, and figures end where their errors do. */
-const [FEW, MANY] = [3, 5];
-/** Error beyond which a third digit says nothing. */
-const ROUGH = 0.5;
+/** Least and most digits that are written, and those of a figure whose error is not known. */
+const [FEW, MANY, UNKNOWN] = [2, 5, 3];
 
 /**
  * So many digits that the last one is about a tenth of the error.
@@ -13,9 +11,8 @@ const ROUGH = 0.5;
  * @returns {number}
  */
 export function digitsOf(error) {
-  if (error === null || error === undefined) return FEW;
+  if (error === null || error === undefined) return UNKNOWN;
   if (!(error > 0)) return MANY;
-  if (error > ROUGH) return FEW - 1;
   return Math.min(MANY, Math.max(FEW, Math.ceil(-Math.log10(error)) + 1));
 }
 

@@ -16,6 +16,18 @@ export function h(name, properties = {}, ...children) {
 }
 
 /**
+ * @param {string} text
+ * @param {() => unknown} onclick
+ * @param {Record<string, any>} [properties]
+ */
+export const button = (text, onclick, properties = {}) =>
+  h('button', { type: 'button', onclick, ...properties }, text);
+
+/** A button without a frame. @param {string} text @param {() => unknown} onclick @param {Record<string, any>} [properties] */
+export const plainButton = (text, onclick, properties = {}) =>
+  button(text, onclick, { class: 'plain', ...properties });
+
+/**
  * Makes an element of SVG.
  * @template {keyof SVGElementTagNameMap} K
  * @param {K} name
@@ -124,3 +136,7 @@ export async function copy(text, name) {
   }
   toast(`${name} copied`);
 }
+
+/** @param {HTMLCanvasElement | null} canvas @returns {Promise<Blob | null>} a picture of it */
+export const pngOf = (canvas) =>
+  canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : Promise.resolve(null);

@@ -1,4 +1,7 @@
-/** Tables of figures in formats of other programs. */
+/** Tables of figures, also in formats of other programs. */
+
+import { figureOf } from './digits.js';
+import { figure } from './units.js';
 
 /**
  * @typedef {{title: string, unit?: string, of?: string}} Column `of`: title of the column whose
@@ -6,9 +9,24 @@
  */
 /** @typedef {string | number | null} Cell numbers go out in full where a program reads them */
 /**
- * @typedef {{columns: Column[], rows: Cell[][], write: (value: Cell, column: number) => string}}
+ * @typedef {{columns: Column[], rows: Cell[][], write: (value: Cell, column: number, row: Cell[]) => string}}
  *   Table `write`: as people read it
  */
+
+/**
+ * Figures that end where their error does, which the next column has in per cent: of them, or
+ * where they are shares, of the whole.
+ * @param {Column[]} columns
+ * @param {(figure: number) => string} plainly how figures without an error are written
+ * @returns {Table['write']}
+ */
+export const endingAtErrors = (columns, plainly) => (cell, k, row) => {
+  if (typeof cell !== 'number') return cell ?? '';
+  if (columns[k].title === '±') return figure(cell, 2);
+  const error = columns[k + 1]?.title === '±' ? row[k + 1] : null;
+  if (typeof error !== 'number') return plainly(cell);
+  return figureOf(cell, error / (columns[k].unit === '%' ? Math.abs(cell) : 100));
+};
 
 /** @param {Column} column */
 const heading = ({ title, unit, of }) =>

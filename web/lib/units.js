@@ -16,25 +16,25 @@ const SETS = {
   SI: { length: 'm', per: 'm', stress: 'Pa', force: 'N' },
 };
 
+/** Names of units of length, those of one unit beside each other, and what one of it is in SI. */
+const LENGTHS = {
+  km: 1e3,
+  'm meter meters': 1,
+  cm: 1e-2,
+  'mm millimeter Millimeter': 1e-3,
+  'µm um micron microns micrometer micrometers Mikrometer': 1e-6,
+  'nm nanometer nanometers Nanometer': 1e-9,
+  Å: 1e-10,
+  pm: 1e-12,
+  'in inch inches ″ "': 0.0254,
+  'mil thou': 2.54e-5,
+};
+
 /** Names of units and what one of each is in SI. */
 const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ ({
-  length: {
-    m: 1,
-    cm: 1e-2,
-    mm: 1e-3,
-    µm: 1e-6,
-    um: 1e-6,
-    nm: 1e-9,
-    micron: 1e-6,
-    microns: 1e-6,
-    in: 0.0254,
-    inch: 0.0254,
-    inches: 0.0254,
-    '″': 0.0254,
-    '"': 0.0254,
-    mil: 2.54e-5,
-    thou: 2.54e-5,
-  },
+  length: Object.fromEntries(
+    Object.entries(LENGTHS).flatMap(([names, one]) => names.split(' ').map((name) => [name, one])),
+  ),
   stress: {
     Pa: 1,
     kPa: 1e3,
@@ -76,7 +76,12 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
 
 /** @param {string} name as people write it: with spaces, another µ, or a square as a 2 */
 const unitName = (name) =>
-  name.replace(/\s/g, '').replace('μ', 'µ').replace(/[–—]/, '-').replace(/\^?2$/, '²');
+  name
+    .replace(/\s/g, '')
+    .replace('μ', 'µ')
+    .replace('\u212b', 'Å')
+    .replace(/[–—]/, '-')
+    .replace(/\^?2$/, '²');
 
 /** Vickers hardness by its names, the load of the test [kgf] behind it. */
 const VICKERS = /^(HV|VHN|DPH|DPN)\s?[\d.,/]*$/i;
@@ -85,39 +90,27 @@ const VICKERS = /^(HV|VHN|DPH|DPN)\s?[\d.,/]*$/i;
 export const isUnit = (name) =>
   Object.values(NAMES).some((names) => Object.hasOwn(names, unitName(name)));
 
+/** Powers of the units that the unit of a quantity is made of. @type {Partial<Record<Quantity, Partial<Record<keyof UnitSet, number>>>>} */
+const MADE = {
+  length: { length: 1 },
+  stress: { stress: 1 },
+  force: { force: 1 },
+  line_force: { force: 1, per: -1 },
+  area: { length: 2 },
+  volume: { length: 3 },
+  stiffness: { force: 1, length: -1 },
+  line_stiffness: { force: 1, per: -1, length: -1 },
+  energy: { force: 1, length: 1 },
+  line_energy: { force: 1, per: -1, length: 1 },
+};
+
 /** @param {Quantity} quantity @param {UnitSet} set @returns {number} one of its units in SI */
 function inSi(quantity, set) {
-  const one = (/** @type {Quantity} */ kind, /** @type {string} */ name) =>
-    NAMES[kind]?.[name] ?? NaN;
-  const [length, per, force] = [
-    one('length', set.length),
-    one('length', set.per),
-    one('force', set.force),
-  ];
-  switch (quantity) {
-    case 'length':
-      return length;
-    case 'stress':
-      return one('stress', set.stress);
-    case 'force':
-      return force;
-    case 'line_force':
-      return force / per;
-    case 'area':
-      return length * length;
-    case 'volume':
-      return length ** 3;
-    case 'stiffness':
-      return force / length;
-    case 'line_stiffness':
-      return force / per / length;
-    case 'energy':
-      return force * length;
-    case 'line_energy':
-      return (force / per) * length;
-    default:
-      return 1;
-  }
+  return Object.entries(MADE[quantity] ?? {}).reduce((product, [name, power]) => {
+    const kind = /** @type {'length' | 'stress' | 'force'} */ (name === 'per' ? 'length' : name);
+    const one = NAMES[kind]?.[set[/** @type {keyof UnitSet} */ (name)]] ?? NaN;
+    return product * one ** power;
+  }, 1);
 }
 
 /** @param {Units | UnitSet} units @returns {UnitSet} */

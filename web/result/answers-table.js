@@ -11,6 +11,7 @@ import {
   errorWords,
   markOf,
   placeWords,
+  sentenceOf,
   unitOf,
   valueOf,
   verdictOf,
@@ -39,7 +40,12 @@ export function verdict({ one, at, label }, named) {
     'p',
     { class: `verdict-text ${kind}`, 'data-level': found.level },
     h('span', { class: 'mark', 'aria-hidden': 'true' }, mark),
-    h('span', {}, named ? [swatch(one), h('b', {}, `${label}: `)] : null, symbol(found.text)),
+    h(
+      'span',
+      {},
+      named ? [swatch(one), h('b', {}, `${label}: `)] : null,
+      symbol(sentenceOf(one.report.steps[at])),
+    ),
   );
 }
 

@@ -3,7 +3,7 @@
  * All that is worked out here is the ratio to elastic theory and the difference of jobs.
  */
 
-import { figure, percent, unit } from '../lib/units.js';
+import { figure, percent, plain, unit } from '../lib/units.js';
 import { figureOf } from '../lib/digits.js';
 import { axesOf } from './axes.js';
 
@@ -17,6 +17,25 @@ export const answersOf = ({ answers }) => answers ?? [];
 
 /** @param {Step} step @returns {Verdict | undefined} */
 export const verdictOf = ({ verdict }) => verdict;
+
+/**
+ * The sentence of a step. A figure that is an answer has the digits of its tile, which its error
+ * leaves; the service writes three or five.
+ * @param {Step} step @returns {string}
+ */
+export function sentenceOf({ verdict, answers = [] }) {
+  const isOf = (/** @type {Answer} */ { value, ...one }, /** @type {number} */ said) =>
+    value !== null &&
+    [3, 5].some((digits) => Number((value * shareOf(one)).toPrecision(digits)) === said);
+  return (verdict?.text ?? '').replace(FIGURE, (_, said, unit) => {
+    const figure = Number(said);
+    const answer = answers.find((one) => unitOf(one) === unit && isOf(one, figure));
+    return `${answer ? valueOf(answer) : plain(figure)} ${unit}`;
+  });
+}
+
+/** A figure of a sentence and the word behind it, which may be its unit. */
+const FIGURE = /(?<![\d.])(\d[\d.]*(?:e-?\d+)?) ([^\s,;)]*[^\s,;).])/g;
 
 /** Answers that a sentence is about, the one that decides before the others. */
 const GOVERNING = ['residual_tension', 'max_plastic_strain', 'utilization', 'peak_pressure'];
@@ -60,10 +79,10 @@ const LEVELS = {
 export const markOf = ({ level }) =>
   (Object.hasOwn(LEVELS, level) && LEVELS[level]) || { kind: 'neutral', mark: 'i' };
 
-/** Whether it is a strain or a share, which is shown in per cent. @param {Answer} answer */
+/** Whether it is a strain or a share, which is shown in per cent. @param {Pick<Answer, 'quantity'>} answer */
 const isShare = ({ quantity }) => quantity === 'strain' || quantity === 'ratio';
 
-/** By what it is multiplied before its unit stands behind it. @param {Answer} answer */
+/** By what it is multiplied before its unit stands behind it. @param {Pick<Answer, 'quantity'>} answer */
 export const shareOf = (answer) => (isShare(answer) ? 100 : 1);
 
 /** The unit that stands behind it. @param {Answer} answer @returns {string} */

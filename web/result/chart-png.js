@@ -3,7 +3,7 @@
  * it is painted part by part.
  */
 
-import { h } from '../lib/dom.js';
+import { h, pngOf } from '../lib/dom.js';
 
 /**
  * @param {SVGSVGElement} drawing of `chart-svg.js`
@@ -20,7 +20,7 @@ export function chartPng(drawing, ratio) {
   if (!context) return Promise.resolve(null);
   context.scale(ratio, ratio);
   paint(context, drawing, width, height);
-  return new Promise((resolve) => canvas.toBlob(resolve));
+  return pngOf(canvas);
 }
 
 /**

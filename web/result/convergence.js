@@ -3,7 +3,7 @@
  * settle.
  */
 
-import { h, svg } from '../lib/dom.js';
+import { h, pngOf, svg } from '../lib/dom.js';
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
 import { Panel } from './panel.js';
@@ -43,7 +43,7 @@ async function stackedPicture(pictures) {
     context.drawImage(part, 0, top);
     top += part.height;
   }
-  return new Promise((resolve) => canvas.toBlob(resolve));
+  return pngOf(canvas);
 }
 
 export class ConvergencePanel {
@@ -55,13 +55,15 @@ export class ConvergencePanel {
       'Convergence',
       [this.residual.element, this.settling.element],
       {
-        picture: async (title) =>
-          stackedPicture([
-            await this.residual.picture(title),
-            await this.settling.picture(SETTLING),
-          ]),
-        drawing: (title) =>
-          stackedDrawing([this.residual.drawing(title), this.settling.drawing(SETTLING)]),
+        chart: {
+          picture: async (title) =>
+            stackedPicture([
+              await this.residual.picture(title),
+              await this.settling.picture(SETTLING),
+            ]),
+          drawing: (title) =>
+            stackedDrawing([this.residual.drawing(title), this.settling.drawing(SETTLING)]),
+        },
       },
     );
   }

@@ -1,6 +1,5 @@
 /** The chart of both surfaces: a dent where the force is zero. */
 
-import { h } from '../lib/dom.js';
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
 import { abscissaOf } from './extent.js';
@@ -13,10 +12,8 @@ const COLOURS = { upper: '--curve-2', lower: '--curve-1' };
 export class DentPanel {
   constructor() {
     this.chart = new Chart(220);
-    this.words = h('p', { class: 'readout', role: 'status' });
-    this.panel = new Panel('dent', 'Surfaces', [this.chart.element, this.words], {
-      picture: (title) => this.chart.picture(title),
-      drawing: (title) => this.chart.drawing(title),
+    this.panel = new Panel('dent', 'Surfaces', [this.chart.element], {
+      chart: this.chart,
     });
   }
 
@@ -49,13 +46,5 @@ export class DentPanel {
         .map(({ name, surface }) => `${name} body ${figure(surface.depth, 4)} ${length} deep`)
         .join(', ')}.`,
     });
-    this.words.textContent = bodies
-      .map(
-        ({ name, surface }) =>
-          `${name} body: ${figure(surface.depth, 4)} ${length} below the undeformed surface, pile-up ${figure(surface.pile_up, 3)} ${length}${
-            surface.yielded_in_reverse ? ', yielded in reverse' : ''
-          }`,
-      )
-      .join('\n');
   }
 }

@@ -126,8 +126,7 @@ export class DepthPanel {
     this.chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Components' });
     this.panel = new Panel('depth', 'Stress over depth', [this.chips, this.chart.element], {
       controls: [this.lines, this.bodies],
-      picture: (title) => this.chart.picture(title),
-      drawing: (title) => this.chart.drawing(title),
+      chart: this.chart,
     });
   }
 

@@ -25,14 +25,8 @@ export class DifferencesPanel {
 
   constructor() {
     this.table = h('table');
-    /** @type {Panel} */
-    this.panel = new Panel('differences', 'Differences', [scrolled(this.table, 'differences')], {
-      table: takeAlong(
-        () => this.#content,
-        'differences',
-        () => this.panel.fileName('csv'),
-      ),
-    });
+    this.panel = new Panel('differences', 'Differences', [scrolled(this.table, 'differences')]);
+    takeAlong(this.panel, 'differences', () => this.#content);
   }
 
   /** @param {Shown[]} shown */

@@ -1,7 +1,7 @@
 /** Downloads. Files are fetched, so that the request carries the API key. */
 
 import { Problem, request } from '../api/client.js';
-import { h, toast } from '../lib/dom.js';
+import { h, plainButton, toast } from '../lib/dom.js';
 import { stemOf } from '../jobs/names.js';
 
 /** Time [ms] in which a download must start: the service writes a large file first. */
@@ -84,7 +84,7 @@ function files(id, job, report, at) {
   return FILES.filter(([, , , needs]) => there[needs]).map(([name, path, file]) => {
     const of = report.steps.length > 1 && OF_STEP.test(path) ? at + 1 : 0;
     const onclick = () => take(id, path, file, of, stemOf(job, id));
-    return h('li', {}, h('button', { type: 'button', class: 'plain', onclick }, name));
+    return h('li', {}, plainButton(name, onclick));
   });
 }
 

@@ -1,8 +1,8 @@
 /** Every step, and every job compared, in figures: to be read, and to be taken into a report. */
 
-import { copy, h } from '../lib/dom.js';
+import { copy, h, plainButton } from '../lib/dom.js';
 import { browser } from '../lib/kept.js';
-import { toCsv, toLatex, toMarkdown, toTsv } from '../lib/tabular.js';
+import { endingAtErrors, toCsv, toLatex, toMarkdown, toTsv } from '../lib/tabular.js';
 import { figure } from '../lib/units.js';
 import { save } from './downloads.js';
 import { Panel } from './panel.js';
@@ -56,12 +56,10 @@ export function figuresTable(shown) {
       ...(amiss ? [] : [stateOf(step)]),
     ]),
   );
-  const write = (/** @type {import('../lib/tabular.js').Cell} */ cell, /** @type {number} */ k) =>
-    typeof cell !== 'number'
-      ? (cell ?? '')
-      : columns[k].title === 'step'
-        ? String(cell)
-        : figure(cell, columns[k].title === '±' ? 2 : 5);
+  const errors = endingAtErrors(columns, figure);
+  /** @type {import('../lib/tabular.js').Table['write']} */
+  const write = (cell, k, row) =>
+    columns[k].title === 'step' ? String(cell) : errors(cell, k, row);
   return { columns, rows, write };
 }
 
@@ -92,31 +90,25 @@ export function csvOf(table) {
 const MARK = '\ufeff';
 
 /**
- * Buttons that take a table along.
- * @param {() => import('../lib/tabular.js').Table} table
+ * Adds buttons to a panel that take its table along.
+ * @param {Panel} panel
  * @param {string} of what it is a table
- * @param {() => string} name of the file
- * @param {() => import('../lib/tabular.js').Table} [whole] with what only a file has
+ * @param {() => import('../lib/tabular.js').Table} table
  */
-export function takeAlong(table, of, name, whole = table) {
+export function takeAlong(panel, of, table) {
   const button = (
     /** @type {string} */ text,
     /** @type {string} */ title,
     /** @type {() => void} */ work,
-  ) =>
-    h(
-      'button',
-      { type: 'button', class: 'plain', title, 'aria-label': `${text}: ${of}`, onclick: work },
-      text,
-    );
-  return [
+  ) => plainButton(text, work, { title, 'aria-label': `${text}: ${of}` });
+  panel.exports.push(
     button('Copy', 'Copy for a spreadsheet (tab-separated)', () => copy(toTsv(table()), 'Table')),
     button('Markdown', 'Copy as a Markdown table', () => copy(toMarkdown(table()), 'Markdown')),
     button('LaTeX', 'Copy as a LaTeX table (booktabs)', () => copy(toLatex(table()), 'LaTeX')),
     button('CSV', 'Save as a file', () =>
-      save(new Blob([MARK, csvOf(whole())], { type: 'text/csv' }), name()),
+      save(new Blob([MARK, csvOf(table())], { type: 'text/csv' }), panel.fileName('csv')),
     ),
-  ];
+  );
 }
 
 /**
@@ -148,7 +140,7 @@ export const tableElements = ({ columns, rows, write }, properties = () => ({}))
         'tr',
         properties(k),
         row.map((cell, j) =>
-          h('td', { class: typeof cell === 'string' ? 'text' : null }, write(cell, j)),
+          h('td', { class: typeof cell === 'string' ? 'text' : null }, write(cell, j, row)),
         ),
       ),
     ),
@@ -187,14 +179,8 @@ export class FiguresPanel {
   constructor(choose) {
     this.choose = choose;
     this.table = h('table');
-    /** @type {Panel} */
-    this.panel = new Panel('figures', 'Figures', [scrolled(this.table, 'figures')], {
-      table: takeAlong(
-        () => figuresTable(this.#shown),
-        'figures',
-        () => this.panel.fileName('csv'),
-      ),
-    });
+    this.panel = new Panel('figures', 'Figures', [scrolled(this.table, 'figures')]);
+    takeAlong(this.panel, 'figures', () => figuresTable(this.#shown));
   }
 
   /** @param {Shown[]} shown @param {number} at step of the first */

@@ -4,7 +4,7 @@
  * how it was made.
  */
 
-import { byId, h } from '../lib/dom.js';
+import { button, byId, h } from '../lib/dom.js';
 import { fold } from '../lib/fold.js';
 import { symbol } from '../setup/entry.js';
 import { help } from '../setup/help.js';
@@ -50,9 +50,7 @@ export function showHeadline(shown, at, next, solve) {
         h(
           'p',
           { class: 'bar next' },
-          next.map(({ words, job }) =>
-            h('button', { type: 'button', onclick: () => solve(job) }, words),
-          ),
+          next.map(({ words, job }) => button(words, () => solve(job))),
         ),
     ),
     ...(all.length

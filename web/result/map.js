@@ -6,7 +6,7 @@
 import { ask } from '../api/client.js';
 import { bands, isDark, limitOf, roundStep } from '../field/palette.js';
 import { colourBar } from '../field/read.js';
-import { h } from '../lib/dom.js';
+import { button, h, plainButton, pngOf } from '../lib/dom.js';
 import { colour, onTheme, paper } from '../lib/theme.js';
 import { figure, plain, setOf, unit } from '../lib/units.js';
 import { axesOf, mapInJob } from './axes.js';
@@ -84,7 +84,7 @@ export class MapPanel {
       'div',
       { class: 'empty' },
       h('p', {}, 'This job did not ask for the maps of its contact.'),
-      h('button', { type: 'button', onclick: wanted }, 'Solve again with them'),
+      button('Solve again with them', wanted),
     );
     const names = Object.fromEntries(
       Object.entries(QUANTITIES).map(([key, { name }]) => [key, name]),
@@ -100,21 +100,13 @@ export class MapPanel {
         this.#draw();
       },
     });
-    this.stretch = h(
-      'button',
-      {
-        type: 'button',
-        class: 'plain',
-        'aria-pressed': 'false',
-        title: 'Give both axes scales of their own',
-        onclick: () => {
-          this.#stretch = !this.#stretch;
-          this.stretch.setAttribute('aria-pressed', String(this.#stretch));
-          this.#again();
-        },
-      },
-      'Stretch',
-    );
+    const stretch = () => {
+      this.#stretch = !this.#stretch;
+      this.stretch.setAttribute('aria-pressed', String(this.#stretch));
+      this.#again();
+    };
+    const title = 'Give both axes scales of their own';
+    this.stretch = plainButton('Stretch', stretch, { 'aria-pressed': 'false', title });
     this.jobs = h('select', {
       'aria-label': 'Job of the map',
       onchange: () => {
@@ -137,12 +129,10 @@ export class MapPanel {
       this.chart.element,
       this.empty,
     ];
+    /** @type {Panel} */
     this.panel = new Panel('map', 'Map of the contact', content, {
       controls: [this.choice],
-      picture: async (title) => {
-        const canvas = this.onPaper(title);
-        return canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : null;
-      },
+      chart: { picture: (title) => pngOf(this.onPaper(title)) },
     });
     this.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) =>
       this.#read(offsetX, offsetY),

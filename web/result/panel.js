@@ -2,43 +2,37 @@
  * A framed part of the result: title, controls, content, and a picture to save where there is one.
  */
 
-import { h, toast } from '../lib/dom.js';
+import { h, plainButton, toast } from '../lib/dom.js';
 import { svgFile } from './chart-svg.js';
 import { save } from './downloads.js';
+
+/** @typedef {{picture: (title: string) => Promise<Blob | null>, drawing?: (title: string) => SVGSVGElement | null}} Drawn what there are pictures of */
 
 export class Panel {
   /**
    * @param {string} id
    * @param {string} title
    * @param {Node[]} content
-   * @param {{controls?: Node[], picture?: (title: string) => Promise<Blob | null>, drawing?:
-   *   (title: string) => SVGSVGElement | null, table?: HTMLElement[]}} [options] `table`: buttons
-   *   that take it along
+   * @param {{controls?: Node[], chart?: Drawn}} [options]
    */
-  constructor(id, title, content, { controls = [], picture, drawing, table = [] } = {}) {
+  constructor(id, title, content, { controls = [], chart } = {}) {
     this.title = title;
     this.id = id;
     const button = (
       /** @type {'PNG' | 'SVG'} */ kind,
       /** @type {(words: string) => Promise<Blob | null>} */ make,
     ) =>
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'plain',
-          'data-of': id,
-          'aria-label': `Save ${title.toLowerCase()} as ${kind}`,
-          onclick: async () => {
-            const blob = await make(this.caption);
-            if (blob) save(blob, this.fileName(kind.toLowerCase()));
-            else toast('There is no picture of it yet');
-          },
-        },
+      plainButton(
         kind,
+        async () => {
+          const blob = await make(this.caption);
+          if (blob) save(blob, this.fileName(kind.toLowerCase()));
+          else toast('There is no picture of it yet');
+        },
+        { 'data-of': id, 'aria-label': `Save ${title.toLowerCase()} as ${kind}` },
       );
     const vector = async (/** @type {string} */ words) => {
-      const made = drawing?.(words);
+      const made = chart?.drawing?.(words);
       return made ? svgFile(made) : null;
     };
     this.element = h(
@@ -49,9 +43,8 @@ export class Panel {
     );
     /** Buttons by which it is taken along, for the menu of them all. */
     this.exports = [
-      ...(picture ? [button('PNG', picture)] : []),
-      ...(drawing ? [button('SVG', vector)] : []),
-      ...table,
+      ...(chart ? [button('PNG', (words) => chart.picture(words))] : []),
+      ...(chart?.drawing ? [button('SVG', vector)] : []),
     ];
   }
 

@@ -118,8 +118,7 @@ export class PassesPanel {
     this.kind = kind;
     this.chart = new Chart(260);
     this.panel = new Panel(kind, TITLES[kind], [this.chart.element], {
-      picture: (title) => this.chart.picture(title),
-      drawing: (title) => this.chart.drawing(title),
+      chart: this.chart,
     });
   }
 

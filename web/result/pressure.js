@@ -13,8 +13,7 @@ export class PressurePanel {
   constructor() {
     this.chart = new Chart(290);
     this.panel = new Panel('pressure', 'Contact pressure', [this.chart.element], {
-      picture: (title) => this.chart.picture(title),
-      drawing: (title) => this.chart.drawing(title),
+      chart: this.chart,
     });
   }
 

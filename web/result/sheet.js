@@ -3,7 +3,7 @@
  * all comes from.
  */
 
-import { byId, h } from '../lib/dom.js';
+import { button, byId, h } from '../lib/dom.js';
 import * as pointer from '../lib/pointer.js';
 import { forceOf, unit, unitsOf } from '../lib/units.js';
 import {
@@ -113,21 +113,11 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
     h(
       'div',
       { class: 'bar sheet-tools' },
-      h(
-        'button',
-        { type: 'button', class: 'primary', onclick: () => print() },
-        'Print or save as PDF',
-      ),
-      h(
-        'button',
-        {
-          type: 'button',
-          title: 'One file that opens without the service',
-          onclick: () => saveSheet(shown[0]),
-        },
-        'Save as one HTML file',
-      ),
-      h('button', { type: 'button', onclick: close }, 'Back'),
+      button('Print or save as PDF', () => print(), { class: 'primary' }),
+      button('Save as one HTML file', () => saveSheet(shown[0]), {
+        title: 'One file that opens without the service',
+      }),
+      button('Back', close),
     ),
     h(
       'div',

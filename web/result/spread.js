@@ -4,7 +4,6 @@
  */
 
 import { figure, stiffnessOf, unit } from '../lib/units.js';
-import { h } from '../lib/dom.js';
 import { alongJob, axesOf } from './axes.js';
 import { Chart } from './chart.js';
 import { beside } from './loads.js';
@@ -15,10 +14,8 @@ import { Panel } from './panel.js';
 export class SpreadPanel {
   constructor() {
     this.chart = new Chart(220);
-    this.words = h('p', { class: 'readout', role: 'status' });
-    this.panel = new Panel('spread', 'Along the roller', [this.chart.element, this.words], {
-      picture: (title) => this.chart.picture(title),
-      drawing: (title) => this.chart.drawing(title),
+    this.panel = new Panel('spread', 'Along the roller', [this.chart.element], {
+      chart: this.chart,
     });
   }
 
@@ -69,7 +66,6 @@ export class SpreadPanel {
       curves: alone ? [...curves, alone] : curves,
       words: `Load along the roller. ${words}`,
     });
-    this.words.textContent = words;
   }
 
   /** @param {Shown[]} shown @param {number} at @param {import('../wire.js').RoughContact} rough */
@@ -94,6 +90,5 @@ export class SpreadPanel {
       curves,
       words: `Distribution of the pressure. ${words}`,
     });
-    this.words.textContent = words;
   }
 }

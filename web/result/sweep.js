@@ -76,8 +76,7 @@ export class SweepPanel {
     this.words = h('p', { class: 'quiet', role: 'status' });
     this.panel = new Panel('sweep', 'Sweep', [this.chart.element, this.words], {
       controls: [choice],
-      picture: (title) => this.chart.picture(title),
-      drawing: (title) => this.chart.drawing(title),
+      chart: this.chart,
     });
   }
 
@@ -214,16 +213,17 @@ function overApproach(swept, shown, at) {
     x: `α  [${unit('length', report.units)}]`,
     y: `P  [${force}]`,
     curves: swept.flatMap((one) => {
-      // Of a history, every increment.
       const { approach, force } = one.report.load_approach ?? { approach: [], force: [] };
       const steps = rising(one.report);
+      // Of a history, and of one load, every increment.
+      const whole = turns || steps.length < 2;
       const curve = {
         label: shown.length > 1 ? one.label : 'force',
         colour: one.colour,
         dash: one.dash,
         points: true,
-        x: turns ? approach : steps.map(approachOf),
-        y: turns ? force : steps.map(({ contact }) => contact.force),
+        x: whole ? approach : steps.map(approachOf),
+        y: whole ? force : steps.map(({ contact }) => contact.force),
       };
       return turns ? apart(curve, force) : [curve];
     }),
@@ -246,7 +246,7 @@ function overForce(report, figures, inTurn) {
   const { along, rest } = figures;
   const value = (/** @type {Step} */ step) => valueAt(figures, step, report) ?? 0;
   const steps = answered(report);
-  if (!inTurn || !steps.every(({ flow }) => flow)) {
+  if ((!inTurn && steps.length > 1) || !steps.every(({ flow }) => flow)) {
     steps.sort((a, b) => a.contact.force - b.contact.force);
     return { x: steps.map(({ contact }) => contact.force), y: steps.map(value) };
   }

@@ -5,9 +5,11 @@
 
 import { Problem } from '../api/client.js';
 import { numbersOf, withValue } from '../jobs/numbers.js';
-import { byId, h, toast } from '../lib/dom.js';
+import { button, byId, h, plainButton, toast } from '../lib/dom.js';
 import { readNumber } from '../lib/number.js';
+import { endingAtErrors } from '../lib/tabular.js';
 import { exact, plain } from '../lib/units.js';
+import { inWords } from '../setup/words.js';
 import { answersOf, errorOf, errorWords, shareOf, unitOf, valueOf } from './answers.js';
 import { Chart } from './chart.js';
 import { scrolled, tableElements, takeAlong } from './figures.js';
@@ -64,25 +66,21 @@ export class VaryPanel {
     this.chart = new Chart(240);
     this.table = h('table');
     this.whole = scrolled(this.table, 'values');
-    this.stop = h(
-      'button',
-      { type: 'button', hidden: true, onclick: () => this.#running?.abort() },
-      'Stop',
-    );
-    const button = (
+    this.stop = button('Stop', () => this.#running?.abort(), { hidden: true });
+    const working = (
       /** @type {string} */ text,
       /** @type {string} */ title,
       /** @type {() => Promise<void>} */ work,
-    ) => h('button', { type: 'button', title, onclick: () => this.#run(work) }, text);
+    ) => button(text, () => this.#run(work), { title });
     const tools = h(
       'div',
       { class: 'bar tools vary' },
       h('label', {}, 'Number ', this.number),
-      button('± 10 %', 'Solve with 10 % less and 10 % more, and lay both over this job', () =>
+      working('± 10 %', 'Solve with 10 % less and 10 % more, and lay both over this job', () =>
         this.#spread(),
       ),
       h('span', { class: 'group' }, this.from, ' – ', this.to, ' in ', this.many),
-      button('Sweep', 'Solve over these values', () => this.#sweep()),
+      working('Sweep', 'Solve over these values', () => this.#sweep()),
       this.stop,
     );
     const find = h(
@@ -90,33 +88,16 @@ export class VaryPanel {
       { class: 'bar tools vary' },
       h('label', {}, 'Answer ', this.figure),
       h('span', { class: 'group' }, this.wanted, this.unit),
-      button(
+      working(
         'Find the number',
         'Look for the value of the number with which the answer is this',
         () => this.#find(),
       ),
     );
-    /** @type {Panel} */
-    this.panel = new Panel(
-      'vary',
-      'What if',
-      [tools, find, this.words, this.chart.element, this.whole],
-      {
-        table: takeAlong(
-          () => this.#tableOf(),
-          'values',
-          () => this.panel.fileName('csv'),
-        ),
-        picture: (title) => this.chart.picture(title),
-        drawing: (title) => this.chart.drawing(title),
-      },
-    );
+    const content = [tools, find, this.words, this.chart.element, this.whole];
+    this.panel = new Panel('vary', 'What if', content, { chart: this.chart });
+    takeAlong(this.panel, 'values', () => this.#tableOf());
     this.#clear();
-  }
-
-  /** Whether there is a curve to be seen. */
-  get hasCurve() {
-    return this.#points.length > 1;
   }
 
   /** @param {import('../shown.js').Shown[]} shown @param {number} at step of the first */
@@ -208,7 +189,7 @@ export class VaryPanel {
     const trials = await solveAll(jobs, signal, () => {});
     const failed = trials.find(({ problem }) => problem);
     this.words.textContent = failed
-      ? `With another ${number.label.toLowerCase()}: ${failed.problem}.`
+      ? `With another ${number.label.toLowerCase()}: ${inWords(failed.problem ?? '')}.`
       : `${number.label} ± 10 %: each card has both answers, the charts both curves.`;
     const solved = trials.filter(({ report }) => report).map(({ id }) => id);
     if (solved.length === 0 || signal.aborted) return;
@@ -245,7 +226,9 @@ export class VaryPanel {
         const refused = trials.filter(({ problem }) => problem);
         this.words.textContent = [
           done < count ? `${done} of ${count} are solved.` : '',
-          refused.length ? `${refused.length} have no answer: ${refused[0].problem}.` : '',
+          refused.length
+            ? `${refused.length} have no answer: ${inWords(refused[0].problem ?? '')}.`
+            : '',
         ]
           .filter(Boolean)
           .join(' ');
@@ -296,20 +279,10 @@ export class VaryPanel {
       found
         ? `${number.label} ${plain(best.at, 5)} ${number.unit}: ${answer.label.toLowerCase()} ${whole(answer)}. `
         : `${answer.label} is nowhere as wanted; nearest is ${whole(answer)}, with ${number.label.toLowerCase()} ${plain(best.at, 5)} ${number.unit}. `,
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'plain',
-          onclick: () => this.on.use(withValue(this.#job, number, best.at)),
-        },
-        'Put it into the form',
+      plainButton('Put it into the form', () =>
+        this.on.use(withValue(this.#job, number, best.at)),
       ),
-      h(
-        'button',
-        { type: 'button', class: 'plain', onclick: () => this.on.open(point.id) },
-        'Show this job',
-      ),
+      plainButton('Show this job', () => this.on.open(point.id)),
     );
   }
 
@@ -321,11 +294,7 @@ export class VaryPanel {
     const number = this.#varied;
     this.words.replaceChildren(
       `${answer.label} is ${end} at ${number?.label.toLowerCase()} ${plain(point.at, 5)} ${number?.unit}: ${whole(answer)}. `,
-      h(
-        'button',
-        { type: 'button', class: 'plain', onclick: () => this.on.open(point.id) },
-        'Show this job',
-      ),
+      plainButton('Show this job', () => this.on.open(point.id)),
     );
   }
 
@@ -433,8 +402,7 @@ export class VaryPanel {
           return [value, ...(barred[k] ? [error ? 100 * error : null] : [])];
         }),
       ]),
-      write: (cell, k) =>
-        typeof cell === 'number' ? plain(cell, columns[k].title === '±' ? 2 : 5) : (cell ?? ''),
+      write: endingAtErrors(columns, (value) => plain(value, 5)),
     };
   }
 }

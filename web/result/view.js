@@ -3,7 +3,7 @@
  * curves.
  */
 
-import { arrange, byId, h } from '../lib/dom.js';
+import { arrange, button, byId, h } from '../lib/dom.js';
 import { browser } from '../lib/kept.js';
 import { paper } from '../lib/theme.js';
 import { figure, setOf, unit, unitsOf } from '../lib/units.js';
@@ -84,16 +84,8 @@ export class View {
     );
     this.units = new DisplayUnits(() => this.#again());
     this.downloads = new Downloads();
-    this.before = h(
-      'button',
-      { type: 'button', onclick: () => on.compare(on.before()) },
-      'Compare with the job before',
-    );
-    const report = h(
-      'button',
-      { type: 'button', id: 'report', onclick: () => this.report() },
-      'Report',
-    );
+    this.before = button('Compare with the job before', () => on.compare(on.before()));
+    const report = button('Report', () => this.report(), { id: 'report' });
     this.tools = h(
       'div',
       { class: 'bar view-tools', hidden: true },
@@ -144,7 +136,7 @@ export class View {
 
   get #charts() {
     const { pressure, spread, map, depth, sweep, dent, passes } = this;
-    return [pressure, spread, map, depth, sweep, dent, ...passes];
+    return [...passes, pressure, map, spread, dent, depth, sweep];
   }
 
   /** Panels beside the tools, those that answer the question first: strains over passes, the curve of a sweep, the dent of a history. */
@@ -264,15 +256,7 @@ export class View {
     showSheet({
       shown: this.#shown,
       at: this.#at,
-      drawings: [
-        ...this.passes,
-        this.pressure,
-        this.map,
-        this.spread,
-        this.dent,
-        this.depth,
-        this.sweep,
-      ].flatMap(({ panel, chart }) =>
+      drawings: this.#charts.flatMap(({ panel, chart }) =>
         panel.element.hidden || left.includes(panel.id)
           ? []
           : (chart.drawing(panel.caption, 380, 135) ?? []),
@@ -317,16 +301,7 @@ export class View {
     const many = report.steps.length;
     const load = loadWords(report, this.#at);
     const stem = stemOf(job, id) + otherUnits(raw?.units ?? report.units, report.units);
-    for (const { panel } of [
-      this.pressure,
-      this.spread,
-      this.map,
-      ...this.passes,
-      this.dent,
-      this.depth,
-      this.field,
-      this.convergence,
-    ]) {
+    for (const { panel } of [...this.#charts, this.field, this.convergence]) {
       panel.of =
         many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
       panel.stem = many > 1 ? `${stem}-step-${this.#at + 1}` : stem;
@@ -342,15 +317,7 @@ export class View {
     this.before.hidden = this.on.before() === '';
     const next = id && raw ? nextSteps(job, raw, this.#at) : [];
     showHeadline(shown, this.#at, next, this.on.solve);
-    this.sweep.show(shown, this.#at);
-    this.pressure.show(shown, this.#at);
-    this.spread.show(shown, this.#at);
-    this.map.show(shown, this.#at);
-    this.dent.show(shown, this.#at);
-    for (const panel of this.passes) panel.show(shown, this.#at);
-    this.depth.show(shown, this.#at);
-    this.vary.show(shown, this.#at);
-    this.figures.show(shown, this.#at);
+    for (const panel of [...this.#charts, this.vary, this.figures]) panel.show(shown, this.#at);
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.solver.hidden = step.history.length === 0;

@@ -4,9 +4,9 @@ import { Problem, ask, post } from '../api/client.js';
 import { reconnected } from '../api/connection.js';
 import { follow } from '../api/events.js';
 import { fetchResult, prepare } from '../api/result.js';
-import { byId, copy, h, toast } from '../lib/dom.js';
+import { button, byId, copy, h, plainButton, toast } from '../lib/dom.js';
 import { duration, loaded } from '../lib/units.js';
-import { sentence } from '../setup/send.js';
+import { pause, sentence } from '../setup/send.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
 import { titleOf } from '../jobs/names.js';
@@ -16,9 +16,6 @@ import { progressOf } from './progress.js';
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 /** @typedef {import('../types.js').Iteration} Iteration */
 /** @typedef {import('../types.js').Report} Report */
-
-/** @param {number} seconds */
-const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
 
 /** Time between two queries of the place in the queue, which no event reports. */
 const LOOK = 2000;
@@ -261,17 +258,14 @@ export class Watch {
   #build(document, loading) {
     const { id, status, tags = {} } = document;
     const title = String(this.on.job().title ?? '');
-    const cancel = h(
-      'button',
-      { type: 'button', onclick: () => this.#cancel(id) },
-      document.cancel_requested ? 'Stopping…' : 'Cancel',
-    );
+    const word = document.cancel_requested ? 'Stopping…' : 'Cancel';
+    const cancel = button(word, () => this.#cancel(id));
     cancel.disabled = document.cancel_requested;
     const take = () => {
       copy(jobLink(String(this.on.job().title ?? '')), 'Link');
       this.look();
     };
-    const link = h('button', { type: 'button', class: 'plain', onclick: take }, 'Copy link');
+    const link = plainButton('Copy link', take);
     return h(
       'div',
       {

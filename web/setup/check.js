@@ -99,11 +99,9 @@ export class Check {
     this.valid = false;
     const others = this.form.showError(problem.errors, job);
     const whole =
-      problem.errors.length === 0
-        ? [h('p', { class: 'error' }, sentence(inWords(problem.message)))]
-        : [];
+      problem.errors.length === 0 ? [h('p', { class: 'error' }, sentence(problem.message))] : [];
     const rest = others.map(({ pointer, detail }) =>
-      h('p', { class: 'error' }, pointer ? [h('code', {}, pointer), ' '] : null, detail),
+      h('p', { class: 'error' }, pointer ? [h('code', {}, pointer), ' '] : null, inWords(detail)),
     );
     byId('check').replaceChildren(...whole, ...rest);
     this.json.remark(unknownWords(problem.errors));

@@ -3,7 +3,7 @@
  * is already: a job in a file, the last results.
  */
 
-import { h, svg, toast } from '../lib/dom.js';
+import { button, h, svg, toast } from '../lib/dom.js';
 import { isObject } from '../lib/kept.js';
 import { textOf } from '../lib/text-file.js';
 import { doorOf } from './layout.js';
@@ -110,9 +110,9 @@ export class Doors {
       h(
         'div',
         { class: 'bar' },
-        h('button', { type: 'button', onclick: () => file.click() }, 'Open a job…'),
+        button('Open a job…', () => file.click()),
         file,
-        h('button', { type: 'button', onclick: last }, 'Last results'),
+        button('Last results', last),
         h('span', { class: 'quiet' }, 'a JSON file, as Download saves it'),
       ),
     );

@@ -348,9 +348,6 @@ export function ratedApproach(job) {
   return radii.length ? Number((2 * RATING * Math.min(...radii)).toPrecision(12)) : undefined;
 }
 
-/** What is left behind, of which flow theory alone knows. */
-export const PERMANENT = new Set(['permanent_approach', 'dent_depth']);
-
 /** @param {string} key @param {string} label @param {string} symbol @param {Quantity} quantity @param {number} example */
 function target(key, label, symbol, quantity, example) {
   return { key: `target/${key}`, label, symbol, quantity, example, help: 'target' };
@@ -638,9 +635,6 @@ export function typicalInitialStress(job, material) {
     };
   });
 }
-
-/** Whether a body has backstress, which flow theory alone knows. @param {any} body */
-export const hasTerms = (body) => Boolean(body?.material?.plasticity?.backstress);
 
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link LOADS} */
 export const loadOf = (load) =>

@@ -3,7 +3,7 @@
  * about.
  */
 
-import { arrange, byId, h, toast } from '../lib/dom.js';
+import { arrange, byId, h, plainButton, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import { browser } from '../lib/kept.js';
 import * as pointer from '../lib/pointer.js';
@@ -289,11 +289,7 @@ export class Form {
         this.kinds.forget(`/${own}/`);
         this.draft.set(`/${own}`, structuredClone(this.draft.job[other]), SOURCE);
       };
-      const copy = h(
-        'button',
-        { type: 'button', class: 'plain', onclick: take },
-        `same as ${other}`,
-      );
+      const copy = plainButton(`same as ${other}`, take);
       return { fields: grid(), copy };
     };
     const parts = {

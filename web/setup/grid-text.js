@@ -5,7 +5,7 @@
  */
 
 import { quoted, withMinus } from '../lib/number.js';
-import { grouped } from '../lib/units.js';
+import { grouped, inJobUnits } from '../lib/units.js';
 
 /**
  * @typedef {object} Grid heights as a file has them
@@ -17,46 +17,9 @@ import { grouped } from '../lib/units.js';
  */
 /** @typedef {{number: number, line: string}} Line counted from 1 */
 
-/** One of each unit of length in mm. @type {Record<string, number>} */
-const LENGTHS = {
-  km: 1e6,
-  m: 1e3,
-  cm: 10,
-  mm: 1,
-  µm: 1e-3,
-  um: 1e-3,
-  micron: 1e-3,
-  microns: 1e-3,
-  micrometer: 1e-3,
-  micrometers: 1e-3,
-  Mikrometer: 1e-3,
-  millimeter: 1,
-  Millimeter: 1,
-  nanometer: 1e-6,
-  nanometers: 1e-6,
-  Nanometer: 1e-6,
-  meter: 1e3,
-  meters: 1e3,
-  nm: 1e-6,
-  Å: 1e-7,
-  pm: 1e-9,
-  in: 25.4,
-  inch: 25.4,
-  inches: 25.4,
-  mil: 25.4e-3,
-  thou: 25.4e-3,
-};
-
 /** @param {string} name @returns {number | undefined} one of this unit in mm */
-export function lengthInMm(name) {
-  const plain = name
-    .trim()
-    .replace(/^[[(]+|[\])]+$/g, '')
-    .trim()
-    .replace('μ', 'µ')
-    .replace('\u212b', 'Å');
-  return Object.hasOwn(LENGTHS, plain) ? LENGTHS[plain] : undefined;
-}
+export const lengthInMm = (name) =>
+  inJobUnits(1, name.trim().replace(/^[[(]+|[\])]+$/g, ''), 'length', 'mm_N_MPa');
 
 /** @param {string} name */
 const isLength = (name) => lengthInMm(name) !== undefined;

@@ -2,6 +2,7 @@
 
 import { Problem, post } from '../api/client.js';
 import { numberOf } from '../lib/number.js';
+import { inWords } from './words.js';
 
 /** @typedef {[number, number]} Point */
 
@@ -22,7 +23,7 @@ export async function fromTest(points, measure, modulus, units) {
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     const faults = error.errors.map(({ pointer, detail }) => `${placed(pointer)} ${detail}`);
-    return { problem: faults.slice(0, 3).join('; ') || error.message };
+    return { problem: inWords(faults.slice(0, 3).join('; ') || error.message) };
   }
 }
 

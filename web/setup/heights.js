@@ -5,7 +5,7 @@
 
 import { ask } from '../api/client.js';
 import { readGrid } from '../api/npz.js';
-import { h } from '../lib/dom.js';
+import { button, h, plainButton } from '../lib/dom.js';
 import { readQuantity } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { textOf } from '../lib/text-file.js';
@@ -22,7 +22,7 @@ import {
   thinned,
   transposed,
 } from './grid-work.js';
-import { fileButton, heightUnit } from './points.js';
+import { fileButton, heightUnit, takesFiles } from './points.js';
 
 /** Least and most heights along a side that a job takes. */
 const [LEAST, MOST] = [8, 512];
@@ -193,18 +193,9 @@ export function heightsControl(id, change, { units, beside }) {
     panel.replaceChildren(...children);
     panel.hidden = !children.length;
   };
-  const leave = h(
-    'button',
-    { type: 'button', class: 'plain', onclick: () => (show(), (note.textContent = 'Not taken')) },
-    'Leave it',
-  );
+  const leave = plainButton('Leave it', () => (show(), (note.textContent = 'Not taken')));
   const buttons = (/** @type {[string, () => void][]} */ answers) =>
-    h(
-      'div',
-      { class: 'bar' },
-      ...answers.map(([name, work]) => h('button', { type: 'button', onclick: work }, name)),
-      leave,
-    );
+    h('div', { class: 'bar' }, ...answers.map(([name, work]) => button(name, work)), leave);
   /** Takes a grid, or asks what stands between. @param {Grid} grid @param {{most: number, why: string}} limit */
   const consider = (grid, limit) => {
     const question = questionOf(grid, limit.most, limit.why);
@@ -275,12 +266,7 @@ export function heightsControl(id, change, { units, beside }) {
     const text = input.value;
     if (text.trim() && !faultOf(text)) takeText(text);
   });
-  input.addEventListener('dragover', (event) => event.preventDefault());
-  input.addEventListener('drop', (event) => {
-    const file = event.dataTransfer?.files[0];
-    if (file) event.preventDefault();
-    open(file);
-  });
+  takesFiles(input, open);
   const work = (
     /** @type {(heights: number[][]) => number[][]} */ change_,
     /** @type {string} */ words,
@@ -307,16 +293,9 @@ export function heightsControl(id, change, { units, beside }) {
         { class: 'bar beside' },
         fileButton(open, 'Open file…', ',.npy,.asc,.xyz,.grd,.csv'),
         heightUnit(convert),
-        h(
-          'button',
-          {
-            type: 'button',
-            class: 'plain',
-            title: 'For grids whose lines lie along x',
-            onclick: () => work(transposed, 'rows and columns exchanged'),
-          },
-          'x ↔ y',
-        ),
+        plainButton('x ↔ y', () => work(transposed, 'rows and columns exchanged'), {
+          title: 'For grids whose lines lie along x',
+        }),
       ),
       note,
       panel,

@@ -1,6 +1,6 @@
 /** A field for loads that follow each other: forces, and approaches behind an α. */
 
-import { h } from '../lib/dom.js';
+import { h, plainButton } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { exact } from '../lib/units.js';
@@ -147,7 +147,7 @@ export function historyControl(field, id, change, { units, quantity }) {
   const button = (
     /** @type {string} */ text,
     /** @type {(loads: HistoryLoad[]) => HistoryLoad[]} */ more,
-  ) => h('button', { type: 'button', class: 'plain', onclick: () => append(more) }, text);
+  ) => plainButton(text, () => append(more));
   return {
     input,
     read,

@@ -12,7 +12,6 @@ import { jobIn } from './draft.js';
 import {
   ISO_76,
   LAWS,
-  PERMANENT,
   TARGETS,
   lawOf,
   loadOf,
@@ -209,36 +208,22 @@ export class Kinds {
     this.#keepLoad();
     const before = this.#before('/load', kind);
     if (kind === 'target') this.useTarget(targetOf(before));
-    else
-      this.#setLoad(
-        before ?? loadLike(kind, this.draft.job),
-        kind === 'history' || kind === 'rolling',
-      );
+    else this.draft.set('/load', before ?? loadLike(kind, this.draft.job), this.source);
   }
 
   /** @param {string} figure */
   useTarget(figure) {
     this.#keepLoad();
-    const rated = ratedApproach(this.draft.job);
-    if (figure === ISO_76.key && rated)
-      return this.#setLoad({ target: { permanent_approach: rated } }, true);
-    const { example, quantity } = TARGETS[figure];
     const units = unitsOf(this.draft.job);
+    const rated = ratedApproach(this.draft.job);
+    const { example, quantity } = TARGETS[figure] ?? {};
     const value =
       quantity && quantity !== 'load' ? convert(example, quantity, 'mm_N_MPa', units) : example;
-    this.#setLoad(
-      this.#before('/load', figure) ?? { target: { [figure]: value } },
-      PERMANENT.has(figure),
-    );
-  }
-
-  /** Gives the job another load, and flow theory where that alone knows the load. @param {object} load @param {boolean} flow */
-  #setLoad(load, flow) {
-    const { job } = this.draft;
-    const needed = flow && job.solver?.theory === 'deformation';
-    const solver = { ...job.solver, theory: 'flow' };
-    this.draft.replace({ ...job, load, ...(needed && { solver }) }, this.source);
-    if (needed) toast('Flow theory: this load needs it');
+    const load =
+      figure === ISO_76.key && rated
+        ? { target: { permanent_approach: rated } }
+        : (this.#before('/load', figure) ?? { target: { [figure]: value } });
+    this.draft.set('/load', load, this.source);
   }
 }
 

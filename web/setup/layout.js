@@ -19,7 +19,6 @@ import {
   UNIT_SYSTEMS,
   hasInitialStress,
   hasSurface,
-  hasTerms,
   initialStressOf,
   lawOf,
   loadOf,
@@ -70,7 +69,7 @@ const BY_DOOR = {
   press: /$^/,
   raceway: /\/shape\/(profile|tilt)/,
   rolling: /\/backstress$/,
-  hardness: /\/plasticity\//,
+  hardness: /\/plasticity\/(?!backstress)/,
   surface: /\/surface/,
   depth: /\/(depth_kind|stress_kind)$/,
 };
@@ -97,11 +96,6 @@ export const isFirst = (job, { place, field }, value, usual) =>
 const isOverruled = (material, { key }) =>
   ['hardness', 'case'].includes(overDepthOf(material)) &&
   (key === 'yield_stress' || key === 'reference_stress');
-
-/** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {Job} job @param {Body} body */
-const hasBackstress = (job, body) =>
-  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
-  (job.solver?.theory !== 'deformation' || hasTerms(job[body]));
 
 /** @param {Part} part @param {string} parent @param {Field[]} all @returns {Place[]} */
 const fields = (part, parent, all) =>
@@ -143,7 +137,7 @@ function ofBody(job, body) {
     choice(body, `${ofMaterial}/law`, 'Hardening', labels(LAWS)),
     ...fields(body, `${ofMaterial}/plasticity`, [
       ...(LAWS[law]?.fields ?? []).filter((field) => !isOverruled(material, field)),
-      ...(hasBackstress(job, body) ? [BACKSTRESS] : []),
+      ...(LAWS[law]?.fields.length ? [BACKSTRESS] : []),
     ]),
     { part: body, place: 'curve' },
     ...ofDepth(job, body),

@@ -3,7 +3,7 @@
  * own, forgotten.
  */
 
-import { h, toast } from '../lib/dom.js';
+import { h, plainButton, toast } from '../lib/dom.js';
 import { toolbar } from '../lib/toolbar.js';
 import { convert, exact, unit, unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
@@ -26,17 +26,15 @@ export class MaterialChoice {
     this.draft = draft;
     this.use = use;
     this.fault = fault;
-    const button = (/** @type {string} */ text, /** @type {() => void} */ onclick) =>
-      h('button', { type: 'button', class: 'plain', onclick }, text);
     this.select = h('select', {
       'data-preset': body,
       onchange: () => this.#take(this.select.value),
     });
-    this.drop = button('Forget', () => this.#forget());
+    this.drop = plainButton('Forget', () => this.#forget());
     this.drop.dataset.forget = body;
     this.tools = [
-      button('Hardness test…', () => this.#test()),
-      button('Keep as own…', () => this.#keep()),
+      plainButton('Hardness test…', () => this.#test()),
+      plainButton('Keep as own…', () => this.#keep()),
       this.drop,
     ];
     for (const tool of this.tools) tool.dataset.rest = '';
@@ -52,7 +50,7 @@ export class MaterialChoice {
         h(
           'div',
           { class: 'bar beside' },
-          button('From hardness…', async () =>
+          plainButton('From hardness…', async () =>
             (await import('./from-hardness.js')).askHardness((material) => this.#use(material)),
           ),
           ...this.tools,

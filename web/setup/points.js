@@ -3,7 +3,7 @@
  * what they make.
  */
 
-import { h } from '../lib/dom.js';
+import { h, plainButton } from '../lib/dom.js';
 import { columnsInWords, numberOf } from '../lib/number.js';
 import { readTable } from '../lib/table.js';
 import { textOf } from '../lib/text-file.js';
@@ -102,12 +102,7 @@ export function pointsControl(field, id, change, { units, parent }) {
     write(read.text);
     change(read.text);
   };
-  input.addEventListener('dragover', (event) => event.preventDefault());
-  input.addEventListener('drop', (event) => {
-    const file = event.dataTransfer?.files[0];
-    if (file) event.preventDefault();
-    open(file);
-  });
+  takesFiles(input, open);
   /** @type {Convert} */
   const convert = async (work) => {
     const points = read();
@@ -161,6 +156,17 @@ export function termsControl(field, id, change, surroundings) {
   };
 }
 
+/** Opens a file that is dropped there. @param {HTMLElement} place @param {(file: File) => void} open */
+export function takesFiles(place, open) {
+  place.addEventListener('dragover', (event) => event.preventDefault());
+  place.addEventListener('drop', (event) => {
+    const file = event.dataTransfer?.files[0];
+    if (!file) return;
+    event.preventDefault();
+    open(file);
+  });
+}
+
 /** @param {(file: File | undefined) => void} open @param {string} [words] @param {string} [more] kinds of files beside tables */
 export function fileButton(open, words = 'Open CSV…', more = '') {
   const accept = `.csv,.tsv,.txt,.dat,text/plain,text/csv${more}`;
@@ -169,10 +175,7 @@ export function fileButton(open, words = 'Open CSV…', more = '') {
     open(chooser.files?.[0]);
     chooser.value = '';
   });
-  return [
-    chooser,
-    h('button', { type: 'button', class: 'plain', onclick: () => chooser.click() }, words),
-  ];
+  return [chooser, plainButton(words, () => chooser.click())];
 }
 
 /** @typedef {[number, number]} Pair */
@@ -180,8 +183,7 @@ export function fileButton(open, words = 'Open CSV…', more = '') {
 /** @typedef {(work: (points: Pair[]) => Converted | Promise<Converted>) => Promise<void>} Convert of the fields of two columns */
 
 /** @param {string} text @param {string} title @param {() => void} work */
-const button = (text, title, work) =>
-  h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
+const button = (text, title, work) => plainButton(text, work, { title });
 
 /**
  * Reads more lines than a table has, as long as each piece of them is one.

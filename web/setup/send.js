@@ -3,6 +3,7 @@
 import { Problem, hasKey, post } from '../api/client.js';
 import { reconnected } from '../api/connection.js';
 import { same } from '../lib/pointer.js';
+import { inWords } from './words.js';
 
 /** The job that is being sent. Another one goes before the one that waits. */
 export class Sending {
@@ -54,7 +55,7 @@ export async function send(job, signal, waiting) {
 }
 
 /** @param {number} seconds */
-const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
+export const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
 
 /** Also where the page does not come by https, and browsers make no UUIDs. */
 const uniqueKey = () =>
@@ -78,9 +79,11 @@ export function refusalWords({ status, message, errors }, faults) {
   if (faults === 1) return 'One field is wrong: the cursor is in it.';
   return faults
     ? `${faults} fields are wrong: the cursor is in the first.`
-    : (errors[0]?.detail ?? sentence(message));
+    : sentence(errors[0]?.detail ?? message);
 }
 
-/** @param {string} words */
-export const sentence = (words) =>
-  `${words.charAt(0).toUpperCase()}${words.slice(1).replace(/\.$/, '')}.`;
+/** @param {string} message of the service @returns {string} without keys of the job */
+export function sentence(message) {
+  const words = inWords(message);
+  return `${words.charAt(0).toUpperCase()}${words.slice(1).replace(/\.$/, '')}.`;
+}

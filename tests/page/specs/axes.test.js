@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { sentenceOf } from '../../../web/result/answers.js';
 import { figureOf } from '../../../web/lib/digits.js';
 import { alongJob, axesOf, mapInJob } from '../../../web/result/axes.js';
 import { search } from '../../../web/result/search.js';
@@ -40,13 +41,26 @@ test('a map has the x and y of the job, however its contact is turned', () => {
   assert.deepEqual(alongJob([1, 2], [5, 6], { name: 'x', sign: -1 }), { x: [-2, -1], y: [6, 5] });
 });
 
-test('a figure ends where its error does, and has three digits at least', () => {
+test('a figure ends where its error does', () => {
   assert.equal(figureOf(1182.38, 0.0021), '1182');
   assert.equal(figureOf(0.307891, 0.022), '0.308');
-  assert.equal(figureOf(0.0028801, 0.34), '0.00288');
+  assert.equal(figureOf(0.0028801, 0.34), '0.0029');
   assert.equal(figureOf(612.6106, 0), '612.61');
   assert.equal(figureOf(0.9174, null), '0.917');
   assert.equal(figureOf(5.4321, 3), '5.4');
+  const verdict = {
+    level: 'dented',
+    text: 'A dent of 5e-5 mm; strain 0.29 %, 0.29 mm deep, 1.6 times.',
+  };
+  const of = { body: null, elastic: null, place: null, text: '', label: '' };
+  const answers = [
+    { ...of, name: 'dent', quantity: 'length', unit: 'mm', value: 5.0004e-5, error: 0.002 },
+    { ...of, name: 'strain', quantity: 'strain', unit: '1', value: 0.0029004, error: 0.05 },
+  ];
+  assert.equal(
+    sentenceOf(/** @type {any} */ ({ verdict, answers })),
+    'A dent of 5.000·10⁻⁵ mm; strain 0.290 %, 0.29 mm deep, 1.6 times.',
+  );
 });
 
 test('a search finds what a figure asks for, and says what none gives', async () => {

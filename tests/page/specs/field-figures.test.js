@@ -103,7 +103,7 @@ service.test(
     assert.ok(ends.max > 0 && -ends.min > ends.max);
     const { figure } = await import('../../../web/lib/units.js');
     for (const [name, value] of Object.entries(ends)) {
-      const words = `${name} ${figure(value, 4)} MPa`;
+      const words = `${name} ${figure(value, 3)} MPa`;
       await page.waitForFunction(
         (words) => /** @type {any} */ (globalThis).drawnWords.includes(words),
         words,

@@ -129,7 +129,7 @@ service.test('results are shown in other units than the job has', async (page) =
   const cards = page.locator('#headline .figure');
   const texts = await cards.allTextContents();
   // Digits follow the error.
-  assert.match(texts[0], /^1\.18\d?GPa$/);
+  assert.match(texts[0], /^1\.15\d?GPa$/);
   assert.match(texts[1], /^3[01]\dµm$/);
   assert.match(texts[3], /^0\.61261kN\/mm$/);
   assert.match(
@@ -294,7 +294,13 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
     return head.filter((_, k) => head[k + 1]?.startsWith('±'));
   };
   await shown(page, { load: { approach: 0.01 } });
-  assert.deepEqual(await barred(), ['Peak pressure', 'Half-width', 'Force', 'Mean pressure']);
+  assert.deepEqual(await barred(), [
+    'Peak pressure',
+    'Half-width',
+    'Force',
+    'Mean pressure',
+    'Surface depth',
+  ]);
   // Just above the onset the mesh bounds the strain, and tells no more.
   await page
     .locator('#headline')
@@ -311,6 +317,7 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
     'Approach',
     'Mean pressure',
     'Contact stiffness',
+    'Surface depth',
   ]);
   assert.match((await columns()).join(), /^approach mm,peak pressure MPa,half-width mm,dP/);
 });

@@ -23,7 +23,7 @@ service.test(
     await page.reload();
     // Its figures are in the table, whatever later results say besides.
     await page.locator('#headline').getByText('Of an older result').waitFor();
-    await page.locator('#panel-dent').getByText('0.002746').first().waitFor();
+    await page.locator('#panel-dent .plot[aria-label*="0.002746 mm deep"]').waitFor();
     const table = page.locator('#panel-figures');
     await table.getByText('0.0054723').waitFor();
     await page.getByLabel('Step', { exact: true }).fill('0');

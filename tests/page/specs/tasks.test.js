@@ -323,6 +323,20 @@ const TASKS = [
     },
   ],
   [
+    'rolled roller, by its own rule of hardening',
+    4,
+    async (user, page) => {
+      await user.choose('/load/kind', 'Rolling');
+      await user.type('/load/rolling/passes', '12');
+      await user.solve();
+      await user.press('Solve with kinematic hardening');
+      await page.locator('[data-status=succeeded]').waitFor();
+      await page.locator('#panel-figures tbody tr').first().waitFor();
+      assert.match(await user.reads('Strain of a steady pass'), /%/);
+      await page.locator('#panel-passes svg').first().waitFor();
+    },
+  ],
+  [
     'Brinell number of a steel',
     2,
     async (user) => {
