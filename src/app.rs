@@ -235,7 +235,7 @@ pub async fn run_worker(
     if !config.storage.is_shared() {
         return Err(AppError::NotShared);
     }
-    let notifier = JobNotifier::new();
+    let notifier = JobNotifier::of_worker();
     let settings = config.work.worker(true);
     tracing::info!(version = env!("CARGO_PKG_VERSION"), ?config, ?settings, "starting");
     // A worker has use for one connection for each solver, and for three beside them.

@@ -29,12 +29,24 @@ pub struct JobNotifier {
     jobs: Mutex<HashMap<JobId, watch::Sender<Signal>>>,
     work: Notify,
     ended: Notify,
+    of_worker: bool,
 }
 
 impl JobNotifier {
     /// Creates a notifier without subscribers.
     pub fn new() -> Arc<Self> {
         Arc::new(Self::default())
+    }
+
+    /// Creates the notifier of a process that only solves: of the changes that other processes make,
+    /// it needs work and requests to stop.
+    pub fn of_worker() -> Arc<Self> {
+        Arc::new(Self { of_worker: true, ..Self::default() })
+    }
+
+    /// Whether the process only solves.
+    pub fn is_of_worker(&self) -> bool {
+        self.of_worker
     }
 
     /// Subscribes to one job. Subscribe first, then query the store: a change between the two is

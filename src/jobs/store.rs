@@ -91,8 +91,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// cannot overtake it for ever.
     ///
     /// A job whose worker was lost `max_attempts` times fails, or is cancelled if a client asked
-    /// for that. A job whose worker was lost `max_attempts - 1` times runs alone on an idle worker
-    /// ([`ClaimRequest::exclusive`]): no job fails because a neighbour crashed the worker.
+    /// for that. Of the jobs whose worker was lost `max_attempts - 1` times a worker runs one at a
+    /// time: no job fails because the neighbour that it was lost with crashes the worker again.
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
     /// Returns the jobs to the queue that a worker has leased and does not know of: the answer to
@@ -250,8 +250,6 @@ pub struct ClaimRequest {
     pub places_of_key: usize,
     /// Memory \[bytes\] that each place has of its own.
     pub memory_of_place: u64,
-    /// Whether the worker is idle and can run a job that must run alone.
-    pub exclusive: bool,
     /// Memory \[bytes\] that large jobs share, counted by their estimates.
     pub free_memory: u64,
     /// Memory \[bytes\] of the idle worker. Larger jobs are left to other workers.
@@ -260,7 +258,7 @@ pub struct ClaimRequest {
     pub lease: Duration,
     /// Number of lost workers after which a job fails.
     pub max_attempts: u32,
-    /// Whether to take over jobs whose lease has expired.
+    /// Whether to look for jobs whose lease has expired, and to take them over.
     pub expires: bool,
 }
 
@@ -269,8 +267,6 @@ pub struct ClaimRequest {
 pub struct Claims {
     /// The jobs, in the order of the queue.
     pub jobs: Vec<Claim>,
-    /// Whether a job waits for an idle worker.
-    pub exclusive_pending: bool,
     /// Whether a job waits for memory.
     pub large_pending: bool,
 }
@@ -291,8 +287,6 @@ pub struct Lease {
 pub struct Claim {
     /// The lease.
     pub lease: Lease,
-    /// Whether the job must run alone.
-    pub exclusive: bool,
     /// Estimated memory \[bytes\] of the job.
     pub memory: u64,
     /// The job as it was submitted (JSON).

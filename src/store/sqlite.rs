@@ -443,7 +443,7 @@ mod tests {
         let plan = sqlx::query(sqlx::AssertSqlSafe(format!("EXPLAIN QUERY PLAN {NEXT}")));
         let plan = plan.fetch_all(&store.readers).await.unwrap();
         let steps: Vec<String> = plan.iter().map(|step| step.get("detail")).collect();
-        for (table, index) in [("j", "id=?"), ("q", "(account=?"), ("r", "(state=?")] {
+        for (table, index) in [("q", "(account=?"), ("l", "(state=?"), ("jobs", "(state=?")] {
             let of_table = |step: &&String| step.split(' ').nth(1) == Some(table);
             let mut steps = steps.iter().filter(of_table).peekable();
             assert!(steps.peek().is_some() && steps.all(|step| step.contains(index)), "{table}");

@@ -17,7 +17,7 @@ mod thread;
 use std::sync::Arc;
 use std::time::Duration;
 
-use tokio::time::{sleep, timeout};
+use tokio::time::{Instant, sleep, timeout};
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
@@ -134,28 +134,30 @@ impl Worker {
 
 impl WorkerState {
     async fn claim_jobs(self: Arc<Self>) {
-        let mut exclusive_pending = false;
         let mut has_failed = false;
+        let mut look_at = Instant::now();
         loop {
             let reservation = tokio::select! {
-                reservation = self.slots.take(), if !exclusive_pending => reservation,
-                reservation = self.slots.take_all(), if exclusive_pending => reservation,
+                reservation = self.slots.take() => reservation,
                 () = self.halt.cancelled() => return,
             };
             if self.drain.is_cancelled() && !self.settings.empties_queue {
                 return;
             }
+            let now = Instant::now();
+            let expires = now >= look_at && self.outage.is_over(self.settings.lease / 2);
+            look_at = if expires { now + self.settings.poll } else { look_at };
+            let request = self.request(&reservation, expires);
             let claimed = if has_failed {
-                self.claim_again(&reservation).await
+                self.claim_again(&request).await
             } else {
-                self.store.claim(&self.request(&reservation)).await
+                self.store.claim(&request).await
             };
             has_failed = claimed.is_err();
             match claimed {
                 Ok(claims) => {
-                    exclusive_pending = claims.exclusive_pending && !reservation.all;
                     self.slots.set_large_pending(claims.large_pending);
-                    if claims.jobs.is_empty() && !exclusive_pending {
+                    if claims.jobs.is_empty() {
                         drop(reservation);
                         if self.drain.is_cancelled() {
                             return;
@@ -179,25 +181,24 @@ impl WorkerState {
     }
 
     /// Claims after a claim that was not answered, whose jobs nobody would solve.
-    async fn claim_again(&self, reservation: &Reservation) -> Result<Claims, StoreError> {
+    async fn claim_again(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let known: Vec<_> = self.running.leases().iter().map(|lease| lease.job).collect();
         self.store.give_back(self.id, &known).await?;
-        self.store.claim(&self.request(reservation)).await
+        self.store.claim(request).await
     }
 
-    fn request(&self, reservation: &Reservation) -> ClaimRequest {
+    fn request(&self, reservation: &Reservation, expires: bool) -> ClaimRequest {
         let memory = self.slots.memory();
         ClaimRequest {
             owner: self.id,
             places: reservation.len(),
             places_of_key: self.settings.slots,
             memory_of_place: memory.of_place,
-            exclusive: reservation.all,
             free_memory: self.slots.free_memory(),
             memory: memory.shared,
             lease: self.settings.lease,
             max_attempts: self.settings.max_attempts,
-            expires: self.outage.is_over(self.settings.lease / 2),
+            expires,
         }
     }
 

@@ -12,7 +12,6 @@ use crate::jobs::Claim;
 #[derive(Debug)]
 pub(super) struct Slots {
     places: Arc<Semaphore>,
-    n_places: usize,
     memory: Memory,
     shared: Mutex<Shared>,
     freed: Notify,
@@ -23,8 +22,6 @@ pub(super) struct Slots {
 struct Shared {
     /// Memory \[bytes\] that large and long jobs have taken.
     used: u64,
-    /// Jobs that have given their places back.
-    without_place: usize,
     /// Whether a large job waits for memory, which long jobs leave to it.
     large_pending: bool,
 }
@@ -40,26 +37,20 @@ pub(super) struct Memory {
 
 /// Places reserved for jobs that have not been claimed yet.
 #[derive(Debug)]
-pub(super) struct Reservation {
-    permits: Vec<OwnedSemaphorePermit>,
-    /// Whether these are all places: no job runs.
-    pub(super) all: bool,
-}
+pub(super) struct Reservation(Vec<OwnedSemaphorePermit>);
 
-/// The places and the memory of one job, released when dropped.
+/// The place and the memory of one job, released when dropped. A long job has no place.
 #[derive(Debug)]
 pub(super) struct Slot {
     slots: Arc<Slots>,
     memory: u64,
-    permits: Vec<OwnedSemaphorePermit>,
+    place: Option<OwnedSemaphorePermit>,
 }
 
 impl Slots {
     pub(super) fn new(n_solvers: usize, memory: Memory) -> Self {
-        let n_places = n_solvers + 1;
         Self {
-            places: Arc::new(Semaphore::new(n_places)),
-            n_places,
+            places: Arc::new(Semaphore::new(n_solvers + 1)),
             memory,
             shared: Mutex::default(),
             freed: Notify::new(),
@@ -73,20 +64,7 @@ impl Slots {
         while let Ok(permit) = Arc::clone(&self.places).try_acquire_owned() {
             permits.push(permit);
         }
-        let all = permits.len() == self.n_places && self.shared().without_place == 0;
-        Reservation { permits, all }
-    }
-
-    /// Waits until no job runs and takes all places.
-    pub(super) async fn take_all(&self) -> Reservation {
-        let mut permits = Vec::with_capacity(self.n_places);
-        while permits.len() < self.n_places {
-            permits.extend(Arc::clone(&self.places).acquire_owned().await);
-        }
-        while self.shared().without_place > 0 {
-            self.freed.notified().await;
-        }
-        Reservation { all: true, permits }
+        Reservation(permits)
     }
 
     /// Returns the memory \[bytes\] of the whole worker.
@@ -99,7 +77,7 @@ impl Slots {
         self.memory.shared.saturating_sub(self.shared().used)
     }
 
-    /// Waits until a job releases its places and memory.
+    /// Waits until a job releases its place and memory.
     pub(super) async fn freed(&self) {
         self.freed.notified().await;
     }
@@ -117,36 +95,33 @@ impl Slots {
 impl Reservation {
     /// Returns the number of reserved places.
     pub(super) fn len(&self) -> usize {
-        self.permits.len()
+        self.0.len()
     }
 
-    /// Assigns a place to a job, or all places if the job must run alone. `None` if no place is
-    /// left.
+    /// Assigns a place to a job; `None` if no place is left.
     pub(super) fn assign(&mut self, slots: &Arc<Slots>, claim: &Claim) -> Option<Slot> {
-        let kept = if claim.exclusive { 0 } else { self.permits.len().checked_sub(1)? };
-        let permits = self.permits.split_off(kept);
+        let place = Some(self.0.pop()?);
         let memory = if claim.memory > slots.memory.of_place { claim.memory } else { 0 };
         slots.shared().used += memory;
-        Some(Slot { slots: Arc::clone(slots), memory, permits })
+        Some(Slot { slots: Arc::clone(slots), memory, place })
     }
 }
 
 impl Slot {
     /// Gives the place of a long job to another job, if there is memory for it beside the places.
-    /// Returns whether the job still holds one. A job that must run alone keeps all places.
+    /// Returns whether the job still holds one.
     pub(super) fn give_place_back(&mut self) -> bool {
         let mut shared = self.slots.shared();
         let needed = if self.memory == 0 { self.slots.memory.of_place } else { 0 };
         let used = shared.used + needed;
-        if self.permits.len() == 1 && !shared.large_pending && used <= self.slots.memory.shared {
+        if self.place.is_some() && !shared.large_pending && used <= self.slots.memory.shared {
             shared.used = used;
-            shared.without_place += 1;
             drop(shared);
             self.memory += needed;
-            self.permits.clear();
+            self.place = None;
             self.slots.freed.notify_one();
         }
-        !self.permits.is_empty()
+        self.place.is_some()
     }
 }
 
@@ -154,9 +129,8 @@ impl Drop for Slot {
     fn drop(&mut self) {
         let mut shared = self.slots.shared();
         shared.used = shared.used.saturating_sub(self.memory);
-        shared.without_place -= usize::from(self.permits.is_empty());
         drop(shared);
-        self.permits.clear();
+        self.place = None;
         self.slots.freed.notify_one();
     }
 }
@@ -172,31 +146,27 @@ mod tests {
 
     fn claim(memory: u64) -> Claim {
         let lease = Lease { job: JobId::generate(), owner: WorkerId::generate(), attempt: 1 };
-        Claim { lease, exclusive: false, memory, request: Bytes::new(), trace: None }
+        Claim { lease, memory, request: Bytes::new(), trace: None }
     }
 
     #[tokio::test]
     async fn places_are_taken_and_given_back() {
         let slots = Arc::new(Slots::new(3, MEMORY));
         let mut reservation = slots.take().await;
-        assert_eq!((reservation.len(), reservation.all), (4, true), "one more than solvers");
+        assert_eq!(reservation.len(), 4, "one more than solvers");
         let slot = reservation.assign(&slots, &claim(60)).unwrap();
         let small = reservation.assign(&slots, &claim(10)).unwrap();
         drop(reservation);
         assert_eq!(slots.free_memory(), 40, "a small job has memory of its own");
         let reservation = slots.take().await;
-        assert_eq!((reservation.len(), reservation.all), (2, false));
+        assert_eq!(reservation.len(), 2);
         drop((reservation, slot, small));
         slots.freed().await;
-        let mut reservation = slots.take_all().await;
-        assert_eq!((reservation.len(), reservation.all, slots.free_memory()), (4, true, 100));
-        let first = reservation.assign(&slots, &claim(0)).unwrap();
-        assert_eq!(reservation.len(), 3);
-        let exclusive =
-            reservation.assign(&slots, &Claim { exclusive: true, ..claim(0) }).unwrap();
-        assert_eq!(reservation.len(), 0);
+        let mut reservation = slots.take().await;
+        assert_eq!((reservation.len(), slots.free_memory()), (4, 100));
+        let taken: Vec<_> = (0..4).filter_map(|_| reservation.assign(&slots, &claim(0))).collect();
+        assert_eq!((taken.len(), reservation.len()), (4, 0));
         assert!(reservation.assign(&slots, &claim(0)).is_none());
-        drop((first, exclusive));
     }
 
     #[tokio::test]
@@ -210,7 +180,7 @@ mod tests {
             long.push(slot);
         }
         let mut reservation = slots.take().await;
-        assert_eq!((reservation.len(), reservation.all), (2, false), "ten jobs run");
+        assert_eq!(reservation.len(), 2, "ten jobs run");
         let mut last = reservation.assign(&slots, &claim(5)).unwrap();
         assert!(last.give_place_back(), "no memory is left");
         drop(long.pop());
@@ -218,10 +188,5 @@ mod tests {
         assert!(last.give_place_back(), "the memory is for the large job");
         slots.set_large_pending(false);
         assert!(!last.give_place_back());
-        drop((reservation, last, long));
-        let mut reservation = slots.take_all().await;
-        let alone = Claim { exclusive: true, ..claim(5) };
-        let mut alone = reservation.assign(&slots, &alone).unwrap();
-        assert!(alone.give_place_back(), "it runs alone");
     }
 }

@@ -35,7 +35,7 @@ pub async fn a_key_leaves_a_place_of_a_worker_to_others(subject: &Subject) {
     }
     let two_solvers = ClaimRequest { places_of_key: 2, ..Subject::request(3) };
     assert_eq!(ids(&subject.claims(two_solvers).await.jobs), of_greedy[..2]);
-    let rest = ClaimRequest { places: 1, exclusive: false, ..two_solvers };
+    let rest = ClaimRequest { places: 1, ..two_solvers };
     assert!(subject.claims(rest).await.jobs.is_empty());
     let other = submit(subject, modest, 0).await;
     assert_eq!(ids(&subject.claims(rest).await.jobs), [other]);
@@ -97,7 +97,7 @@ pub async fn a_small_job_does_not_wait_for_memory(subject: &Subject) {
     );
     let small = NewJob { submitter: Some(one), memory: 10, ..job("x") };
     let small = subject.submit(small).await.unwrap().job.id;
-    let beside = ClaimRequest { free_memory: 200, exclusive: false, ..request };
+    let beside = ClaimRequest { free_memory: 200, ..request };
     assert_eq!(ids(&subject.claims(beside).await.jobs), [small]);
 }
 

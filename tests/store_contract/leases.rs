@@ -1,8 +1,7 @@
 //! Leases of jobs.
 
 use brinell::jobs::{
-    ClaimRequest, Deflated, FailureKind, JobId, JobState, Lease, LeaseStatus, StepResult,
-    StoreError, WorkerId,
+    Deflated, FailureKind, JobId, JobState, Lease, LeaseStatus, StepResult, StoreError, WorkerId,
 };
 use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
@@ -77,24 +76,19 @@ pub async fn an_expired_job_that_was_to_stop_is_cancelled(subject: &Subject) {
     assert_eq!(subject.get(id).await.state, JobState::Cancelled);
 }
 
-pub async fn the_last_attempt_runs_alone(subject: &Subject) {
+pub async fn last_attempts_run_one_at_a_time(subject: &Subject) {
     let (guilty, neighbour) =
         (subject.enqueue("guilty").await, subject.enqueue("neighbour").await);
     assert_eq!(subject.claim(2).await.len(), 2);
     subject.clock.advance(SignedDuration::from_secs(31));
     let fresh = subject.enqueue("fresh").await;
-    let busy = ClaimRequest { exclusive: false, ..Subject::request(3) };
-    let claims = subject.claims(busy).await;
-    assert_eq!((ids(&claims.jobs), claims.exclusive_pending), (vec![fresh], true));
-
-    let claims = subject.claims(Subject::request(3)).await;
-    assert_eq!(ids(&claims.jobs), [guilty]);
-    assert!(claims.jobs[0].exclusive);
-    let last = claims.jobs[0].lease;
-    assert_eq!(last.attempt, 2);
-    subject.finish(&last, SolveStatus::Converged).await.unwrap();
-    let claims = subject.claims(Subject::request(3)).await;
-    assert_eq!((ids(&claims.jobs), claims.jobs[0].exclusive), (vec![neighbour], true));
+    let worker = Subject::request(3);
+    let claims = subject.claims(worker).await.jobs;
+    assert_eq!(ids(&claims), [guilty, fresh]);
+    assert_eq!(claims[0].lease.attempt, 2);
+    assert!(ids(&subject.claims(worker).await.jobs).is_empty(), "beside the job it was lost with");
+    subject.finish(&claims[0].lease, SolveStatus::Converged).await.unwrap();
+    assert_eq!(ids(&subject.claims(worker).await.jobs), [neighbour]);
 }
 
 pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
@@ -139,5 +133,6 @@ pub async fn a_worker_gives_back_what_it_does_not_know(subject: &Subject) {
     let kept = LeaseStatus::Held { cancel_requested: false };
     assert_eq!(subject.store.heartbeat(&[lease], LEASE).await.unwrap(), [kept]);
     let claims = subject.claims(Subject::request(1)).await;
-    assert_eq!((ids(&claims.jobs), claims.jobs[0].exclusive), (vec![unknown], false), "no loss");
+    assert_eq!(ids(&claims.jobs), [unknown]);
+    assert_eq!(subject.get(unknown).await.attempts, 2, "no loss, but an attempt");
 }

@@ -58,7 +58,7 @@ macro_rules! contract {
             leases heartbeats_keep_a_job_and_tell_of_cancellation;
             leases an_expired_job_that_was_to_stop_is_cancelled;
             leases a_worker_gives_back_what_it_does_not_know;
-            leases the_last_attempt_runs_alone;
+            leases last_attempts_run_one_at_a_time;
             leases a_released_job_is_queued_as_if_never_taken_up;
             results steps_are_kept_as_they_are_finished;
             results fields_are_read_part_by_part;

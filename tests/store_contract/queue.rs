@@ -191,7 +191,7 @@ pub async fn jobs_are_handed_out_within_the_memory(subject: &Subject) {
         "the next does not fit beside it, and the small one must not overtake"
     );
     assert_eq!(claims[0].memory, 500);
-    let rest = ClaimRequest { free_memory: 500, exclusive: false, ..Subject::request(3) };
+    let rest = ClaimRequest { free_memory: 500, ..Subject::request(3) };
     assert!(subject.claims(rest).await.jobs.is_empty());
     assert_eq!(ids_of(&subject.claim(4).await), [ids[2], ids[3]]);
     assert!(subject.claim(4).await.is_empty(), "what never fits is left to others");

@@ -40,7 +40,7 @@ async fn open(url: &str) -> Arc<dyn Store> {
 /// Hands out jobs one by one, writes of each what a worker writes of a job of a second, and ends
 /// it. Returns how many.
 async fn work(store: Arc<dyn Store>) -> usize {
-    let request = ClaimRequest { exclusive: false, ..Subject::request(1) };
+    let request = ClaimRequest { ..Subject::request(1) };
     let mut done = 0;
     loop {
         let claims = store.claim(&request).await.unwrap().jobs;

@@ -150,7 +150,6 @@ impl Subject {
             places,
             places_of_key: usize::MAX,
             memory_of_place: 0,
-            exclusive: true,
             free_memory: MEMORY,
             memory: MEMORY,
             lease: LEASE,

@@ -17,8 +17,10 @@ use tokio::time::{sleep, timeout};
 use crate::jobs::{JobId, JobNotifier, WorkerId};
 use crate::store::sql::Change;
 
-/// Channel of the notifications.
-const CHANNEL: &str = "brinell";
+/// Channels of the changes that a worker needs to know of, and of those that clients follow. Each
+/// process that listens is woken by every change on its channels.
+const OF_WORKERS: &str = "brinell_work";
+const OF_CLIENTS: &str = "brinell";
 
 /// Most changes in one statement, and most changes that wait for one.
 const BATCH: usize = 256;
@@ -59,16 +61,26 @@ impl Announcer {
 async fn tell(pool: PgPool, node: WorkerId, mut changes: Receiver<Change>) {
     let mut batch = Vec::with_capacity(BATCH);
     while changes.recv_many(&mut batch, BATCH).await > 0 {
-        let messages: Vec<String> = batch.drain(..).map(|change| message(node, change)).collect();
-        let notify =
-            sqlx::query("SELECT pg_notify($1, message) FROM unnest($2::text[]) AS message");
-        let notify = notify.bind(CHANNEL).bind(messages);
+        let (channels, messages): (Vec<&str>, Vec<String>) =
+            batch.drain(..).map(|change| (channel_of(change), message(node, change))).unzip();
+        let notify = sqlx::query(
+            "SELECT pg_notify(t.channel, t.message)
+             FROM unnest($1::text[], $2::text[]) AS t (channel, message)",
+        );
+        let notify = notify.bind(channels).bind(messages);
         let error = match timeout(ANSWER_WAIT, notify.execute(&pool)).await {
             Ok(Ok(_)) => continue,
             Ok(Err(error)) => error.to_string(),
             Err(late) => late.to_string(),
         };
         tracing::warn!(error, "other processes are not told of changes; they look once a second");
+    }
+}
+
+fn channel_of(change: Change) -> &'static str {
+    match change {
+        Change::Work | Change::Cancel(_) => OF_WORKERS,
+        Change::Progress(_) | Change::Finished(_) => OF_CLIENTS,
     }
 }
 
@@ -114,7 +126,10 @@ async fn listen_once(
     notifier: &JobNotifier,
 ) -> Result<(), sqlx::Error> {
     let mut listener = PgListener::connect_with(pool).await?;
-    listener.listen(CHANNEL).await?;
+    listener.listen(OF_WORKERS).await?;
+    if !notifier.is_of_worker() {
+        listener.listen(OF_CLIENTS).await?;
+    }
     loop {
         // Notifications sent before this connection listened are lost: every waiter queries the
         // store again.

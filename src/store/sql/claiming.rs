@@ -11,39 +11,32 @@ use crate::store::StoreLimits;
 
 /// Selects the next job: the first queued job of the key that holds the fewest places; among equal
 /// keys, of the key that has spent the least solver time. A key may hold at most `$3` places of
-/// one worker and `$4` places of all workers.
-///
-/// SQLite keeps the order of a cross join: it goes through the keys, which are few, and looks the
-/// first job of each up in the index.
+/// one worker and `$4` places of all workers. Of the jobs that fail if their worker is lost once
+/// more a worker runs one at a time.
 pub(in crate::store) const NEXT: &str = "
-    SELECT j.id
-    FROM accounts a CROSS JOIN jobs j
-    WHERE j.id = (
-            SELECT q.id FROM jobs q
-            WHERE q.account = a.id AND q.state = 'queued' AND q.memory <= $1 AND q.losses < $6
-            ORDER BY q.losses DESC, q.priority DESC, q.id LIMIT 1)
-        AND (SELECT count(*) FROM jobs r
-            WHERE r.state = 'running' AND r.account = a.id AND r.owner = $2) < $3
-        AND (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id)
-            < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = a.id), $4)
-    ORDER BY
-        (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id),
-        CASE WHEN $5 - a.settled_at < 60000000
-            THEN a.spent * (60000000 - ($5 - a.settled_at)) / 60000000 ELSE 0 END,
-        j.id
-    LIMIT 1";
+    WITH heads AS MATERIALIZED (
+        SELECT coalesce(r.places, 0) AS places,
+            CASE WHEN $5 - a.settled_at < 60000000
+                THEN a.spent * (60000000 - ($5 - a.settled_at)) / 60000000 ELSE 0 END AS spent,
+            (SELECT q.id FROM jobs q
+                WHERE q.account = a.id AND q.state = 'queued' AND q.memory <= $1
+                    AND (q.losses < $6 OR NOT EXISTS (SELECT 1 FROM jobs l
+                        WHERE l.state = 'running' AND l.owner = $2 AND l.losses >= $6))
+                ORDER BY q.losses DESC, q.priority DESC, q.id LIMIT 1) AS id
+        FROM accounts a LEFT JOIN (
+            SELECT account, count(*) AS places, count(CASE WHEN owner = $2 THEN 1 END) AS here
+            FROM jobs WHERE state = 'running' GROUP BY account) r ON r.account = a.id
+        WHERE coalesce(r.here, 0) < $3 AND coalesce(r.places, 0)
+            < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = a.id), $4))
+    SELECT id FROM heads WHERE id IS NOT NULL ORDER BY places, spent, id LIMIT 1";
 
-/// Selects the job that fails if its worker is lost once more.
-pub(super) const LAST_CHANCE: &str = "SELECT id FROM jobs
-    WHERE state = 'queued' AND losses > 0 AND losses >= $6 AND memory <= $1 ORDER BY id LIMIT 1";
-
-/// Leases the job that a query selects, if its memory is free: `$8` bytes are those of a place,
+/// Leases the next job, if its memory is free: `$8` bytes are those of a place,
 /// `$9` those that are left for large jobs.
-fn lease_of(selected: &str) -> String {
+fn lease_next() -> String {
     format!(
         "UPDATE jobs SET state = 'running', owner = $2, leased_until = $5 + $7, started_at = $5,
             attempts = attempts + 1, iterations = 0, latest = NULL, steps = 0, stored_bytes = 0
-        WHERE id = ({selected}) AND state = 'queued' AND (memory <= $8 OR memory <= $9)
+        WHERE id = ({NEXT}) AND state = 'queued' AND (memory <= $8 OR memory <= $9)
         RETURNING id, memory, attempts, traceparent,
             (SELECT body FROM requests WHERE job = jobs.id)"
     )
@@ -80,11 +73,6 @@ const AFTER_EXPIRE: [&str; 4] = [
     "UPDATE deliveries SET state = 'pending', due_at = $1
      WHERE state = 'waiting' AND job IN (SELECT id FROM jobs WHERE finished_at = $1)",
 ];
-
-/// Whether a lease has expired, and whether a queued job has lost a worker before.
-const LOOK: &str = "SELECT
-    EXISTS (SELECT 1 FROM jobs WHERE state = 'running' AND leased_until <= $1),
-    EXISTS (SELECT 1 FROM jobs WHERE state = 'queued' AND losses > 0)";
 
 /// A leased job: id, estimated memory \[bytes\], number of the attempt, trace, text.
 type LeasedRow = (Uuid, i64, i32, Option<String>, Option<Vec<u8>>);
@@ -147,18 +135,6 @@ pub(super) fn until(now: i64, lease: std::time::Duration) -> i64 {
     now.saturating_add(i64::try_from(lease.as_micros()).unwrap_or(i64::MAX))
 }
 
-/// Returns whether a lease has expired, and whether a queued job has lost a worker before.
-pub(super) async fn look<C: Messages>(
-    line: &mut C,
-    now: Option<i64>,
-) -> Result<(bool, bool), StoreError> {
-    let mut message = C::message();
-    message.push(LOOK, &[Value::Time(now)]);
-    let answers = line.send(message).await?;
-    let row = answers.first().and_then(|rows| rows.first());
-    row.map_or(Ok((false, false)), C::columns)
-}
-
 /// Queues the jobs again whose lease expired. Ends, and returns, the jobs that have lost their
 /// last worker or were cancelled.
 pub(super) async fn expire<C: Messages>(
@@ -183,33 +159,22 @@ pub(super) async fn expire<C: Messages>(
     Ok(ended)
 }
 
-/// What one message has leased.
-pub(super) struct Leased {
-    pub(super) jobs: Vec<Claim>,
-    /// Whether a further job waits, perhaps for its memory.
-    pub(super) waits: bool,
-}
-
-/// Leases up to `places` jobs of those that `selected` selects one by one, and takes the memory of
-/// the first from the terms if it is a large one. The others may be small ones only.
+/// Leases up to `places` jobs one by one, and takes the memory of the first from the terms if it is
+/// a large one. The others may be small ones only.
 pub(super) async fn lease<C: Messages>(
     line: &mut C,
-    selected: &str,
     places: usize,
     terms: &mut Terms,
-) -> Result<Leased, StoreError> {
-    let statement = lease_of(selected);
+) -> Result<Vec<Claim>, StoreError> {
+    let statement = lease_next();
     let mut message = C::message();
     message.push(C::DIALECT.one_claim, &[]);
     for place in 0..places {
         let shared = if place == 0 { terms.shared } else { 0 };
         message.push(&statement, &Terms { shared, ..*terms }.values());
     }
-    message.push(selected, &terms.values());
-    let answers = line.send(message).await?;
-    let waits = answers.get(places + 1).is_some_and(|rows| !rows.is_empty());
     let mut jobs = Vec::new();
-    for row in answers.iter().skip(1).take(places).flatten() {
+    for row in line.send(message).await?.iter().skip(1).flatten() {
         let (id, memory, attempt, trace, text): LeasedRow = C::columns(row)?;
         let (id, memory) = (JobId::from(id), count(memory)?);
         if memory > terms.request.memory_of_place {
@@ -217,11 +182,17 @@ pub(super) async fn lease<C: Messages>(
         }
         jobs.push(Claim {
             lease: Lease { job: id, owner: terms.request.owner, attempt: count(attempt)? },
-            exclusive: false,
             memory,
             request: readable_text(id, text),
             trace: trace.and_then(|text| text.parse().ok()),
         });
     }
-    Ok(Leased { jobs, waits })
+    Ok(jobs)
+}
+
+/// Returns whether a job is next that has not been leased: it waits for its memory.
+pub(super) async fn waits<C: Messages>(line: &mut C, terms: &Terms) -> Result<bool, StoreError> {
+    let mut message = C::message();
+    message.push(NEXT, &terms.values());
+    Ok(line.send(message).await?.iter().any(|rows| !rows.is_empty()))
 }

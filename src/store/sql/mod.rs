@@ -173,39 +173,21 @@ impl<B: SqlBackend> SqlStore<B> {
         request: &ClaimRequest,
     ) -> Result<Claims, StoreError> {
         let now = self.backend.now();
-        let (expired, lost) = claiming::look(line, now).await?;
-        if expired && request.expires {
+        if request.expires {
             let ended = claiming::expire(line, request.max_attempts, now).await?;
             let changes: Vec<_> = ended.into_iter().map(Change::Finished).collect();
             self.announce(&changes);
         }
         let (mut claims, mut terms) = (Claims::default(), Terms::new(request, self.limits, now));
-        if expired || lost {
-            terms.shared = request.memory;
-            let places = usize::from(request.exclusive);
-            let last = claiming::lease(line, claiming::LAST_CHANCE, places, &mut terms).await?;
-            claims.exclusive_pending = last.waits && !request.exclusive;
-            claims.jobs.extend(last.jobs);
-            if let Some(alone) = claims.jobs.first_mut() {
-                alone.exclusive = true;
-                return Ok(claims);
-            }
-            terms.shared = request.free_memory;
-        }
-        while claims.jobs.len() < request.places {
+        loop {
             let places = request.places - claims.jobs.len();
-            let leased = match claiming::lease(line, claiming::NEXT, places, &mut terms).await {
-                Err(error) if !claims.jobs.is_empty() => {
-                    // The jobs that are leased must run.
-                    let error = &error as &dyn std::error::Error;
-                    tracing::warn!(error, "no further job can be claimed");
-                    break;
-                }
-                leased => leased?,
-            };
-            let is_stuck = leased.jobs.is_empty();
-            claims.jobs.extend(leased.jobs);
-            if !leased.waits || (is_stuck && claims.large_pending) {
+            let leased = claiming::lease(line, places, &mut terms).await?;
+            let is_stuck = leased.is_empty();
+            claims.jobs.extend(leased);
+            if claims.jobs.len() == request.places
+                || (is_stuck && claims.large_pending)
+                || !claiming::waits(line, &terms).await?
+            {
                 break;
             }
             if is_stuck {
