@@ -22,7 +22,7 @@ from conftest import roller
 import brinell
 from brinell import Client
 from brinell._course import Course, Outcome
-from brinell._records import digest_of
+from brinell._records import Records, digest_of
 from brinell._workers import _here
 
 PROGRAM = os.environ["BRINELL_PROGRAM"]
@@ -262,6 +262,24 @@ def test_a_service_solves_a_job_of_a_study_once(tmp_path: Path, client: Client) 
         break
     pairs = list(client.map([slow], study=tmp_path / "one"))
     assert pairs[0][1].converged
+
+
+def test_jobs_of_a_study_that_are_alike_are_solved_once(tmp_path: Path, client: Client) -> None:
+    one, other = small(2, tags={"of": "twins"})
+    pairs = list(client.map([one, one, other, one], study=tmp_path, ordered=True))
+    assert [job for job, _ in pairs] == [one, one, other, one]
+    assert len({result.id for _, result in pairs}) == 2
+    assert len(brinell.open_study(tmp_path)) == 2
+
+
+def test_a_key_of_a_study_is_of_one_version(tmp_path: Path) -> None:
+    keys = {
+        Course(small(1), ordered=False, in_flight=1, records=Records(tmp_path, version))
+        .take()[0]
+        .key
+        for version in ("1.0.0", "1.0.0", "1.1.0")
+    }
+    assert len(keys) == 2
 
 
 def test_the_digest_of_a_job_is_that_of_the_program() -> None:

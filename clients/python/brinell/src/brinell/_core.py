@@ -378,7 +378,8 @@ class Core:
     def map(self, course: Course, parts: str, priority: int = 0) -> Flow[None]:
         """Emits place, job and `Outcome` of each job of a course."""
         waiting: list[Task] = []
-        flying: dict[str, Task] = {}
+        # Tasks by the id of their job: a study has one for all that are alike.
+        flying: dict[str, list[Task]] = {}
         attempt = 0
         try:
             while not course.over:
@@ -405,7 +406,7 @@ class Core:
             raise
 
     def _hand_in(
-        self, waiting: list[Task], flying: dict[str, Task], course: Course, priority: int
+        self, waiting: list[Task], flying: dict[str, list[Task]], course: Course, priority: int
     ) -> Flow[float | None]:
         """Submits some of the waiting jobs.
 
@@ -439,14 +440,14 @@ class Core:
             waiting.remove(task)
             if info is not None:
                 task.is_known = item.get("replayed", False)
-                flying[str(info["id"])] = task
+                flying.setdefault(str(info["id"]), []).append(task)
             else:
                 error = error_of(item["status"], item["problem"])
                 course.finish(task, Outcome(task.document, "", None, error))
         return after
 
     def _collect(
-        self, waiting: list[Task], flying: dict[str, Task], course: Course, parts: str
+        self, waiting: list[Task], flying: dict[str, list[Task]], course: Course, parts: str
     ) -> Flow[None]:
         """Waits a moment for the job in the middle of the queue, and takes what is done."""
         middle = list(flying)[(len(flying) - 1) // 2]
@@ -458,20 +459,25 @@ class Core:
                 "POST", "/v1/batch/fetch", params={"fields": parts}, body={"ids": ids}
             )
             for id, item in zip(ids, answer["jobs"], strict=True):
-                info, task = item.get("job"), flying[id]
+                info = item.get("job")
                 if info is not None and not info["done"]:
                     continue
-                del flying[id]
+                tasks = flying.pop(id)
+                document = tasks[0].document
                 if info is None:
-                    error = error_of(item["status"], item["problem"])
-                    course.finish(task, Outcome(task.document, id, None, error))
-                elif task.is_known and info["status"] in UNSOLVED:
+                    outcome = Outcome(
+                        document, id, None, error_of(item["status"], item["problem"])
+                    )
+                elif tasks[0].is_known and info["status"] in UNSOLVED:
                     # It is of an earlier run, and came to nothing: once more, by another name.
-                    task.tries += 1
-                    waiting.append(task)
+                    for task in tasks:
+                        task.tries += 1
+                    waiting += tasks
+                    continue
                 else:
                     keeps = course.records is not None
-                    outcome = yield from self._outcome(task.document, info, keeps)
+                    outcome = yield from self._outcome(document, info, keeps)
+                for task in tasks:
                     course.finish(task, outcome)
 
 

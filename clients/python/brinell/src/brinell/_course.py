@@ -48,6 +48,9 @@ class Outcome:
 class Records(Protocol):
     """Results of other runs."""
 
+    version: str
+    """The version of the program whose results these are."""
+
     def get(self, document: dict[str, Any]) -> Outcome | None:
         """The result of this job, if it is there."""
 
@@ -149,8 +152,9 @@ class Course:
     def _name(self, document: dict[str, Any]) -> str:
         if self.records is None:
             return str(uuid.uuid4())
-        # Of the very text that is sent: a service refuses one key with two texts.
-        return hashlib.sha256(json.dumps(document).encode()).hexdigest()
+        # Of the very text that is sent: a service refuses one key with two texts. Of the version:
+        # a service that was renewed keeps the keys of its old one.
+        return hashlib.sha256(json.dumps([self.records.version, document]).encode()).hexdigest()
 
     def finish(self, task: Task, outcome: Outcome) -> None:
         """Takes the answer to a task."""

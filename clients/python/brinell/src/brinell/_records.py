@@ -125,14 +125,14 @@ class Records:
     """The results of one version of the program in a study."""
 
     def __init__(self, address: Address, version: str) -> None:
-        self.files, self._version = Files(address, make=True), version
+        self.files, self.version = Files(address, make=True), version
         self._names = {name for name in self.files.names() if name.endswith(SUFFIX)}
 
     def _name(self, document: dict[str, Any]) -> str:
-        return f"{digest_of(document)}-{self._version}"
+        return f"{digest_of(document)}-{self.version}"
 
     def get(self, document: dict[str, Any]) -> Outcome | None:
-        """The result of this job, if it was there when the study was opened."""
+        """The result of this job, if it was there at the beginning or came since."""
         name = self._name(document) + SUFFIX
         return read(self.files, name) if name in self._names else None
 
@@ -145,6 +145,7 @@ class Records:
         lines = (summary_of(outcome.report), outcome.document, outcome.report)
         text = "".join(json.dumps(line, separators=(",", ":")) + "\n" for line in lines)
         self.files.write(name + SUFFIX, text.encode())
+        self._names.add(name + SUFFIX)
 
 
 def read(files: Files, name: str) -> Outcome:
