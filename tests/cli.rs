@@ -705,14 +705,16 @@ fn the_tasks_of_an_array_solve_each_job_once() {
     let all = kept();
     assert_eq!(all.len(), 6);
     // Again, with a line that is no job: what is there stays.
-    std::fs::write(jobs, [&good[..], &["{}".to_owned()]].concat().join("\n")).unwrap();
+    let text = [b"{}\n\xff\n", good.join("\n").as_bytes()].concat();
+    std::fs::write(jobs, text).unwrap();
     let output = brinell(&["solve", "--array", jobs, "--out", out], "");
     assert_eq!(output.status.code(), Some(2));
-    assert!(
-        stderr(&output).contains("jobs.jsonl line 6 is not a valid job"),
-        "{}",
-        stderr(&output)
-    );
+    let told = stderr(&output);
+    assert!(told.contains("jobs.jsonl line 1 is not a valid job"), "{told}");
+    assert!(told.contains("jobs.jsonl line 2 is not valid JSON"), "{told}");
+    let output = brinell(&["solve", "--array", jobs, "--out", out, "--set", "/load/force=7"], "");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("cannot be used with"), "{}", stderr(&output));
     assert_eq!(kept(), all);
     let of = |force: f64| {
         let output = brinell(&["solve", "-"], &line(force));

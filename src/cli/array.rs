@@ -34,7 +34,7 @@ use brinell_solver::solver::{FactorCache, Options, SolveStatus};
 #[derive(Debug, Args)]
 pub(super) struct ArrayArgs {
     /// Jobs (JSON Lines) to solve instead of FILE; those whose results are there are left out
-    #[arg(long, value_name = "JOBS", requires = "out", conflicts_with_all = ["format", "step", "output"])]
+    #[arg(long, value_name = "JOBS", requires = "out", conflicts_with_all = ["format", "step", "output", "settings"])]
     pub(super) array: Option<PathBuf>,
 
     /// The folder of the results of --array
@@ -101,15 +101,16 @@ pub(super) fn solve_array(jobs: &Path, args: &ArrayArgs) -> Result<ExitCode, Fau
             source: io::Error::new(io::ErrorKind::InvalidInput, format!("it is not {reason}")),
         })?,
     };
+    let lines = BufReader::new(File::open(jobs).map_err(unread)?).split(b'\n');
     let folder = Folder(args.out.clone().unwrap_or_default());
     fs::create_dir_all(&folder.0)
         .map_err(|source| Fault::Write { name: folder.0.display().to_string(), source })?;
     let cache = Arc::new(FactorCache::new(WorkConfig::default().factor_cache()));
     let mut ending = None;
     let mut converged = true;
-    for (number, line) in BufReader::new(File::open(jobs).map_err(unread)?).lines().enumerate() {
+    for (number, line) in lines.enumerate() {
         let line = line.map_err(unread)?;
-        if line.trim().is_empty() || !part.has(number) {
+        if line.trim_ascii().is_empty() || !part.has(number) {
             continue;
         }
         let name = format!("{} line {}", jobs.display(), number + 1);
@@ -133,12 +134,12 @@ impl Folder {
     fn answer(
         &self,
         name: &str,
-        text: &str,
+        text: &[u8],
         cache: &Arc<FactorCache>,
     ) -> Result<SolveStatus, Fault> {
         let of_job = |error| Fault::of_job(name, error);
-        let job = Job::from_json(text.as_bytes()).map_err(of_job)?;
-        let document: Value = serde_json::from_str(text).map_err(io::Error::from)?;
+        let job = Job::from_json(text).map_err(of_job)?;
+        let document: Value = serde_json::from_slice(text).map_err(io::Error::from)?;
         let file = format!("{}-{}", digest(&document), env!("CARGO_PKG_VERSION"));
         if let Some(status) = self.status(&file) {
             return Ok(status);

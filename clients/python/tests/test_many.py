@@ -80,22 +80,24 @@ def test_each_process_of_an_executor_solves(make: Callable[[int], Executor]) -> 
     jobs = [*small(8), {"analysis": "plane_strain"}, small(1, fields=True)[0]]
     with make(2) as executor:
         pairs = list(brinell.map(jobs, executor=executor, ordered=True))
-        servers = {executor.submit(server_here).result() for _ in range(8)}
+        here = {executor.submit(server_here).result() for _ in range(8)}
         table = brinell.sweep(jobs[0], {"/load/force": [200, 100]}, executor=executor)
     assert [job for job, _ in pairs] == jobs
     *results, bad, with_fields = [result for _, result in pairs]
     assert [untimed(result.data) for result in results] == [by_solve(job) for job in jobs[:8]]
+    servers, logs = zip(*here, strict=True)
     assert isinstance(bad.error, brinell.InvalidJob)
     assert with_fields.fields().lower is not None
     assert table["force"].tolist() == pytest.approx([200, 100])
     assert 1 <= len(servers) <= 2
     until(lambda: not any(map(alive, servers)))
+    assert not any(map(os.path.exists, logs))
 
 
-def server_here() -> int:
+def server_here() -> tuple[int, Path]:
     server = _here()._server
     assert server is not None
-    return server.pid
+    return server.pid, server.log
 
 
 def alive(pid: int) -> bool:
@@ -179,6 +181,15 @@ def test_answers_come_in_order_and_are_bounded(monkeypatch: pytest.MonkeyPatch) 
     emitted += [place for place, *_ in course.answers()]
     assert emitted == list(range(len(emitted)))
     assert 4 <= len(emitted) <= 7
+
+
+def test_what_is_no_job_does_not_stop_the_others(client: Client, tmp_path: Path) -> None:
+    (tmp_path / "text.json").write_text("{")
+    bad: list[Any] = [tmp_path / "none.json", tmp_path / "text.json", {"load": {1, 2}}, None]
+    *_, (_, last) = pairs = list(client.map([*bad, *small(1)], ordered=True))
+    assert [type(result.error) for _, result in pairs[:4]] == [brinell.InvalidJob] * 4
+    assert "none.json" in str(pairs[0][1].error)
+    assert last.converged
 
 
 def test_what_fails_by_chance_is_tried_again() -> None:

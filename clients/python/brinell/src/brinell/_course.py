@@ -18,7 +18,7 @@ from typing import Any, Protocol, TypeAlias
 
 from pydantic import BaseModel
 
-from ._errors import BrinellError, InvalidJob, JobFailed, Unavailable
+from ._errors import BrinellError, Fault, InvalidJob, JobFailed, Unavailable
 from ._plain import JobLike, document_of
 
 # Most answers that wait for their turn behind a job that takes longer: some 100 MiB of them.
@@ -140,21 +140,22 @@ class Course:
                 if isinstance(given, InvalidJob):
                     raise given
                 document = document_of(given)
-            except InvalidJob as error:
-                self._answers[place] = (given, Outcome({}, "", None, error))
+                text = json.dumps(document)
+            except (OSError, TypeError, ValueError) as error:
+                self._answers[place] = (given, Outcome({}, "", None, _fault_of(error)))
                 continue
             known = self.records.get(document) if self.records is not None else None
             if known is None:
-                return Task(place, given, document, self._name(document), self._retries)
+                return Task(place, given, document, self._name(text), self._retries)
             self._answers[place] = (given, known)
         return None
 
-    def _name(self, document: dict[str, Any]) -> str:
+    def _name(self, text: str) -> str:
         if self.records is None:
             return str(uuid.uuid4())
         # Of the very text that is sent: a service refuses one key with two texts. Of the version:
         # a service that was renewed keeps the keys of its old one.
-        return hashlib.sha256(json.dumps([self.records.version, document]).encode()).hexdigest()
+        return hashlib.sha256(f"{self.records.version} {text}".encode()).hexdigest()
 
     def finish(self, task: Task, outcome: Outcome) -> None:
         """Takes the answer to a task."""
@@ -175,6 +176,13 @@ class Course:
                 break
             self._next_place += 1
             yield place, *self._answers.pop(place)
+
+
+def _fault_of(error: Exception) -> InvalidJob:
+    """Why there is no job: a file that is not there, what no JSON has."""
+    if isinstance(error, InvalidJob):
+        return error
+    return InvalidJob([Fault("#", "unreadable", f"{type(error).__name__}: {error}")])
 
 
 def is_by_chance(error: BrinellError | None) -> bool:

@@ -11,6 +11,7 @@ import traceback
 from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
+from multiprocessing.util import Finalize
 from pathlib import Path
 from queue import SimpleQueue
 from typing import Any
@@ -91,7 +92,10 @@ def _here() -> Client:
     global _client
     with _lock:
         if _client is None or _client[0] != os.getpid():
-            _client = (os.getpid(), Client(workers=1))
+            client = Client(workers=1)
+            # A process of a pool ends without what `atexit` has.
+            Finalize(None, client.close, exitpriority=1)
+            _client = (os.getpid(), client)
         return _client[1]
 
 
