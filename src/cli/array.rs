@@ -156,12 +156,12 @@ impl Folder {
         Ok(report.status)
     }
 
-    /// Returns the status of a result, if it is there.
+    /// Returns the status of a result, if it is there and whole.
     fn status(&self, file: &str) -> Option<SolveStatus> {
-        let mut line = Vec::new();
-        let kept = File::open(self.0.join(format!("{file}.jsonl"))).ok()?;
-        BufReader::new(kept).read_until(b'\n', &mut line).ok()?;
-        let summary: Value = serde_json::from_slice(&line).ok()?;
+        let kept = fs::read(self.0.join(format!("{file}.jsonl"))).ok()?;
+        let lines: Vec<_> = kept.split(|byte| *byte == b'\n').collect();
+        let [summary, _, _, []] = lines[..] else { return None };
+        let summary: Value = serde_json::from_slice(summary).ok()?;
         serde_json::from_value(summary["status"].clone()).ok()
     }
 

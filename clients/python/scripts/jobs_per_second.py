@@ -80,8 +80,8 @@ def study() -> None:
     with tempfile.TemporaryDirectory() as folder, brinell.Client() as client:
         list(client.map([small(0)], study=folder))
         files = Files(folder, make=False)
-        (name,) = files.names()
-        lines = b"".join(files.lines(name, 3))
+        (name,) = files.results()
+        lines = files.read(name)
         version = name.split("-", 1)[1]
         for number in range(1, STUDY):
             with open(f"{folder}/{digest_of(number)}-{version}", "wb") as file:

@@ -283,6 +283,19 @@ def test_jobs_of_a_study_that_are_alike_are_solved_once(tmp_path: Path, client: 
     assert len(brinell.open_study(tmp_path)) == 2
 
 
+def test_half_a_file_is_solved_again_and_others_are_left(client: Client, tmp_path: Path) -> None:
+    (tmp_path / "jobs.jsonl").write_text("{}\n")
+    list(client.map(small(2), study=tmp_path))
+    study = brinell.open_study(tmp_path)
+    assert len(study) == 2
+    half = tmp_path / study.names[0]
+    half.write_bytes(half.read_bytes()[:20])
+    with pytest.raises(brinell.BrinellError, match=half.name):
+        _ = study.table
+    assert all(result.converged for _, result in client.map(small(2), study=tmp_path))
+    assert len(study.table) == 2
+
+
 def test_a_key_of_a_study_is_of_one_version(tmp_path: Path) -> None:
     keys = {
         Course(small(1), ordered=False, in_flight=1, records=Records(tmp_path, version))

@@ -13,6 +13,7 @@ import hashlib
 import json
 import math
 import os
+import re
 import struct
 import uuid
 from collections.abc import Iterator, Sequence
@@ -20,12 +21,14 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from ._course import Outcome
+from ._errors import BrinellError
 from ._plain import need
 
 Address: TypeAlias = str | os.PathLike[str]
 """A folder, or an address of fsspec."""
 
 SUFFIX = ".jsonl"
+RESULT = re.compile(r"[0-9a-f]{32}-.+\.jsonl")
 
 
 def digest_of(document: Any) -> str:
@@ -78,17 +81,25 @@ class Files:
         elif make:
             self._fs.makedirs(self.address, exist_ok=True)
 
-    def names(self) -> list[str]:
-        """The names of all files."""
+    def results(self) -> list[str]:
+        """The names of the files that are results."""
         if self._fs is None:
-            return os.listdir(self.address)
-        return [path.rsplit("/", 1)[-1] for path in self._fs.ls(self.address, detail=False)]
+            names = os.listdir(self.address)
+        else:
+            names = [path.rsplit("/", 1)[-1] for path in self._fs.ls(self.address, detail=False)]
+        return [name for name in names if RESULT.fullmatch(name)]
 
-    def lines(self, name: str, count: int) -> list[bytes]:
-        """The first lines of a file."""
+    def lines(self, name: str, count: int) -> list[Any]:
+        """The first lines of a result: without its large parts, the job, the whole."""
         path = f"{self.address}/{name}"
         with open(path, "rb") if self._fs is None else self._fs.open(path, "rb") as file:
-            return [file.readline() for _ in range(count)]
+            texts = [file.readline() for _ in range(count)]
+        try:
+            return [json.loads(text) for text in texts]
+        except ValueError:
+            raise BrinellError(
+                f"{path} is not a whole result; it is solved again where its job is"
+            ) from None
 
     def read(self, name: str) -> bytes:
         """A whole file."""
@@ -126,7 +137,7 @@ class Records:
 
     def __init__(self, address: Address, version: str) -> None:
         self.files, self.version = Files(address, make=True), version
-        self._names = {name for name in self.files.names() if name.endswith(SUFFIX)}
+        self._names = set(self.files.results())
 
     def _name(self, document: dict[str, Any]) -> str:
         return f"{digest_of(document)}-{self.version}"
@@ -134,7 +145,13 @@ class Records:
     def get(self, document: dict[str, Any]) -> Outcome | None:
         """The result of this job, if it was there at the beginning or came since."""
         name = self._name(document) + SUFFIX
-        return read(self.files, name) if name in self._names else None
+        if name not in self._names:
+            return None
+        try:
+            return read(self.files, name)
+        except BrinellError:
+            # A machine without power may leave half a file.
+            return None
 
     def put(self, outcome: Outcome) -> None:
         """Keeps a result; its fields first, so that a result that is there has them."""
@@ -150,7 +167,7 @@ class Records:
 
 def read(files: Files, name: str) -> Outcome:
     """A result that is kept."""
-    _, document, report = map(json.loads, files.lines(name, 3))
+    _, document, report = files.lines(name, 3)
     has_fields = bool((document.get("output") or {}).get("fields"))
     steps = len(report["steps"]) if has_fields else 0
     archives = Archives(files, name.removesuffix(SUFFIX), steps)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ._plain import need
-from ._records import SUFFIX, Address, Files, read
+from ._records import Address, Files, read
 from ._result import Result, result_of
 
 if TYPE_CHECKING:
@@ -23,7 +22,7 @@ class Study:
 
     def __init__(self, address: Address) -> None:
         self._files = Files(address, make=False)
-        self.names = sorted(n for n in self._files.names() if n.endswith(SUFFIX))
+        self.names = sorted(self._files.results())
         """The files of the results."""
 
     def __len__(self) -> int:
@@ -37,7 +36,7 @@ class Study:
 
     def job(self, place: int) -> dict[str, Any]:
         """The job behind a result."""
-        job: dict[str, Any] = json.loads(self._files.lines(self.names[place], 2)[1])
+        job: dict[str, Any] = self._files.lines(self.names[place], 2)[1]
         return job
 
     @cached_property
@@ -48,7 +47,7 @@ class Study:
         pandas = need("pandas", "pandas")
         rows, jobs = [], []
         for name in self.names:
-            summary, job = map(json.loads, self._files.lines(name, 2))
+            summary, job = self._files.lines(name, 2)
             result = Result(summary)
             figures = result.last.figures() if result.steps else {}
             rows.append({"version": summary["version"], **figures, "status": result.status})
