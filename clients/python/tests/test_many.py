@@ -183,6 +183,21 @@ def test_answers_come_in_order_and_are_bounded(monkeypatch: pytest.MonkeyPatch) 
     assert 4 <= len(emitted) <= 7
 
 
+@pytest.mark.parametrize(("ordered", "read"), [(True, [0]), (False, [0, 2, 3, 4])])
+def test_what_a_study_has_is_read_as_it_is_taken(
+    tmp_path: Path, ordered: bool, read: list[int]
+) -> None:
+    records = Records(tmp_path, "1.0.0")
+    jobs = small(30)
+    for job in jobs[:1] + jobs[2:]:
+        report = {"status": "converged", "version": "1.0.0", "steps": []}
+        records.put(Outcome(brinell.document(job), "", report))
+    course = Course(jobs, ordered=ordered, in_flight=4, records=records)
+    first = course.take()
+    assert [place for place, *_ in course.answers()] == read
+    assert [task.place for task in first] == [1]
+
+
 def test_what_is_no_job_does_not_stop_the_others(client: Client, tmp_path: Path) -> None:
     (tmp_path / "text.json").write_text("{")
     bad: list[Any] = [tmp_path / "none.json", tmp_path / "text.json", {"load": {1, 2}}, None]
@@ -204,6 +219,7 @@ def test_what_fails_by_chance_is_tried_again() -> None:
     assert course.take() == []
     ((_, _, outcome),) = course.answers()
     assert outcome is failed
+    assert course.take() == []
     assert course.over
 
 

@@ -387,7 +387,10 @@ class Core:
                 after = None
                 while waiting and after is None:
                     after = yield from self._hand_in(waiting, flying, course, priority)
-                if flying:
+                if answers := list(course.answers()):
+                    for answer in answers:
+                        yield Emit(answer)
+                elif flying:
                     yield from self._collect(waiting, flying, course, parts)
                     attempt = 0
                 elif after is not None:
@@ -395,8 +398,6 @@ class Core:
                     # others.
                     yield Sleep(pause(attempt, after))
                     attempt += 1
-                for answer in course.answers():
-                    yield Emit(answer)
         except GeneratorExit:
             raise
         except BaseException:

@@ -130,7 +130,7 @@ class Course:
         return taken
 
     def _next(self) -> Task | None:
-        while len(self._answers) < HELD and not self._exhausted:
+        while not (self._is_full or self._exhausted):
             try:
                 place, given = next(self._given)
             except StopIteration:
@@ -156,6 +156,12 @@ class Course:
         # Of the very text that is sent: a service refuses one key with two texts. Of the version:
         # a service that was renewed keeps the keys of its old one.
         return hashlib.sha256(f"{self.records.version} {text}".encode()).hexdigest()
+
+    @property
+    def _is_full(self) -> bool:
+        """Whether answers are to be taken before other jobs are looked at."""
+        has_turn = not self._ordered or self._next_place in self._answers
+        return len(self._answers) >= (self._in_flight if has_turn else HELD)
 
     def finish(self, task: Task, outcome: Outcome) -> None:
         """Takes the answer to a task."""

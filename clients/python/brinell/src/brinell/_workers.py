@@ -60,11 +60,12 @@ def over(
                     future = executor.submit(solve_here, task.document, parts, are_wanted)
                     tasks[future] = task
                     future.add_done_callback(finished.put)
-                if tasks:
+                if answers := list(course.answers()):
+                    yield from answers
+                elif tasks:
                     future = finished.get()
                     task = tasks.pop(future)
                     course.finish(task, _outcome(task, future))
-                yield from course.answers()
         finally:
             for future in tasks:
                 future.cancel()
