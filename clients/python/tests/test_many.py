@@ -262,17 +262,18 @@ def test_a_study_goes_on_where_it_was_killed(tmp_path: Path, client: Client) -> 
         assert kept_one.data["steps"][0]["answers"] == report["steps"][0]["answers"]
 
 
-def test_a_study_keeps_fields_and_is_anywhere(client: Client) -> None:
+def test_a_study_keeps_fields_and_is_anywhere(client: Client, tmp_path: Path) -> None:
     pytest.importorskip("fsspec")
     job = small(1, fields=True)[0]
-    address = f"memory://study-{os.getpid()}"
-    for _ in range(2):
-        ((_, result),) = client.map([job], study=address)
-        assert result.converged
-        assert result.fields().upper is not None
-    (kept,) = brinell.open_study(address)
-    assert kept.fields().lower is not None
-    assert untimed(kept.data) == untimed(result.data)
+    for address in (f"memory://study-{os.getpid()}", f"file://{tmp_path}"):
+        for _ in range(2):
+            ((_, result),) = client.map([job], study=address)
+            assert result.converged
+            assert result.fields().upper is not None
+        (kept,) = brinell.open_study(address)
+        assert kept.fields().lower is not None
+        assert untimed(kept.data) == untimed(result.data)
+    assert len(brinell.open_study(tmp_path)) == 1
 
 
 def test_a_service_solves_a_job_of_a_study_once(tmp_path: Path, client: Client) -> None:

@@ -76,6 +76,8 @@ class Files:
         self.address = os.fspath(address)
         if "://" in self.address:
             self._fs, self.address = need("fsspec.core", "studies").url_to_fs(self.address)
+            if "file" in self._fs.protocol:
+                self._fs = None
         if make and self._fs is None:
             Path(self.address).mkdir(parents=True, exist_ok=True)
         elif make:
