@@ -24,8 +24,7 @@ export async function search(look, begin, wanted, stopped) {
     looks.reduce((a, b) => (!(far(a) <= far(b)) ? b : a), { at: begin, value: NaN });
   const good = (/** @type {Look} */ one) => far(one) <= GOOD * (Math.abs(wanted) || 1);
   const ask = async (/** @type {number} */ at) => {
-    const figure = Number(at.toPrecision(5));
-    const one = { at: figure, value: await look(figure) };
+    const one = { at: Number(at.toPrecision(6)), value: await look(Number(at.toPrecision(6))) };
     looks.push(one);
     return one;
   };

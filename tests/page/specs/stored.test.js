@@ -25,15 +25,9 @@ service.test(
     await page.locator('#headline').getByText('Of an older result').waitFor();
     await page.locator('#panel-dent .plot[aria-label*="0.002746 mm deep"]').waitFor();
     const table = page.locator('#panel-figures');
-    await table
-      .getByText(/^0\.00547/)
-      .first()
-      .waitFor();
+    await table.getByText('0.0054723').waitFor();
     await page.getByLabel('Step', { exact: true }).fill('0');
-    await table
-      .getByText(/^137[01]/)
-      .first()
-      .waitFor();
+    await table.getByText('1370.8').waitFor();
     await page.waitForFunction(() =>
       document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of'),
     );

@@ -29,11 +29,10 @@ fn roll(setup: &Setup, passes: usize) -> Vec<Pass> {
         println!("{}", pass.line());
         assert!(pass.converged);
     }
-    // Without hardening, or with one that ends, strain concentrates, and a path within one column
-    // turns the stress.
-    let bound = if setup.plastic_modulus > 0.0 { 0.03 } else { 0.06 };
+    // Force, work of the traction, plastic work and stored energy are found apart.
     for gap in energy_gaps(&passes) {
-        assert!(gap < bound, "energy {gap}");
+        println!("gap {gap:.4}");
+        assert!(gap < 0.02, "energy {gap}");
     }
     passes
 }
@@ -66,6 +65,9 @@ fn a_ball_rolls_a_groove() {
     assert!(evaluations <= 75, "{evaluations}");
 }
 
+/// Grooves of the ball that hardens are the prototype's. It let its join flow, which spoils the
+/// others: they are this program's, and what holds them is the balance of energy, which closed
+/// within 7 % there, and [`super::march`].
 #[test]
 #[ignore = "full"]
 fn finer_tracks_and_other_materials_agree() {
@@ -78,30 +80,22 @@ fn finer_tracks_and_other_materials_agree() {
     groove(&passes, &[0.4069, 0.4194, 0.4239], 3e-3);
     let passes = roll(&Setup::ball(14, 3.5, TWENTIETH), 3);
     groove(&passes, &[0.4068, 0.4206, 0.4250], 3e-3);
-    close("σx", passes[2].least_residual()[0], -345.4, 3e-3);
-    close("σy", passes[2].least_residual()[1], -254.4, 3e-3);
+    close("σx", passes[2].least_residual()[0], -348.9, 3e-3);
+    close("σy", passes[2].least_residual()[1], -254.0, 3e-3);
 
     let passes = roll(&Setup::ball(10, 3.5, 0.0), 6);
-    groove(&passes[1..], &[0.4852, 0.4965, 0.5002, 0.5017, 0.5027], 0.02);
+    groove(&passes[1..], &[0.4973, 0.5051, 0.5071, 0.5078, 0.5081], 0.003);
 
-    let sliding = Setup { friction: 0.4, ..Setup::ball(7, 3.0, TWENTIETH) };
-    println!("μ .4");
-    let passes = Roller::new(&sliding).passes(4);
-    for pass in &passes {
-        println!("{}", pass.line());
-    }
     let armstrong = Setup { terms: vec![[40_000.0, 200.0]], ..Setup::ball(7, 3.5, 0.0) };
-    println!("AF");
-    groove(&roll(&armstrong, 6), &[0.352, 0.394, 0.4006, 0.4045, 0.4072, 0.4094], 0.02);
+    groove(&roll(&armstrong, 6), &[0.3737, 0.3936, 0.4013, 0.4050, 0.4078, 0.4100], 0.003);
     let sliding = Setup { friction: 0.2, ..armstrong };
-    groove(&roll(&sliding, 6), &[0.373, 0.411, 0.424, 0.429, 0.433, 0.4355], 0.02);
+    groove(&roll(&sliding, 6), &[0.3752, 0.4096, 0.4224, 0.4272, 0.4310, 0.4338], 0.003);
 
-    println!("ellipse");
     let ellipse = Setup { radii: [10.0, 50.0], ..Setup::ball(10, 3.5, TWENTIETH) };
     let passes = roll(&ellipse, 3);
-    groove(&passes, &[0.5693, 0.5823, 0.5852], 0.02);
-    close("σx", passes[2].least_residual()[0], -374.0, 0.015);
-    close("σy", passes[2].least_residual()[1], -271.0, 0.015);
+    groove(&passes, &[0.5691, 0.5824, 0.5855], 0.003);
+    close("σx", passes[2].least_residual()[0], -374.5, 3e-3);
+    close("σy", passes[2].least_residual()[1], -270.3, 3e-3);
 }
 
 #[test]
