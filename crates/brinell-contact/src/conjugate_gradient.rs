@@ -11,7 +11,8 @@
 //! and goes on to the tolerance once a set has not changed. The next set keeps cells with R > 0 and
 //! adds cells that penetrate by more than the accuracy of the inner iteration.
 //!
-//! The set is not proven to settle. If it does not, projected conjugate gradients take over.
+//! The set is not proven to settle: one of 307 704 solves of random surfaces took more than 60. Such
+//! a solve ends as not converged.
 //!
 //! # Reference
 //! M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth
@@ -20,13 +21,13 @@
 use super::vectors::{add_scaled, dot, largest, total};
 use super::{
     ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus,
-    StopHook, operator, polonsky_keer,
+    StopHook, operator,
 };
 
 /// Reduction of the residual by which an inner iteration on a new set ends. Self-affine surfaces
 /// of 512 × 512 cells take 68 and 93 applications with 0.1 for 84 and 112 with 0.02.
 const INNER_REDUCTION: f64 = 0.1;
-/// Sets after which the fallback takes over. Hertz on 32 × 32 cells takes 7, self-affine surfaces
+/// Sets after which the solver gives up. Hertz on 32 × 32 cells takes 7, self-affine surfaces
 /// of 1024 × 1024 cells 13.
 const SET_LIMIT: usize = 60;
 /// Applications within one set: a guard, not a measured bound.
@@ -151,8 +152,9 @@ impl<'a> Iteration<'a> {
             }
             let ended = residual <= 0.5 * self.tolerance || residual <= reduction * first;
             let stopped = !ended && stop().is_break();
+            let inner = Inner { approach, residual, scale, stopped };
             if ended || stopped || count == INNER_LIMIT {
-                return Ok(Inner { approach, residual, scale, stopped });
+                return Ok(inner);
             }
             self.precondition();
             if constrained {
@@ -160,6 +162,10 @@ impl<'a> Iteration<'a> {
                 add_scaled(&mut self.preconditioned, -share, &self.uniform);
             }
             let product = dot(&self.residual, &self.preconditioned);
+            // One pair under a force: what is left of its residual is rounding of the gap.
+            if product == 0.0 {
+                return Ok(inner);
+            }
             let conjugate = if count == 0 { 0.0 } else { product / previous };
             previous = product;
             for (t, z) in self.direction.iter_mut().zip(&self.preconditioned) {
@@ -216,8 +222,7 @@ impl<'a> Iteration<'a> {
         changed
     }
 
-    /// Solves on one set after another until the check passes; falls back where the sets do not
-    /// settle.
+    /// Solves on one set after another until the check passes or the sets do not settle.
     fn run(
         mut self,
         mut solution: ContactSolution,
@@ -226,14 +231,18 @@ impl<'a> Iteration<'a> {
         let problem = self.problem;
         let lowest = problem.first_touch();
         let mut reduction = INNER_REDUCTION;
-        while solution.pivots < SET_LIMIT {
+        loop {
             solution.pivots += 1;
             self.adopt(&mut solution.force);
             let inner = self.equations_of_set(&mut solution, reduction, stop)?;
-            if inner.stopped {
+            if inner.stopped || solution.pivots == SET_LIMIT {
                 self.adopt(&mut solution.force);
-                operator::finish(problem, &mut solution, inner.approach);
-                solution.status = ContactStatus::Stopped;
+                let report = operator::finish(problem, &mut solution, inner.approach);
+                solution.status = match inner.stopped {
+                    true => ContactStatus::Stopped,
+                    false if report.passes(self.tolerance) => ContactStatus::Converged,
+                    false => ContactStatus::IterationLimit,
+                };
                 return Ok(solution);
             }
             let changed = self.next_set(&solution.force, &inner);
@@ -251,7 +260,5 @@ impl<'a> Iteration<'a> {
                 }
             }
         }
-        self.adopt(&mut solution.force);
-        polonsky_keer::run(problem, solution, self.tolerance, stop)
     }
 }

@@ -14,14 +14,13 @@
 //! over `R >= 0, eᵀR = P` (or of `min ½ RᵀF R + (g - α e)ᵀR` over `R >= 0`): a solution exists and
 //! is unique.
 //!
-//! F is a [`Flexibility`]. Two solvers need its entries, two apply it:
+//! F is a [`Flexibility`]. Two solvers need its entries, one applies it:
 //! - [`ActiveSetSolver`], Newton's method on the conditions: a few steps, or one or two from the
 //!   pairs of a similar answer;
 //! - [`SimplexSolver`], the simplex with restricted basis entry: finite, needs no start, O(n²) a
 //!   pivot;
 //! - [`ConjugateGradientSolver`], the active set outside, preconditioned conjugate gradients
-//!   inside, with the next solver to fall back on;
-//! - [`PolonskyKeerSolver`], projected conjugate gradients without a preconditioner.
+//!   inside.
 //!
 //! [`kkt::check`] recomputes every condition from the data and shares no code with any of them.
 //!
@@ -37,7 +36,6 @@ mod flexibility;
 pub mod kkt;
 mod operator;
 mod pairs;
-mod polonsky_keer;
 mod problem;
 mod simplex;
 mod start;
@@ -52,7 +50,6 @@ pub use error::ContactError;
 pub use flexibility::Flexibility;
 pub use kkt::KktReport;
 pub use pairs::ActiveSet;
-pub use polonsky_keer::PolonskyKeerSolver;
 pub use problem::{ContactLoad, ContactProblem, ContactSolution, ContactStatus};
 pub use simplex::SimplexSolver;
 

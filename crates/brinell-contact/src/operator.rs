@@ -1,4 +1,4 @@
-//! The common part of the solvers that apply the flexibility: normals inclined to the approach,
+//! What surrounds the solver that applies the flexibility: normals inclined to the approach,
 //! the initial guess, and the final check.
 //!
 //! With `R' = e R`, `u' = u / e`, `g' = g / e` and `δ' = δ / e` the conditions are those of

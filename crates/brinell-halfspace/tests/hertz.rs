@@ -3,7 +3,7 @@
 
 use brinell_contact::{
     ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
-    ContactStatus, PolonskyKeerSolver, kkt, never,
+    ContactStatus, kkt, never,
 };
 use brinell_halfspace::{EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
@@ -93,19 +93,17 @@ fn errors_fall_with_the_square_of_the_cells() {
 }
 
 #[test]
-fn both_solvers_and_both_loads_give_one_answer() {
+fn both_loads_give_one_answer() {
     for ratio in [1.0, 20.0] {
         let case = case(ratio, 32);
         let load = ContactLoad::Force(case.force());
         let solution = case.solve(load, &ConjugateGradientSolver::new(1e-10));
-        let plain = case.solve(load, &PolonskyKeerSolver::new(1e-10));
-        assert!((plain.approach / solution.approach - 1.0).abs() < 1e-9);
         let approached = case
             .solve(ContactLoad::Approach(solution.approach), &ConjugateGradientSolver::new(1e-10));
         assert!((approached.total_force / case.force() - 1.0).abs() < 1e-8);
         let largest = solution.force.iter().copied().fold(0.0, f64::max);
-        for ((a, b), c) in solution.force.iter().zip(&plain.force).zip(&approached.force) {
-            assert!((a - b).abs() < 1e-7 * largest && (a - c).abs() < 1e-7 * largest);
+        for (a, b) in solution.force.iter().zip(&approached.force) {
+            assert!((a - b).abs() < 1e-7 * largest);
         }
     }
 }
