@@ -9,7 +9,7 @@ part=${1:?"which part? a crate, service or page"}
 
 # One problem for each coupling, analysis, law family, theory and kind of load.
 solver_problems=(
-    paper_problem::iteration_counts_stay_near_the_prototypes
+    paper_problem::iterations_of_every_coupling_are_bounded
     line_contact::equal_cylinders_have_hertz_pressure
     point_contact::equal_spheres_have_hertz_pressure_and_approach
     plane_stress::equal_discs_have_hertz_pressure
