@@ -32,7 +32,8 @@ fn is_called() {
     let args: Vec<String> = serde_json::from_str(&args).unwrap();
     let (call, patience, compressed) = read(&args);
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-    let answered = runtime.block_on(tokio::time::timeout(patience, ask(call, compressed)));
+    let answered =
+        runtime.block_on(async { tokio::time::timeout(patience, ask(call, compressed)).await });
     let code = match answered {
         Ok(Ok(())) => 0,
         Ok(Err(error)) => {
