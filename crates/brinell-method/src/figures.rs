@@ -1,7 +1,8 @@
 //! The scalar figures of a contact. A figure is one row of the table `figures!` here: its
-//! identifier, its quantity and its home in a result: a `member` of its own, or an `answer` alone,
-//! which needs nothing else to be shown. The row makes its member of [`Figures`], its name in the
-//! enumeration [`Figure`], and its place in every list of values, differences and error bars.
+//! identifier, its quantity, its home in a result (a `member` of its own, or an `answer` alone,
+//! which needs nothing else to be shown) and its type. The row makes its member of [`Figures`], its
+//! name in the enumeration [`Figure`], and its place in every list of values, differences and error
+//! bars.
 
 use crate::words::Quantity;
 
@@ -16,8 +17,8 @@ macro_rules! home {
 
 macro_rules! figures {
     (
-        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_quantity:ident $contact_home:ident,)* }
-        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_quantity:ident $body_home:ident,)* }
+        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_quantity:ident $contact_home:ident $contact_type:ty,)* }
+        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_quantity:ident $body_home:ident $body_type:ty,)* }
     ) => {
         /// A scalar figure of the contact, or of one body.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -60,36 +61,30 @@ macro_rules! figures {
             }
         }
 
-        /// The figures of a contact, or one number for each of them.
-        #[derive(Debug, Clone, Copy, Default, PartialEq)]
+        /// The measured figures of a contact. An engine names all of them: it measures a figure of
+        /// type `f64`, and a figure of type `Option<f64>` that it does not measure is `None`.
+        #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct Figures {
-            $($(#[$contact_doc])* pub $contact: f64,)*
-            /// Upper and lower body; zeros of a rigid one.
-            pub bodies: [BodyFigures; 2],
+            $($(#[$contact_doc])* pub $contact: $contact_type,)*
+            /// Upper and lower body; `None` of a rigid one and of one whose fields are not computed.
+            pub bodies: [Option<BodyFigures>; 2],
         }
 
-        /// The figures of one body, or one number for each of them.
-        #[derive(Debug, Clone, Copy, Default, PartialEq)]
+        /// The measured figures of one body.
+        #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct BodyFigures {
-            $($(#[$body_doc])* pub $body: f64,)*
+            $($(#[$body_doc])* pub $body: $body_type,)*
         }
 
         impl Figures {
-            /// Returns all values: contact, upper body, lower body.
-            pub fn values(&self) -> [f64; Self::COUNT] {
+            /// Returns all values.
+            pub fn values(&self) -> Values {
                 let [upper, lower] = self.bodies;
-                let all = [$(self.$contact,)* $(upper.$body,)* $(lower.$body,)*];
-                all
-            }
-
-            /// Makes figures of their values, the inverse of [`values`](Self::values).
-            pub fn of(values: [f64; Self::COUNT]) -> Self {
-                let mut values = values.into_iter();
-                let mut next = || values.next().unwrap_or_default();
-                Self {
-                    $($contact: next(),)*
-                    bodies: std::array::from_fn(|_| BodyFigures { $($body: next(),)* }),
-                }
+                Values([
+                    $(self.$contact.into(),)*
+                    $(upper.and_then(|body| body.$body.into()),)*
+                    $(lower.and_then(|body| body.$body.into()),)*
+                ])
             }
         }
     };
@@ -98,69 +93,98 @@ macro_rules! figures {
 figures! {
     contact {
         /// Largest contact pressure \[MPa\].
-        peak_pressure PeakPressure Stress member,
+        peak_pressure PeakPressure Stress member f64,
         /// Contact pressure in the middle of the contact; of a roller the largest across its middle,
         /// none of heights \[MPa\].
-        middle_pressure MiddlePressure Stress member,
+        middle_pressure MiddlePressure Stress member Option<f64>,
         /// Half-width; in three dimensions the semi-axis along x \[mm\].
-        half_width HalfWidth Length member,
+        half_width HalfWidth Length member f64,
         /// Semi-axis along y; only in three dimensions \[mm\].
-        semi_axis_y SemiAxisY Length member,
+        semi_axis_y SemiAxisY Length member Option<f64>,
         /// Area of the contact; only in three dimensions \[mm²\].
-        contact_area ContactArea Area member,
+        contact_area ContactArea Area member Option<f64>,
+        /// Area of the contact over that of the surface; only of heights \[1\].
+        contact_ratio ContactRatio Ratio member Option<f64>,
         /// Approach \[mm\].
-        approach Approach Length member,
+        approach Approach Length member f64,
         /// Contact force, of both sides of the axis \[N/mm, or N\].
-        force Force Force member,
+        force Force Force member f64,
     }
     body {
         /// Largest equivalent plastic strain at a point \[1\].
-        max_plastic_strain MaxPlasticStrain Strain member,
+        max_plastic_strain MaxPlasticStrain Strain member f64,
         /// Mean equivalent plastic strain over the plastic area \[1\].
-        mean_plastic_strain MeanPlasticStrain Strain member,
+        mean_plastic_strain MeanPlasticStrain Strain member Option<f64>,
         /// Area of the section that has yielded \[mm²\].
-        plastic_area PlasticArea Area member,
-        /// Depth down to which there is plastic strain \[mm\].
-        plastic_depth PlasticDepth Length answer,
+        plastic_area PlasticArea Area member Option<f64>,
+        /// Depth down to which there is plastic strain; `None` without plastic strain \[mm\].
+        plastic_depth PlasticDepth Length answer Option<f64>,
         /// Depth of the deepest point of the surface below the undeformed one \[mm\].
-        dent Dent Length member,
+        dent Dent Length member f64,
         /// Height of the highest point of the surface above the undeformed one \[mm\].
-        pile_up PileUp Length member,
+        pile_up PileUp Length member f64,
         /// Least stress along the surface on the normal below the middle of the contact \[MPa\].
-        least_stress LeastStress Stress member,
+        least_stress LeastStress Stress member Option<f64>,
         /// Largest von Mises stress over the strength there, that of the surface being 1 \[MPa\].
-        largest_von_mises LargestVonMises Stress member,
+        largest_von_mises LargestVonMises Stress member Option<f64>,
     }
 }
 
 impl Figures {
+    /// Returns the semi-axes along x and y; those of a circle where only one is measured \[mm\].
+    pub fn semi_axes(&self) -> [f64; 2] {
+        [self.half_width, self.semi_axis_y.unwrap_or(self.half_width)]
+    }
+}
+
+/// A number for each figure: contact, upper body, lower body. `None` where there is none, which is
+/// the default.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Values([Option<f64>; Self::COUNT]);
+
+impl Values {
     /// Number of values, with the figures of a body twice.
     pub const COUNT: usize = Figure::OF_CONTACT + 2 * Figure::OF_BODY;
 
-    /// Makes figures of a value for each figure and side.
-    pub fn by(value: impl Fn(Figure, usize) -> f64) -> Self {
-        let mut values = [0.0; Self::COUNT];
+    /// Returns the value of a figure, of a body that of one side.
+    pub const fn get(&self, figure: Figure, side: usize) -> Option<f64> {
+        self.0[figure.at(side)]
+    }
+
+    /// Returns the value of a figure, of bodies the larger one.
+    pub fn largest(&self, figure: Figure) -> Option<f64> {
+        [0, 1].into_iter().filter_map(|side| self.get(figure, side)).reduce(f64::max)
+    }
+
+    /// Sets the value of a figure, of a body that of one side.
+    pub fn set(&mut self, figure: Figure, side: usize, value: impl Into<Option<f64>>) {
+        self.0[figure.at(side)] = value.into();
+    }
+
+    /// Computes a new value from each that there is.
+    #[must_use]
+    pub fn map(&self, new: impl Fn(Figure, usize, f64) -> f64) -> Self {
+        let mut values = *self;
         for (figure, side) in Figure::ALL.iter().flat_map(|figure| [(*figure, 0), (*figure, 1)]) {
-            values[figure.at(side)] = value(figure, side);
+            let place = figure.at(side);
+            values.0[place] = self.0[place].map(|value| new(figure, side, value));
         }
-        Self::of(values)
+        values
     }
 
-    /// Returns the semi-axes along x and y \[mm\].
-    pub const fn semi_axes(&self) -> [f64; 2] {
-        [self.half_width, self.semi_axis_y]
-    }
-
-    /// Returns a figure, of a body that of one side.
-    pub fn get(&self, figure: Figure, side: usize) -> f64 {
-        self.values()[figure.at(side)]
-    }
-
-    /// Combines the values of two sets of figures one by one.
+    /// Combines values that both have.
     #[must_use]
     pub fn zip(&self, other: &Self, combine: impl Fn(f64, f64) -> f64) -> Self {
-        let (a, b) = (self.values(), other.values());
-        Self::of(std::array::from_fn(|k| combine(a[k], b[k])))
+        Self(std::array::from_fn(|k| Some(combine(self.0[k]?, other.0[k]?))))
+    }
+
+    /// Combines values that one has. The other one is 0.
+    #[must_use]
+    pub fn with(&self, other: &Self, combine: impl Fn(f64, f64) -> f64) -> Self {
+        Self(std::array::from_fn(|k| match (self.0[k], other.0[k]) {
+            (None, None) => None,
+            (a, b) => Some(combine(a.unwrap_or(0.0), b.unwrap_or(0.0))),
+        }))
     }
 }
 
@@ -180,11 +204,11 @@ impl Figure {
 
 /// A set of figures, each of a body for itself.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct FigureSet([bool; Figures::COUNT]);
+pub struct FigureSet([bool; Values::COUNT]);
 
 impl FigureSet {
     /// All figures.
-    pub const ALL: Self = Self([true; Figures::COUNT]);
+    pub const ALL: Self = Self([true; Values::COUNT]);
 
     /// Returns the set of some figures, of both bodies.
     pub fn of(figures: &[Figure]) -> Self {
@@ -236,15 +260,51 @@ impl FigureSet {
 mod tests {
     use super::*;
 
+    const BODY: BodyFigures = BodyFigures {
+        max_plastic_strain: 0.01,
+        mean_plastic_strain: None,
+        plastic_area: None,
+        plastic_depth: None,
+        dent: 0.0,
+        pile_up: 0.0,
+        least_stress: Some(-3.0),
+        largest_von_mises: None,
+    };
+
     #[test]
-    fn values_and_figures_are_each_others_inverse() {
-        let values = std::array::from_fn(|k| k as f64);
-        let figures = Figures::of(values);
-        assert_eq!(figures.values().map(f64::to_bits), values.map(f64::to_bits));
-        assert_eq!(figures.bodies[1].dent.to_bits(), values[Figure::Dent.at(1)].to_bits());
-        assert_eq!(figures.force.to_bits(), values[Figure::Force.at(1)].to_bits());
+    fn a_figure_that_is_not_measured_has_no_value() {
+        let figures = Figures {
+            peak_pressure: 2.0,
+            middle_pressure: None,
+            half_width: 1.0,
+            semi_axis_y: None,
+            contact_area: None,
+            contact_ratio: None,
+            approach: 0.0,
+            force: 5.0,
+            bodies: [None, Some(BODY)],
+        };
+        let values = figures.values();
+        assert_eq!(values.get(Figure::Force, 1), Some(5.0));
+        assert_eq!(values.get(Figure::Approach, 0), Some(0.0));
+        assert_eq!([0, 1].map(|side| values.get(Figure::Dent, side)), [None, Some(0.0)]);
+        assert_eq!(values.get(Figure::PlasticDepth, 1), None);
         assert_eq!(Figure::ALL.len(), Figure::OF_CONTACT + Figure::OF_BODY);
         assert_eq!(Figure::LargestVonMises.name(), "largest_von_mises");
+    }
+
+    #[test]
+    fn values_combine_where_both_or_one_has_them() {
+        let mut left = Values::default();
+        left.set(Figure::Dent, 1, 2.0);
+        let mut right = left;
+        right.set(Figure::Force, 0, 3.0);
+        let product = left.zip(&right, |a, b| a * b);
+        assert_eq!(product.get(Figure::Dent, 1), Some(4.0));
+        assert_eq!(product.get(Figure::Force, 0), None);
+        assert_eq!(left.with(&right, |a, b| a + b).get(Figure::Force, 0), Some(3.0));
+        let sides = right.map(|_, side, value| value + side as f64);
+        assert_eq!((sides.get(Figure::Dent, 1), sides.get(Figure::Dent, 0)), (Some(3.0), None));
     }
 
     #[test]

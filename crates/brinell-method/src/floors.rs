@@ -13,6 +13,7 @@ pub const fn floors(figure: Figure) -> [Option<f64>; 4] {
         Figure::HalfWidth => [Some(0.26), Some(0.37), Some(0.26), Some(0.21)],
         Figure::SemiAxisY => [None, None, None, Some(0.033)],
         Figure::ContactArea => [None, None, None, Some(0.065)],
+        Figure::ContactRatio => [None, None, None, None],
         Figure::Approach => [Some(0.0012), Some(0.21), Some(0.0043), Some(0.0029)],
         Figure::Force => [Some(0.001), Some(0.029), Some(0.011), Some(0.011)],
         Figure::MaxPlasticStrain => [Some(3.8), Some(2.7), Some(0.12), Some(0.23)],

@@ -18,7 +18,7 @@
 use super::contact_system::{BlockVector, ContactSystem as _};
 use super::couplings::Coupling;
 use super::couplings::iteration::{Controls, Outcome};
-use super::figures::Figures;
+use super::figures::{Figure, Figures, Values};
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
 use super::increments::{Division, Growth, IncrementEnds, Leg};
 use super::loads::Stretch;
@@ -75,7 +75,8 @@ pub trait Memory: Engine + Sized {
     /// Takes an answer apart.
     fn into_parts(answer: Self::Answer) -> (Self::System, Outcome);
 
-    /// Returns force, approach, peak pressure and half-width of an answer; zeros without contact.
+    /// Returns force, approach, peak pressure and half-width of an answer, 0 without contact, and
+    /// the pressure in the middle where that is at hand.
     fn figures(answer: &Self::Answer) -> Figures;
 
     /// Returns whether strains have outgrown the theory of small strains.
@@ -196,7 +197,7 @@ struct Found<M> {
     /// Figures at the end of each load.
     figures: Vec<Option<Figures>>,
     /// Strays of the figures on the way to each of these loads.
-    strays: Vec<Figures>,
+    strays: Vec<Values>,
     /// Whether a body collapsed, so that the loads after `figures` were not applied.
     has_collapsed: bool,
     /// Why the history ended early.
@@ -213,7 +214,7 @@ struct History<'a, E: Memory> {
 }
 
 /// The result, its division, and the change of the figures when the increments are halved.
-type Chosen<M> = (Found<M>, Division, Vec<Option<Figures>>);
+type Chosen<M> = (Found<M>, Division, Vec<Option<Values>>);
 
 impl<E: Memory> History<'_, E> {
     /// Halves the increments until the figures at the ends of the loads no longer change.
@@ -460,23 +461,22 @@ const LEAST_FIGURE: f64 = 0.05;
 fn differences<M>(
     before: &[Option<Figures>],
     Found { figures: now, strays, .. }: &Found<M>,
-) -> (Vec<Option<Figures>>, f64) {
-    let mut largest = [f64::MIN_POSITIVE; Figures::COUNT];
-    for figures in now.iter().flatten() {
-        largest
-            .iter_mut()
-            .zip(figures.values())
-            .for_each(|(most, value)| *most = most.max(value.abs()));
-    }
+) -> (Vec<Option<Values>>, f64) {
+    let least = now.iter().flatten().fold(Values::default(), |largest, figures| {
+        largest.with(&figures.values(), |most, value| most.max(value.abs()))
+    });
+    let least = least.map(|_, _, most| LEAST_FIGURE * most.max(f64::MIN_POSITIVE));
     let mut worst: f64 = 0.0;
     let pairs = before.iter().zip(now).zip(strays).map(|((before, now), strays)| {
         let (before, now) = (before.as_ref()?.values(), now.as_ref()?.values());
-        let relative =
-            |k: usize| (before[k] - now[k]).abs() / now[k].abs().max(LEAST_FIGURE * largest[k]);
-        let errors = Figures::of(std::array::from_fn(relative));
+        let scales = now.zip(&least, |now, least| now.abs().max(least));
+        let errors =
+            before.zip(&now, |before, now| (before - now).abs()).zip(&scales, |a, b| a / b);
+        let of = |values: &Values, figure| values.get(figure, 0).unwrap_or_default();
+        let of_approach = APPROACH_TOLERANCE.max(WITHIN_STRAYS * of(strays, Figure::Approach));
         worst = worst
-            .max(errors.peak_pressure / PEAK_TOLERANCE)
-            .max(errors.approach / APPROACH_TOLERANCE.max(WITHIN_STRAYS * strays.approach));
+            .max(of(&errors, Figure::PeakPressure) / PEAK_TOLERANCE)
+            .max(of(&errors, Figure::Approach) / of_approach);
         Some(errors)
     });
     (pairs.collect(), worst)

@@ -4,7 +4,7 @@
 //! their answers. The other loads get preliminary steps from the coarse system, without stresses
 //! and error bars.
 
-use super::figures::Figures;
+use super::figures::{Figures, Values};
 use super::observer::{Interrupt, Observer};
 use super::run::Run;
 use super::steps::{Step, StepReceiver};
@@ -14,7 +14,7 @@ use crate::Error;
 /// Figures of the coarse system, from which the errors of each step are estimated.
 pub(super) struct Estimates<'a> {
     pub coarse: &'a [Option<Figures>],
-    pub increments: &'a [Option<Figures>],
+    pub increments: &'a [Option<Values>],
 }
 
 /// Takes the end of each load of a history on one system.
@@ -63,9 +63,8 @@ impl<'a, F> HistorySteps<'a, F> {
                 }
             }
             Self::Final { estimates, receiver, shown, done } => {
-                let of = |figures: &[Option<Figures>]| figures.get(number).copied().flatten();
-                step.coarse = of(estimates.coarse);
-                step.increment_error = of(estimates.increments);
+                step.coarse = estimates.coarse.get(number).copied().flatten();
+                step.increment_error = estimates.increments.get(number).copied().flatten();
                 step.path.shown = shown.by(&step);
                 receiver.step(step, observer);
                 *done += 1;

@@ -1,7 +1,7 @@
 //! The steps of a solution: one for each load.
 
 use super::couplings::iteration::Outcome;
-use super::figures::{FigureSet, Figures};
+use super::figures::{FigureSet, Figures, Values};
 use super::increments::LastIncrement;
 use super::observer::{IterationRecord, Observer, SolveStatus};
 use brinell_contact::{ContactLoad, KktReport};
@@ -15,8 +15,8 @@ pub struct IncrementRecord {
     pub approach: f64,
     /// Largest contact pressure \[MPa\].
     pub peak_pressure: f64,
-    /// Contact pressure in the middle of the contact \[MPa\].
-    pub middle_pressure: f64,
+    /// Contact pressure in the middle of the contact, where it is measured \[MPa\].
+    pub middle_pressure: Option<f64>,
     /// Half-width \[mm\].
     pub half_width: f64,
     /// Iterations made.
@@ -76,13 +76,12 @@ pub struct Step<F> {
     pub status: SolveStatus,
     /// The prescribed force or approach.
     pub load: ContactLoad,
-    /// The scalar figures of contact and bodies; those of the bodies are zero where the iteration
-    /// was stopped.
+    /// The scalar figures of contact and bodies.
     pub figures: Figures,
     /// The same figures on a system of half the density, for error bars; `None` without one.
     pub coarse: Option<Figures>,
     /// Relative changes of the figures by half as many increments; histories only.
-    pub increment_error: Option<Figures>,
+    pub increment_error: Option<Values>,
     /// What the final check has found.
     pub checks: Checks,
     /// Records of all iterations.
@@ -126,7 +125,7 @@ pub struct Path {
     pub reached: [f64; 2],
     /// Least relative errors of the figures: the strays of this load and, at the requested density,
     /// the differences to the coarse system that the loads so far have shown.
-    pub shown: Figures,
+    pub shown: Values,
     /// Whether a point flowed in the last increment.
     pub flows: bool,
     /// Energies, of bodies with a memory.

@@ -243,7 +243,7 @@ fn a_peak_at_an_end_is_no_mean_with_what_lies_beyond() {
     let bars = step.estimated_error.unwrap();
     assert_eq!(bars.peak_pressure, None);
     near(
-        finer.contact.middle_pressure,
+        finer.contact.middle_pressure.unwrap(),
         along(&step).middle_pressure,
         bars.middle_pressure.unwrap(),
     );

@@ -34,7 +34,7 @@ use brinell_solver::job::Job;
 use brinell_solver::report::{estimate_error, name_of, scales_of_floors, unknown_figures};
 use brinell_solver::solver::floors::floors;
 use brinell_solver::solver::{
-    Figure, FigureSet, Figures, Interrupt, Observer, SolveStatus, half_spaces,
+    Figure, FigureSet, Interrupt, Observer, SolveStatus, Values, half_spaces,
 };
 use random_job::Random;
 use rustix::time::{ClockId, clock_gettime};
@@ -157,13 +157,13 @@ impl Observer for Patience {
 /// A step that is solved: its figures, their relative bars, what their floors are multiplied by,
 /// and whether a body yields.
 struct Solved {
-    figures: Figures,
+    figures: Values,
     bars: Vec<Option<f64>>,
-    scales: Option<Figures>,
+    scales: Option<Values>,
     yields: bool,
 }
 
-/// Places of figures and sides in the order of `Figures`.
+/// Figures and sides in the order of `Values`.
 fn places() -> impl Iterator<Item = (Figure, usize)> {
     Figure::ALL.iter().flat_map(|figure| {
         (0..if figure.is_of_body() { 2 } else { 1 }).map(|side| (*figure, side))
@@ -194,13 +194,13 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
             let errors = half_spaces::errors(step, None);
             let bar = |(figure, side)| {
                 let errors = errors.as_ref().filter(|_| is_known(figure, side))?;
-                Some((errors.get(figure, side) / step.figures.get(figure, side)).abs())
+                Some((errors.get(figure, side)? / step.figures.values().get(figure, side)?).abs())
             };
             Solved {
-                figures: step.figures,
+                figures: step.figures.values(),
                 bars: places().map(bar).collect(),
                 scales: Some(half_spaces::scales_of_floors(step)),
-                yields: step.figures.bodies.iter().any(|body| body.max_plastic_strain > 0.0),
+                yields: step.figures.values().largest(Figure::MaxPlasticStrain) > Some(0.0),
             }
         });
         return is_solved.then(|| solved.collect());
@@ -218,7 +218,7 @@ fn solve(job: &Value) -> Option<Vec<Solved>> {
         let bars: Vec<_> =
             places().map(|(figure, side)| errors.as_ref()?.of_figure(figure, side)).collect();
         Solved {
-            figures: step.figures,
+            figures: step.figures.values(),
             bars,
             scales: scales_of_floors(&step),
             yields: step.field.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0),
@@ -344,11 +344,14 @@ fn compare(job: &Value, found: &Solved, exact: &Solved, place: &str) -> Vec<Samp
         Some("flow") => "flow",
         _ => "deformation",
     };
-    let is_shared = found.figures.bodies[0] == found.figures.bodies[1];
+    let is_shared = Figure::ALL
+        .iter()
+        .all(|figure| found.figures.get(*figure, 0) == found.figures.get(*figure, 1));
     let mut compared = Vec::new();
     for (k, (figure, side)) in places().enumerate() {
-        let [value, truth] = [found, exact].map(|step| step.figures.get(figure, side));
         let (Some(name), Some(floor)) = (name_of(figure), floors(figure)[class]) else { continue };
+        let [value, truth] = [found, exact].map(|step| step.figures.get(figure, side));
+        let (Some(value), Some(truth)) = (value, truth) else { continue };
         // Bodies alike are counted once. Nothing is said of what is prescribed, or zero.
         let is_prescribed =
             found.bars[k] == Some(0.0) || !job["load"]["target"][figure.name()].is_null();
@@ -361,8 +364,9 @@ fn compare(job: &Value, found: &Solved, exact: &Solved, place: &str) -> Vec<Samp
         {
             continue;
         }
-        let bar = found.bars[k].zip(found.scales.as_ref()).map(|(bar, scales)| {
-            let scale = scales.get(figure, side) / value.abs();
+        let scale = found.scales.and_then(|scales| scales.get(figure, side));
+        let bar = found.bars[k].zip(scale).map(|(bar, scale)| {
+            let scale = scale / value.abs();
             [bar - floor * scale, scale]
         });
         compared.push(Sample {

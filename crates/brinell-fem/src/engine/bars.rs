@@ -3,7 +3,7 @@
 
 use super::solution::StepSolution;
 use crate::element::StressState;
-use brinell_method::figures::{Figure, Figures};
+use brinell_method::figures::{Figure, Values};
 use brinell_method::floors::floors;
 use brinell_method::sought::TargetFigure;
 
@@ -22,13 +22,13 @@ pub struct Bars {
     /// Element size over half-width, h/a.
     pub size: f64,
     /// The figures of the step.
-    pub found: Figures,
-    coarse: Figures,
-    increments: Figures,
+    pub found: Values,
+    coarse: Values,
+    increments: Values,
     /// Least relative errors.
-    shown: Figures,
+    shown: Values,
     /// Factors of the floors.
-    pub scales: Figures,
+    pub scales: Values,
 }
 
 impl Bars {
@@ -42,57 +42,62 @@ impl Bars {
         if half_width <= 0.0 {
             return None;
         }
-        let figures = step.figures;
-        let mut scales = figures;
+        let found = step.figures.values();
         let largest_approach = step.figures.approach.abs().max(step.path.reached[0]);
-        scales.approach = largest_approach;
         let of_stiffness = step.field.unloading_stiffness * largest_approach;
         let is_loading = step.figures.approach >= step.path.reached[0];
         let most = if is_loading { most_of_force(step) } else { f64::INFINITY };
-        scales.force = scales.force.max(of_stiffness.min(most));
-        for (scales, body) in scales.bodies.iter_mut().zip(&step.field.bodies) {
-            let Some(body) = body else { continue };
+        let of_bodies = step.field.bodies.each_ref().map(|body| {
+            let Some(body) = body else { return [0.0; 2] };
             let points = body.stress.points.iter().flatten();
             let von_mises = points.map(|point| point.largest_von_mises).fold(0.0, f64::max);
-            let elastic_strain = von_mises / (3.0 * body.model.elastic().shear);
-            scales.max_plastic_strain += elastic_strain;
-            scales.mean_plastic_strain += elastic_strain;
-            scales.pile_up += scales.dent;
-            scales.dent = largest_approach;
-            (scales.least_stress, scales.largest_von_mises) = (von_mises, von_mises);
-        }
+            [von_mises, von_mises / (3.0 * body.model.elastic().shear)]
+        });
         // The coarsest part of a contact may have the peak pressure.
         let part = step.field.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
         let size = (step.field.spacing / half_width).max(part);
+        let scales = found.map(|figure, side, value| {
+            let [von_mises, elastic_strain] = of_bodies[side];
+            let scale = match figure {
+                Figure::Approach | Figure::Dent => largest_approach,
+                Figure::Force => value.max(of_stiffness.min(most)),
+                Figure::MaxPlasticStrain | Figure::MeanPlasticStrain => value + elastic_strain,
+                Figure::PileUp => value + found.get(Figure::Dent, side).unwrap_or_default(),
+                Figure::LeastStress | Figure::LargestVonMises => von_mises,
+                _ => value,
+            };
+            size * scale.abs()
+        });
         Some(Self {
             stress_state: step.field.stress_state,
             size,
-            found: figures,
-            coarse: step.coarse?,
+            found,
+            coarse: step.coarse?.values(),
             increments: step.increment_error.unwrap_or_default(),
             shown: step.path.shown,
-            scales: scales.zip(&scales, |scale, _| size * scale.abs()),
+            scales,
         })
     }
 
-    /// Returns the bar of a figure. A figure of 0 has the bar 0 if it is 0 on the coarser mesh too,
-    /// else no bar.
+    /// Returns the bar of a figure that both meshes have measured. A figure of 0 has the bar 0 if it
+    /// is 0 on the coarser mesh too, else no bar.
     pub fn of_figure(&self, figure: Figure, side: usize) -> Option<f64> {
-        let at = |figures: &Figures| figures.values()[figure.at(side)];
-        let (found, coarse) = (at(&self.found), at(&self.coarse));
+        let at = |values: &Values| values.get(figure, side);
+        let (found, coarse) = (at(&self.found)?, at(&self.coarse)?);
         if found == 0.0 {
             return (coarse == 0.0).then_some(0.0);
         }
-        let floor = floors(figure)[class_of(self.stress_state)]? * at(&self.scales);
+        let floor = floors(figure)[class_of(self.stress_state)]? * at(&self.scales)?;
         let of_mesh = ((found - coarse).abs() + floor) / found.abs();
-        Some(of_mesh.max(at(&self.shown)) + at(&self.increments))
+        let of_increments = at(&self.increments).unwrap_or_default();
+        Some(of_mesh.max(at(&self.shown).unwrap_or_default()) + of_increments)
     }
 
     /// Returns the bar of a target. A figure of both bodies has the larger of two bars.
     pub fn of_target(&self, target: TargetFigure) -> Option<f64> {
         let of_bodies = |figure: Figure| {
-            let [upper, lower] = [0, 1].map(|side| self.of_figure(figure, side));
-            Some(upper?.max(lower?))
+            let mut sides = (0..2).filter(|side| self.found.get(figure, *side).is_some());
+            sides.try_fold(0.0, |most, side| Some(f64::max(most, self.of_figure(figure, side)?)))
         };
         let is_circle = self.stress_state == StressState::Axisymmetric;
         match target {

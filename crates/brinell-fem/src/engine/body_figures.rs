@@ -1,4 +1,4 @@
-//! The figures of one body that have an error.
+//! The figures of one body.
 
 use crate::element::StressState;
 use crate::engine::body_solution::{BodySolution, has_yielded};
@@ -7,7 +7,7 @@ use brinell_material::analytical::Stress;
 use brinell_method::figures::BodyFigures;
 
 impl BodySolution {
-    /// All figures that have an error. Stresses are those below the node of the surface nearest to
+    /// All figures; `None` where the iteration was stopped. Stresses are those below the node of the surface nearest to
     /// the middle of the contact, under a pressure at each candidate node \[MPa\].
     pub fn figures(
         &self,
@@ -15,9 +15,9 @@ impl BodySolution {
         symmetric: bool,
         middle: f64,
         pressure: &[f64],
-    ) -> BodyFigures {
+    ) -> Option<BodyFigures> {
         if self.displacement.is_empty() {
-            return BodyFigures::default();
+            return None;
         }
         let mut recovery = recovered_under(state, symmetric, self, pressure);
         let below = self.normal_line(middle).into_iter().map(|node| {
@@ -31,10 +31,10 @@ impl BodySolution {
             below.fold([0.0; 2], |[least, most], [along, von_mises]| {
                 [f64::min(least, along), f64::max(most, von_mises)]
             });
-        BodyFigures {
+        Some(BodyFigures {
             max_plastic_strain: self.max_plastic_strain(),
-            mean_plastic_strain: self.mean_plastic_strain(),
-            plastic_area: self.plastic_area(symmetric),
+            mean_plastic_strain: Some(self.mean_plastic_strain()),
+            plastic_area: Some(self.plastic_area(symmetric)),
             plastic_depth: self
                 .stress
                 .points
@@ -42,11 +42,12 @@ impl BodySolution {
                 .flatten()
                 .filter(|point| has_yielded(point))
                 .map(|point| self.mesh.frame.place(point.position)[1])
-                .fold(0.0, f64::max),
+                .filter(|depth| *depth > 0.0)
+                .reduce(f64::max),
             dent: self.dent_depth(),
             pile_up: self.pile_up(),
-            least_stress,
-            largest_von_mises,
-        }
+            least_stress: Some(least_stress),
+            largest_von_mises: Some(largest_von_mises),
+        })
     }
 }

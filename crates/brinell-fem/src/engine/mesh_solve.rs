@@ -175,22 +175,24 @@ impl MeshSolve {
         let ContactFigures { force, approach, peak_pressure, .. } =
             self.system.figures(&self.outcome.state.response.contact);
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
-        let middle_pressure = self.middle_pressure();
         Figures {
             peak_pressure,
-            middle_pressure,
+            middle_pressure: Some(self.middle_pressure()),
             half_width,
+            semi_axis_y: None,
+            contact_area: None,
+            contact_ratio: None,
             approach,
             force,
-            ..Figures::default()
+            bodies: [None; 2],
         }
     }
 
     /// Figures of both bodies.
-    fn body_figures(&self) -> [BodyFigures; 2] {
+    fn body_figures(&self) -> [Option<BodyFigures>; 2] {
         let (system, symmetric) = (&self.system, self.system.zone.is_symmetric());
         let pressure = system.pressures(&self.outcome.state.response.contact.force);
-        let of_model: Vec<BodyFigures> = system
+        let of_model: Vec<Option<BodyFigures>> = system
             .bodies
             .iter()
             .zip(&self.fields)
@@ -199,10 +201,7 @@ impl MeshSolve {
                 solution.figures(system.stress_state, symmetric, self.middle(), &pressure)
             })
             .collect();
-        let of = |model: Option<usize>| {
-            model.and_then(|k| of_model.get(k)).copied().unwrap_or_default()
-        };
-        system.model_of.map(of)
+        system.model_of.map(|model| model.and_then(|k| *of_model.get(k)?))
     }
 
     /// Largest half-width of the contact so far, this load included \[mm\].

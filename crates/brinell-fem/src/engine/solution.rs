@@ -150,16 +150,23 @@ impl SectionField {
             let of = |body: &Arc<BodySolution>| {
                 body.figures(self.stress_state, self.symmetric, self.middle, &pressure)
             };
-            body.as_ref().map(of).unwrap_or_default()
+            body.as_ref().and_then(of)
         };
         Figures {
             peak_pressure,
-            middle_pressure: pressure_in_middle(self.stress_state, self.middle, &x, &pressure),
+            middle_pressure: Some(pressure_in_middle(
+                self.stress_state,
+                self.middle,
+                &x,
+                &pressure,
+            )),
             half_width: self.patch.map_or(0.0, |patch| patch.half_width()),
+            semi_axis_y: None,
+            contact_area: None,
+            contact_ratio: None,
             approach,
             force: self.force(),
             bodies: self.bodies.each_ref().map(of),
-            ..Figures::default()
         }
     }
 

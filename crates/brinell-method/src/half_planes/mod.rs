@@ -187,7 +187,17 @@ impl SpringAnswer {
         let ContactFigures { force, approach, peak_pressure, pairs } =
             self.system.figures(contact);
         let half_width = 0.5 * pairs as f64 * self.system.spacing;
-        Figures { peak_pressure, half_width, approach, force, ..Figures::default() }
+        Figures {
+            peak_pressure,
+            middle_pressure: None,
+            half_width,
+            semi_axis_y: None,
+            contact_area: None,
+            contact_ratio: None,
+            approach,
+            force,
+            bodies: [None; 2],
+        }
     }
 
     /// Returns the step. The check evaluates the answer anew from its forces.

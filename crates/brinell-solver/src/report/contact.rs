@@ -23,11 +23,11 @@ pub struct ContactReport {
     /// x of the largest pressure; where nothing touches, of the largest that the history had
     /// \[length\].
     pub peak_position: f64,
-    /// Pressure in the middle of the contact; of a roller the largest across its middle, 0 of heights
-    /// \[stress >= 0\].
+    /// Pressure in the middle of the contact; of a roller the largest across its middle, `null` of
+    /// heights \[stress >= 0\].
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
-    pub middle_pressure: f64,
+    pub middle_pressure: Option<f64>,
     /// Force over width, or over the area of the contact circle; of a pin in a hole over those
     /// across the approach \[stress >= 0\].
     pub mean_pressure: f64,
@@ -83,7 +83,7 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
             .map(|pair| pair.angle(step.figures.half_width).to_degrees()),
         peak_pressure: write.stress(step.figures.peak_pressure),
         peak_position: write.length(step.field.peak_position),
-        middle_pressure: write.stress(step.figures.middle_pressure),
+        middle_pressure: step.figures.middle_pressure.map(|pressure| write.stress(pressure)),
         mean_pressure: write.stress(step.field.mean_pressure(&step.figures)),
         patches: patches(step)
             .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })

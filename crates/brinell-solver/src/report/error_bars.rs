@@ -29,7 +29,7 @@ use crate::fem::element::StressState;
 use crate::inputs::meshed_contact;
 use crate::job::{Job, Load, TargetFigure};
 use crate::solver::bars::Bars;
-use crate::solver::method::figures::{Figure, FigureSet, Figures};
+use crate::solver::method::figures::{Figure, FigureSet, Values};
 use crate::solver::{
     ElasticReference, MeshedContact, SLOPE_ERROR, SLOPE_ERROR_IN_PLANE_STRESS, StepSolution,
 };
@@ -148,7 +148,7 @@ pub fn estimate_error(job: &Job, step: &StepSolution) -> (Option<ErrorEstimate>,
 
 /// Returns what the floors of the figures of a load step are multiplied by; `None` where the step
 /// has no bars.
-pub fn scales_of_floors(step: &StepSolution) -> Option<Figures> {
+pub fn scales_of_floors(step: &StepSolution) -> Option<Values> {
     Bars::of(step).map(|bars| bars.scales)
 }
 
@@ -170,8 +170,8 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
     let of_body = |side: usize| {
         step.field.bodies[side].as_ref()?;
         let of = |figure: Figure| known.bar(figure, side, bars.of_figure(figure, side));
-        let found = bars.found.bodies[side];
-        let at_surface = |figure: Figure, found: f64, beyond: fn(&UncertainStress, f64) -> f64| {
+        let at_surface = |figure: Figure, beyond: fn(&UncertainStress, f64) -> f64| {
+            let found = bars.found.get(figure, side)?;
             let added = uncertain(side).map_or(0.0, |stress| beyond(stress, found) / found.abs());
             of(figure).map(|bar| bar + added).filter(|bar| bar.is_finite())
         };
@@ -181,16 +181,8 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
             area: of(Figure::PlasticArea),
             depth: of(Figure::Dent),
             pile_up: of(Figure::PileUp),
-            least_stress: at_surface(
-                Figure::LeastStress,
-                found.least_stress,
-                UncertainStress::below,
-            ),
-            utilization: at_surface(
-                Figure::LargestVonMises,
-                found.largest_von_mises,
-                UncertainStress::above,
-            ),
+            least_stress: at_surface(Figure::LeastStress, UncertainStress::below),
+            utilization: at_surface(Figure::LargestVonMises, UncertainStress::above),
         })
     };
     // Of a tip the peak in the middle is without bound.
@@ -232,7 +224,10 @@ impl ErrorEstimate {
             Figure::PileUp => body?.pile_up,
             Figure::LeastStress => body?.least_stress,
             Figure::LargestVonMises => body?.utilization,
-            Figure::SemiAxisY | Figure::ContactArea | Figure::PlasticDepth => None,
+            Figure::SemiAxisY
+            | Figure::ContactArea
+            | Figure::ContactRatio
+            | Figure::PlasticDepth => None,
         }
     }
 

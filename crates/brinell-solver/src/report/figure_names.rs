@@ -19,6 +19,6 @@ pub const fn name_of(figure: Figure) -> Option<&'static str> {
         Figure::PileUp => "pile-up",
         Figure::LeastStress => "residual stress",
         Figure::LargestVonMises => "utilization",
-        Figure::PlasticDepth => return None,
+        Figure::ContactRatio | Figure::PlasticDepth => return None,
     })
 }

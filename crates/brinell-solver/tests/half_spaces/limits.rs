@@ -60,12 +60,17 @@ fn one_increment_from_rest_is_deformation_theory() {
     near(flow.figures.approach, whole.figures.approach, 1e-9, "approach");
     near(flow.field.largest_cell_pressure, whole.field.largest_cell_pressure, 1e-9, "peak");
     near(
-        flow.figures.bodies[1].max_plastic_strain,
-        whole.figures.bodies[1].max_plastic_strain,
+        flow.figures.bodies[1].unwrap().max_plastic_strain,
+        whole.figures.bodies[1].unwrap().max_plastic_strain,
         1e-9,
         "plastic strain",
     );
-    near(flow.figures.bodies[1].dent, whole.figures.bodies[1].dent, 1e-9, "dent");
+    near(
+        flow.figures.bodies[1].unwrap().dent,
+        whole.figures.bodies[1].unwrap().dent,
+        1e-9,
+        "dent",
+    );
 }
 
 /// `∫P dα` of the increments, by powers of the approach between them.

@@ -24,7 +24,7 @@ use brinell_solver::solver::half_spaces::{
     Conformity, HalfSpaceError, HalfSpaceProblem, HalfSpaceStep, errors, estimate, run_each,
 };
 use brinell_solver::solver::{
-    Held, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
+    Figure, Held, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 
 const YIELD_STRESS: f64 = 500.0;
@@ -266,9 +266,10 @@ fn agrees_with_hertz(radius_ratio: f64, cells: u32, [pressure, approach, axes]: 
     near(step.figures.approach, hertz.approach, approach, "approach");
     near(step.figures.semi_axes()[0], hertz.semi_axis_x, axes, "a");
     near(step.figures.semi_axes()[1], hertz.semi_axis_y, axes, "b");
-    let errors = errors(&step, None).unwrap();
-    assert!((step.figures.approach - hertz.approach).abs() <= errors.approach);
-    assert!((step.figures.peak_pressure - hertz.peak_pressure).abs() <= errors.peak_pressure);
+    let error = |figure| errors(&step, None).unwrap().get(figure, 0).unwrap();
+    let [peak, approach] = [Figure::PeakPressure, Figure::Approach].map(error);
+    assert!((step.figures.approach - hertz.approach).abs() <= approach);
+    assert!((step.figures.peak_pressure - hertz.peak_pressure).abs() <= peak);
 }
 
 #[test]
@@ -333,7 +334,7 @@ fn a_ball_under_deformation_theory() {
     let step = under(on_flat(RADIUS, steel(Some(0.05)), 6), 4.0);
     near(step.figures.peak_pressure, 1259.5, 1e-2, "peak");
     near(step.figures.approach, 2.0555e-3, 1e-2, "approach");
-    near(step.figures.bodies[1].max_plastic_strain, 5.12e-3, 6e-2, "plastic strain");
+    near(step.figures.bodies[1].unwrap().max_plastic_strain, 5.12e-3, 6e-2, "plastic strain");
     assert!((15..=26).contains(&step.history.len()), "{}", step.history.len());
 }
 
@@ -343,7 +344,7 @@ fn a_ball_under_deformation_theory_on_a_finer_grid() {
     let step = under(on_flat(RADIUS, steel(Some(0.05)), 12), 4.0);
     near(step.figures.peak_pressure, 1259.5, 3e-3, "peak");
     near(step.figures.approach, 2.0555e-3, 2e-3, "approach");
-    near(step.figures.bodies[1].max_plastic_strain, 5.12e-3, 2e-2, "plastic strain");
+    near(step.figures.bodies[1].unwrap().max_plastic_strain, 5.12e-3, 2e-2, "plastic strain");
     let by = |coupling: &'static (dyn Coupling + Sync)| {
         let mut problem = on_flat(RADIUS, steel(Some(0.05)), 12);
         problem.solver.coupling = coupling;
@@ -352,8 +353,8 @@ fn a_ball_under_deformation_theory_on_a_finer_grid() {
     for other in [by(&Strong), by(&Weak)] {
         near(other.figures.approach, step.figures.approach, 1e-6, "approach");
         near(
-            other.figures.bodies[1].max_plastic_strain,
-            step.figures.bodies[1].max_plastic_strain,
+            other.figures.bodies[1].unwrap().max_plastic_strain,
+            step.figures.bodies[1].unwrap().max_plastic_strain,
             1e-4,
             "strain",
         );
@@ -366,9 +367,9 @@ fn a_ball_under_flow_theory_and_unloaded() {
     let [loaded, unloaded] = loaded_and_unloaded(on_flat(RADIUS, steel(Some(0.05)), 15), 4.0);
     near(loaded.figures.peak_pressure, 1140.5, 5e-3, "peak");
     near(loaded.figures.approach, 2.0355e-3, 2e-3, "approach");
-    near(loaded.figures.bodies[1].max_plastic_strain, 4.79e-3, 1e-2, "plastic strain");
-    near(unloaded.figures.bodies[1].dent, 5.92e-4, 1.5e-2, "dent");
-    near(unloaded.figures.bodies[1].pile_up, 3.37e-5, 3e-2, "pile-up");
+    near(loaded.figures.bodies[1].unwrap().max_plastic_strain, 4.79e-3, 1e-2, "plastic strain");
+    near(unloaded.figures.bodies[1].unwrap().dent, 5.92e-4, 1.5e-2, "dent");
+    near(unloaded.figures.bodies[1].unwrap().pile_up, 3.37e-5, 3e-2, "pile-up");
     // Below the ring of the largest pressure.
     let column = unloaded.field.bodies[1].as_ref().unwrap().column([0.0755, 0.0]);
     let least = column.iter().min_by(|a, b| a.stress[0].total_cmp(&b.stress[0])).unwrap();
@@ -384,14 +385,14 @@ fn perfectly_plastic_balls() {
     let [loaded, unloaded] = loaded_and_unloaded(on_flat(RADIUS, steel(Some(0.0)), 15), 4.0);
     near(loaded.figures.peak_pressure, 1089.5, 5e-3, "peak");
     near(loaded.figures.approach, 2.0549e-3, 2e-3, "approach");
-    near(loaded.figures.bodies[1].max_plastic_strain, 5.18e-3, 1e-2, "plastic strain");
-    near(unloaded.figures.bodies[1].dent, 6.47e-4, 1.5e-2, "dent");
+    near(loaded.figures.bodies[1].unwrap().max_plastic_strain, 5.18e-3, 1e-2, "plastic strain");
+    near(unloaded.figures.bodies[1].unwrap().dent, 6.47e-4, 1.5e-2, "dent");
     let [loaded, unloaded] = loaded_and_unloaded(on_flat(RADIUS, steel(Some(0.0)), 15), 6.0);
     near(loaded.figures.peak_pressure, 1212.0, 5e-2, "peak");
     near(pressure_in_the_middle(&loaded), 1082.0, 1e-2, "pressure in the middle");
     near(loaded.figures.approach, 5.191e-3, 3e-3, "approach");
-    near(loaded.figures.bodies[1].max_plastic_strain, 1.014e-2, 3e-2, "plastic strain");
-    near(unloaded.figures.bodies[1].dent, 2.522e-3, 1.5e-2, "dent");
+    near(loaded.figures.bodies[1].unwrap().max_plastic_strain, 1.014e-2, 3e-2, "plastic strain");
+    near(unloaded.figures.bodies[1].unwrap().dent, 2.522e-3, 1.5e-2, "dent");
 }
 
 #[test]
@@ -400,7 +401,7 @@ fn a_ball_far_beyond_first_yield() {
     let [loaded, unloaded] = loaded_and_unloaded(on_flat(RADIUS, steel(Some(0.05)), 15), 6.0);
     near(loaded.figures.peak_pressure, 1318.0, 3e-2, "peak");
     near(loaded.figures.approach, 5.055e-3, 3e-3, "approach");
-    near(unloaded.figures.bodies[1].dent, 2.266e-3, 1.5e-2, "dent");
+    near(unloaded.figures.bodies[1].unwrap().dent, 2.266e-3, 1.5e-2, "dent");
 }
 
 #[test]
@@ -409,16 +410,16 @@ fn ellipses_that_yield() {
     let step = under(on_flat(50.0, steel(Some(0.05)), 12), 4.0);
     near(step.figures.peak_pressure, 1279.5, 3e-3, "peak");
     near(step.figures.approach, 3.8355e-3, 1e-3, "approach");
-    near(step.figures.bodies[1].max_plastic_strain, 5.05e-3, 1e-2, "plastic strain");
+    near(step.figures.bodies[1].unwrap().max_plastic_strain, 5.05e-3, 1e-2, "plastic strain");
     near(step.figures.semi_axes()[0], 0.200, 2e-2, "a");
     near(step.figures.semi_axes()[1], 0.515, 2e-2, "b");
 
     let [loaded, unloaded] = loaded_and_unloaded(on_flat(50.0, steel(Some(0.05)), 15), 4.0);
     near(loaded.figures.peak_pressure, 1174.5, 5e-3, "peak");
     near(loaded.figures.approach, 3.805e-3, 2e-3, "approach");
-    near(loaded.figures.bodies[1].max_plastic_strain, 4.80e-3, 1.5e-2, "plastic strain");
-    near(unloaded.figures.bodies[1].dent, 1.008e-3, 1.5e-2, "dent");
-    near(unloaded.figures.bodies[1].pile_up, 7.44e-5, 3e-2, "pile-up");
+    near(loaded.figures.bodies[1].unwrap().max_plastic_strain, 4.80e-3, 1.5e-2, "plastic strain");
+    near(unloaded.figures.bodies[1].unwrap().dent, 1.008e-3, 1.5e-2, "dent");
+    near(unloaded.figures.bodies[1].unwrap().pile_up, 7.44e-5, 3e-2, "pile-up");
     near(loaded.figures.semi_axes()[0], 0.200, 2e-2, "a");
     near(loaded.figures.semi_axes()[1], 0.508, 2e-2, "b");
     let column = unloaded.field.bodies[1].as_ref().unwrap().column([0.0; 2]);
@@ -431,8 +432,8 @@ fn ellipses_that_yield() {
     near(loaded.figures.peak_pressure, 1218.4, 1e-2, "peak");
     near(loaded.figures.approach, 5.264e-3, 1e-2, "approach");
     // The reference has 8 increments.
-    near(loaded.figures.bodies[1].max_plastic_strain, 5.02e-3, 1.5e-2, "plastic strain");
-    near(unloaded.figures.bodies[1].dent, 1.177e-3, 1e-2, "dent");
+    near(loaded.figures.bodies[1].unwrap().max_plastic_strain, 5.02e-3, 1.5e-2, "plastic strain");
+    near(unloaded.figures.bodies[1].unwrap().dent, 1.177e-3, 1e-2, "dent");
     // Towards plane strain.
     assert!(
         1141.0 < five
@@ -467,7 +468,7 @@ fn a_force_is_found_by_the_dent_that_it_leaves() {
     problem.loads = Loads::Sought(Sought::Target(target));
     let steps = solved(&problem);
     near(steps[0].figures.force, force_of(&problem, 4.0), 2e-2, "force");
-    near(steps[1].figures.bodies[1].dent, 5.92e-4, 1e-3, "dent");
+    near(steps[1].figures.bodies[1].unwrap().dent, 5.92e-4, 1e-3, "dent");
 }
 
 #[test]
@@ -480,7 +481,12 @@ fn two_equal_bodies_are_one_that_counts_twice() {
     // Beside a rigid ball all lengths are half as large, at the same pressures.
     near(two.figures.peak_pressure, one.figures.peak_pressure, 1e-6, "peak");
     near(two.figures.semi_axes()[0], 2.0 * one.figures.semi_axes()[0], 1e-6, "a");
-    near(two.figures.bodies[0].dent, two.figures.bodies[1].dent, f64::EPSILON, "dent");
+    near(
+        two.figures.bodies[0].unwrap().dent,
+        two.figures.bodies[1].unwrap().dent,
+        f64::EPSILON,
+        "dent",
+    );
 
     // Bodies that differ by nothing that matters are solved one beside the other.
     let elastic = Elastic {
@@ -494,6 +500,11 @@ fn two_equal_bodies_are_one_that_counts_twice() {
     both.materials[0] = Some(Solid::from(&Deformable::new(elastic, Some(harder)).unwrap()));
     let apart = under(both, 3.0);
     near(apart.figures.approach, two.figures.approach, 1e-6, "approach");
-    near(apart.figures.bodies[0].dent, apart.figures.bodies[1].dent, 1e-6, "dent");
-    near(apart.figures.bodies[0].dent, two.figures.bodies[0].dent, 1e-5, "dent");
+    near(
+        apart.figures.bodies[0].unwrap().dent,
+        apart.figures.bodies[1].unwrap().dent,
+        1e-6,
+        "dent",
+    );
+    near(apart.figures.bodies[0].unwrap().dent, two.figures.bodies[0].unwrap().dent, 1e-5, "dent");
 }

@@ -80,7 +80,17 @@ impl Answer {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
         let [x, y] = semi_axes(&self.system, &contact.force);
-        Figures { peak_pressure, half_width: x.min(y), approach, force, ..Figures::default() }
+        Figures {
+            peak_pressure,
+            middle_pressure: None,
+            half_width: x.min(y),
+            semi_axis_y: None,
+            contact_area: None,
+            contact_ratio: None,
+            approach,
+            force,
+            bodies: [None; 2],
+        }
     }
 
     /// Whether strains have outgrown the theory of small strains.

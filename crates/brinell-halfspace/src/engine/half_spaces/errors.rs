@@ -11,7 +11,7 @@
 
 use super::step::HalfSpaceStep;
 use brinell_contact::ContactLoad;
-use brinell_method::figures::{Figure, Figures};
+use brinell_method::figures::{Figure, Values};
 use brinell_method::floors::floors;
 use brinell_method::observer::SolveStatus;
 use brinell_method::sought::TargetFigure;
@@ -39,44 +39,43 @@ pub const fn figure_of(target: TargetFigure) -> Figure {
 
 /// Returns the estimated absolute errors of the figures of a step; `None` where it, or the solve on
 /// half the cells, has no answer. `sought` is the figure for which the force was sought.
-pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Figures> {
+pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Values> {
     if step.status != SolveStatus::Converged {
         return None;
     }
-    let of_grid =
-        step.figures.zip(step.coarse.as_ref()?, |fine, coarse| OF_GRID * (fine - coarse).abs());
-    let scales = scales_of_floors(step);
-    let of_floors = Figures::by(|figure, side| {
-        floors(figure)[HALF_SPACES].unwrap_or_default() * scales.get(figure, side)
-    });
-    let shown = step.figures.zip(&step.path.shown, |figure, shown| figure.abs() * shown);
-    let mut errors = of_grid.zip(&of_floors, |grid, floor| grid + floor).zip(&shown, f64::max);
-    let size = sizes(step)[1];
+    let (found, coarse) = (step.figures.values(), step.coarse?.values());
+    let of_grid = found.zip(&coarse, |fine, coarse| OF_GRID * (fine - coarse).abs());
+    let of_floors = scales_of_floors(step)
+        .map(|figure, _, scale| floors(figure)[HALF_SPACES].unwrap_or_default() * scale);
+    let shown = found.zip(&step.path.shown, |figure, shown| figure.abs() * shown);
+    let mut errors = of_grid.zip(&of_floors, |grid, floor| grid + floor).with(&shown, f64::max);
     if step.field.tilt.abs() > 0.0 {
-        errors.peak_pressure += 0.5 * (0.5 * size).powi(2) * step.figures.peak_pressure;
+        let of_place = 0.5 * (0.5 * sizes(step)[1]).powi(2) * step.figures.peak_pressure;
+        errors = errors.map(|figure, _, error| match figure {
+            Figure::PeakPressure => error + of_place,
+            _ => error,
+        });
     }
     clear_prescribed(step.load, &mut errors);
     if let Some(changes) = &step.increment_error {
-        errors = errors.zip(&of_increments(&step.figures, changes), |error, added| error + added);
+        errors = errors.zip(&of_increments(&found, changes), |error, added| error + added);
         clear_prescribed(step.load, &mut errors);
     }
     let Some(target) = sought else { return Some(errors) };
-    let of_force = of_force(&step.figures, step.search.force_error?, target);
+    let of_force = of_force(&found, step.search.force_error?, target);
     Some(errors.zip(&of_force, |error, added| error + added))
 }
 
 /// Returns the estimated relative error of the target figure.
-pub fn target_error(step: &HalfSpaceStep, errors: &Figures, figure: TargetFigure) -> f64 {
+pub fn target_error(step: &HalfSpaceStep, errors: &Values, figure: TargetFigure) -> Option<f64> {
     let figure = figure_of(figure);
-    let larger = |set: &Figures| set.get(figure, 0).max(set.get(figure, 1));
-    let [error, value] = [errors, &step.figures]
-        .map(|set| if figure.is_of_body() { larger(set) } else { set.get(figure, 0) });
-    (error / value.abs().max(f64::MIN_POSITIVE)).abs()
+    let (error, value) = (errors.largest(figure)?, step.figures.values().largest(figure)?);
+    Some((error / value.abs().max(f64::MIN_POSITIVE)).abs())
 }
 
 /// Returns the errors by the relative error of a force that was sought. The figure of the target
 /// has none.
-fn of_force(figures: &Figures, error: f64, target: TargetFigure) -> Figures {
+fn of_force(found: &Values, error: f64, target: TargetFigure) -> Values {
     let exponent = |figure: Figure| match (figure, target) {
         (Figure::PeakPressure, TargetFigure::PeakPressure)
         | (Figure::HalfWidth | Figure::SemiAxisY, TargetFigure::HalfWidth) => 0.0,
@@ -92,41 +91,41 @@ fn of_force(figures: &Figures, error: f64, target: TargetFigure) -> Figures {
         (Figure::MaxPlasticStrain | Figure::MeanPlasticStrain, _) => 1.5,
         _ => 1.0,
     };
-    Figures::by(|figure, side| exponent(figure) * error * figures.get(figure, side).abs())
+    found.map(|figure, _, value| exponent(figure) * error * value.abs())
 }
 
 /// A prescribed quantity has no error.
-fn clear_prescribed(load: ContactLoad, errors: &mut Figures) {
+fn clear_prescribed(load: ContactLoad, errors: &mut Values) {
     match load {
-        ContactLoad::Force(_) => errors.force = 0.0,
-        ContactLoad::Approach(_) => errors.approach = 0.0,
+        ContactLoad::Force(_) => errors.set(Figure::Force, 0, 0.0),
+        ContactLoad::Approach(_) => errors.set(Figure::Approach, 0, 0.0),
     }
 }
 
 /// Returns the errors by the relative changes of figures under half as many increments. Approach,
 /// force and widths have changes of their own; all other figures take the change of the pressure,
 /// which is the largest.
-fn of_increments(figures: &Figures, changes: &Figures) -> Figures {
-    let Figures { peak_pressure, half_width, approach, force, .. } = *changes;
-    let relative = Figures {
-        force,
-        approach,
-        half_width,
-        semi_axis_y: half_width,
-        contact_area: 2.0 * half_width,
-        ..Figures::of([peak_pressure; Figures::COUNT])
-    };
-    relative.zip(figures, |relative, figure| OF_INCREMENTS * relative * figure.abs())
+fn of_increments(found: &Values, changes: &Values) -> Values {
+    let change = |figure: Figure| changes.get(figure, 0).unwrap_or_default();
+    found.map(|figure, _, value| {
+        let relative = match figure {
+            Figure::Force | Figure::Approach => change(figure),
+            Figure::HalfWidth | Figure::SemiAxisY => change(Figure::HalfWidth),
+            Figure::ContactArea => 2.0 * change(Figure::HalfWidth),
+            _ => change(Figure::PeakPressure),
+        };
+        OF_INCREMENTS * relative * value.abs()
+    })
 }
 
 /// Returns the factors of the floors of the figures.
-pub fn scales_of_floors(step: &HalfSpaceStep) -> Figures {
+pub fn scales_of_floors(step: &HalfSpaceStep) -> Values {
     let [along_x, along_y] = sizes(step);
     let size = along_x.max(along_y);
     let [a, b] = step.figures.semi_axes();
     let [x, y] = step.field.peak_position;
     let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
-    Figures::by(|figure, side| {
+    step.figures.values().map(|figure, _, value| {
         let of_figure = match figure {
             Figure::HalfWidth => along_x,
             Figure::SemiAxisY => along_y,
@@ -134,7 +133,7 @@ pub fn scales_of_floors(step: &HalfSpaceStep) -> Figures {
             Figure::PeakPressure => size * (1.0 + OF_RING * from_middle),
             _ => size,
         };
-        of_figure * step.figures.get(figure, side).abs()
+        of_figure * value.abs()
     })
 }
 

@@ -48,8 +48,8 @@ pub(super) fn stresses(
     Ok([upper.map(&mut of).transpose()?, lower.as_ref().map(of).transpose()?])
 }
 
-/// Derives the figures and fields of an answer. Without `stresses`, the fields and figures of
-/// stress are zero. `last_peak` is the earlier position of the largest pressure, for bodies that
+/// Derives the figures and fields of an answer. Without `stresses` there is no figure of stress,
+/// and the fields of stress are zero. `last_peak` is the earlier position of the largest pressure, for bodies that
 /// do not touch.
 pub(super) fn measure(
     system: &HalfSpaces,
@@ -64,20 +64,25 @@ pub(super) fn measure(
     let (peak_pressure, peak_cell) = system.peak(&contact.force);
     let peak_position = if touches { place(&grid, peak_cell) } else { last_peak };
     let axes = semi_axes(system, &pressure);
+    let has_stresses = stresses.is_some();
     let bodies = fields(system, stresses.unwrap_or_default());
     let gap = contact.gap.iter().zip(&pressure);
     let gap = gap.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap }).collect();
     let of_body = |body: &Option<Arc<HalfSpaceBody>>| {
-        body.as_deref().map_or_else(BodyFigures::default, |body| of_body(body, peak_position))
+        let below = has_stresses.then_some(peak_position);
+        body.as_deref().map(|body| of_body(body, below))
     };
+    let contact_area = area(system, &pressure, axes);
+    let all = grid.cell_area() * grid.n_cells() as f64;
     let figures = Figures {
         force: contact.total_force,
         approach: system.approach(contact),
         peak_pressure,
         middle_pressure: middle_pressure(system, &pressure),
         half_width: axes[0],
-        semi_axis_y: axes[1],
-        contact_area: area(system, &pressure, axes),
+        semi_axis_y: Some(axes[1]),
+        contact_area: Some(contact_area),
+        contact_ratio: system.design.is_patch().then(|| contact_area / all),
         bodies: [of_body(&bodies[0]), of_body(&bodies[1])],
     };
     Measured {
@@ -116,22 +121,27 @@ fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
     energy
 }
 
-/// Measures the figures of a body. The least stress is that below the largest pressure.
-fn of_body(body: &HalfSpaceBody, peak_position: [f64; 2]) -> BodyFigures {
+/// Measures the figures of a body. The least stress is that below a place, that of the largest
+/// pressure.
+fn of_body(body: &HalfSpaceBody, below: Option<[f64; 2]>) -> BodyFigures {
     let displacement = || body.plastic_displacement.iter().copied();
-    let column = body.column(peak_position);
     let n_cells = body.grid.n_cells();
     let strains = body.equivalent_plastic_strain.chunks(n_cells.max(1)).enumerate();
     let yielded =
         strains.filter(|(_, strains)| strains.iter().any(|e| *e > 0.0)).map(|(layer, _)| layer);
-    let below = column.iter().skip(1).map(|point| point.stress[0].min(point.stress[1]));
+    let least_stress = |place: [f64; 2]| {
+        let below = body.column(place).into_iter().skip(1);
+        below.map(|point| point.stress[0].min(point.stress[1])).fold(0.0, f64::min)
+    };
     BodyFigures {
         max_plastic_strain: body.largest_strain.map_or(0.0, |most| most.value),
+        mean_plastic_strain: None,
+        plastic_area: None,
+        plastic_depth: yielded.map(|layer| body.layers.middle(layer)).reduce(f64::max),
         dent: displacement().fold(0.0, f64::max),
         pile_up: -displacement().fold(0.0, f64::min),
-        least_stress: below.fold(0.0, f64::min),
-        plastic_depth: yielded.map(|layer| body.layers.middle(layer)).fold(0.0, f64::max),
-        ..BodyFigures::default()
+        least_stress: below.map(least_stress),
+        largest_von_mises: None,
     }
 }
 
@@ -280,18 +290,18 @@ fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
 }
 
 /// Returns the pressure in the middle of the contact: the mean of the cells beside it, of a roller the
-/// largest in the rows beside it, 0 of heights.
-fn middle_pressure(system: &HalfSpaces, pressure: &[f64]) -> f64 {
+/// largest in the rows beside it; `None` of heights.
+fn middle_pressure(system: &HalfSpaces, pressure: &[f64]) -> Option<f64> {
     let (grid, design) = (system.grid(), &system.design);
     if design.is_patch() {
-        return 0.0;
+        return None;
     }
     let middle = |n: usize| [(n - 1) / 2, n / 2];
     let cells = |i: usize| middle(grid.ny()).map(|j| pressure[i * grid.ny() + j]);
     if design.half_length.is_some() {
-        return (0..grid.nx()).flat_map(cells).fold(0.0, f64::max);
+        return Some((0..grid.nx()).flat_map(cells).fold(0.0, f64::max));
     }
-    middle(grid.nx()).into_iter().flat_map(cells).sum::<f64>() / 4.0
+    Some(middle(grid.nx()).into_iter().flat_map(cells).sum::<f64>() / 4.0)
 }
 
 /// Returns the contact area: of the ellipse with these semi-axes, of the rows of a roller, or of

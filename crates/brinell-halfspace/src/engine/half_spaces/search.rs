@@ -12,7 +12,7 @@ use super::step::{HalfSpaceBody, HalfSpaceField, HalfSpaceStep, von_mises};
 use brinell_contact::ContactLoad;
 use brinell_material::Solid;
 use brinell_method::Limit;
-use brinell_method::figures::Figures;
+use brinell_method::figures::{Figure, Figures};
 use brinell_method::force_search::{Density, Terms, find};
 use brinell_method::loads::{Tried, Wanted};
 use brinell_method::run::Run;
@@ -69,7 +69,7 @@ pub(super) fn run(
     }
     if let Sought::Target(target) = sought {
         let errors = steps.last().and_then(|step| Some((step, errors(step, None)?)));
-        let error = errors.map(|(step, errors)| target_error(step, &errors, target.figure));
+        let error = errors.and_then(|(step, errors)| target_error(step, &errors, target.figure));
         for step in &mut steps {
             step.search.force_error = error.map(|error| error / found.sensitivity);
         }
@@ -266,16 +266,17 @@ impl Parabola {
     }
 }
 
-/// Returns a figure of the contact at the end of its loads \[mm, MPa or 1\].
+/// Returns a figure of the contact at the end of its loads, of rigid bodies 0 \[mm, MPa or 1\].
 pub fn target_figure(figures: &Figures, figure: TargetFigure) -> f64 {
+    let largest = |figure: Figure| figures.values().largest(figure).unwrap_or_default();
     match figure {
         TargetFigure::PermanentApproach => figures.approach,
-        TargetFigure::DentDepth => figures.bodies[0].dent.max(figures.bodies[1].dent),
+        TargetFigure::DentDepth => largest(Figure::Dent),
         TargetFigure::PeakPressure => figures.peak_pressure,
-        TargetFigure::MeanPressure => figures.force / figures.contact_area.max(f64::MIN_POSITIVE),
-        TargetFigure::HalfWidth => figures.semi_axes()[0].min(figures.semi_axes()[1]),
-        TargetFigure::MaxPlasticStrain => {
-            figures.bodies[0].max_plastic_strain.max(figures.bodies[1].max_plastic_strain)
+        TargetFigure::MeanPressure => {
+            figures.force / largest(Figure::ContactArea).max(f64::MIN_POSITIVE)
         }
+        TargetFigure::HalfWidth => figures.semi_axes()[0].min(figures.semi_axes()[1]),
+        TargetFigure::MaxPlasticStrain => largest(Figure::MaxPlasticStrain),
     }
 }

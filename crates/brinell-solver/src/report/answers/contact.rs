@@ -161,8 +161,8 @@ impl Facts<'_> {
     /// Returns the pressure in the middle where it has a bar and the peak has none.
     fn middle_pressure(&self) -> Option<Answer> {
         let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
-        let pressure = self.step.contact.middle_pressure;
-        let bar = bars.middle_pressure.filter(|_| pressure > 0.0)?;
+        let pressure = self.step.contact.middle_pressure.filter(|pressure| *pressure > 0.0)?;
+        let bar = bars.middle_pressure?;
         Some(self.figure(Figure::MiddlePressure, pressure).error(Some(bar)))
     }
 
@@ -173,7 +173,7 @@ impl Facts<'_> {
         let contact = &self.step.contact;
         let less =
             |pressure: f64, bar: Option<f64>| pressure * (1.0 - bar.unwrap_or(1.0)).max(0.0);
-        let least = less(contact.middle_pressure, bars.middle_pressure)
+        let least = less(contact.middle_pressure.unwrap_or_default(), bars.middle_pressure)
             .max(less(contact.mean_pressure, self.mean_pressure_bar()));
         (least > 0.0).then_some(least)
     }

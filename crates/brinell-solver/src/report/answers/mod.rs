@@ -11,7 +11,7 @@ use super::findings::Finding;
 use super::{ErrorEstimate, FlowReport, LoadReport, PerBody, PlasticityReport, StepReport};
 use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory, label_of};
 use crate::solver::SolveStatus;
-use crate::solver::method::figures::{Figure, Figures};
+use crate::solver::method::figures::{Figure, Values};
 use crate::units::{UnitConverter, about};
 
 /// Relative difference of forces that are alike.
@@ -124,7 +124,7 @@ pub(super) struct Measured {
     /// The largest pressure that the flow stress carries, where the peak of heights is above it.
     pub bearable: Option<f64>,
     /// All figures.
-    pub figures: Figures,
+    pub figures: Values,
     /// Between what the approach is measured.
     pub datum: Datum,
     /// Over which points the fields were searched.
@@ -591,17 +591,16 @@ impl Facts<'_> {
         Some(Answer { body: Some(body), ..answer })
     }
 
-    /// Returns the figures that have no member of their own, where they are not 0.
-    fn without_member(&self) -> Vec<Answer> {
+    /// Returns the figures that have no member of their own.
+    pub(super) fn without_member(&self) -> Vec<Answer> {
         let mut answers = Vec::new();
         for figure in Figure::ALL.iter().filter(|figure| !figure.has_member()) {
             let sides: &[Side] =
                 if figure.is_of_body() && !self.is_alike() { &Side::BOTH } else { &[Side::Lower] };
             for side in sides {
-                let core = self.measured.figures.get(*figure, side.member());
-                if core == 0.0 {
+                let Some(core) = self.measured.figures.get(*figure, side.member()) else {
                     continue;
-                }
+                };
                 let answer = self.figure(*figure, self.write.of(figure.quantity(), core));
                 answers.push(if figure.is_of_body() {
                     answer.of(self.body(*side))

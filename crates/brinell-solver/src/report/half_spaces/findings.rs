@@ -16,7 +16,7 @@ use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, Row, SurfaceMap,
 };
-use crate::solver::method::figures::FigureSet;
+use crate::solver::method::figures::{Figure, FigureSet};
 use crate::solver::method::sought::{Loads, Sought};
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
@@ -59,8 +59,7 @@ pub(super) fn findings(
     if !step.path.unknown_before.is_empty() {
         findings.push(Finding::EarlierLoads { unknown: step.path.unknown_before });
     }
-    let strain =
-        step.figures.bodies.iter().map(|body| body.max_plastic_strain).fold(0.0, f64::max);
+    let strain = step.figures.values().largest(Figure::MaxPlasticStrain).unwrap_or_default();
     let is_history = job.has_memory();
     let last = is_history.then_some(step.path.last_increment);
     findings.extend(large_strain(strain, step.checks.has_collapsed, last));

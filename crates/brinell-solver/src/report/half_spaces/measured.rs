@@ -24,7 +24,7 @@ pub(super) fn measured(
     let at_rest = Measured {
         effective_radius: Some(radius).filter(|radius| is_smooth && radius.is_finite()),
         points: "cells",
-        figures: step.figures,
+        figures: step.figures.values(),
         ..Measured::default()
     };
     if step.status.is_stopped() {

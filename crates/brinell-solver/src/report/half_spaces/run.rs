@@ -140,7 +140,7 @@ impl StepReceiver<HalfSpaceField> for Steps<'_> {
         if let Load::Target(target) = &job.load {
             let reached = target_figure(&step.figures, target.figure);
             let errors = errors(&step, Some(target.figure));
-            let error = errors.map(|errors| target_error(&step, &errors, target.figure));
+            let error = errors.and_then(|errors| target_error(&step, &errors, target.figure));
             seen.target.take(step.figures.force, reached, error);
         }
         if step.status == SolveStatus::Converged {

@@ -82,7 +82,7 @@ fn flow_stress(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<f64> 
     let of_body = |side: usize| {
         let material = problem.materials[side].as_ref()?;
         let (law, strain) =
-            (material.hardening_law()?, step.figures.bodies[side].max_plastic_strain);
+            (material.hardening_law()?, step.figures.bodies[side]?.max_plastic_strain);
         let strongest = material.strength().map_or(1.0, |strength| strength.range().1);
         (strain > 0.0 && material.backstress().is_empty())
             .then(|| strongest * law.stress(strain).max(law.nominal_yield_stress()))
@@ -97,7 +97,7 @@ fn flow_stress(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<f64> 
 /// Nine balls that yield, against 8 cells and the limit of more: 8, 5, 3 and 1 % with 3, 4, 5 and 8
 /// cells over half of a spot.
 pub(super) fn error_of_approach(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> f64 {
-    let yields = step.figures.bodies.iter().any(|body| body.max_plastic_strain > 0.0);
+    let yields = step.figures.bodies.iter().flatten().any(|body| body.max_plastic_strain > 0.0);
     if problem.heights.is_none() || step.figures.force <= 0.0 || !yields {
         return 0.0;
     }

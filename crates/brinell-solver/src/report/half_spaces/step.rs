@@ -21,7 +21,7 @@ use crate::solver::half_spaces::{
     self, ColumnPoint, EllipticReference, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row,
     SurfaceMap, von_mises,
 };
-use crate::solver::method::figures::{Figure, Figures};
+use crate::solver::method::figures::{Figure, Values};
 use crate::solver::{SLOPE_ERROR, bounded_strain};
 use crate::units::UnitConverter;
 
@@ -92,7 +92,7 @@ impl StepWriter<'_> {
             fields: None,
             layers: (self.job.output.fields && !is_stopped)
                 .then(|| of_bodies(step, |body, _| layers(body, write))),
-            three_dimensional: Some(self.three_dimensional(step, known)),
+            three_dimensional: self.three_dimensional(step, known),
             rolling: None,
             history: step.history.iter().map(|record| in_units(record, write)).collect(),
         }
@@ -102,6 +102,7 @@ impl StepWriter<'_> {
         let (write, figures, map) = (self.write, &step.figures, &step.field.surface);
         let [a, _] = ordered(figures.semi_axes());
         let touches = figures.force > 0.0;
+        let area = figures.contact_area.filter(|_| touches);
         let pressure = section_along_x(map, &map.pressure);
         let cell = map.grid.cell_area();
         // Of inclined forces the force is a part.
@@ -117,8 +118,8 @@ impl StepWriter<'_> {
             half_angle: None,
             peak_pressure: write.stress(figures.peak_pressure),
             peak_position: write.length(step.field.peak_position[0]),
-            middle_pressure: write.stress(figures.middle_pressure),
-            mean_pressure: if touches { write.stress(borne / figures.contact_area) } else { 0.0 },
+            middle_pressure: figures.middle_pressure.map(|pressure| write.stress(pressure)),
+            mean_pressure: area.map_or(0.0, |area| write.stress(borne / area)),
             patches: touches
                 .then(|| Patch { left: write.length(-a), right: write.length(a) })
                 .into_iter()
@@ -161,18 +162,22 @@ impl StepWriter<'_> {
         is_known.then(|| self.reference.stiffness(step))
     }
 
-    fn three_dimensional(&self, step: &HalfSpaceStep, known: Known) -> ThreeDimensionalReport {
+    fn three_dimensional(
+        &self,
+        step: &HalfSpaceStep,
+        known: Known,
+    ) -> Option<ThreeDimensionalReport> {
         let (write, figures, map) = (self.write, &step.figures, &step.field.surface);
         let lengths =
             |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
         let stresses =
             |values: &[f64]| -> Vec<f64> { values.iter().map(|p| write.stress(*p)).collect() };
         let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
-        ThreeDimensionalReport {
+        Some(ThreeDimensionalReport {
             orientation: self.orientation.to_degrees(),
             a: write.length(ordered(figures.semi_axes())[0]),
             b: write.length(ordered(figures.semi_axes())[1]),
-            area: write.area(figures.contact_area),
+            area: write.area(figures.contact_area?),
             largest_cell_pressure: write.stress(step.field.largest_cell_pressure),
             peak_position_y: write.length(step.field.peak_position[1]),
             hertz: step.field.hertz.map(|hertz| EllipticHertzReport {
@@ -195,13 +200,13 @@ impl StepWriter<'_> {
                 dent: dent(step).map(|dent| lengths(&dent)),
             }),
             estimated_error: self.ellipse_errors(step, known),
-        }
+        })
     }
 
     /// Returns the report of a contact of heights.
     fn rough_contact(&self, step: &HalfSpaceStep) -> Option<RoughContactReport> {
-        self.problem.heights.as_ref()?;
-        let (write, map, figures) = (self.write, &step.field.surface, &step.figures);
+        let contact_ratio = step.figures.contact_ratio?;
+        let (write, map) = (self.write, &step.field.surface);
         let all = map.grid.cell_area() * map.grid.n_cells() as f64;
         let mut pressures: Vec<f64> = map.pressure.iter().copied().filter(|p| *p > 0.0).collect();
         pressures.sort_by(f64::total_cmp);
@@ -213,8 +218,8 @@ impl StepWriter<'_> {
         let at = |part: f64| pressures.get((part * pressures.len() as f64) as usize).copied();
         let quantiles = QUANTILES.iter().filter_map(|part| at(*part));
         Some(RoughContactReport {
-            contact_ratio: figures.contact_area / all,
-            nominal_pressure: write.stress(figures.force / all),
+            contact_ratio,
+            nominal_pressure: write.stress(step.figures.force / all),
             parts: QUANTILES.to_vec(),
             pressure_quantiles: quantiles.map(|pressure| write.stress(pressure)).collect(),
             plastic_part: plastic_part(step),
@@ -350,7 +355,7 @@ impl StepWriter<'_> {
     }
 
     /// Returns the absolute errors of the figures.
-    fn errors(&self, step: &HalfSpaceStep) -> Option<Figures> {
+    fn errors(&self, step: &HalfSpaceStep) -> Option<Values> {
         let sought = match &self.job.load {
             Load::Target(target) => Some(target.figure),
             _ => None,
@@ -364,35 +369,33 @@ impl StepWriter<'_> {
         stiffness: Option<f64>,
         known: Known,
     ) -> Option<ErrorEstimate> {
-        let (figures, errors) =
-            (&step.figures, self.errors(step).filter(|_| known.has_estimate())?);
+        let errors = self.relative_errors(step, known)?;
+        let of = |figure: Figure| errors.get(figure, 0);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies is proportional to the contact size.
-            (Some(_), _) => Some(0.5 * relative(errors.contact_area, figures.contact_area)),
+            (Some(_), _) => of(Figure::ContactArea).map(|error| 0.5 * error),
             (None, Some(_)) => Some(SLOPE_ERROR),
             (None, None) => None,
         };
-        let peak = Some(relative(errors.peak_pressure, figures.peak_pressure));
-        let peak = known.bar(Figure::PeakPressure, 0, peak);
-        let middle = relative(errors.middle_pressure, figures.middle_pressure);
+        let peak = known.bar(Figure::PeakPressure, 0, of(Figure::PeakPressure));
         let [x, y] = step.field.peak_position;
         let grid = &step.field.surface.grid;
         let is_peak_in_middle = x.abs() < BESIDE * grid.hx() && y.abs() < BESIDE * grid.hy();
         let middle = known
-            .bar(Figure::MiddlePressure, 0, Some(middle))
+            .bar(Figure::MiddlePressure, 0, of(Figure::MiddlePressure))
             .filter(|_| peak.is_some() || !is_peak_in_middle);
         let of_spots = spots::error_of_approach(self.problem, step);
         let of_spots = match step.load {
             ContactLoad::Force(_) => [of_spots, 0.0],
             ContactLoad::Approach(_) => [0.0, of_spots],
         };
-        let approach = relative(errors.approach, figures.approach) + of_spots[0];
+        let approach = of(Figure::Approach).map(|error| error + of_spots[0]);
         Some(ErrorEstimate {
             peak_pressure: peak,
-            middle_pressure: middle.filter(|_| self.problem.heights.is_none()),
-            half_width: self.semi_axis_error(step, 0),
+            middle_pressure: middle,
+            half_width: self.semi_axis_error(step, Figure::HalfWidth),
             approach: match step.load {
-                ContactLoad::Force(_) => known.bar(Figure::Approach, 0, Some(approach)),
+                ContactLoad::Force(_) => known.bar(Figure::Approach, 0, approach),
                 ContactLoad::Approach(_) => Some(0.0),
             },
             // The stress at the onset of yield is proportional to the cube root of the force.
@@ -401,7 +404,7 @@ impl StepWriter<'_> {
                     Some(CLOSED_FORM + seats::error_of_onset(self.job, self.orientation, step))
                 }
                 Load::Onset => peak.map(|peak| 3.0 * peak),
-                _ => Some(relative(errors.force, figures.force) + of_spots[1]),
+                _ => of(Figure::Force).map(|error| error + of_spots[1]),
             },
             contact_stiffness: of_stiffness,
             bodies: None,
@@ -410,21 +413,22 @@ impl StepWriter<'_> {
 
     /// Returns the relative error of a semi-axis, or `None` for heights: single asperities bound
     /// their contact.
-    fn semi_axis_error(&self, step: &HalfSpaceStep, axis: usize) -> Option<f64> {
-        let error = self.errors(step)?.semi_axes()[axis];
-        let has_heights = self.problem.heights.is_some();
-        (!has_heights).then(|| relative(error, step.figures.semi_axes()[axis]))
+    fn semi_axis_error(&self, step: &HalfSpaceStep, axis: Figure) -> Option<f64> {
+        let errors = self.errors(step).filter(|_| self.problem.heights.is_none())?;
+        errors.zip(&step.figures.values(), relative).get(axis, 0)
+    }
+
+    /// Returns the relative errors of the figures; `None` where a finding takes the estimate away.
+    fn relative_errors(&self, step: &HalfSpaceStep, known: Known) -> Option<Values> {
+        let errors = self.errors(step).filter(|_| known.has_estimate())?;
+        Some(errors.zip(&step.figures.values(), relative))
     }
 
     fn ellipse_errors(&self, step: &HalfSpaceStep, known: Known) -> Option<EllipseErrors> {
-        let (figures, errors) =
-            (&step.figures, self.errors(step).filter(|_| known.has_estimate())?);
+        let errors = self.relative_errors(step, known)?;
         let of = |side: usize| {
-            let part = |figure: Figure| {
-                let bar = relative(errors.get(figure, side), figures.get(figure, side));
-                known.bar(figure, side, Some(bar))
-            };
-            let without_load = |figure: Figure| part(figure).filter(|_| figures.force <= 0.0);
+            let part = |figure: Figure| known.bar(figure, side, errors.get(figure, side));
+            let without_load = |figure: Figure| part(figure).filter(|_| step.figures.force <= 0.0);
             step.field.bodies[side].as_ref().map(|_| BodyErrors {
                 max_equivalent_plastic_strain: part(Figure::MaxPlasticStrain),
                 mean_equivalent_plastic_strain: None,
@@ -436,8 +440,8 @@ impl StepWriter<'_> {
             })
         };
         Some(EllipseErrors {
-            b: self.semi_axis_error(step, 1),
-            area: relative(errors.contact_area, figures.contact_area),
+            b: self.semi_axis_error(step, Figure::SemiAxisY),
+            area: errors.get(Figure::ContactArea, 0)?,
             bodies: PerBody { upper: of(0), lower: of(1) },
         })
     }

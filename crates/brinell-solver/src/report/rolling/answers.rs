@@ -136,6 +136,7 @@ impl Facts<'_> {
                 .error(work)
                 .text("rolling force over the load"),
         );
+        answers.extend(self.without_member());
         answers.extend(self.limits(rolling));
         let contact = self.of_contact().into_iter();
         let has_approach = self.step.approach.is_some();

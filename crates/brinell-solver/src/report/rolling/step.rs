@@ -24,6 +24,7 @@ use crate::report::{
     PerBody, Side, StepReport, SubsurfaceReport,
 };
 use crate::solver::SolveStatus;
+use crate::solver::method::figures::{Figure, Values};
 use crate::solver::rolling::{
     BodyPass, BodyPassErrors, FrictionLimit, Hardening, Limit, Pass, PassErrors, RollingProblem,
     RollingSolution,
@@ -91,7 +92,12 @@ impl StepWriter<'_> {
             history: solution.history.iter().map(|record| in_units(record, write)).collect(),
         };
         let first_yield = reference.and_then(|reference| reference.yield_onset_force);
-        let measured = Measured { first_yield, datum: self.datum(), ..Measured::default() };
+        let mut figures = Values::default();
+        for side in 0..2 {
+            figures.set(Figure::PlasticDepth, side, self.plastic_depth(side));
+        }
+        let datum = self.datum();
+        let measured = Measured { first_yield, figures, datum, ..Measured::default() };
         report.answered(job, &measured, &findings, write)
     }
 
@@ -128,7 +134,7 @@ impl StepWriter<'_> {
             half_angle: None,
             peak_pressure: write.stress(last.peak_pressure),
             peak_position: write.length(last.peak_position),
-            middle_pressure: write.stress(self.middle_pressure()),
+            middle_pressure: self.middle_pressure().map(|pressure| write.stress(pressure)),
             mean_pressure: write.stress(mean),
             patches: touches.then_some(Patch { left, right }).into_iter().collect(),
             nodes: ContactNodes {
@@ -141,12 +147,12 @@ impl StepWriter<'_> {
     }
 
     /// Returns the pressure of the column nearest to the middle of the contact.
-    fn middle_pressure(&self) -> f64 {
+    fn middle_pressure(&self) -> Option<f64> {
         let [left, right] = self.solution.last.ends;
         let from_middle = |x: f64| (x - 0.5 * (left + right)).abs();
         let columns = self.solution.x.iter().zip(&self.solution.pressure);
         let nearest = columns.min_by(|a, b| from_middle(*a.0).total_cmp(&from_middle(*b.0)));
-        nearest.map_or(0.0, |(_, pressure)| *pressure)
+        nearest.map(|(_, pressure)| *pressure)
     }
 
     /// Returns the errors of the contact in the last pass.
@@ -353,6 +359,18 @@ impl StepWriter<'_> {
         let rows = 0..passes().next().map_or(0, |body| body.outlet.accumulated.len());
         let of_row = |row: usize| passes().map(|body| body.outlet.accumulated[row]).sum();
         rows.map(of_row).fold(0.0, f64::max)
+    }
+
+    /// Returns the depth of the lowest layer that has yielded in a pass \[mm\].
+    fn plastic_depth(&self, side: usize) -> Option<f64> {
+        let passes = self.solution.passes.iter().filter_map(|pass| pass.bodies[side].as_ref());
+        let rows = passes.flat_map(|BodyPass { outlet, .. }| {
+            let of_row = move |row: usize| outlet.depths[row / outlet.across.len().max(1)];
+            let yielded =
+                outlet.accumulated.iter().enumerate().filter(|(_, strain)| **strain > 0.0);
+            yielded.map(move |(row, _)| of_row(row))
+        });
+        rows.reduce(f64::max)
     }
 
     /// Returns what the last pass has left in the section of a track of finite width.
