@@ -2,7 +2,15 @@
 
 use strum::{IntoStaticStr, VariantArray};
 
+use super::figures::{Figure, Figures};
 use brinell_contact::ContactLoad;
+
+/// Mean pressure over the yield stress under which a figure of plastic flow is first looked for.
+const PLASTIC_START: f64 = 1.5;
+/// Mean pressure over the yield stress that a first trial does not exceed.
+const HIGHEST_START: f64 = 2.5;
+/// Mean over peak pressure of a first trial.
+const MEAN_OF_PEAK: f64 = 0.75;
 
 /// The loads of a solve.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,9 +103,61 @@ impl Sought {
     pub const fn is_permanent(self) -> bool {
         matches!(self, Self::Target(target) if target.figure.is_permanent())
     }
+
+    /// Whether the effect follows the width of the contact, which a mesh knows to half an element.
+    pub const fn follows_width(self) -> bool {
+        use TargetFigure::{HalfWidth, MeanPressure};
+        matches!(self, Self::Target(Target { figure: HalfWidth | MeanPressure, .. }))
+    }
+
+    /// Returns the mean pressure under which the effect is first looked for \[MPa\]: of bodies
+    /// that yield from `weakest` on, if they do. `None` where only a width is known.
+    pub fn first_mean_pressure(self, weakest: Option<f64>) -> Option<f64> {
+        let mean = match self {
+            Self::Onset => weakest,
+            Self::Target(Target { figure, value }) => match figure {
+                TargetFigure::HalfWidth => None,
+                TargetFigure::PeakPressure => Some(MEAN_OF_PEAK * value),
+                TargetFigure::MeanPressure => Some(value),
+                TargetFigure::PermanentApproach
+                | TargetFigure::DentDepth
+                | TargetFigure::MaxPlasticStrain => weakest.map(|stress| PLASTIC_START * stress),
+            },
+        };
+        mean.map(|mean| weakest.map_or(mean, |stress| mean.min(HIGHEST_START * stress)))
+    }
+
+    /// Returns the expected `d ln figure / d ln force`.
+    pub const fn expected_slope(self) -> f64 {
+        match self {
+            Self::Onset => 0.5,
+            Self::Target(target) => match target.figure {
+                TargetFigure::PeakPressure | TargetFigure::MeanPressure => 0.4,
+                TargetFigure::HalfWidth => 0.5,
+                TargetFigure::PermanentApproach
+                | TargetFigure::DentDepth
+                | TargetFigure::MaxPlasticStrain => 2.0,
+            },
+        }
+    }
 }
 
 impl TargetFigure {
+    /// Returns the figure at the end of the loads by which it is found \[mm, MPa or 1\]; of two
+    /// semi-axes the shorter one.
+    pub fn of(self, figures: &Figures, mean_pressure: f64) -> f64 {
+        let largest = |figure| figures.values().largest(figure).unwrap_or_default();
+        let [along_x, along_y] = figures.semi_axes();
+        match self {
+            Self::PermanentApproach => figures.approach,
+            Self::DentDepth => largest(Figure::Dent),
+            Self::PeakPressure => figures.peak_pressure,
+            Self::MeanPressure => mean_pressure,
+            Self::HalfWidth => along_x.min(along_y),
+            Self::MaxPlasticStrain => largest(Figure::MaxPlasticStrain),
+        }
+    }
+
     /// Whether the figure is measured after unloading, which needs flow theory.
     pub const fn is_permanent(self) -> bool {
         matches!(self, Self::PermanentApproach | Self::DentDepth)

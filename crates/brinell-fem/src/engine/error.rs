@@ -3,8 +3,8 @@
 use std::fmt;
 
 use crate::mesh::MeshError;
-use brinell_method::Interrupted;
 use brinell_method::observer::Interrupt;
+use brinell_method::{Interrupted, Limit};
 use sparse_cholesky::FactorizationError;
 
 /// Why a contact of meshed bodies has no solution.
@@ -60,6 +60,26 @@ pub enum MeshedError {
     },
     /// The onset of yield is sought of bodies that do not yield, or do from the first load on.
     NoYieldPoint,
+}
+
+impl MeshedError {
+    /// Returns why a force is too large to be solved.
+    ///
+    /// # Errors
+    /// The same error, where no smaller force avoids it.
+    pub(super) fn too_large(self) -> Result<Limit, Self> {
+        match self {
+            Self::TooWide { .. } | Self::TooFarRound { .. } => {
+                Ok("the contact would spread over more of the surfaces than is solved".into())
+            }
+            Self::Mesh(MeshError::ZoneBeyondBody { half_width, available }) => {
+                Ok(Limit::NoRoom { half_width, available })
+            }
+            Self::Mesh(MeshError::TooSteep { x, slope }) => Ok(Limit::TooSteep { x, slope }),
+            Self::Mesh(error) => Ok(Limit::Other(error.to_string())),
+            error => Err(error),
+        }
+    }
 }
 
 impl fmt::Display for MeshedError {

@@ -34,7 +34,6 @@ pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use conforming::{ConformingPair, MAX_HALF_ANGLE};
 pub use error::MeshedError;
 pub use final_check::TIP_ELEMENTS;
-pub use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run_each};
 pub use load_stepping::utilization::{
     EDGE_UTILIZATION, Utilization, at_narrow_edge, highest_utilization,
@@ -43,7 +42,9 @@ pub use mesh_sizing::estimate::{Estimate, estimate};
 pub use meshed_contact::{Asked, MeshedContact};
 pub use problem::{GivenBody, GivenStress, ModelOf, Problem, ProblemBody};
 pub use reference::{ElasticReference, elastic_utilization};
-pub use solution::{NarrowEdge, PairState, RoundedTip, SectionField, Solution, StepSolution};
+pub use solution::{
+    NarrowEdge, PairState, RoundedTip, SectionField, Solution, StepSolution, target_figure,
+};
 pub use surface_recovery::{
     SurfaceStress, recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,
     surface_stresses,

@@ -11,6 +11,7 @@ use brinell_material::analytical::RoundedEdge;
 use brinell_method::figures::Figures;
 use brinell_method::observer::Interrupt;
 use brinell_method::phases::PhaseTimes;
+use brinell_method::sought::TargetFigure;
 use brinell_method::steps::Step;
 
 /// The answer to a job.
@@ -209,4 +210,9 @@ pub(super) fn pressure_in_middle(
         (Some(only), None) | (None, Some(only)) => *only,
         (None, None) => 0.0,
     }
+}
+
+/// A figure of the contact at the end of the loads by which it is found \[mm, MPa or 1\].
+pub fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
+    figure.of(&step.figures, step.field.mean_pressure(&step.figures))
 }

@@ -3,11 +3,13 @@
 use std::ops::ControlFlow;
 
 use super::super::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
-use super::super::force_search::{Terms, find};
+use super::super::force_search::{Search, Trials, find};
 use super::super::history;
-use super::super::loads::{Stretch, Wanted, each_load};
+use super::super::loads::{Stretch, each_load};
 use super::super::observer::{Interrupt, IterationRecord, Observer, SolveStatus};
+use super::super::sought::{Sought, Target, TargetFigure};
 use super::*;
+use crate::Limit;
 use crate::observer::Unobserved;
 use crate::phases::PhaseTimes;
 use brinell_contact::{ContactSolver, SimplexSolver, kkt, never};
@@ -161,33 +163,57 @@ fn a_sweep_hands_over_each_load() {
     assert!((peaks[2] / peak(&single) - 1.0).abs() < 1e-9);
 }
 
+/// Springs whose force is sought.
+struct Searched;
+
+impl Trials for Searched {
+    type Field = ();
+    type Error = Error;
+
+    fn solve(
+        &self,
+        density: Density,
+        loads: &[ContactLoad],
+        run: &mut Run<'_>,
+        steps: &mut Vec<Step<()>>,
+    ) -> Result<Option<Interrupt>, Error> {
+        let springs = Springs::at(density, &Accelerated);
+        each_load(loads, steps, run, |load, _, run| {
+            Ok(springs.answer(load, run)?.step(load, LeastScales::default()))
+        })
+    }
+
+    fn too_large(error: Error) -> Result<Limit, Error> {
+        Err(error)
+    }
+
+    fn utilization(&self, _: &Step<()>) -> f64 {
+        0.0
+    }
+
+    fn figure(&self, step: &Step<()>, target: TargetFigure) -> f64 {
+        target.of(&step.figures, 0.0)
+    }
+
+    fn error(&self, _: &Step<()>, _: TargetFigure) -> Option<f64> {
+        Some(0.01)
+    }
+}
+
 #[test]
 fn a_search_finds_the_force_of_a_pressure_from_either_side() {
-    let search = |first_force: f64, wanted: f64| {
-        let terms = Terms {
-            first_force,
-            expected_slope: 0.5,
-            tolerance: 1e-3,
-            most_fine: 4,
-            missed: 0.01,
-        };
-        let ratio = |step: &Step<()>| step.figures.peak_pressure / wanted;
-        let too_large = |error: Error| Err(error);
-        let wanted = Wanted { is_permanent: false, ratio: &ratio, too_large: &too_large };
-        let trial = |density, force, run: &mut Run<'_>| {
-            wanted.trial(force, |loads, steps| {
-                let springs = Springs::at(density, &Accelerated);
-                each_load(loads, steps, run, |load, _, run| {
-                    Ok(springs.answer(load, run)?.step(load, LeastScales::default()))
-                })
-            })
-        };
-        with_run(&mut Unobserved, |run| find(trial, terms, run)).0
+    let search = |first_force: f64, value: f64| {
+        let sought = Sought::Target(Target { figure: TargetFigure::PeakPressure, value });
+        let search = Search { sought, first_force, scatter_of_width: 0.0 };
+        with_run(&mut Unobserved, |run| find(search, &Searched, run)).0
     };
     let [below, above] = [40.0, 600.0].map(|first| search(first, 600.0).unwrap());
     for found in [&below, &above] {
         assert!((found.trial.ratio - 1.0).abs() < 1e-3 && found.trial.is_converged());
         assert!((0.3..0.6).contains(&found.sensitivity), "{}", found.sensitivity);
+        let search = found.trial.steps[0].search;
+        assert_eq!(search.force_error, Some(0.01 / found.sensitivity));
+        assert!(search.systems > 1);
     }
     let [a, b] = [&below, &above].map(|found| found.trial.steps[0].figures.force);
     assert!((a / b - 1.0).abs() < 0.01, "{a} {b}");

@@ -575,6 +575,6 @@ fn the_force_of_a_fully_plastic_contact_is_known_as_its_area() {
     let size = step.field.spacing / step.figures.half_width;
     let [width, floor] =
         [Figure::HalfWidth, Figure::Force].map(|figure| floors(figure)[2].unwrap());
-    let scale = scales_of_floors(&step).unwrap().force;
+    let scale = scales_of_floors(&step).unwrap().get(Figure::Force, 0).unwrap();
     assert!(floor * scale <= 2.001 * width * size * force, "{scale} {force}");
 }

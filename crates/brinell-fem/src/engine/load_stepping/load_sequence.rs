@@ -3,17 +3,18 @@
 use std::sync::Arc;
 
 use super::history::MeshedHistory;
-use super::load_stepper::LoadStepper;
+use super::load_stepper::{LoadStepper, auxiliary};
 use crate::engine::body_system::factor_cache::FactorCache;
 use crate::engine::error::MeshedError;
 use crate::engine::meshed_contact::Asked;
 use crate::engine::problem::Problem;
 use crate::engine::solution::SectionField;
-use brinell_contact::{ContactLoad, ContactSolver};
+use brinell_contact::{ActiveSetSolver, ContactLoad, ContactSolver};
 use brinell_method::history;
 use brinell_method::loads::{Stretch, each_from_rest, each_load};
 use brinell_method::observer::Interrupt;
 use brinell_method::run::Run;
+use brinell_method::settings::Settings;
 use brinell_method::steps::StepReceiver;
 
 /// Elements over the half-width under the first load of a history, at least: from so many on a mesh
@@ -66,6 +67,13 @@ impl<'a> LoadSequence<'a> {
         each_from_rest(loads, receiver, run, serves, |stretch, run, receiver| {
             self.history(problem, stretch, run, receiver)
         })
+    }
+
+    /// The same on auxiliary meshes of other elements.
+    pub fn auxiliary(&self, elements: u32) -> Self {
+        let Settings { theory, increments, .. } = self.asked.solver;
+        let asked = Asked { elements, solver: Settings { theory, increments, ..auxiliary() } };
+        Self { asked, contact: &ActiveSetSolver, ..*self }
     }
 
     fn stepper(&self) -> LoadStepper<'a> {

@@ -2,9 +2,9 @@
 
 use crate::engine::body_system::plastic_search_region::RadialEnvelope;
 use crate::engine::error::MeshedError;
-use crate::engine::load_stepping::force_search::{first_force, starts_from_pressure};
 use crate::engine::loads::resolution_reserve;
 use crate::engine::mesh_sizing::contact_size::{ContactSizeEstimate, MAX_HALF_WIDTH, refinement};
+use crate::engine::mesh_sizing::first_force::{first_force, weakest};
 use crate::engine::meshed_contact::MeshedContact;
 use crate::engine::problem::Problem;
 use crate::mesh::{Mesh, MeshError, estimated_nodes};
@@ -119,9 +119,7 @@ fn starting_extent(
     sought: Sought,
     elements: usize,
 ) -> Option<ContactSizeEstimate> {
-    if !starts_from_pressure(sought, problem) {
-        return None;
-    }
+    sought.first_mean_pressure(weakest(problem))?;
     let load = ContactLoad::Force(first_force(sought, problem).ok()?);
     let extent = ContactSizeEstimate::expected(problem, load).ok()?;
     Some(

@@ -11,7 +11,7 @@
 
 use super::step::HalfSpaceStep;
 use brinell_contact::ContactLoad;
-use brinell_method::figures::{Figure, Values};
+use brinell_method::figures::{Figure, Figures, Values};
 use brinell_method::floors::floors;
 use brinell_method::observer::SolveStatus;
 use brinell_method::sought::TargetFigure;
@@ -64,6 +64,12 @@ pub fn errors(step: &HalfSpaceStep, sought: Option<TargetFigure>) -> Option<Valu
     let Some(target) = sought else { return Some(errors) };
     let of_force = of_force(&found, step.search.force_error?, target);
     Some(errors.zip(&of_force, |error, added| error + added))
+}
+
+/// Returns a figure of the contact at the end of its loads \[mm, MPa or 1\].
+pub fn target_figure(figures: &Figures, figure: TargetFigure) -> f64 {
+    let area = figures.contact_area.unwrap_or_default();
+    figure.of(figures, figures.force / area.max(f64::MIN_POSITIVE))
 }
 
 /// Returns the estimated relative error of the target figure.

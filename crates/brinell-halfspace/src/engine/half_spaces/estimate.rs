@@ -1,12 +1,13 @@
 //! Grid and memory of a problem, estimated before it is solved.
 
+use crate::EllipticContact;
+
 use super::design::GridDesign;
 use super::error::HalfSpaceError;
 use super::operators::bytes;
 use super::problem::{Expected, HalfSpaceProblem};
-use super::search::first_force;
 use brinell_contact::ContactLoad;
-use brinell_method::sought::{Loads, Sought, largest_loads};
+use brinell_method::sought::{Loads, Sought, Target, TargetFigure, largest_loads};
 
 /// The grid of a problem, as long as contact and plastic strain stay on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +22,8 @@ pub struct HalfSpaceEstimate {
 
 /// Overload for which a search for a force is prepared.
 const SEARCHED_OVERLOAD: f64 = 12.0;
+/// Peak over mean pressure of Hertz's ellipse.
+const PEAK_OF_MEAN: f64 = 1.5;
 
 /// Estimates the grid that a problem asks for, and its memory.
 ///
@@ -55,4 +58,26 @@ fn of_loads(problem: &HalfSpaceProblem) -> Result<Vec<Expected>, HalfSpaceError>
             first.map(expected).into_iter().collect()
         }
     })
+}
+
+/// Returns the force of the first trial \[N\].
+///
+/// # Errors
+/// [`HalfSpaceError::NoYieldPoint`].
+pub(super) fn first_force(
+    problem: &HalfSpaceProblem,
+    sought: Sought,
+) -> Result<f64, HalfSpaceError> {
+    let no_yield = HalfSpaceError::NoYieldPoint;
+    match sought {
+        Sought::Onset => problem.yield_force().ok_or(no_yield),
+        Sought::Target(Target { figure: TargetFigure::HalfWidth, value }) => {
+            let shorter = |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);
+            Ok(problem.force_where(shorter, value, 3.0))
+        }
+        Sought::Target(_) => {
+            let mean = sought.first_mean_pressure(problem.weakest()).ok_or(no_yield)?;
+            Ok(problem.force_where(|hertz| hertz.peak_pressure, PEAK_OF_MEAN * mean, 3.0))
+        }
+    }
 }

@@ -29,20 +29,20 @@ mod sizing;
 mod step;
 mod system;
 mod tilting;
+mod utilization;
 
 pub use conformity::Conformity;
 pub use error::HalfSpaceError;
 pub use errors::figure_of;
-pub use errors::{errors, scales_of_floors, target_error};
+pub use errors::{errors, scales_of_floors, target_error, target_figure};
 pub use estimate::{HalfSpaceEstimate, estimate};
 pub use gap::{HeightMap, Relief, RollerGap};
 pub use measure::Row;
 pub use problem::HalfSpaceProblem;
 pub use reference::EllipticReference;
 pub use run::{HalfSpaceRun, run_each};
-pub use search::HighestUtilization;
-pub use search::target_figure;
 pub use step::von_mises;
 pub use step::{
     ColumnPoint, HalfSpaceBody, HalfSpaceField, HalfSpaceStep, LargestStrain, SurfaceMap,
 };
+pub use utilization::HighestUtilization;
