@@ -59,7 +59,8 @@ pub(super) struct HalfSpaces {
     pub weights: Vec<Vec<f64>>,
     /// Deviators of the last accepted state.
     pub accepted: BlockVector,
-    /// Whether the peak pressure is taken after a 3 × 3 binomial mean.
+    /// Whether the peak pressure is taken after a binomial mean: over 3 × 3 cells, of a roller over 3
+    /// across its axis, because its pressure may rise towards an end as much as it falls beyond.
     pub is_smoothed: bool,
 }
 
@@ -150,9 +151,10 @@ impl HalfSpaces {
             let beyond = grid.y(cell % grid.ny()).abs() + grid.hy();
             self.design.half_length.is_some_and(|half_length| beyond > half_length)
         };
+        let along = if self.design.half_length.is_some() { [0.0, 1.0, 0.0] } else { BINOMIAL };
         let pressure = |cell: usize| {
             let is_mean = self.is_smoothed && !is_at_end(cell);
-            if is_mean { smoothed(grid, force, cell) / area } else { force[cell] / area }
+            if is_mean { smoothed(grid, force, cell, along) / area } else { force[cell] / area }
         };
         (0..force.len())
             .map(|cell| (pressure(cell), cell))
@@ -193,16 +195,18 @@ impl HalfSpaces {
     }
 }
 
-/// Returns the binomial mean of a field over 3 × 3 cells; at the rim, the value of the cell
-/// itself.
-pub(super) fn smoothed(grid: &SurfaceGrid, field: &[f64], cell: usize) -> f64 {
-    const WEIGHTS: [f64; 3] = [0.25, 0.5, 0.25];
+/// Weights of a binomial mean.
+const BINOMIAL: [f64; 3] = [0.25, 0.5, 0.25];
+
+/// Returns the mean of a field over 3 × 3 cells, binomial along x and with weights along y; at the
+/// rim, the value of the cell itself.
+fn smoothed(grid: &SurfaceGrid, field: &[f64], cell: usize, along: [f64; 3]) -> f64 {
     let (i, j) = (cell / grid.ny(), cell % grid.ny());
     if i == 0 || j == 0 || i + 1 == grid.nx() || j + 1 == grid.ny() {
         return field[cell];
     }
     let part = |n: usize| {
-        WEIGHTS[n / 3] * WEIGHTS[n % 3] * field[(i + n / 3 - 1) * grid.ny() + j + n % 3 - 1]
+        BINOMIAL[n / 3] * along[n % 3] * field[(i + n / 3 - 1) * grid.ny() + j + n % 3 - 1]
     };
     (0..9).map(part).sum()
 }
