@@ -1,4 +1,8 @@
-"""A material behind a curve of force over approach, from curves that are made here."""
+"""A material behind a curve of force over approach.
+
+Curves of closed forms say whether the material is right. Curves that the program makes here say
+only that the search ends where it should, and what it tells of noise and gaps.
+"""
 
 from __future__ import annotations
 
@@ -49,6 +53,50 @@ def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -
     assert str(found).startswith("yield_stress 48")
     assert 0 < found.mesh_error < 0.1
     assert "of the approach open" in str(found)
+
+
+def test_a_curve_of_hertz_gives_the_modulus(client: brinell.Client) -> None:
+    radius, modulus = 5.0, 210e3 / (1 - 0.3**2)
+    forces = np.array([10.0, 40.0, 160.0])
+    approach = (9 * forces**2 / (16 * radius * modulus**2)) ** (1 / 3)
+    half_space = brinell.flat(material=brinell.material(young_modulus=150e3, poisson_ratio=0.3))
+    job = brinell.job(
+        brinell.sphere(radius=radius, material=brinell.rigid),
+        half_space,
+        analysis="three_dimensional",
+        forces=list(forces),
+        elements_per_half_width=5,
+    )
+    pointer = "/lower/material/young_modulus"
+    found = brinell.identify(np.column_stack([approach, forces]), job, [pointer], client=client)
+    assert found.values[pointer] == pytest.approx(210e3, rel=1.5 * found.mesh_error)
+    assert found.mesh_error < 0.01
+
+
+@pytest.mark.full
+def test_a_berkovich_curve_in_closed_form_gives_the_yield_stress(client: brinell.Client) -> None:
+    """F = C h² of a cone of 70.3°, by Dao et al., Acta Mater. 49 (2001), within 4 % of their
+    finite elements: twice as much of a yield stress."""
+    modulus, yield_stress, offset, exponent = 206e3, 500.0, 0.002, 0.15
+    stress = yield_stress * (1 + 0.033 / offset) ** exponent
+    x = np.log(modulus / (1 - 0.3**2) / stress)
+    curvature = stress * (-1.131 * x**3 + 13.635 * x**2 - 30.594 * x + 29.267)
+    forces = np.linspace(0.003, 0.009, 4)
+    law = brinell.swift(yield_stress=400, strain_offset=offset, exponent=exponent)
+    steel = brinell.material(young_modulus=modulus, poisson_ratio=0.3, plasticity=law)
+    cone = brinell.cone(
+        angle=19.7, tip_radius=1e-4, width=0.02, depth=0.008, material=brinell.rigid
+    )
+    job = brinell.job(
+        cone,
+        brinell.block(width=0.06, depth=0.03, material=steel),
+        analysis="axisymmetric",
+        forces=list(forces),
+        elements_per_half_width=8,
+    )
+    measured = np.column_stack([np.sqrt(forces / curvature), forces])
+    found = brinell.identify(measured, job, ["yield_stress"], client=client)
+    assert found.values["yield_stress"] == pytest.approx(yield_stress, rel=0.08)
 
 
 def test_a_dent_gives_the_material_back(client: brinell.Client) -> None:
