@@ -38,7 +38,6 @@ pub mod shape;
 #[cfg(test)]
 mod strategy;
 mod surface;
-pub mod suspicions;
 pub mod tags;
 pub mod target;
 pub mod tensile;
@@ -74,6 +73,5 @@ pub use shape::{
     Parabola, Power, Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
 pub use surface::{Detrend, Surface};
-pub use suspicions::{Guess, Suspected, Suspicion};
 pub use target::{Target, TargetFigure, label_of, measure_of};
 pub use units::Units;

@@ -60,7 +60,7 @@ impl Surface {
     }
 
     /// Returns the heights of exactly one value among others that all differ.
-    pub(super) const fn block(&self) -> Option<&NoData> {
+    pub(crate) const fn block(&self) -> Option<&NoData> {
         self.block.as_ref()
     }
 

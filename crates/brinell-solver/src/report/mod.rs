@@ -27,7 +27,6 @@ mod solve_error;
 mod strength;
 mod subsurface;
 mod surface_stress;
-mod suspicions;
 mod target;
 mod validity;
 mod verdict;

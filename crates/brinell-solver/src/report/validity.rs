@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::findings::{
-    Advice, Deformation, Density, Finding, MANY_MESHES, Unconverged, Wide, Work,
+    Advice, Deformation, Density, Finding, MANY_MESHES, Unconverged, Wide, Work, guesses,
 };
 use super::mesh_effects::{
     COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
@@ -117,7 +117,7 @@ pub(super) fn findings(
         let of = deformation(job, problem, reference);
         findings.insert(of_theory, Finding::DeformationTheory(of));
     }
-    findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
+    findings.extend(guesses(job));
     findings
 }
 

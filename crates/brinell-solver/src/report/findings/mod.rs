@@ -2,6 +2,7 @@
 //! Remarks, error bars, onset and target read them: [`Finding::voids`] says which figures lose
 //! their bar, [`Finding::text`] says a finding in the units of a job. `table` has all of them.
 
+mod guesses;
 mod sentences;
 mod table;
 
@@ -17,6 +18,7 @@ use crate::solver::SolveStatus;
 use crate::solver::half_spaces::figure_of;
 use crate::solver::method::figures::{Figure, FigureSet};
 
+pub(super) use guesses::guesses;
 pub(super) use sentences::CONFORMING_ADVICE;
 pub(super) use table::Finding;
 use table::ROWS;
@@ -191,51 +193,10 @@ struct Row {
     takes: Takes,
 }
 
-const fn suspicious(code: &'static str, condition: &'static str, meaning: &'static str) -> Row {
-    Row { code, section: Section::Theory, condition, meaning, takes: Takes::Nothing }
-}
-
-/// Rows of what in a job is probably not meant.
-const SUSPICIOUS: [Row; 4] = [
-    suspicious(
-        "suspicious_units",
-        "the job is in SI with a Young's modulus below 1 MPa; a yield stress is above a tenth or \
-         below 1e-5 of Young's modulus, or above 20 MPa beside a modulus of 50 to 1000 MPa; a \
-         radius is below 1e-4 mm; by Hertz's theory the contact is wider than a body",
-        "no solid has such figures, which are probably in another unit. Then every figure is \
-         wrong by powers of ten. The message names the field and, where there is one, the figure \
-         that would fit",
-    ),
-    suspicious(
-        "suspicious_curve",
-        "a table of plastic strain rises from nothing with 0.3 to 1.1 times Young's modulus, or \
-         its second point lies at σ/E; its plastic strains are as large and as coarse as figures \
-         in per cent are; `offset` of `ramberg_osgood` lies between 5e-5 and 0.02",
-        "total strain was given as plastic, strain is in per cent, the offset is the strain of a \
-         proof stress. The message has the figure that changes",
-    ),
-    suspicious(
-        "suspicious_profile",
-        "a table over depth, a case depth or an initial stress goes on beyond five times the \
-         depth of the body, or 100 mm; no hardness is above 70 HV",
-        "depths in micrometres, HRC taken for HV",
-    ),
-    suspicious(
-        "suspicious_heights",
-        "a hundredth of the heights, and 16 at least, have exactly one value, and most others \
-         differ",
-        "missing data that were filled",
-    ),
-];
-
-fn rows() -> impl Iterator<Item = &'static Row> {
-    ROWS.iter().chain(&SUSPICIOUS)
-}
-
 /// Returns every code that a remark can have.
 pub fn validity_codes() -> Vec<&'static str> {
     let mut codes = Vec::new();
-    for row in rows() {
+    for row in ROWS {
         if !codes.contains(&row.code) {
             codes.push(row.code);
         }
@@ -249,7 +210,7 @@ pub fn validity_tables() -> Vec<(&'static str, String)> {
         let mut table = "| code | condition | meaning | takes the bars of |\n".to_owned();
         table.push_str("|---|---|---|---|\n");
         for code in validity_codes() {
-            let of_code = rows().filter(|row| row.section == *section && row.code == code);
+            let of_code = ROWS.iter().filter(|row| row.section == *section && row.code == code);
             for (k, Row { condition, meaning, takes, .. }) in of_code.enumerate() {
                 let code = if k == 0 { format!("`{code}`") } else { String::new() };
                 let _ =

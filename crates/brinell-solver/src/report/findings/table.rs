@@ -8,11 +8,10 @@ use super::{
     BELOW, CasePlace, Deformation, Density, OnsetUnknown, PEAK_AND_BELOW, Row, Section, Takes,
     Unconverged, Wide, Work,
 };
-use crate::job::{Named as _, Suspicion, TestScale, YIELD_OVER_HARDNESS};
+use crate::job::{Named as _, NoData, TestScale, YIELD_OVER_HARDNESS};
 use crate::report::figure_names::name_of;
 use crate::report::rolling::TrackVerdict;
 use crate::report::surface_stress::UncertainStress;
-use crate::report::suspicions;
 use crate::solver::MAX_HALF_ANGLE;
 use crate::solver::method::figures::{Figure, FigureSet};
 use crate::units::{UnitConverter, percent, rounded};
@@ -46,10 +45,8 @@ macro_rules! findings {
 
         impl Finding {
             /// Returns the code of the remark.
-            #[expect(unreachable_patterns, reason = "a suspicion has a code of its own")]
             pub const fn code(&self) -> &'static str {
                 match self {
-                    Self::Suspicious(suspicion) => suspicion.code,
                     $(Self::$name { .. } => $code,)+
                 }
             }
@@ -420,7 +417,7 @@ findings! {
     row Theory
         "σ_y follows from hardness"
         "σ_y = 2.876 HV − 90.7 MPa is a regression over steels of 136 to 622 HV that scatters by \
-         some 100 MPa. A second message counts the figures outside",
+         some 100 MPa",
     |write| {
                 let [slope, offset] = YIELD_OVER_HARDNESS;
                 format!(
@@ -589,9 +586,124 @@ findings! {
         100.0 * (ratio - 1.0)
     );
 
-    /// Something in the job is probably not meant. The suspicion has its own code.
-    Suspicious(suspicion: Suspicion) => "suspicious", Takes::Nothing,
-    |write| suspicions::text(suspicion, write);
+    /// A job in SI has a Young's modulus that is one of steel in MPa.
+    MillimetresInSi { pointer: String } => "suspicious_units", Takes::Nothing,
+    row Theory
+        "the job is in SI with a Young's modulus below 1 MPa; a yield stress is above a tenth or \
+         below 1e-5 of Young's modulus"
+        "no solid has such figures, which are probably in another unit. Then every figure is \
+         wrong by powers of ten. The message names the field and, where there is one, the figure \
+         that would fit",
+    |_| format!(
+        "`{pointer}`: Units are SI, but the figures look like millimetres, newtons and \
+         megapascals: metres, N/m and pascals are expected. If they are meant in mm, leave \
+         `units` out."
+    );
+
+    /// No solid has this yield stress beside this Young's modulus; the figure that would fit.
+    YieldBesideModulus {
+        pointer: String,
+        yield_stress: f64,
+        young_modulus: f64,
+        meant: Option<f64>,
+    } => "suspicious_units", Takes::Nothing,
+    |write| {
+        let meant = meant.map_or_else(String::new, |meant| {
+            format!(" {} would fit: is it given in another unit?", write.stress_text(meant))
+        });
+        format!(
+            "`{pointer}`: The yield stress, {}, is {:.3e} times Young's modulus, {}; no firm solid \
+             is like that.{meant}",
+            write.stress_text(*yield_stress),
+            yield_stress / young_modulus,
+            write.stress_text(*young_modulus),
+        )
+    };
+
+    /// A table of plastic strain looks like one of total strain; its yield stress, and that of
+    /// total strain.
+    TotalStrain { pointer: String, given: f64, meant: Option<f64> }
+    => "suspicious_curve", Takes::Nothing,
+    row Theory
+        "a table of plastic strain rises from a twentieth of its last stress or less, or its \
+         second point lies at σ/E; its plastic strains are as large and as coarse as figures in \
+         per cent are; `offset` of `ramberg_osgood` lies between 5e-5 and 0.02"
+        "total strain was given as plastic, strain is in per cent, the offset is the strain of a \
+         proof stress. The message has the figure that changes",
+    |write| {
+        let meant = meant.map_or_else(String::new, |meant| format!(
+            " As total strain it has a yield stress of {}, not {}.",
+            write.stress_text(meant),
+            write.stress_text(*given)
+        ));
+        format!(
+            "`{pointer}`: The table looks like total strain, elastic part included, and plastic \
+             strain is expected.{meant} `POST /v1/hardening-curves` and \"From total strain\" on \
+             the page convert it."
+        )
+    };
+
+    /// Plastic strains look like per cent; stresses at a plastic strain of 1 %.
+    StrainInPercent { pointer: String, largest: f64, given: f64, meant: f64 }
+    => "suspicious_curve", Takes::Nothing,
+    |write| format!(
+        "`{pointer}`: Plastic strain goes up to {}, {:.0} %: is it given in per cent? At a plastic \
+         strain of 1 % the stress is {} now, and would be {}.",
+        rounded(*largest),
+        100.0 * largest,
+        write.stress_text(*given),
+        write.stress_text(*meant),
+    );
+
+    /// The offset of Ramberg and Osgood's law, a factor, is the strain of a proof stress; the
+    /// plastic strain at the reference stress, and the factor that makes the offset that strain.
+    OffsetIsStrain { pointer: String, offset: f64, strain: f64, factor: f64 }
+    => "suspicious_curve", Takes::Nothing,
+    |_| format!(
+        "`{pointer}`: `offset` is the factor a of ε_p = a (σ_0/E) (q/σ_0)^m, and {} looks like the \
+         strain of a proof stress: the plastic strain at the reference stress is {} now. For {} \
+         there a is {}.",
+        rounded(*offset),
+        rounded(*strain),
+        rounded(*offset),
+        rounded(*factor),
+    );
+
+    /// A table over depth, a case or an initial stress goes on far beyond any case.
+    DeepProfile { pointer: String, deepest: f64 } => "suspicious_profile", Takes::Nothing,
+    row Theory
+        "a table over depth, a case depth or an initial stress goes on beyond 100 mm; no hardness \
+         is above 70 HV"
+        "depths in micrometres, HRC taken for HV",
+    |write| format!(
+        "`{pointer}`: The depths go on to {}: are they in a unit a thousand times smaller? Then the \
+         last is {}.",
+        write.length_text(*deepest),
+        write.length_text(deepest / 1e3)
+    );
+
+    /// All hardnesses are such as the scale HRC has.
+    RockwellAsVickers { pointer: String, largest: f64 } => "suspicious_profile", Takes::Nothing,
+    |_| format!(
+        "`{pointer}`: No hardness is above {}: these look like HRC, and HV is expected. Say \
+         `\"hardness_scale\": \"HRC\"` if they are.",
+        rounded(*largest)
+    );
+
+    /// Many heights have exactly one value, and all others differ.
+    OneHeight { pointer: String, heights: NoData } => "suspicious_heights", Takes::Nothing,
+    row Theory
+        "a hundredth of the heights, and 16 at least, have exactly one value, and most others \
+         differ"
+        "missing data that were filled",
+    |write| format!(
+        "`{pointer}`: {} of {} heights are exactly {}, the first at {:?}, and nearly all others \
+         differ: do they stand for missing data? A plateau that is meant is solved as it is.",
+        heights.count,
+        heights.of,
+        write.length_text(heights.height),
+        heights.places,
+    );
 
     /// No published result tells the bias of a hardness test.
     BiasUnknown { why: &'static str } => "bias_unknown", Takes::Nothing,

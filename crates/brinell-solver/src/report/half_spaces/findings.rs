@@ -7,7 +7,7 @@ use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
 use crate::report::findings::{
     CasePlace, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged, Wide, Work,
-    left_unknown,
+    guesses, left_unknown,
 };
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
@@ -95,7 +95,7 @@ pub(super) fn findings(
             bodies: [true; 2],
         });
     }
-    findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
+    findings.extend(guesses(job));
     of_shapes(problem, step, &mut findings);
     findings
 }

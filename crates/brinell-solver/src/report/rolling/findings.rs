@@ -5,7 +5,7 @@ use brinell_halfspace::track::TrackFault;
 use super::document::TrackVerdict;
 use super::verdicts::{word, worst};
 use crate::job::Job;
-use crate::report::findings::{Advice, Finding, Unconverged, Wide};
+use crate::report::findings::{Advice, Finding, Unconverged, Wide, guesses};
 use crate::report::strength::by_hardness;
 use crate::report::validity::{WIDE_CONTACT, large_strain, smallest_radius};
 use crate::solver::rolling::{RollingProblem, RollingSolution};
@@ -60,7 +60,7 @@ pub(super) fn findings(
         findings.push(Finding::FullSliding);
     }
     findings.extend(by_hardness(job));
-    findings.extend(job.suspicions().into_iter().map(Finding::Suspicious));
+    findings.extend(guesses(job));
     if half_width > 0.0 {
         let across_roller = problem.is_line();
         let longest = last.half_width_across.map_or(half_width, |across| across.max(half_width));
