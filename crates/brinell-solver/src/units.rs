@@ -16,10 +16,6 @@ impl UnitConverter {
         Self { units, force: analysis.force().quantity() }
     }
 
-    pub const fn units(self) -> Units {
-        self.units
-    }
-
     /// Converts a figure from N–mm–MPa to the units of the job. Zero loses its sign.
     pub fn figure(self, quantity: Quantity, core: f64) -> f64 {
         self.units.to_wire(quantity, core) + 0.0
