@@ -7,10 +7,10 @@ use super::grid::{TrackGrid, live_columns};
 /// Why a pass has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum TrackFault {
-    /// A traction that no hardening can bear: there is no equilibrium.
+    /// A traction under Hertz's peak pressure that no hardening can bear.
     #[error(
-        "friction asks for a shear stress of {traction} MPa at the surface, where the material \
-         bears {strength} MPa at most, after all hardening"
+        "friction asks for a shear stress of {traction} MPa at the surface under Hertz's peak \
+         pressure, where the material bears {strength} MPa at most, after all hardening"
     )]
     Traction {
         /// `|μ| p` \[MPa\].

@@ -78,8 +78,8 @@ fn meshed_text(error: &MeshedError, write: UnitConverter) -> String {
 pub(super) fn track_text(fault: &TrackFault, write: UnitConverter) -> String {
     match *fault {
         TrackFault::Traction { traction, strength } => format!(
-            "friction asks for a shear stress of {} at the surface, where the material bears {} \
-             at most, after all hardening: there is no equilibrium",
+            "friction asks for a shear stress of {} at the surface under Hertz's peak pressure, where \
+             the material bears {} at most, after all hardening: give a smaller friction or force",
             write.stress_about(traction),
             write.stress_about(strength)
         ),

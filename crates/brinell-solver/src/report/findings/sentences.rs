@@ -194,9 +194,8 @@ impl Unconverged {
                     }
                     Advice::MoreIterations => "Raise `solver.max_iterations`.",
                     Advice::SmallerLoad =>
-                        "Newton's method, to which the accelerated coupling turns last, came to \
-                         no end either: do not use the figures. A smaller load or a little \
-                         hardening may have an answer.",
+                        "The iteration stands still: do not use the figures. A smaller load or a \
+                         little hardening may have an answer.",
                 }
             ),
             Self::Moment { missing } => format!(
