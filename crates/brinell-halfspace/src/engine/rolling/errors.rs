@@ -44,8 +44,8 @@ pub struct BodyPassErrors {
     pub pile_up: f64,
     /// Of the forward displacement.
     pub forward: f64,
-    /// Of the largest accumulated plastic strain of the pass; where the first layer decides, at
-    /// least its difference to the surface.
+    /// Of the largest accumulated plastic strain of the pass; where the first layer decides, with
+    /// its difference to the surface.
     pub largest_strain: f64,
     /// Of the largest net strain of the pass, likewise.
     pub net_strain: f64,
@@ -80,7 +80,7 @@ impl PassErrors {
             };
             let strain = |of: &dyn Fn(&BodyPass) -> AtDepth| {
                 let here = fine.bodies[side].as_ref().map_or(0.0, |body| of(body).to_surface);
-                of_pass(&|body| of(body).limit()).max(here)
+                of_pass(&|body| of(body).limit()) + here
             };
             Some(BodyPassErrors {
                 groove_depth: figure(&|body| body.outlet.groove_depth),

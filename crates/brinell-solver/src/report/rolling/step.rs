@@ -274,6 +274,9 @@ impl StepWriter<'_> {
             _ => None,
         });
         let depth = place.map(|at| if at.to_surface > 0.0 { 0.0 } else { at.depth });
+        // The bar of a row goes to the surface, where the rate is.
+        let to_surface = place.map_or(0.0, |at| at.to_surface);
+        let of_columns = of_columns.map(|bar| (bar - to_surface).max(to_surface));
         Ruled {
             body: side.filter(|_| !self.problem.is_shared()).map(Side::of),
             depth: depth.map(|depth| self.write.length(depth)),
