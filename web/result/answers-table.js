@@ -69,7 +69,7 @@ export function answersTable(sides) {
     h(
       'tr',
       { 'data-row': answer.name },
-      h('th', { scope: 'row' }, answer.label),
+      h('th', { scope: 'row' }, symbol(answer.label)),
       h('td', {}, valueOf(answer)),
       h('td', { class: 'unit' }, unitOf(answer)),
       h('td', {}, barOf(answer)),

@@ -96,7 +96,7 @@ function tile(answer, all, k, sides) {
   return h(
     'div',
     { 'data-answer': answer.name },
-    h('dt', {}, answer.label),
+    h('dt', {}, symbol(answer.label)),
     h(
       'dd',
       {},
