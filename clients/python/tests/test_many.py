@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import pickle
@@ -15,12 +16,14 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
+import httpx
 import numpy as np
 import pytest
 from conftest import roller
 
 import brinell
 from brinell import Client
+from brinell._core import Core, Emit, Send
 from brinell._course import Course, Outcome
 from brinell._records import Records, digest_of
 from brinell._workers import _here
@@ -181,6 +184,27 @@ def test_answers_come_in_order_and_are_bounded(monkeypatch: pytest.MonkeyPatch) 
     emitted += [place for place, *_ in course.answers()]
     assert emitted == list(range(len(emitted)))
     assert 4 <= len(emitted) <= 7
+
+
+def test_a_result_that_cannot_be_had_now_is_asked_for_again() -> None:
+    done = {"id": "7", "done": True, "status": "succeeded", "has_result": True}
+    jobs = [
+        {"job": {"id": "7", "done": False}},
+        {"status": 503, "problem": {"title": "busy"}},
+        {"job": {**done, "result": {"steps": []}}},
+    ]
+    said = iter([httpx.Response(200, json={"jobs": [job]}) for job in jobs])
+    flow = Core(0).map(Course(small(1), ordered=False, in_flight=1), "")
+    emitted = []
+    with contextlib.suppress(StopIteration):
+        effect = next(flow)
+        while True:
+            if isinstance(effect, Emit):
+                emitted.append(effect.value)
+            is_post = isinstance(effect, Send) and effect.method == "POST"
+            effect = flow.send(next(said) if is_post else httpx.Response(204))
+    ((_, _, outcome),) = emitted
+    assert outcome.report == {"steps": []}
 
 
 @pytest.mark.parametrize(("ordered", "read"), [(True, [0]), (False, [0, 2, 3, 4])])

@@ -159,7 +159,7 @@ def call(
                 return response
             error = failure(response)
             after = retry_after(response)
-            if response.status_code not in (408, 429) and response.status_code < 500:
+            if not is_for_now(response.status_code):
                 raise error
         except httpx.TransportError as reason:
             error = unreachable(reason)
@@ -167,6 +167,11 @@ def call(
             raise error
         yield Sleep(pause(attempt, after))
         attempt += 1
+
+
+def is_for_now(status: int) -> bool:
+    """Whether an error of this HTTP status may be gone next time."""
+    return status in (408, 429) or status >= 500
 
 
 def unreachable(reason: httpx.TransportError) -> Unavailable:
@@ -435,7 +440,7 @@ class Core:
         after = None
         for task, item in zip(tasks, answer["jobs"], strict=True):
             info = item.get("job")
-            if info is None and (item["status"] in (408, 429) or item["status"] >= 500):
+            if info is None and is_for_now(item["status"]):
                 after = 1.0
                 continue
             waiting.remove(task)
@@ -450,17 +455,23 @@ class Core:
     def _collect(
         self, waiting: list[Task], flying: dict[str, list[Task]], course: Course, parts: str
     ) -> Flow[None]:
-        """Waits a moment for the job in the middle of the queue, and takes what is done."""
+        """Waits a moment for the job in the middle of the queue, and takes what is done. What the
+        service cannot say now stays, and is asked for again.
+        """
         middle = list(flying)[(len(flying) - 1) // 2]
         yield from call(
             self.retries, "HEAD", f"/v1/jobs/{middle}", params={"wait": f"{LOOK:g}"}, wait=LOOK
         )
+        after = None
         for ids in batches(flying):
             answer = yield from self.json(
                 "POST", "/v1/batch/fetch", params={"fields": parts}, body={"ids": ids}
             )
             for id, item in zip(ids, answer["jobs"], strict=True):
                 info = item.get("job")
+                if info is None and is_for_now(item["status"]):
+                    after = 1.0
+                    continue
                 if info is not None and not info["done"]:
                     continue
                 tasks = flying.pop(id)
@@ -480,6 +491,8 @@ class Core:
                     outcome = yield from self._outcome(document, info, keeps)
                 for task in tasks:
                     course.finish(task, outcome)
+        if after is not None:
+            yield Sleep(pause(0, after))
 
 
 def parts_for(records: Records | None) -> str:
