@@ -28,7 +28,7 @@ export function nextSteps(job, report, at) {
     return [];
   const solved = report.steps.filter(({ status }) => status === 'converged');
   const most = Math.max(0, ...solved.map(({ contact }) => contact.force));
-  const force = most || round(step.contact.force / 2);
+  const force = round(most || step.contact.force / 2);
   const name = `${figure(force, 4)} ${unit(forceOf(job), unitsOf(job))}`;
   return [
     {

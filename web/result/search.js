@@ -24,7 +24,8 @@ export async function search(look, begin, wanted, stopped) {
     looks.reduce((a, b) => (!(far(a) <= far(b)) ? b : a), { at: begin, value: NaN });
   const good = (/** @type {Look} */ one) => far(one) <= GOOD * (Math.abs(wanted) || 1);
   const ask = async (/** @type {number} */ at) => {
-    const one = { at: Number(at.toPrecision(6)), value: await look(Number(at.toPrecision(6))) };
+    const figure = Number(at.toPrecision(5));
+    const one = { at: figure, value: await look(figure) };
     looks.push(one);
     return one;
   };

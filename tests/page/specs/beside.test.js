@@ -45,7 +45,7 @@ for (const locale of ['de-DE', 'fr-FR'])
       await page.getByRole('button', { name: 'Jobs', exact: true }).click();
       await page
         .locator('#jobs-list .load')
-        .getByText(/P 1234\.5 N\/mm, peak 13\d\d MPa/)
+        .getByText(/P 1234\.5 N\/mm, peak \d{4} MPa/)
         .first()
         .waitFor();
     },
