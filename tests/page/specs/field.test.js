@@ -95,7 +95,7 @@ service.test('colours, probe and keys of the field', async (page) => {
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
   await page.getByText(/^lower body, .* plastic strain 0\.\d+ %$/).waitFor();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.25);
-  await page.getByText(/^upper body, /).waitFor();
+  await page.getByText(/^upper body, x/).waitFor();
 
   await page.locator('#panel-field select').first().selectOption('equivalent_plastic_strain');
   await page.waitForFunction(() =>
