@@ -273,12 +273,12 @@ impl Facts<'_> {
     }
 }
 
-/// Returns a strain in per cent with its error.
+/// Returns a strain with its error, both in per cent.
 fn strain(rate: Option<f64>, error: Option<f64>) -> String {
     let Some(rate) = rate else { return String::new() };
-    let bar = Some(error.unwrap_or(0.0) / rate).filter(|bar| bar.is_finite());
-    let bar = bar.map(|bar| format!(" (± {} %)", about(100.0 * bar)));
-    format!("{} %{}", about(100.0 * rate), bar.unwrap_or_default())
+    let error = error.filter(|error| error.is_finite());
+    let error = error.map(|error| format!(" ± {}", about(100.0 * error)));
+    format!("{}{} %", about(100.0 * rate), error.unwrap_or_default())
 }
 
 /// Returns the rule that a verdict is said under.
