@@ -38,8 +38,8 @@ impl JobNotifier {
         Arc::new(Self::default())
     }
 
-    /// Creates the notifier of a process that only solves: of the changes that other processes make,
-    /// it needs work and requests to stop.
+    /// Creates the notifier of a process that only solves: of the changes that other processes
+    /// make, it needs work and requests to stop.
     pub fn of_worker() -> Arc<Self> {
         Arc::new(Self { of_worker: true, ..Self::default() })
     }

@@ -42,6 +42,7 @@ pub(super) struct JobObserver {
     interrupt: Option<Interrupt>,
     pending: Vec<IterationRecord>,
     has_iterated: bool,
+    n_preliminary: usize,
     preliminary: Option<IterationRecord>,
     sent_at: Duration,
     gives_way: bool,
@@ -65,6 +66,7 @@ impl JobObserver {
             interrupt: None,
             pending: Vec::new(),
             has_iterated: false,
+            n_preliminary: 0,
             preliminary: None,
             sent_at: Duration::ZERO,
             gives_way: false,
@@ -118,7 +120,11 @@ impl Observer for JobObserver {
     }
 
     fn on_preliminary_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
-        self.preliminary = (!self.has_iterated).then(|| record.clone());
+        // Each increment counts anew; who watches the job sees that it goes on.
+        self.n_preliminary += 1;
+        let iteration = self.n_preliminary;
+        self.preliminary =
+            (!self.has_iterated).then(|| IterationRecord { iteration, ..record.clone() });
         self.on_checkpoint()
     }
 

@@ -90,7 +90,7 @@ impl JobSolver for TestSolver {
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
             Some("slow") => Ok(self.iterate(|record| observer.on_iteration(record))),
             Some("preliminary") => {
-                let report = self.iterate(|record| observer.on_preliminary_iteration(record));
+                let report = self.iterate(|_| observer.on_preliminary_iteration(&record(1)));
                 let _ = observer.on_iteration(&record(1));
                 Ok(report)
             }

@@ -262,7 +262,9 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let mut line = self.backend.reserved(Reserved::Claims).await?;
-        let claims = self.claim_on(&mut line, request).await?;
+        // A line that has died costs a worker the time of a lease without new jobs.
+        let claims = timeout(request.lease, self.claim_on(&mut line, request));
+        let claims = claims.await.map_err(StoreError::silent)??;
         self.backend.keep(line);
         for claim in &claims.jobs {
             self.announce(&[Change::Progress(claim.lease.job)]);
