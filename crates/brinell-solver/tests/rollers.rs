@@ -53,12 +53,13 @@ fn near(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() <= tolerance, "{found} and not {expected}");
 }
 
-/// The middle has less than the pressure of a line contact, because the ends bear a part of the load.
+/// Half-space prototype: the middle has 0.941 of the pressure of a line contact, because the ends
+/// bear a part of the load.
 #[test]
 fn a_straight_roller_is_pressed_at_its_ends() {
     let report = solve(&roller(8.0, &json!({}), &json!({"load": {"forces": [3960, 4000, 4040]}})));
     let step = &report.steps[1];
-    assert!((0.9..1.0).contains(&(along(step).middle_pressure / line_pressure())));
+    near(along(step).middle_pressure, 0.941 * line_pressure(), 5e-3);
     let [low, high] = along(step).end_pressure;
     near(low, high, 1e-6);
     assert!(high > 2.0 * line_pressure(), "{high}");
@@ -76,6 +77,8 @@ fn a_straight_roller_is_pressed_at_its_ends() {
     near(step.contact_stiffness.unwrap(), slope, 0.05);
 }
 
+/// Half-space prototype: 1.002 to 1.003 of the pressure of a line contact in the middle, 1.007 at
+/// 0.4 L.
 #[test]
 fn lundbergs_profile_makes_the_pressure_even() {
     let report =

@@ -5,7 +5,7 @@ use brinell_solver::job::Job;
 use brinell_solver::report::{self, Report, RoughContactReport, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 #[path = "support/theory.rs"]
 mod theory;
@@ -114,8 +114,8 @@ fn rough(cells: u32) -> (Value, f64) {
     (heights(cells, side / f64::from(cells), height), slope)
 }
 
-/// Area over load of rough bodies, `A E* h'/P`, lies between Persson's √(8/π) and √(2π) of Bush,
-/// Gibson and Thomas.
+/// Area over load of rough bodies, `A E* h'/P`, is about 2: 2.3 to 2.0 between a twentieth and a
+/// fifth of the area (prototype).
 #[test]
 fn a_rough_patch_touches_in_proportion_to_its_load() {
     let (heights, slope) = rough(64);
@@ -126,10 +126,16 @@ fn a_rough_patch_touches_in_proportion_to_its_load() {
     for step in &report.steps {
         let found = surface(step);
         let factor = found.contact_ratio * modulus * slope / found.nominal_pressure;
-        assert!(((8.0 / PI).sqrt()..(2.0 * PI).sqrt()).contains(&factor), "{factor}");
+        assert!((1.8..2.6).contains(&factor), "{factor}");
         near(found.contact_ratio * step.contact.mean_pressure, found.nominal_pressure, 1e-9);
         assert!(found.pressure_quantiles.windows(2).all(|pair| pair[0] <= pair[1]));
         assert!(step.hertz.is_none());
+    }
+    // The method of Polonsky and Keer, in Python, on the same cells: 202 and 403 of 4096, largest
+    // pressures 1339.13 and 1501.34 MPa.
+    for (step, (cells, peak)) in report.steps.iter().zip([(202.0, 1339.13), (403.0, 1501.34)]) {
+        near(surface(step).contact_ratio, cells / 4096.0, 5e-3);
+        near(step.contact.peak_pressure, peak, 1e-3);
     }
     let [one, two] = [0, 1].map(|k| surface(&report.steps[k]).contact_ratio);
     assert!((1.7..2.1).contains(&(two / one)), "{one} {two}");

@@ -119,17 +119,17 @@ fn the_chosen_increments_are_fine_enough() {
     assert_fine_enough(sphere);
 }
 
-/// Deformation theory is 3 to 13 % too high.
+/// The prototype behind the theory, with other elements and other increments, has about 1150 MPa
+/// at three yield stresses and 6.7 % less than deformation theory at four.
 #[test]
 fn peak_pressures_are_below_those_of_deformation_theory() {
-    let peak = |load: &str, solver| {
-        solve(&cylinders(BILINEAR, load, solver, 20)).steps[0].figures.peak_pressure
-    };
-    let [three, four] = [3.0, 4.0].map(|ratio| {
-        let load = format!(r#"{{"force": {}}}"#, force(ratio));
-        peak(&up_and_down(ratio), FLOW) / peak(&load, r#"{"theory": "deformation"}"#)
-    });
-    assert!(0.87 < four && four < three && three < 0.98, "{three} {four}");
+    let three = solve(&cylinders(BILINEAR, &up_and_down(3.0), FLOW, 20));
+    assert_within(three.steps[0].figures.peak_pressure, 1149.0, 2e-3);
+    let four = solve(&cylinders(BILINEAR, &up_and_down(4.0), FLOW, 20));
+    let load = format!(r#"{{"force": {}}}"#, force(4.0));
+    let deformation = solve(&cylinders(BILINEAR, &load, r#"{"theory": "deformation"}"#, 20));
+    let ratio = four.steps[0].figures.peak_pressure / deformation.steps[0].figures.peak_pressure;
+    assert!((ratio - 0.932).abs() < 3e-3, "{ratio}");
 }
 
 /// Without force there is no contact, the approach is finite, and nothing is divided by zero.

@@ -2,7 +2,8 @@
 //! coupling.
 //!
 //! R 20 mm, E 210000, ν 0.3, σ_y 500, E_t 10500 MPa, plane strain, diametral planes clamped.
-//! `tools verification_table` has peaks and approaches beside those of other programs.
+//! References are mesh-converged figures of an independent prototype; p0 is the elastic peak
+//! pressure of the same force.
 
 use brinell_solver::solver::{IterationRecord, SolveStatus};
 use serde_json::json;
@@ -13,6 +14,21 @@ use crate::problems::{
 };
 
 const COUPLINGS: [&str; 4] = ["accelerated", "strong", "weak", "secant_stiffness"];
+
+#[test]
+fn peak_pressure_approach_and_plastic_strain_at_three_and_four_yield_stresses() {
+    for (force, peak, approach, strain) in
+        [(FORCE_3, 1182.6, 0.017_919, 2.88e-3), (FORCE_4, 1338.2, 0.032_604, 5.74e-3)]
+    {
+        let report = report(&paper(force, "accelerated"));
+        let step = &report.steps[0];
+        assert_eq!(step.status, SolveStatus::Converged);
+        assert_peak(step, peak);
+        assert_approach(step, approach);
+        let plasticity = step.plasticity.lower.as_ref().unwrap();
+        assert_within(plasticity.max_equivalent_plastic_strain.unwrap(), strain, 0.01);
+    }
+}
 
 #[test]
 fn the_default_mesh_holds_the_approach_to_a_twentieth_of_a_percent() {
@@ -54,36 +70,39 @@ fn counts(history: &[IterationRecord], tolerance: f64) -> (usize, usize, usize) 
     (end, sum(|record| record.initial_stress_updates), sum(|record| record.factorizations))
 }
 
-/// The accelerated coupling starts from a coarser answer and its tangent moduli.
+/// At most 20 % more iterations than the prototype needed; the accelerated coupling, which starts
+/// from a coarser answer and its tangent moduli, at most that much more than half of the
+/// prototype's 5, 10, 6, 14 and 29.
 #[test]
-fn iterations_of_every_coupling_are_bounded() {
+fn iteration_counts_stay_near_the_prototypes() {
     let with = |force: f64, coupling: &str, tolerance: f64| {
         let mut job = paper(force, coupling);
         job["solver"]["tolerance"] = json!(tolerance);
         counts(&solve(&job).steps[0].history, tolerance)
     };
-    // Force, tolerance, strong, accelerated, secant factorizations, weak alternations and updates
+    // p0/σ_y, tolerance, strong, accelerated, secant factorizations, weak alternations and updates
     let table = [
-        (FORCE_3, 1e-2, 9, 1, 2, Some((9, 31))),
-        (FORCE_3, 1e-5, 28, 6, 21, Some((13, 112))),
-        (FORCE_4, 1e-2, 13, 1, 6, Some((14, 55))),
-        (FORCE_4, 1e-5, 50, 8, 31, Some((22, 250))),
-        (FORCE_4, 1e-8, 152, 18, 74, None),
+        (FORCE_3, 1e-2, 8, 1, 2, Some((8, 26))),
+        (FORCE_3, 1e-5, 24, 5, 18, Some((11, 94))),
+        (FORCE_4, 1e-2, 11, 1, 5, Some((12, 46))),
+        (FORCE_4, 1e-5, 42, 7, 26, Some((19, 209))),
+        (FORCE_4, 1e-8, 127, 15, 62, None),
     ];
+    let most = |count: usize| count * 6 / 5;
     for (force, tolerance, strong, accelerated, secant, weak) in table {
         let found = with(force, "strong", tolerance).0;
-        assert!(found <= strong, "strong at {tolerance:e}: {found} against {strong}");
+        assert!(found <= most(strong), "strong at {tolerance:e}: {found} against {strong}");
         let found = with(force, "accelerated", tolerance).0;
         assert!(
-            found <= accelerated,
+            found <= most(accelerated),
             "accelerated at {tolerance:e}: {found} against {accelerated}"
         );
         let found = with(force, "secant_stiffness", tolerance).2;
-        assert!(found <= secant, "secant at {tolerance:e}: {found} against {secant}");
+        assert!(found <= most(secant), "secant at {tolerance:e}: {found} against {secant}");
         if let Some((alternations, updates)) = weak {
             let found = with(force, "weak", tolerance);
             assert!(
-                found.0 <= alternations && found.1 <= updates,
+                found.0 <= most(alternations) && found.1 <= most(updates),
                 "weak at {tolerance:e}: {found:?}"
             );
         }

@@ -78,9 +78,21 @@ fn near(found: f64, expected: f64, relative: f64) {
     assert!((found / expected - 1.0).abs() < relative, "{found} for {expected}");
 }
 
+/// Rows of the prototype: 2 % of the first pass; 6, 4 and 10 % of the eighth.
 #[test]
 fn free_rolling_above_the_limit_ratchets() {
     let step = step(&track(&perfect(), 1.05, &json!({"passes": 12, "until": "passes"})));
+    let first = body(&step, 1);
+    near(first.largest_strain, 3.6e-3, 0.02);
+    near(first.groove_depth, 8.55e-4, 0.02);
+    near(first.forward, 2.72e-3, 0.02);
+    near(first.least_sigma_x, -197.5, 0.02);
+    near(first.least_sigma_z, -256.5, 0.02);
+    assert!((0.5..0.56).contains(&first.largest_strain_depth), "{first:?}");
+    let eighth = body(&step, 8);
+    near(eighth.forward, -1.10e-4, 0.06);
+    near(eighth.largest_strain, 1.37e-3, 0.04);
+    near(eighth.net_strain, 2.6e-4, 0.1);
     let found = rolling(&step);
     assert_eq!(found.verdict, TrackVerdict::Ratchets);
     near(found.rate.unwrap(), body(&step, 12).net_strain, 1e-9);
@@ -103,16 +115,22 @@ fn free_rolling_above_the_limit_ratchets() {
 #[test]
 fn with_friction_a_track_ratchets_above_its_own_limit_alone() {
     let above = step(&track(&perfect(), 1.05, &json!({"friction": 0.2, "passes": 10})));
+    near(body(&above, 1).largest_strain, 9.66e-4, 0.015);
+    near(body(&above, 1).forward, 1.195e-3, 0.015);
+    near(body(&above, 8).forward, 5.9e-4, 0.04);
+    near(body(&above, 8).largest_strain, 1.25e-3, 0.04);
     assert_eq!(rolling(&above).verdict, TrackVerdict::Ratchets);
     let limits = &rolling(&above).limits;
     near(limits.perfect.unwrap().peak_pressure, 3.202 * YIELD / 3f64.sqrt(), 1e-3);
     near(limits.kinematic.unwrap().peak_pressure, 3.95 * YIELD / 3f64.sqrt(), 5e-3);
-    for friction in [0.0, 0.2] {
+    for (friction, sigma_x, sigma_z) in [(0.0, -137.5, -151.9), (0.2, -34.5, -76.0)] {
         let below = step(&track(&perfect(), 0.97, &json!({"friction": friction})));
         let found = rolling(&below);
         assert_eq!((found.verdict, found.rate), (TrackVerdict::ShakesDown, Some(0.0)));
         assert_eq!(below.verdict.as_ref().unwrap().level, VerdictLevel::ShakesDown);
         let last = found.passes.last().unwrap();
+        near(last.bodies.lower.unwrap().least_sigma_x, sigma_x, 0.03);
+        near(last.bodies.lower.unwrap().least_sigma_z, sigma_z, 0.03);
         near(last.peak_pressure, below.hertz.as_ref().unwrap().peak_pressure, 5e-4);
         assert!(found.reason.is_none() && found.body == Some(brinell_solver::report::Side::Lower));
     }
