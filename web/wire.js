@@ -89,7 +89,7 @@
  * @property {number} [half_angle]
  * @property {number} half_width
  * @property {number} mean_pressure
- * @property {number} middle_pressure
+ * @property {number | null} middle_pressure
  * @property {ContactNodes} nodes
  * @property {(Patch)[]} patches
  * @property {number} peak_position
