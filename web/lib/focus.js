@@ -5,10 +5,13 @@
 
 const FOCUSABLE = 'a[href], button, input, select, textarea, summary, [tabindex]';
 
+/** Whether an element can take the focus: hidden ones cannot. @param {Element} one */
+const isShown = (one) => one.checkVisibility({ visibilityProperty: true });
+
 /** @param {Element} root */
 const focusables = (root) =>
   /** @type {HTMLElement[]} */ ([...root.querySelectorAll(FOCUSABLE)]).filter(
-    (one) => !(/** @type {HTMLInputElement} */ (one).disabled) && one.checkVisibility(),
+    (one) => !(/** @type {HTMLInputElement} */ (one).disabled) && isShown(one),
   );
 
 /**
@@ -37,7 +40,7 @@ export function keepFocus(root, build) {
   const sameBefore = before.filter((one) => keyOf(one) === key).indexOf(had);
   build();
   if (document.activeElement === had) return;
-  if (had.isConnected && had.checkVisibility()) return had.focus({ preventScroll: true });
+  if (had.isConnected && isShown(had)) return had.focus({ preventScroll: true });
   const now = focusables(root);
   const alike = now.filter((one) => keyOf(one) === key);
   (

@@ -248,11 +248,19 @@ export class View {
     if (document.documentElement.dataset.view === 'sheet') close();
   }
 
+  /** Whether a job that is shown has several loads. */
+  get #isCurve() {
+    return this.#shown.some(({ report }) => report.steps.length > 1);
+  }
+
   #sheet() {
-    // Of a line that rolls, groove and pressure are figures: there is one page.
+    // There is one page: of a line that rolls, groove and pressure are figures; one load has neither curve nor dent.
     const [{ report }] = this.#shown;
     const rolled = report.analysis !== 'three_dimensional' && report.steps[this.#at].rolling;
-    const left = rolled ? ['groove', 'pressure'] : [];
+    const left = [
+      ...(rolled ? ['groove', 'pressure'] : []),
+      ...(this.#isCurve ? [] : ['sweep', 'dent']),
+    ];
     showSheet({
       shown: this.#shown,
       at: this.#at,

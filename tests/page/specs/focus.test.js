@@ -173,13 +173,14 @@ service.test('never behind the bar with Solve', async (page) => {
 });
 
 service.test('on a button before a field that is gone', async (page) => {
-  const theory = page.locator('[data-place="/solver/theory"] select');
-  await theory.selectOption('flow');
-  await theory.focus();
-  await page.locator('#example').focus();
-  await theory.selectOption('deformation');
+  const law = page.locator('[data-place^="/lower"][data-place$="/law"] select');
+  await law.focus();
+  await law.selectOption('ludwik');
   await page.keyboard.press('Control+z');
-  await page.locator('[data-place="/lower/material/plasticity/backstress"] textarea').focus();
+  await page
+    .locator('[data-place="/lower/material/plasticity/tangent_modulus"] input')
+    .first()
+    .focus();
   const before = await page.evaluate(() => sessionStorage.getItem('draft'));
   await page.keyboard.press('Control+y');
   const after = await page.evaluate(() => sessionStorage.getItem('draft'));

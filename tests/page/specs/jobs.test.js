@@ -128,7 +128,7 @@ service.test(
 );
 
 service.test('everything can be taken along', async (page) => {
-  const id = await solved(page, { output: { fields: true } });
+  const id = await solved(page, { output: { fields: true }, solver: { theory: 'deformation' } });
   await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
   await page.getByText('Download', { exact: true }).click();

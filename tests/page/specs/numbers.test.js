@@ -476,7 +476,7 @@ service.test('what is far too long is cut, said briefly, and not asked again', a
 
 service.test('the words at a history and at a figure', async (page) => {
   await page.locator('[data-place="/upper/shape/radius"] input[type=text]').fill('0x10');
-  await page.getByText('“0x10” is not a number').waitFor();
+  await page.getByText('“0x10” is not a number').first().waitFor();
   await page.getByLabel('Given').selectOption('history');
   const history = page.locator('[data-place="/load/history"]');
   await history.locator('input').fill('600 -> 0 => 700');

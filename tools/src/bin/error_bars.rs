@@ -279,9 +279,9 @@ fn sought(job: &mut Value, found: &[Solved], number: usize) {
         return;
     }
     let target = if number.is_multiple_of(2) {
-        json!({"half_width": step.figures.half_width})
+        json!({"half_width": step.figures.get(Figure::HalfWidth, 0)})
     } else {
-        json!({"peak_pressure": step.figures.peak_pressure})
+        json!({"peak_pressure": step.figures.get(Figure::PeakPressure, 0)})
     };
     job["load"] = json!({"target": target});
 }
