@@ -146,7 +146,8 @@ service.test(
   'a sweep that is cancelled says which of its loads are solved, on the page and in its report',
   async (page) => {
     const forces = Array.from({ length: 400 }, (_, k) => 100 + k);
-    const id = await sent(page, { load: { forces }, mesh: { elements_per_half_width: 20 } });
+    const solver = { theory: 'deformation' };
+    const id = await sent(page, { load: { forces }, mesh: { elements_per_half_width: 20 }, solver });
     await page.evaluate(() => {
       const said = /** @type {string[]} */ (/** @type {any} */ (globalThis).said = []);
       new MutationObserver(() =>
