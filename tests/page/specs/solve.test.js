@@ -147,7 +147,11 @@ service.test(
   async (page) => {
     const forces = Array.from({ length: 400 }, (_, k) => 100 + k);
     const solver = { theory: 'deformation' };
-    const id = await sent(page, { load: { forces }, mesh: { elements_per_half_width: 20 }, solver });
+    const id = await sent(page, {
+      load: { forces },
+      mesh: { elements_per_half_width: 20 },
+      solver,
+    });
     await page.evaluate(() => {
       const said = /** @type {string[]} */ (/** @type {any} */ (globalThis).said = []);
       new MutationObserver(() =>
