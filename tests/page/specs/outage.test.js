@@ -92,10 +92,7 @@ service.test(
     await page.getByText('1500.0 MPa').waitFor();
     const id = await sent(page, LONG);
     await follow(page, `job=${id}`);
-    await page
-      .locator('[data-status=running]')
-      .getByText(/step ([2-9]|1\d) of 12/)
-      .waitFor();
+    await page.getByText(/^Load ([2-9]|1\d) of 12/).waitFor();
     await server.kill();
     await page.getByText('Connection lost, retrying').waitFor();
     await server.again();

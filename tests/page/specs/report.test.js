@@ -269,7 +269,12 @@ service.test('every example is a report of one page', async (page) => {
       .locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])')
       .waitFor();
     // A track has no field.
-    await (['rail_under_driven_wheel', 'rolled_hardened_roller', 'ball_runs_in'].includes(name)
+    await ([
+      'rail_under_driven_wheel',
+      'rolled_hardened_roller',
+      'ball_runs_in',
+      'deep_rolling',
+    ].includes(name)
       ? page.locator('#panel-passes svg').first().waitFor()
       : drawn(page));
     await sheet(page);
