@@ -217,7 +217,7 @@ fn jobs_that_once_failed_have_sound_answers() {
 }
 
 /// Random jobs that version 0.1.0 did not survive, did not solve, took long for or answered
-/// wrongly.
+/// wrongly. Those by the couplings of the paper's comparisons keep its deformation theory.
 #[test]
 #[ignore = "full"]
 fn reported_jobs_have_sound_answers() {
