@@ -3,6 +3,7 @@
 use super::phases::Phase;
 use super::run::Run;
 use crate::Error;
+use crate::figures::Figures;
 use brinell_contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use brinell_material::ReferenceModuli;
 
@@ -29,6 +30,23 @@ pub struct ContactFigures {
     pub peak_pressure: f64,
     /// Pairs in contact.
     pub pairs: usize,
+}
+
+impl ContactFigures {
+    /// Returns the figures that are known before the fields are, with the half-width \[mm\].
+    pub const fn headline(self, half_width: f64) -> Figures {
+        Figures {
+            peak_pressure: self.peak_pressure,
+            middle_pressure: None,
+            half_width,
+            semi_axis_y: None,
+            contact_area: None,
+            contact_ratio: None,
+            approach: self.approach,
+            force: self.force,
+            bodies: [None; 2],
+        }
+    }
 }
 
 /// Two bodies and the contact between them.

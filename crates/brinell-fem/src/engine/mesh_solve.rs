@@ -20,7 +20,7 @@ use crate::engine::problem::Problem;
 use crate::engine::solution::pressure_in_middle;
 use crate::mesh::{ContactZone, ROUNDING, Refinement};
 use brinell_contact::{ContactLoad, ContactSolver};
-use brinell_method::contact_system::{ContactFigures, ContactSystem as _};
+use brinell_method::contact_system::ContactSystem as _;
 use brinell_method::couplings::iteration::{Controls, Outcome, Scales};
 use brinell_method::figures::{BodyFigures, Figures};
 use brinell_method::final_check::COLLAPSE_STRAIN;
@@ -172,20 +172,9 @@ impl MeshSolve {
 impl MeshSolve {
     /// Headline figures of the contact; zeros without contact.
     pub fn figures(&self) -> Figures {
-        let ContactFigures { force, approach, peak_pressure, .. } =
-            self.system.figures(&self.outcome.state.response.contact);
+        let contact = self.system.figures(&self.outcome.state.response.contact);
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
-        Figures {
-            peak_pressure,
-            middle_pressure: Some(self.middle_pressure()),
-            half_width,
-            semi_axis_y: None,
-            contact_area: None,
-            contact_ratio: None,
-            approach,
-            force,
-            bodies: [None; 2],
-        }
+        Figures { middle_pressure: Some(self.middle_pressure()), ..contact.headline(half_width) }
     }
 
     /// Figures of both bodies.

@@ -184,20 +184,8 @@ struct SpringAnswer {
 impl SpringAnswer {
     fn figures(&self) -> Figures {
         let contact = &self.outcome.state.response.contact;
-        let ContactFigures { force, approach, peak_pressure, pairs } =
-            self.system.figures(contact);
-        let half_width = 0.5 * pairs as f64 * self.system.spacing;
-        Figures {
-            peak_pressure,
-            middle_pressure: None,
-            half_width,
-            semi_axis_y: None,
-            contact_area: None,
-            contact_ratio: None,
-            approach,
-            force,
-            bodies: [None; 2],
-        }
+        let contact = self.system.figures(contact);
+        contact.headline(0.5 * contact.pairs as f64 * self.system.spacing)
     }
 
     /// Returns the step. The check evaluates the answer anew from its forces.

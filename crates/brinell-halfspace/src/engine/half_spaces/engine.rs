@@ -18,7 +18,7 @@ use super::system::{CONTACT_TOLERANCE, ElasticBody, HalfSpaces, Yielding};
 use crate::engine::watch::watched;
 use brinell_contact::{ConjugateGradientSolver, ContactLoad};
 use brinell_material::Solid;
-use brinell_method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
+use brinell_method::contact_system::{BlockVector, ContactSystem as _};
 use brinell_method::couplings::iteration::{Controls, Outcome, Scales};
 use brinell_method::couplings::{Accelerated, Coupling};
 use brinell_method::figures::Figures;
@@ -78,19 +78,8 @@ impl Answer {
     /// Headline figures; the shorter semi-axis is the half-width.
     pub fn figures(&self) -> Figures {
         let contact = &self.outcome.state.response.contact;
-        let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
         let [x, y] = semi_axes(&self.system, &contact.force);
-        Figures {
-            peak_pressure,
-            middle_pressure: None,
-            half_width: x.min(y),
-            semi_axis_y: None,
-            contact_area: None,
-            contact_ratio: None,
-            approach,
-            force,
-            bodies: [None; 2],
-        }
+        self.system.figures(contact).headline(x.min(y))
     }
 
     /// Whether strains have outgrown the theory of small strains.
