@@ -12,7 +12,9 @@ use tokio::time::sleep;
 use super::HttpState;
 use super::prefix::Prefix;
 use super::wire::JobDocument;
-use crate::jobs::{IterationRecord, JobId, JobRecord, JobState, StoreError, Subscription};
+use crate::jobs::{
+    IterationRecord, JobId, JobRecord, JobState, NumberedIteration, StoreError, Subscription,
+};
 
 /// Longest time between two queries of the store, in case an announcement is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
@@ -117,10 +119,9 @@ impl Follower {
         if self.record().await?.attempts != self.position.attempt {
             return Ok(true);
         }
-        for iteration in &page {
-            self.position.seen += 1;
-            self.send(event("iteration", iteration).map(|event| event.id(self.position.id())))
-                .await;
+        for NumberedIteration { number, record } in &page {
+            self.position.seen = number + 1;
+            self.send(event("iteration", record).map(|event| event.id(self.position.id()))).await;
         }
         Ok(!page.is_empty())
     }

@@ -51,7 +51,7 @@ pub use keys::{
     ApiKey, KeyLimits, KeyStore, OnceKey, PreviousSecret, Scope, new_secret, read_token,
 };
 pub use notifier::{JobNotifier, Signal, Subscription};
-pub use record::{Idempotency, JobRecord, NewJob};
+pub use record::{Idempotency, JobRecord, NewJob, NumberedIteration};
 pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult, take_fields};
 pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
 pub use solver::{CoreSolver, JobSolver};

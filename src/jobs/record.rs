@@ -104,3 +104,12 @@ pub struct JobRecord {
     /// Whether its end is announced.
     pub has_callback: bool,
 }
+
+/// An iteration of an attempt, as a worker writes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NumberedIteration {
+    /// Its number in the attempt, counted from 0.
+    pub number: usize,
+    /// What the solver says of it.
+    pub record: IterationRecord,
+}

@@ -11,8 +11,8 @@ use thiserror::Error;
 use tokio::time::error::Elapsed;
 
 use super::{
-    Deflated, FieldsPart, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome,
-    ResultHead, StepResult, TraceParent, Turn, WorkerId,
+    Deflated, FieldsPart, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob,
+    NumberedIteration, Outcome, ResultHead, StepResult, TraceParent, Turn, WorkerId,
 };
 
 /// Stores jobs, hands them to workers and keeps their results.
@@ -53,7 +53,8 @@ pub trait JobStore: Send + Sync + 'static {
 
     /// Returns a page of about [`HISTORY_PAGE`] iterations of the latest attempt, in order,
     /// without its first `after` iterations; empty behind the last one.
-    async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError>;
+    async fn history(&self, id: JobId, after: usize)
+    -> Result<Vec<NumberedIteration>, StoreError>;
 
     /// The job as it was submitted (JSON).
     async fn request(&self, id: JobId) -> Result<Bytes, StoreError>;
@@ -108,15 +109,15 @@ pub trait JobStore: Send + Sync + 'static {
         lease: Duration,
     ) -> Result<Vec<LeaseStatus>, StoreError>;
 
-    /// Appends iterations to the history of a leased job. `latest` is the last of them, or of a
-    /// preliminary solve that the history does not list.
+    /// Writes iterations into the history of a leased job; a repeated write changes nothing.
+    /// `latest` is the last of them, or of a preliminary solve that the history does not list.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
     async fn record_progress(
         &self,
         lease: &Lease,
-        records: &[IterationRecord],
+        records: &[NumberedIteration],
         latest: &IterationRecord,
     ) -> Result<(), StoreError>;
 
@@ -135,7 +136,7 @@ pub trait JobStore: Send + Sync + 'static {
     async fn finish(
         &self,
         lease: &Lease,
-        records: &[IterationRecord],
+        records: &[NumberedIteration],
         steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError>;

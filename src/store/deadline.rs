@@ -12,8 +12,8 @@ use tokio::time::timeout;
 use crate::jobs::{
     ApiKey, Callback, ClaimRequest, Claims, Counts, Deflated, Delivery, DeliveryEnd,
     DeliveryStore, Enqueued, FieldsPart, IterationRecord, JobFilter, JobId, JobPage, JobRecord,
-    JobStore, KeyId, KeyLimits, KeyStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead,
-    Retention, StepResult, StoreError, Turn, WorkerId,
+    JobStore, KeyId, KeyLimits, KeyStore, Lease, LeaseStatus, NewJob, NumberedIteration, Outcome,
+    ResultHead, Retention, StepResult, StoreError, Turn, WorkerId,
 };
 
 /// Longest time of a call.
@@ -56,7 +56,7 @@ timely!(JobStore {
     CALL => fn enqueue(job: NewJob, turn: Turn) -> Enqueued;
     CALL => fn enqueue_all(jobs: Vec<NewJob>, turn: Turn) -> Vec<Result<Enqueued, StoreError>>;
     CALL => fn get(id: JobId) -> JobRecord;
-    CALL => fn history(id: JobId, after: usize) -> Vec<IterationRecord>;
+    CALL => fn history(id: JobId, after: usize) -> Vec<NumberedIteration>;
     CALL => fn request(id: JobId) -> Bytes;
     CALL => fn result(id: JobId) -> Option<ResultHead>;
     CALL => fn step(id: JobId, step: usize) -> Deflated;
@@ -65,11 +65,11 @@ timely!(JobStore {
     OF_WORKER => fn give_back(owner: WorkerId, known: &[JobId]) -> ();
     OF_WORKER => fn heartbeat(leases: &[Lease], lease: Duration) -> Vec<LeaseStatus>;
     OF_WORKER => fn record_progress(
-        lease: &Lease, records: &[IterationRecord], latest: &IterationRecord
+        lease: &Lease, records: &[NumberedIteration], latest: &IterationRecord
     ) -> ();
     to_write(steps) => fn record_steps(lease: &Lease, steps: &[StepResult]) -> ();
     to_write(steps) => fn finish(
-        lease: &Lease, records: &[IterationRecord], steps: &[StepResult], outcome: Outcome
+        lease: &Lease, records: &[NumberedIteration], steps: &[StepResult], outcome: Outcome
     ) -> ();
     OF_WORKER => fn release(leases: &[Lease]) -> ();
     CALL => fn cancel(id: JobId) -> JobRecord;

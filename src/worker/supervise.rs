@@ -15,8 +15,8 @@ use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
 use super::thread;
 use crate::jobs::{
-    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StepResult,
-    StoreError, metrics,
+    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, NumberedIteration, Outcome,
+    StepResult, StoreError, metrics,
 };
 use crate::telemetry;
 
@@ -53,11 +53,22 @@ struct SolveEnd {
     /// Results of steps not written yet.
     steps: Vec<StepResult>,
     /// Iterations not written yet.
-    records: Vec<IterationRecord>,
+    records: Vec<NumberedIteration>,
     /// Number of all iterations.
     iterations: usize,
     /// Its outcome.
     outcome: Outcome,
+}
+
+/// Adds iterations to write, numbered from the `count` of those before.
+fn keep_iterations(
+    records: &mut Vec<NumberedIteration>,
+    count: &mut usize,
+    more: Vec<IterationRecord>,
+) {
+    records
+        .extend((*count..).zip(more).map(|(number, record)| NumberedIteration { number, record }));
+    *count = records.last().map_or(*count, |last| last.number + 1);
 }
 
 /// Adds a step to write, and drops the steps that it replaces.
@@ -175,14 +186,12 @@ impl WorkerState {
                     for message in batch.drain(..) {
                         match message {
                             Message::Iterations(more) => {
-                                iterations += more.len();
-                                records.extend(more);
-                                latest = records.last().cloned();
+                                keep_iterations(&mut records, &mut iterations, more);
+                                latest = records.last().map(|last| last.record.clone());
                             }
                             Message::Preliminary(record) => latest = Some(record),
                             Message::Done(last, outcome) => {
-                                iterations += last.len();
-                                records.extend(last);
+                                keep_iterations(&mut records, &mut iterations, last);
                                 // The solver sent these steps before its last message.
                                 while let Ok(step) = received.try_recv() {
                                     keep_step(&mut steps, step);
@@ -217,7 +226,7 @@ impl WorkerState {
     async fn write_progress(
         &self,
         lease: &Lease,
-        records: &mut Vec<IterationRecord>,
+        records: &mut Vec<NumberedIteration>,
         latest: &mut Option<IterationRecord>,
         stop: &StopFlag,
     ) {
@@ -281,7 +290,7 @@ impl WorkerState {
     async fn write_outcome(
         &self,
         lease: &Lease,
-        records: &[IterationRecord],
+        records: &[NumberedIteration],
         steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {

@@ -5,7 +5,7 @@ use brinell_solver::report::{FieldsReport, PerBody, encode_fields};
 use brinell_solver::solver::SolveStatus;
 use sqlx::{Connection, PgConnection, SqliteConnection};
 
-use crate::subject::{ALL, Place, Subject, iteration, job, reported};
+use crate::subject::{ALL, Place, Subject, job, numbered, reported};
 
 /// Changes rows behind the back of the store.
 async fn execute(place: &Place, statement: &'static str, id: JobId) {
@@ -93,7 +93,7 @@ async fn rich_job(subject: &Subject) -> JobId {
     let steps = [StepResult { number: 0, report, fields: Some(fields.into()) }];
     subject
         .store
-        .finish(&lease, &[iteration(1)], &steps, reported(SolveStatus::Converged))
+        .finish(&lease, &[numbered(1)], &steps, reported(SolveStatus::Converged))
         .await
         .unwrap();
     id

@@ -18,7 +18,7 @@ use tokio::task::yield_now;
 use tokio::time::timeout;
 
 use crate::dropped::{JOB, service};
-use crate::subject::{Subject, iteration};
+use crate::subject::{Subject, iteration, numbered};
 
 const DEAF: usize = 40;
 const ITERATIONS: usize = 3000;
@@ -72,8 +72,8 @@ pub async fn a_file_breaks_off_where_its_result_does(subject: &Subject) {
 pub async fn streams_that_nobody_reads_hold_no_reader(subject: &Subject) {
     let id = subject.enqueue("x").await;
     let lease = subject.claim_one().await;
-    let records: Vec<_> = (1..=ITERATIONS).map(iteration).collect();
-    subject.store.record_progress(&lease, &records, records.last().unwrap()).await.unwrap();
+    let records: Vec<_> = (1..=ITERATIONS).map(numbered).collect();
+    subject.store.record_progress(&lease, &records, &iteration(ITERATIONS)).await.unwrap();
     let router = router(HttpState::new(service(subject), HttpSettings::default(), None));
     let asked = TowerToHyperService::new(router);
     let ask = || {

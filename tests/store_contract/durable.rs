@@ -8,7 +8,7 @@ use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 use tokio::time::timeout;
 
-use crate::subject::{DEADLINE, HEAD, LIMITS, Place, Subject, iteration, reported};
+use crate::subject::{DEADLINE, HEAD, LIMITS, Place, Subject, numbered, reported};
 
 #[tokio::test]
 async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
@@ -19,7 +19,7 @@ async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
         subject.enqueue("queued").await,
     );
     let claims = subject.claim(2).await;
-    let records = [iteration(1), iteration(2)];
+    let records = [numbered(1), numbered(2)];
     subject
         .store
         .finish(&claims[0].lease, &records, &[], reported(SolveStatus::Converged))

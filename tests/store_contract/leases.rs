@@ -6,7 +6,7 @@ use brinell::jobs::{
 use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 
-use crate::subject::{LEASE, Subject, ids, iteration};
+use crate::subject::{LEASE, Subject, ids, iteration, numbered};
 
 pub async fn only_the_holder_of_the_lease_writes(subject: &Subject) {
     let (store, id) = (&subject.store, subject.enqueue("x").await);
@@ -17,7 +17,7 @@ pub async fn only_the_holder_of_the_lease_writes(subject: &Subject) {
         Lease { job: JobId::generate(), ..lease },
     ];
     for stranger in strangers {
-        let refused = store.record_progress(&stranger, &[iteration(1)], &iteration(1)).await;
+        let refused = store.record_progress(&stranger, &[numbered(1)], &iteration(1)).await;
         assert!(matches!(refused, Err(StoreError::LeaseLost)));
         let refused = subject.finish(&stranger, SolveStatus::Converged).await;
         assert!(matches!(refused, Err(StoreError::LeaseLost)));
@@ -32,14 +32,14 @@ pub async fn only_the_holder_of_the_lease_writes(subject: &Subject) {
 pub async fn an_expired_job_is_handed_out_again_and_given_up_at_last(subject: &Subject) {
     let (store, id) = (&subject.store, subject.enqueue("x").await);
     let first = subject.claim_one().await;
-    store.record_progress(&first, &[iteration(1)], &iteration(1)).await.unwrap();
+    store.record_progress(&first, &[numbered(1)], &iteration(1)).await.unwrap();
     assert!(subject.claim(1).await.is_empty(), "the lease still holds");
 
     subject.clock.advance(SignedDuration::from_secs(31));
     let second = subject.claim_one().await;
     assert_eq!((second.job, second.attempt), (id, 2));
     assert!(matches!(
-        store.record_progress(&first, &[iteration(2)], &iteration(2)).await,
+        store.record_progress(&first, &[numbered(2)], &iteration(2)).await,
         Err(StoreError::LeaseLost)
     ));
     assert!(store.history(id, 0).await.unwrap().is_empty(), "a new attempt has a new history");
@@ -96,7 +96,7 @@ pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
     for attempt in 1..=4 {
         let lease = subject.claim_one().await;
         assert_eq!(lease.attempt, attempt, "being released is no loss");
-        store.record_progress(&lease, &[iteration(1)], &iteration(1)).await.unwrap();
+        store.record_progress(&lease, &[numbered(1)], &iteration(1)).await.unwrap();
         store.release(&[lease]).await.unwrap();
         let released = subject.get(id).await;
         assert_eq!((released.state, released.queue_position), (JobState::Queued, Some(0)));
@@ -107,7 +107,7 @@ pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
         ));
     }
     let lease = subject.claim_one().await;
-    store.record_progress(&lease, &[iteration(1)], &iteration(1)).await.unwrap();
+    store.record_progress(&lease, &[numbered(1)], &iteration(1)).await.unwrap();
     let report = Deflated::compress(b"{}").unwrap();
     store.record_steps(&lease, &[StepResult { number: 0, report, fields: None }]).await.unwrap();
     store.cancel(id).await.unwrap();

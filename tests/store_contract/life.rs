@@ -6,7 +6,7 @@ use brinell::jobs::{JobFailure, JobId, JobState, Outcome, Retention, StoreError}
 use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 
-use crate::subject::{ALL, DEADLINE, HEAD, Subject, iteration, reported};
+use crate::subject::{ALL, DEADLINE, HEAD, Subject, iteration, numbered, reported};
 
 pub async fn a_job_goes_its_way(subject: &Subject) {
     let store = &subject.store;
@@ -32,16 +32,20 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     let waited = running.created_at.duration_until(running.started_at.unwrap());
     assert_eq!(waited, SignedDuration::from_secs(5));
 
-    store.record_progress(&lease, &[iteration(1), iteration(2)], &iteration(2)).await.unwrap();
-    store.record_progress(&lease, &[iteration(3)], &iteration(3)).await.unwrap();
+    store.record_progress(&lease, &[numbered(1), numbered(2)], &iteration(2)).await.unwrap();
+    store.record_progress(&lease, &[numbered(3)], &iteration(3)).await.unwrap();
     let running = subject.get(id).await;
     assert_eq!((running.iterations, running.latest), (3, Some(iteration(3))));
-    assert_eq!(store.history(id, 1).await.unwrap(), [iteration(2), iteration(3)]);
+    assert_eq!(store.history(id, 1).await.unwrap(), [numbered(2), numbered(3)]);
     assert_eq!(store.result(id).await.unwrap(), None);
 
-    store.finish(&lease, &[iteration(4)], &[], reported(SolveStatus::Converged)).await.unwrap();
+    // The acknowledgement was lost: the same again. A crash of the database lost the fourth.
+    store.record_progress(&lease, &[numbered(3)], &iteration(3)).await.unwrap();
+    assert_eq!(store.history(id, 0).await.unwrap().len(), 3);
+    store.finish(&lease, &[numbered(5)], &[], reported(SolveStatus::Converged)).await.unwrap();
     let finished = subject.get(id).await;
-    assert_eq!((finished.iterations, store.history(id, 2).await.unwrap().len()), (4, 2));
+    assert_eq!(finished.iterations, 5);
+    assert_eq!(store.history(id, 2).await.unwrap(), [numbered(3), numbered(5)]);
     assert_eq!((finished.state, finished.has_report), (JobState::Succeeded, true));
     assert!(finished.finished_at.is_some());
     assert_eq!(store.request(id).await.unwrap(), "{\"job\": \"one\"}");

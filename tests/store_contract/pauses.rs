@@ -20,7 +20,7 @@ use tokio::time::{Instant, timeout};
 
 use crate::cluster::Cluster;
 use crate::subject::{
-    DEADLINE, LEASE, LIMITS, MEMORY_STORE, Subject, clock, iteration, job, reported,
+    DEADLINE, LEASE, LIMITS, MEMORY_STORE, Subject, clock, iteration, job, numbered, reported,
 };
 
 /// Longest time for which a process that has stopped may hold others up: less than a third of the
@@ -56,14 +56,12 @@ fn call(name: &str, store: Arc<dyn Store>, lease: Lease) -> Call {
         "claim" => Box::pin(async move { drop(store.claim(&Subject::request(1)).await) }),
         "heartbeat" => Box::pin(async move { drop(store.heartbeat(&[lease], LEASE).await) }),
         "progress" => Box::pin(async move {
-            drop(
-                store.record_progress(&lease, &[iteration(1), iteration(2)], &iteration(2)).await,
-            );
+            drop(store.record_progress(&lease, &[numbered(1), numbered(2)], &iteration(2)).await);
         }),
         "steps" => Box::pin(async move { drop(store.record_steps(&lease, &[step()]).await) }),
         "finish" => Box::pin(async move {
             let outcome = reported(SolveStatus::Converged);
-            drop(store.finish(&lease, &[iteration(1)], &[step()], outcome).await);
+            drop(store.finish(&lease, &[numbered(1)], &[step()], outcome).await);
         }),
         "release" => Box::pin(async move { drop(store.release(&[lease]).await) }),
         _ => Box::pin(async move { drop(store.cancel(lease.job).await) }),
@@ -91,7 +89,9 @@ async fn insist<T, F: Future<Output = Result<T, StoreError>>>(
 async fn others_go_on(others: &Subject, stopped: JobId, what: &str) {
     let store = &others.store;
     let own = insist(what, || store.enqueue(job("other"), Turn::free())).await.job.id;
+    let begin = Instant::now();
     let lease = loop {
+        assert!(begin.elapsed() < BOUND, "{what}: nobody gets the job");
         let claims = insist(what, || async { store.claim(&Subject::request(1)).await }).await;
         match claims.jobs.first() {
             Some(claim) if claim.lease.job == own => break claim.lease,
@@ -99,12 +99,13 @@ async fn others_go_on(others: &Subject, stopped: JobId, what: &str) {
                 let outcome = reported(SolveStatus::Converged);
                 insist(what, || store.finish(&claim.lease, &[], &[], outcome.clone())).await;
             }
-            None => {}
+            // The process that has stopped got it: its lease ends.
+            None => others.clock.advance(SignedDuration::from_secs(31)),
         }
     };
-    insist(what, || async { store.record_progress(&lease, &[iteration(1)], &iteration(1)).await })
+    insist(what, || async { store.record_progress(&lease, &[numbered(1)], &iteration(1)).await })
         .await;
-    let (last, outcome) = ([iteration(2)], reported(SolveStatus::Converged));
+    let (last, outcome) = ([numbered(2)], reported(SolveStatus::Converged));
     insist(what, || store.finish(&lease, &last, &[], outcome.clone())).await;
     assert_eq!(others.get(own).await.state, JobState::Succeeded, "{what}");
     others.clock.advance(SignedDuration::from_secs(31));

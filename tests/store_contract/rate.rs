@@ -12,7 +12,7 @@ use sqlx::{Connection, PgConnection};
 use tokio::time::Instant;
 
 use crate::cluster::Cluster;
-use crate::subject::{LEASE, Subject, iteration, reported};
+use crate::subject::{LEASE, Subject, iteration, numbered, reported};
 
 const JOBS: usize = 1000;
 const LIMITS: StoreLimits = StoreLimits { queue_capacity: 100_000, ..unbounded() };
@@ -47,13 +47,13 @@ async fn work(store: Arc<dyn Store>) -> usize {
         let Some(claim) = claims.first() else { return done };
         for number in 1..=3 {
             store
-                .record_progress(&claim.lease, &[iteration(number)], &iteration(number))
+                .record_progress(&claim.lease, &[numbered(number)], &iteration(number))
                 .await
                 .unwrap();
         }
         store.heartbeat(&[claim.lease], LEASE).await.unwrap();
         store
-            .finish(&claim.lease, &[iteration(4)], &[], reported(SolveStatus::Converged))
+            .finish(&claim.lease, &[numbered(4)], &[], reported(SolveStatus::Converged))
             .await
             .unwrap();
         done += 1;

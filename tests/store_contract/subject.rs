@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use brinell::jobs::{
     Claim, ClaimRequest, Claims, Clock, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier,
-    JobRecord, KeyLimits, Lease, NewJob, Outcome, StoreError, Turn, WorkerId,
+    JobRecord, KeyLimits, Lease, NewJob, NumberedIteration, Outcome, StoreError, Turn, WorkerId,
 };
 use brinell::store::{Store, StoreLimits, open_postgres, open_sqlite, open_sqlite_in_memory};
 use brinell_solver::solver::SolveStatus;
@@ -220,6 +220,11 @@ pub fn iteration(number: usize) -> IterationRecord {
         elapsed_ms: 1.0,
         increment: None,
     }
+}
+
+/// The iteration of this number, counted from 1.
+pub fn numbered(number: usize) -> NumberedIteration {
+    NumberedIteration { number: number - 1, record: iteration(number) }
 }
 
 pub fn reported(status: SolveStatus) -> Outcome {

@@ -14,7 +14,7 @@ use thiserror::Error;
 
 use crate::jobs::{
     Deflated, FailureKind, FieldError, IterationRecord, JobFailure, JobId, JobRecord, JobState,
-    KeyId, StoreError,
+    KeyId, NumberedIteration, StoreError,
 };
 
 /// Largest size \[bytes\] of an unpacked text; a damaged row could claim any.
@@ -152,7 +152,8 @@ fn unpack_zstd(packed: &[u8]) -> Result<Bytes, StoreError> {
     if length as u64 > UNPACKED_LIMIT { Err(damaged("too long")) } else { Ok(text.into()) }
 }
 
-pub(super) fn pack_records(records: &[IterationRecord]) -> Result<Vec<u8>, StoreError> {
+pub(super) fn pack_records(records: &[NumberedIteration]) -> Result<Vec<u8>, StoreError> {
+    let records: Vec<_> = records.iter().map(|iteration| &iteration.record).collect();
     pack(to_json(&records)?.as_bytes())
 }
 

@@ -9,8 +9,8 @@ use super::claiming::until;
 use super::codec::{failure_json, pack, pack_records, to_json};
 use super::message::{Message, Messages, Value};
 use crate::jobs::{
-    HISTORY_PAGE, IterationRecord, JobId, Lease, LeaseStatus, Outcome, StepResult, StoreError,
-    WorkerId,
+    HISTORY_PAGE, IterationRecord, JobId, Lease, LeaseStatus, NumberedIteration, Outcome,
+    StepResult, StoreError, WorkerId,
 };
 
 /// The job whose lease holds.
@@ -35,7 +35,7 @@ macro_rules! set {
     };
 }
 
-const PROGRESS: &str = set!("iterations = iterations + $4, latest = $5");
+const PROGRESS: &str = set!("iterations = coalesce($4, iterations), latest = $5");
 const STEPS: &str = set!(
     "steps = coalesce($4, steps),
      stored_bytes = CASE WHEN $6 THEN $5 WHEN $4 <= steps THEN stored_bytes
@@ -44,7 +44,7 @@ const STEPS: &str = set!(
 /// Ends a job; without a report, its steps no longer count.
 const FINISH: &str = set!(
     "state = $4, finished_at = $5, has_report = $6, failure = $7,
-     iterations = iterations + $8, latest = coalesce($9, latest),
+     iterations = coalesce($8, iterations), latest = coalesce($9, latest),
      steps = CASE WHEN $6 THEN coalesce($10, steps) ELSE 0 END,
      stored_bytes = CASE WHEN NOT $6 THEN 0 WHEN $12 THEN $11 ELSE stored_bytes + $11 END,
      owner = NULL, leased_until = NULL"
@@ -83,12 +83,10 @@ const FORGET_STEPS: [&str; 2] = [
 ];
 const FORGET_ITERATIONS: &str =
     concat!("DELETE FROM iterations WHERE job = (", held!("id"), " AND NOT cancel_requested)");
-// A repeated write, after its acknowledgement was lost, changes nothing.
+// A repeated write, after its acknowledgement was lost, changes nothing. Numbers are those of the
+// attempt: a crash of the database may have lost the latest progress.
 const ITERATIONS: [&str; 2] = [
-    concat!(
-        "INSERT INTO iterations (job, first, last, records) ",
-        held!("id, iterations + $4, iterations + $5, $6")
-    ),
+    concat!("INSERT INTO iterations (job, first, last, records) ", held!("id, $4, $5, $6")),
     " ON CONFLICT (job, first) DO UPDATE SET last = excluded.last, records = excluded.records",
 ];
 const STEP: [&str; 2] = [
@@ -152,17 +150,20 @@ fn push_forget_steps(message: &mut Message, lease: &Lease) {
 fn push_records<C: Messages>(
     message: &mut Message,
     lease: &Lease,
-    records: &[IterationRecord],
+    records: &[NumberedIteration],
 ) -> Result<(), StoreError> {
-    let mut first = 0;
     for page in records.chunks(HISTORY_PAGE) {
         let packed = pack_records(page)?;
-        let last = first + page.len();
-        let place = [Value::number(first), Value::number(last), Value::Bytes(&packed)];
+        let first = page.first().map_or(0, |iteration| iteration.number);
+        let place = [Value::number(first), count_of(page), Value::Bytes(&packed)];
         message.push(&shared::<C>(ITERATIONS), &fenced(lease, place));
-        first = last;
     }
     Ok(())
+}
+
+/// Returns the number of iterations of the attempt up to the last of these, if there are any.
+fn count_of(records: &[NumberedIteration]) -> Value<'static> {
+    records.last().map_or(Value::Number(None), |last| Value::number(last.number + 1))
 }
 
 /// Extends the leases of one worker. Also without any, the answer is a sign of life of the store.
@@ -211,13 +212,13 @@ pub(super) async fn heartbeat<C: Messages>(
 pub(super) async fn record_progress<C: Messages>(
     line: &mut C,
     lease: &Lease,
-    records: &[IterationRecord],
+    records: &[NumberedIteration],
     latest: &IterationRecord,
 ) -> Result<(), StoreError> {
     let mut message = C::message();
     push_records::<C>(&mut message, lease, records)?;
     let latest = to_json(latest)?;
-    let values = [Value::number(records.len()), Value::Text(Some(&latest))];
+    let values = [count_of(records), Value::Text(Some(&latest))];
     message.push(PROGRESS, &fenced(lease, values));
     send_held(line, message).await
 }
@@ -280,7 +281,7 @@ pub(super) async fn count_steps<C: Messages>(
 pub(super) async fn finish<C: Messages>(
     line: &mut C,
     lease: &Lease,
-    records: &[IterationRecord],
+    records: &[NumberedIteration],
     steps: &[StepResult],
     are_written: bool,
     outcome: &Outcome,
@@ -312,14 +313,14 @@ pub(super) async fn finish<C: Messages>(
     message.push(&[DUE, ")"].concat(), &fenced(lease, [Value::Time(now)]));
     // The row of the key is locked last, for as short as can be.
     message.push(SETTLE, &fenced(lease, [Value::Time(now)]));
-    let latest = records.last().map(to_json).transpose()?;
+    let latest = records.last().map(|last| to_json(&last.record)).transpose()?;
     let (count, bytes, begin_anew) = sum_up(steps);
     let values = [
         Value::Text(Some(outcome.state().name())),
         Value::Time(now),
         Value::Flag(report.is_some()),
         Value::Text(failure.as_deref()),
-        Value::number(records.len()),
+        count_of(records),
         Value::Text(latest.as_deref()),
         count,
         bytes,

@@ -30,8 +30,8 @@ use super::StoreLimits;
 use crate::jobs::{
     ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FIELDS_PART, FieldsPart,
     FieldsReader, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState,
-    JobStore, KeyStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult,
-    StoreError, Turn, WorkerId,
+    JobStore, KeyStore, Lease, LeaseStatus, NewJob, NumberedIteration, Outcome, ResultHead,
+    Retention, StepResult, StoreError, Turn, WorkerId,
 };
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, Reserved, WriteTransaction};
@@ -103,9 +103,9 @@ impl<B: SqlBackend> SqlStore<B> {
         self.request(id).await?;
         let mut seen = 0;
         loop {
-            match self.history(id, seen).await?.len() {
-                0 => break,
-                page => seen += page,
+            match self.history(id, seen).await?.last() {
+                None => break,
+                Some(last) => seen = last.number + 1,
             }
         }
         self.callback(id).await?;
@@ -226,13 +226,21 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
         self.backend.read().await?.find(id).await
     }
 
-    async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError> {
+    async fn history(
+        &self,
+        id: JobId,
+        after: usize,
+    ) -> Result<Vec<NumberedIteration>, StoreError> {
         let page = Reading::history(&mut *self.backend.read().await?, id, after).await?;
         let unpacked = spawn_blocking(move || {
             let mut records = Vec::new();
             for (first, packed) in page {
-                let seen = after.saturating_sub(count(first)?);
-                records.extend(unpack_records(packed)?.into_iter().skip(seen));
+                let numbered = (count(first)?..).zip(unpack_records(packed)?);
+                records.extend(
+                    numbered
+                        .skip_while(|(number, _)| *number < after)
+                        .map(|(number, record)| NumberedIteration { number, record }),
+                );
             }
             Ok(records)
         });
@@ -296,7 +304,7 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
     async fn record_progress(
         &self,
         lease: &Lease,
-        records: &[IterationRecord],
+        records: &[NumberedIteration],
         latest: &IterationRecord,
     ) -> Result<(), StoreError> {
         let mut line = self.backend.statements().await?;
@@ -314,7 +322,7 @@ impl<B: SqlBackend> JobStore for SqlStore<B> {
     async fn finish(
         &self,
         lease: &Lease,
-        records: &[IterationRecord],
+        records: &[NumberedIteration],
         steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {
