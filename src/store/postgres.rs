@@ -64,9 +64,9 @@ const SESSION: &str = "
     SET tcp_keepalives_count = 3;
     SET tcp_user_timeout = '15s';";
 
-/// Single statements do not wait for the disk: claims, heartbeats, progress and steps. The end of
-/// a job does, and everything before it is then on the disk as well.
-const OF_LINES: &str = "SET synchronous_commit = off";
+/// Claims and heartbeats do not wait for the disk: if a crash of the server takes one back, the
+/// worker makes it again. It writes progress and steps once, which therefore outlive a crash.
+const OF_RESERVED: &str = "SET synchronous_commit = off";
 
 /// An error that keeps the store from opening.
 #[derive(Debug, Error)]
@@ -96,13 +96,10 @@ struct PostgresPool {
 type Kept = Mutex<Option<PgConnection>>;
 
 /// Options of a pool whose connections are never waited for without bound.
-fn pool(connections: u32, wait: Duration, more: &'static str) -> PgPoolOptions {
+fn pool(connections: u32, wait: Duration) -> PgPoolOptions {
     let options = PgPoolOptions::new().max_connections(connections).acquire_timeout(wait);
-    let options = options.test_before_acquire(false).after_connect(move |connection, _| {
-        Box::pin(async move {
-            connection.execute(SESSION).await?;
-            connection.execute(more).await.map(drop)
-        })
+    let options = options.test_before_acquire(false).after_connect(|connection, _| {
+        Box::pin(async move { connection.execute(SESSION).await.map(drop) })
     });
     let options = options.before_acquire(|connection, used| {
         Box::pin(async move {
@@ -169,8 +166,8 @@ pub async fn open_postgres(
     migration::run(STEPS, &first).await.map_err(PostgresError::Migrate)?;
     first.close().await;
     let of_transactions = (connections / 2).max(1);
-    let transactions = pool(of_transactions, TRANSACTION_WAIT, "");
-    let lines = pool((connections - of_transactions).max(1), WORKER_WAIT, OF_LINES);
+    let transactions = pool(of_transactions, TRANSACTION_WAIT);
+    let lines = pool((connections - of_transactions).max(1), WORKER_WAIT);
     let own = PgPoolOptions::new().max_connections(1).acquire_timeout(CONNECT_WAIT);
     let lines = lines.connect_lazy_with(address.clone());
     let node = WorkerId::generate();
@@ -203,7 +200,7 @@ impl PostgresPool {
         let connect = async {
             let mut connection = PgConnection::connect_with(&self.address).await?;
             connection.execute(SESSION).await?;
-            connection.execute(OF_LINES).await?;
+            connection.execute(OF_RESERVED).await?;
             Ok::<_, sqlx::Error>(connection)
         };
         Ok(timeout(CONNECT_WAIT, connect).await.map_err(StoreError::silent)??)

@@ -2,13 +2,17 @@
 
 use std::sync::Arc;
 
-use brinell::jobs::{JobNotifier, JobState, StoreError, SystemClock};
+use brinell::jobs::{Deflated, JobNotifier, JobState, StepResult, StoreError, SystemClock};
 use brinell::store::{SqliteError, open_sqlite};
 use brinell_solver::solver::SolveStatus;
+use bytes::Bytes;
 use jiff::SignedDuration;
 use tokio::time::timeout;
 
-use crate::subject::{DEADLINE, HEAD, LIMITS, Place, Subject, numbered, reported};
+use crate::cluster::Cluster;
+use crate::subject::{
+    DEADLINE, HEAD, LIMITS, Place, Subject, clock, iteration, numbered, reported,
+};
 
 #[tokio::test]
 async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
@@ -76,6 +80,28 @@ async fn processes_hear_of_changes_of_others() {
     assert_eq!(here.head(id).await, HEAD);
 }
 
+/// The worker goes on behind them, and writes them once.
+#[tokio::test]
+#[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
+async fn progress_and_steps_outlive_a_crash_of_the_server() {
+    let mut cluster = Cluster::start();
+    let before = Subject::again(Place::Database(cluster.database().await), clock()).await;
+    let id = before.enqueue("x").await;
+    let lease = before.claim_one().await;
+    let records = [numbered(1), numbered(2)];
+    before.store.record_progress(&lease, &records, &iteration(2)).await.unwrap();
+    let report = Deflated::compress(b"a").unwrap();
+    let step = StepResult { number: 0, report, fields: Some(Bytes::from_static(b"A")) };
+    before.store.record_steps(&lease, &[step]).await.unwrap();
+    cluster.restart();
+
+    let after = Subject::again(before.place.clone(), Arc::clone(&before.clock)).await;
+    assert_eq!(after.store.history(id, 0).await.unwrap(), records);
+    after.finish(&lease, SolveStatus::Converged).await.unwrap();
+    assert_eq!(after.store.step(id, 0).await.unwrap().text().unwrap(), "a");
+    assert_eq!(after.store.fields(id, 0, 0).await.unwrap().unwrap().bytes[..], b"A"[..]);
+}
+
 #[tokio::test]
 #[cfg_attr(no_postgresql, ignore = "needs PostgreSQL: install it, or python3 with pip")]
 async fn a_lost_worker_s_job_is_run_by_another_process() {
@@ -99,7 +125,7 @@ async fn a_lost_worker_s_job_is_run_by_another_process() {
 async fn several_processes_may_start_at_once_on_an_empty_database() {
     let first = Subject::postgres().await;
     let Place::Database(url) = &first.place else { panic!("a database") };
-    let empty = crate::cluster::Cluster::shared().database().await;
+    let empty = Cluster::shared().database().await;
     assert_ne!(url, &empty);
     let place = Place::Database(empty);
     let starts =

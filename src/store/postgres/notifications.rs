@@ -63,8 +63,10 @@ async fn tell(pool: PgPool, node: WorkerId, mut changes: Receiver<Change>) {
     while changes.recv_many(&mut batch, BATCH).await > 0 {
         let (channels, messages): (Vec<&str>, Vec<String>) =
             batch.drain(..).map(|change| (channel_of(change), message(node, change))).unzip();
+        // The notifications of all processes wait for each other's commits, and these for no disk.
         let notify = sqlx::query(
-            "SELECT pg_notify(t.channel, t.message)
+            "SELECT set_config('synchronous_commit', 'off', true) UNION ALL
+             SELECT pg_notify(t.channel, t.message)::text
              FROM unnest($1::text[], $2::text[]) AS t (channel, message)",
         );
         let notify = notify.bind(channels).bind(messages);

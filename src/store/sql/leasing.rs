@@ -288,7 +288,6 @@ pub(super) async fn finish<C: Messages>(
     now: Option<i64>,
 ) -> Result<(), StoreError> {
     let mut message = locked::<C>(lease);
-    message.push(C::DIALECT.durably, &[]);
     push_records::<C>(&mut message, lease, records)?;
     let (report, failure) = match outcome {
         Outcome::Reported { report, .. } => (Some(pack(report)?), None),

@@ -58,8 +58,6 @@ pub(in crate::store) struct Dialect {
     pub(super) one_claim: &'static str,
     /// Excludes other submissions until the end of the transaction.
     pub(super) one_intake: &'static str,
-    /// Syncs this message to the disk before it is answered.
-    pub(super) durably: &'static str,
 }
 
 /// SQLite has one writer, which needs no locks, and its clock is that of the process.
@@ -78,7 +76,6 @@ const SQLITE: Dialect = Dialect {
     share: "",
     one_claim: "SELECT 1",
     one_intake: "SELECT 1",
-    durably: "SELECT 1",
 };
 
 /// PostgreSQL makes one transaction of a message.
@@ -106,7 +103,6 @@ const POSTGRES: Dialect = Dialect {
     // No other locks have these numbers.
     one_claim: "SELECT pg_advisory_xact_lock(4242002)",
     one_intake: "SELECT pg_advisory_xact_lock(4242001)",
-    durably: "SET LOCAL synchronous_commit = on",
 };
 
 /// Writes bytes as hexadecimal digits.
