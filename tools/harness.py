@@ -133,6 +133,11 @@ class Cluster:
             "restart",
         )
 
+    def cut(self):
+        """Ends all connections."""
+        others = "FROM pg_stat_activity WHERE pid <> pg_backend_pid()"
+        self.run("psql", self.url, "-qc", f"SELECT pg_terminate_backend(pid) {others}")
+
     def stop(self):
         self.run("pg_ctl", "-D", self.folder, "-m", "immediate", "stop")
         shutil.rmtree(self.base, ignore_errors=True)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Kills, freezes and restarts the service under load; checks that no job is lost or doubled.
+"""Kills, stops and freezes the service under load; checks that no job is lost or doubled.
 
 usage: tools/rounds.py [--rounds 9] [--store sqlite|postgres] [--binary target/release/brinell]
 
 Jobs have small and large results, each with an announcement. `sqlite` is one service, `postgres`
-two on a cluster of their own, which is restarted too (needs initdb and pg_ctl). The receiver
-answers one announcement in five with 500. At the end every accepted job must have succeeded, with
-a complete result and an announcement delivered under one id.
+two on a cluster of their own, which is restarted and cuts its connections too (needs initdb,
+pg_ctl and psql). The receiver answers one announcement in five with 500. At the end every accepted
+job must have succeeded, with a complete result and an announcement delivered under one id.
 """
 
 import argparse, collections, http.client, http.server, json, random, shutil, signal
@@ -63,6 +63,9 @@ class Node:
             "3",
             "--max-attempts",
             "100",
+            # What is left to solve at the end.
+            "--queue-capacity",
+            "100",
             "--webhook-host",
             "127.0.0.1",
             "--webhook-secret",
@@ -76,8 +79,8 @@ class Node:
         )
         self.process.stdout.readline()
 
-    def kill(self):
-        self.process.kill()
+    def end(self, how):
+        self.process.send_signal(how)
         self.process.wait()
         self.start()
 
@@ -140,16 +143,17 @@ try:
     clients = [threading.Thread(target=submit, args=(nodes, prefix)) for prefix in "ab"]
     for client in clients:
         client.start()
-    actions = ["kill", "freeze", "restart"] if cluster else ["kill", "freeze", "kill"]
+    actions = {
+        "kill": lambda: node.end(signal.SIGKILL),
+        "stop": lambda: node.end(signal.SIGTERM),
+        "freeze": lambda: node.freeze(5),
+        **({"restart": cluster.restart, "cut": cluster.cut} if cluster else {}),
+    }
     for number in range(args.rounds):
         time.sleep(args.seconds)
-        action, node = actions[number % 3], nodes[number % len(nodes)]
+        action, node = list(actions)[number % len(actions)], nodes[number % len(nodes)]
         print(f"round {number + 1}: {action}, {len(accepted)} jobs accepted so far", flush=True)
-        {
-            "kill": node.kill,
-            "freeze": lambda: node.freeze(5),
-            "restart": lambda: cluster.restart(),
-        }[action]()
+        actions[action]()
     stop.set()
     for client in clients:
         client.join()
