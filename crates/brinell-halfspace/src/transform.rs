@@ -128,7 +128,9 @@ impl Transform {
         for (values, row) in field.chunks_exact_mut(self.ny).zip(rows) {
             // The spectrum of a real row is real where its wave number is its own negative.
             row[0].im = 0.0;
-            row[self.my / 2].im = 0.0;
+            if self.my.is_multiple_of(2) {
+                row[self.my / 2].im = 0.0;
+            }
             let done = self.inverse_y.process_with_scratch(row, &mut scratch.row, &mut scratch.y);
             debug_assert!(done.is_ok(), "the plan's own lengths, real ends");
             for (value, from) in values.iter_mut().zip(&scratch.row) {

@@ -44,6 +44,37 @@ fn pressures(grid: SurfaceGrid, mean: f64, height: impl Fn(f64, f64) -> f64) -> 
     solution.force.iter().map(|force| force / grid.cell_area()).collect()
 }
 
+/// `p = E*/2 |q| u` of a wave on a periodic surface, whatever the number of cells along a side.
+#[test]
+fn the_preconditioner_is_the_inverse_of_a_periodic_surface() {
+    for [nx, ny] in [[8, 8], [9, 8], [8, 9], [15, 7]] {
+        let grid = SurfaceGrid::new(nx, ny, 0.1, 0.2).unwrap();
+        let surface = SurfaceFlexibility::new(grid, MODULUS);
+        for (i, j) in (0..=nx / 2).flat_map(|i| (0..=ny / 2).map(move |j| (i, j))).skip(1) {
+            let q = [TAU * i as f64 / (nx as f64 * 0.1), TAU * j as f64 / (ny as f64 * 0.2)];
+            let displacement = grid.sample(|x, y| (q[0] * x + q[1] * y).cos());
+            let mut force = vec![0.0; grid.n_cells()];
+            surface.precondition(&displacement, &mut force);
+            let stiffness = 0.5 * MODULUS * q[0].hypot(q[1]) * grid.cell_area();
+            for (force, u) in force.iter().zip(&displacement) {
+                assert!((force / stiffness - u).abs() < 1e-12, "{nx} × {ny}, wave {i}, {j}");
+            }
+        }
+    }
+}
+
+/// A flat punch as large as the grid: sides of odd numbers of cells take no more than even ones.
+#[test]
+fn a_contact_of_all_cells_takes_few_steps() {
+    for [nx, ny] in [[16, 16], [17, 16], [16, 17], [9, 33]] {
+        let grid = SurfaceGrid::new(nx, ny, 0.1, 0.1).unwrap();
+        let surface = SurfaceFlexibility::new(grid, MODULUS);
+        let solution = solve(&surface, &vec![0.0; grid.n_cells()], 1e3, 1e-8);
+        let ContactSolution { pivots, applications, .. } = solution;
+        assert!(pivots <= 3 && applications <= 30, "{nx} × {ny}: {pivots}, {applications}");
+    }
+}
+
 /// `p = 2p̄ cos(πx)/s² √(s² - sin²(πx))` with `s = sin(πa)`, `p̄ = s² πE*Δ` in wave lengths.
 ///
 /// 15 waves leave 0.1 % of the mean pressure. The slope of the pressure has no bound at the edge,
