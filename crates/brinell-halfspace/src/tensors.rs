@@ -72,12 +72,6 @@ impl TensorField {
         &self.values[layer * len..][..len]
     }
 
-    /// All components of one layer.
-    pub fn layer_mut(&mut self, layer: usize) -> &mut [f64] {
-        let len = self.n_components * self.n_cells;
-        &mut self.values[layer * len..][..len]
-    }
-
     /// All numbers.
     pub fn values(&self) -> &[f64] {
         &self.values

@@ -278,11 +278,6 @@ impl HalfSpaceProblem {
         gap.iter().map(|gap| gap - least).collect()
     }
 
-    /// Whether the gap is symmetric in x and in y of the fields.
-    pub fn gap_is_even(&self) -> bool {
-        self.heights.is_none() && self.rollers.iter().all(RollerGap::is_even)
-    }
-
     /// Returns half the largest contact length along y of the fields that the rollers allow
     /// \[mm\]; `None` without a roller.
     pub fn half_length(&self) -> Option<f64> {
