@@ -20,7 +20,7 @@ export function numbersOf(job) {
     const other = one.key.startsWith('/upper/') && one.key.replace('/upper/', '/lower/');
     const twin = other && found.find(({ key, value }) => key === other && value === one.value);
     if (!twin) return [];
-    const label = one.label.replace(/^Upper /, 'Both bodies: ');
+    const label = `Both bodies: ${nameOf(one.key.replace('/upper', ''), job).label.toLowerCase()}`;
     return [{ ...one, key: `both${one.key}`, pointers: [one.key, twin.key], label }];
   });
   return [...both, ...found].sort((a, b) => rank(a.pointers[0]) - rank(b.pointers[0]));

@@ -50,7 +50,8 @@ export function verdict({ one, at, label }, named) {
 }
 
 /** Below the word “error”. @param {import('./answers.js').Answer} answer */
-const barOf = (answer) => errorWords(answer).replace('error not known', 'not known');
+const barOf = (answer) =>
+  answer.value !== null && answer.error === null ? 'not known' : errorWords(answer);
 
 /**
  * All answers of one step: how well each is known, what elastic theory says, where it is, and those
