@@ -422,16 +422,61 @@ fn a_solve_that_fails_leaves_files_alone() {
     let name = path.to_str().unwrap();
     let solve = || brinell(&["solve", EXAMPLE, "--format", "vtr", "-o", name], "");
     let _ = std::fs::remove_file(&path);
-    assert_eq!(solve().status.code(), Some(1));
+    assert_eq!(solve().status.code(), Some(2));
     assert!(!path.exists());
     std::fs::write(&path, "kept").unwrap();
-    assert_eq!(solve().status.code(), Some(1));
+    assert_eq!(solve().status.code(), Some(2));
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "kept");
     let output = brinell(&["validate", EXAMPLE, "--format", "json"], "");
     assert_eq!(output.status.code(), Some(0));
     let output = brinell(&["solve", EXAMPLE, "--format", "summary-csv", "-o", name], "");
     assert_eq!(output.status.code(), Some(0));
     assert!(std::fs::read_to_string(&path).unwrap().starts_with("step,status,force"));
+}
+
+#[test]
+fn a_file_has_the_form_of_its_name_and_is_not_the_job() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let (job, drawn) = (folder.join("named.json"), folder.join("named.svg"));
+    std::fs::copy(EXAMPLE, &job).unwrap();
+    let solve = |output: &Path| {
+        brinell(&["solve", job.to_str().unwrap(), "-o", output.to_str().unwrap()], "")
+    };
+    assert_eq!(solve(&drawn).status.code(), Some(0));
+    assert!(std::fs::read_to_string(&drawn).unwrap().starts_with("<svg "));
+    let output = solve(&folder.join("../tmp/named.json"));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).ends_with("named.json: the job is there\n"), "{}", stderr(&output));
+    assert_eq!(std::fs::read(&job).unwrap(), std::fs::read(EXAMPLE).unwrap());
+}
+
+#[test]
+fn mistakes_of_newcomers_get_a_sentence() {
+    const FOLDER: &str = env!("CARGO_TARGET_TMPDIR");
+    let table = Path::new(FOLDER).join("mistaken.csv");
+    std::fs::write(&table, "x,height\n0,1\n1,2\n").unwrap();
+    let table = table.to_str().unwrap();
+    for (args, told) in [
+        (&["solve", table][..], "expected a value"),
+        (&["solve", EXAMPLE, "--step", "0"], "--step cannot be \"0\": must be at least 1"),
+        (
+            &["solve", EXAMPLE, "--step", "last"],
+            "--step cannot be \"last\": must be a whole number",
+        ),
+        (&["solve", EXAMPLE, "--format", "CSV"], "must be one of: json, table, summary-csv"),
+        (&["solve", EXAMPLE, "--out", "results"], "cannot be used with"),
+        (&["solve", EXAMPLE, "--part", "1/2"], "cannot be used with"),
+        (&["solve", "--array", EXAMPLE, "--out", FOLDER], "a whole job in each line"),
+        (&["solve", "--array", table, "--out", FOLDER], "a whole job in each line"),
+        (&["serve", "--workers", "0"], "must be at least 1"),
+        (&["worker"], "--database-url"),
+    ] {
+        let output = brinell(args, "");
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        let said = stderr(&output);
+        assert!(said.lines().next().is_some_and(|line| line.contains(told)), "{args:?}: {said}");
+        assert_eq!(said.matches("error: ").count(), 1, "{said}");
+    }
 }
 
 #[test]

@@ -38,12 +38,12 @@ pub(super) struct ArrayArgs {
     pub(super) array: Option<PathBuf>,
 
     /// The folder of the results of --array
-    #[arg(long, value_name = "FOLDER", requires = "array")]
+    #[arg(long, value_name = "FOLDER", requires = "array", conflicts_with = "job")]
     out: Option<PathBuf>,
 
     /// The part of --array that is solved here, as 3/8 [default: that of SLURM_ARRAY_TASK_ID, or
     /// all]
-    #[arg(long, value_name = "I/N", requires = "array")]
+    #[arg(long, value_name = "I/N", requires = "array", conflicts_with = "job")]
     part: Option<Part>,
 }
 
@@ -108,18 +108,30 @@ pub(super) fn solve_array(jobs: &Path, args: &ArrayArgs) -> Result<ExitCode, Fau
     let cache = Arc::new(FactorCache::new(WorkConfig::default().factor_cache()));
     let mut ending = None;
     let mut converged = true;
+    // Before the first job: a file of another kind is told once, not line by line.
+    let mut strange = Some(Vec::new());
     for (number, line) in lines.enumerate() {
         let line = line.map_err(unread)?;
         if line.trim_ascii().is_empty() || !part.has(number) {
             continue;
         }
         let name = format!("{} line {}", jobs.display(), number + 1);
-        match folder.answer(&name, &line, &cache) {
-            Ok(status) => converged &= status == SolveStatus::Converged,
-            Err(fault) => {
-                let code = report_fault(&fault);
-                ending.get_or_insert(code);
-            }
+        let answer = folder.answer(&name, &line, &cache);
+        if let (Err(Fault::Syntax { .. }), Some(faults)) = (&answer, &mut strange) {
+            faults.extend(answer.err());
+            continue;
+        }
+        for fault in strange.take().iter().flatten().chain(answer.as_ref().err()) {
+            ending.get_or_insert(report_fault(fault));
+        }
+        converged &= answer.is_ok_and(|status| status == SolveStatus::Converged);
+    }
+    match strange.as_deref() {
+        None | Some([]) => {}
+        Some([fault]) => return Ok(report_fault(fault)),
+        Some(_) => {
+            let reason = "no line of it is JSON; --array takes a whole job in each line";
+            return Err(unread(io::Error::new(io::ErrorKind::InvalidData, reason)));
         }
     }
     let solved = if converged { ExitCode::SUCCESS } else { ExitCode::from(NOT_CONVERGED) };

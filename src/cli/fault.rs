@@ -84,11 +84,13 @@ impl Fault {
 
     fn exit_code(&self) -> u8 {
         match self {
+            Self::Export(ExportError::Fields(_) | ExportError::Drawing(_)) => FAILED,
             Self::Read { .. }
             | Self::Syntax { .. }
             | Self::Setting(_)
             | Self::Fields { .. }
-            | Self::Export(ExportError::NoStep(_)) => BAD_INPUT,
+            | Self::Export(_)
+            | Self::App(AppError::NotShared) => BAD_INPUT,
             // An address that cannot be one, as with the port 99999.
             Self::App(AppError::Listen { source, .. })
                 if source.kind() == io::ErrorKind::InvalidInput =>

@@ -76,9 +76,13 @@ pub(super) struct Output {
 }
 
 impl Output {
-    /// Opens a file, or standard output.
-    pub(super) fn open(path: Option<&Path>) -> Result<Self, Fault> {
+    /// Opens a file, or standard output. The file of the job is refused.
+    pub(super) fn open(path: Option<&Path>, job: Option<&Path>) -> Result<Self, Fault> {
         let Some(path) = path else { return Ok(Self { file: None, is_new: false }) };
+        let place = |path: &Path| fs::canonicalize(path).ok().filter(|place| place.is_file());
+        if place(path).is_some_and(|file| job.and_then(place) == Some(file)) {
+            return Err(fault(path, io::Error::other("the job is there")));
+        }
         let is_new = !path.exists();
         let file = OpenOptions::new().write(true).create(true).truncate(false).open(path);
         let file = file.map_err(|source| fault(path, source))?;
@@ -106,7 +110,7 @@ impl Drop for Output {
 
 /// Writes an answer that is made at once to a file, or to standard output.
 pub(super) fn write_answer(path: Option<&Path>, text: &[u8]) -> Result<(), Fault> {
-    Output::open(path)?.write(text)
+    Output::open(path, None)?.write(text)
 }
 
 fn fault(path: &Path, source: io::Error) -> Fault {

@@ -30,7 +30,8 @@ pub(super) struct SolveArgs {
     #[command(flatten)]
     settings: Settings,
 
-    /// How to print the result [default: table on a terminal, json elsewhere]
+    /// How to print the result [default: that of the ending of --output, else table on a
+    /// terminal, json elsewhere]
     #[arg(long, value_enum)]
     format: Option<ResultFormat>,
 
@@ -50,7 +51,12 @@ pub(super) struct SolveArgs {
 impl SolveArgs {
     fn format(&self) -> ResultFormat {
         let for_a_person = self.output.is_none() && io::stdout().is_terminal();
-        self.format.unwrap_or(if for_a_person { ResultFormat::Table } else { ResultFormat::Json })
+        let usual = if for_a_person { ResultFormat::Table } else { ResultFormat::Json };
+        let of_ending = || {
+            let ending = self.output.as_ref()?.extension()?.to_str()?;
+            ResultFormat::from_str(ending, true).ok()
+        };
+        self.format.or_else(of_ending).unwrap_or(usual)
     }
 
     fn style(&self) -> Style {
@@ -126,7 +132,7 @@ pub(super) fn solve(args: &SolveArgs) -> Result<ExitCode, Fault> {
     }
     // What is not solved is refused before anything is.
     report::preflight(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
-    let output = Output::open(args.output.as_deref())?;
+    let output = Output::open(args.output.as_deref(), args.job.as_deref())?;
     let mut progress = ProgressLine::start();
     let report = report::run(&job, &mut progress).map_err(|error| match error {
         RunError::Input(errors) => Fault::of_job(&name, JobError::Fields(errors)),

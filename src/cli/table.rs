@@ -98,7 +98,7 @@ impl Page {
             for (at, shown) in report.steps.iter().enumerate() {
                 if step.is_none_or(|step| step == at) {
                     self.line("");
-                    self.step(shown, report.target.is_some());
+                    self.step(shown);
                 }
             }
         }
@@ -154,7 +154,7 @@ impl Page {
         self.line(&self.style.dim(&format!("it is {reached}{unit} {when}")));
     }
 
-    fn step(&mut self, step: &StepReport, is_sought: bool) {
+    fn step(&mut self, step: &StepReport) {
         let load = match step.load {
             LoadReport::Force(force) => {
                 format!("force {} {}", significant(force, 7), self.names.force)
@@ -189,7 +189,7 @@ impl Page {
             self.line(&text);
             self.line("");
         }
-        self.answers(step, is_sought);
+        self.answers(step);
         let picture = plot::pressure(step, self.names, style);
         if !picture.is_empty() {
             self.line("");
@@ -229,8 +229,10 @@ impl Page {
     }
 
     /// Writes the answers, each with its elastic reference or its place, and its error bar. A
-    /// force that is sought stands under its own name.
-    fn answers(&mut self, step: &StepReport, is_sought: bool) {
+    /// force that is sought stands under its own name alone.
+    fn answers(&mut self, step: &StepReport) {
+        let is_force = |name: &str| matches!(name, "force_found" | "first_yield_force");
+        let is_sought = step.answers.iter().any(|answer| is_force(&answer.name));
         if step.answers.iter().any(|answer| answer.elastic.is_some()) {
             let head = format!("{:34}{:>12}{:>11}{:>8}", "", "this contact", "Hertz", "ratio");
             self.line(&self.style.dim(&head));

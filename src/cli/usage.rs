@@ -1,7 +1,8 @@
-//! Messages about wrong settings: one line that names the flag and the variable.
+//! Messages about wrong settings: one line that names the flag and its variable, if it has one.
 
 use std::error::Error as _;
 use std::io::{self, Write};
+use std::num::{IntErrorKind, ParseIntError};
 use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -28,17 +29,32 @@ fn explain(error: &Error, command: &Command) -> Option<String> {
     let ContextValue::String(argument) = error.get(ContextKind::InvalidArg)? else { return None };
     let ContextValue::String(value) = error.get(ContextKind::InvalidValue)? else { return None };
     let flag = argument.split([' ', '=']).next()?;
-    let variable = variable(command, flag.strip_prefix("--")?)?;
+    let (variable, is_secret) = match variable(command, flag.strip_prefix("--")?) {
+        Some((name, is_secret)) => (format!(" ({name})"), is_secret),
+        None => (String::new(), false),
+    };
     let reason = match (error.source(), error.get(ContextKind::ValidValue)) {
-        (Some(reason), _) => reason.to_string(),
+        (Some(reason), _) => reason_of(reason),
         (None, Some(ContextValue::Strings(words))) => {
             format!("must be one of: {}", words.join(", "))
         }
         (None, _) => "not a value it can have".to_owned(),
     };
     // A value that may be a secret is not repeated.
-    let value = if variable.1 { "what it is".to_owned() } else { format!("{value:?}") };
-    Some(format!("{flag} ({}) cannot be {value}: {reason}", variable.0))
+    let value = if is_secret { "what it is".to_owned() } else { format!("{value:?}") };
+    Some(format!("{flag}{variable} cannot be {value}: {reason}"))
+}
+
+/// Why a value is refused; the language's own words for numbers are no sentence for users.
+fn reason_of(error: &(dyn std::error::Error + 'static)) -> String {
+    match error.downcast_ref::<ParseIntError>().map(ParseIntError::kind) {
+        Some(IntErrorKind::Zero) => "must be at least 1".to_owned(),
+        Some(IntErrorKind::PosOverflow | IntErrorKind::NegOverflow) => {
+            "is beyond what can be counted".to_owned()
+        }
+        Some(_) => "must be a whole number without sign".to_owned(),
+        None => error.to_string(),
+    }
 }
 
 /// The variable of a flag, wherever it is defined, and whether its value is a secret.

@@ -214,6 +214,7 @@ mod refused {
     #[test]
     fn wrong_types() {
         assert_snapshot!(faults_of(&with("/upper/shape/radius", json!("20"))), @"/upper/shape/radius: must be a number, got a string");
+        assert_snapshot!(faults_of(&with("/upper/material/young_modulus", json!([210_000, 300_000]))), @"/upper/material/young_modulus: must be a number, got an array; layers of other moduli are not solved; strength over depth is `over_depth` of a law");
         assert_snapshot!(faults_of(&with("/upper/shape", json!(null))), @"/upper/shape: must be an object, got null");
         assert_snapshot!(faults_of(&with("/solver", json!([]))), @"/solver: must be an object, got an array");
         assert_snapshot!(faults_of(&with("/output/fields", json!(1))), @"/output/fields: must be true or false, got a number");

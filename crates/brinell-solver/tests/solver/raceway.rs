@@ -177,6 +177,14 @@ fn what_does_not_roll_in_three_dimensions_is_refused() {
         &|job| job["upper"]["shape"] = json!({"type": "roller", "radius": 10, "length": 8}),
         "a thousandth of each other",
     );
+    refused(
+        &|job| {
+            job["upper"]["shape"] = json!({
+                "type": "roller", "radius": 10, "length": 8, "profile": "logarithmic", "design_force": 400,
+            });
+        },
+        "no other profile rolls",
+    );
 }
 
 /// Memory is that of a small track, and the numbers are those of its cells.

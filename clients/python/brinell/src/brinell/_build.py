@@ -185,7 +185,8 @@ def job(
                 Fault(
                     "#/load",
                     "one_of",
-                    f"exactly one of {every}, got {' and '.join(given) or 'none'}",
+                    f"exactly one of {every}, got {' and '.join(given) or 'none'}; brinell_test,"
+                    " vickers and rockwell_c make jobs of hardness tests",
                 )
             ]
         )

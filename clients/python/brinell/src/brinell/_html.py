@@ -35,16 +35,19 @@ def _answer(answer: Answer) -> tuple[str, str, str, str, str]:
     """Name, figure, error bar, Hertz's figure and unit of an answer."""
     part = answer.quantity in ("strain", "ratio")
     factor, unit = (100.0, "%") if part else (1.0, answer.unit)
-    shown = "" if math.isnan(answer.value) else f"{factor * answer.value:.5g}"
+    is_known = not math.isnan(answer.value)
+    shown = f"{factor * answer.value:.5g}" if is_known else "not known"
     bar = f"± {100 * answer.error:.2g} %" if answer.error > 0.0 else ""
     hertz = f"{factor * answer.elastic:.5g}" if answer.elastic > 0.0 else ""
-    return (answer.label, shown or "not known", bar, hertz, unit)
+    return (answer.label, shown, bar, hertz, unit if is_known or hertz else "")
 
 
 def _lines(result: ResultData) -> list[tuple[str, str, str, str, str]]:
     """Name, figure, error bar, Hertz's figure and unit."""
-    if result.last.answers:
-        return [_answer(answer) for answer in result.last.answers]
+    if answers := result.last.answers:
+        # A force that is sought stands under its own name alone.
+        is_sought = any(one.name in ("force_found", "first_yield_force") for one in answers)
+        return [_answer(one) for one in answers if one.name != "force" or not is_sought]
     lines = []
     for name, words, units in ROWS:
         value = getattr(result, name)

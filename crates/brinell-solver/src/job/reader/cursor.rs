@@ -239,10 +239,16 @@ impl<'a> Cursor<'a> {
 
     /// Records that this value has the wrong type.
     pub(super) fn not<T>(&self, expected: &str) -> Option<T> {
-        self.fault(
-            FaultCode::WrongType,
-            format_args!("must be {expected}, got {}", self.node.kind()),
-        );
+        let got = self.node.kind();
+        match (self.node, self.place) {
+            // Who lists moduli or materials asks for layers.
+            (Node::Array(_), Place::Key(_, "material" | "young_modulus" | "poisson_ratio")) => {
+                let layers = Guess { written: "layers", known: &[] };
+                let detail = format_args!("must be {expected}, got {got}{layers}");
+                self.fault(FaultCode::WrongType, detail);
+            }
+            _ => self.fault(FaultCode::WrongType, format_args!("must be {expected}, got {got}")),
+        }
         None
     }
 }

@@ -87,7 +87,9 @@ pub struct Guess<'a> {
 
 impl fmt::Display for Guess<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let absent = NOT_THERE.iter().find(|(words, _)| words.contains(&self.written));
+        let written = bare(self.written);
+        let is_written = |word: &&str| bare(word) == written;
+        let absent = NOT_THERE.iter().find(|(words, _)| words.iter().any(is_written));
         match (absent, self.nearest()) {
             (Some((_, instead)), _) => write!(f, "; {instead}"),
             (None, Some(word)) => write!(f, "; did you mean `{word}`?"),
@@ -182,6 +184,7 @@ mod tests {
         for (words, instead) in NOT_THERE {
             for word in words {
                 assert_eq!(said(word), format!("; {instead}"));
+                assert_eq!(said(&word.to_uppercase()), said(&word.to_lowercase()));
             }
         }
     }
