@@ -108,6 +108,13 @@ fn free_rolling_above_the_limit_ratchets() {
     near(least, body(&step, 12).least_sigma_x, 1e-12);
     let strains = profile.equivalent_plastic_strain.iter().copied().fold(0.0, f64::max);
     near(strains, step.max_plastic_strain().unwrap(), 1e-12);
+    // The bar of all residual stresses is one of the largest of them.
+    let errors = found.passes[11].estimated_error.as_ref().unwrap().bodies.lower.unwrap();
+    for name in ["least_sigma_x", "least_sigma_z"] {
+        let answer = step.answers.iter().find(|answer| answer.name == name).unwrap();
+        let bar = answer.error.unwrap() * answer.value.unwrap().abs();
+        near(bar, errors.residual.unwrap() * body(&step, 12).least_sigma_z.abs(), 1e-9);
+    }
     let iterations: usize = found.passes.iter().map(|pass| pass.iterations).sum();
     assert!((300..600).contains(&iterations), "{iterations}");
 }

@@ -61,7 +61,7 @@ impl Facts<'_> {
             ),
             TrackVerdict::Undecided => (
                 VerdictLevel::NotKnown,
-                format!("Not decided after {passes}{rule}: the track still changes"),
+                format!("Not decided after {passes}{rule}"),
             ),
         };
         let other = rolling.rules.iter().find(|rule| {
@@ -182,6 +182,11 @@ impl Facts<'_> {
             let PerBody { upper, lower } = errors;
             if side == Side::Upper { upper } else { lower }.as_ref().and_then(figure)
         };
+        let of_stress = |stress: f64| {
+            error(|errors| errors.residual)
+                .map(|error| error * body.largest_residual() / stress.abs())
+                .filter(|error| error.is_finite())
+        };
         let below = |depth: f64, across: f64| {
             let y = last.half_width_across.map(|_| across);
             Some(AnswerPlace { body: of, x: 0.0, y, depth })
@@ -220,11 +225,11 @@ impl Facts<'_> {
                 .of(of)
                 .text("accumulated by all passes, largest of all layers"),
             self.answer("least_sigma_x", "Residual σ_x", stress, body.least_sigma_x)
-                .error(error(|errors| errors.residual))
+                .error(of_stress(body.least_sigma_x))
                 .of(of)
                 .text("along the travel, the least over depth after the last pass"),
             self.answer("least_sigma_z", "Residual σ_z", stress, body.least_sigma_z)
-                .error(error(|errors| errors.residual))
+                .error(of_stress(body.least_sigma_z))
                 .of(of)
                 .text("across the travel, the least over depth after the last pass"),
         ];

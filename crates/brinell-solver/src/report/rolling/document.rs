@@ -198,6 +198,14 @@ pub struct BodyPassReport {
     pub largest_sigma_z: f64,
 }
 
+impl BodyPassReport {
+    /// Returns the largest of the residual stresses, to which their error is relative.
+    pub(super) fn largest_residual(&self) -> f64 {
+        let along = self.least_sigma_x.abs().max(self.largest_sigma_x.abs());
+        along.max(self.least_sigma_z.abs()).max(self.largest_sigma_z.abs())
+    }
+}
+
 /// Estimated relative errors of a pass; `null` of a figure that is 0.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = PassErrors))]
