@@ -92,7 +92,9 @@ impl DepthLimit {
     /// Residual stresses that rolling leaves depend on depth alone, so that by equilibrium they
     /// are σ_x and σ_z only: they can take away all of the deviator but the orthogonal shear
     /// stress (Melan). Above this limit the material at that depth yields in every passage. Below
-    /// it, it shakes down where the strength is constant; where it is not, this is an upper bound.
+    /// it, it shakes down where the strength is constant and ν is above 0.067: the stress at the
+    /// surface goes from 0 to `(1 - 2ν) p0` and back, which may be no more than `2 σ_y`. Where the
+    /// strength is not constant, this is an upper bound.
     ///
     /// # Reference
     /// K. L. Johnson, *A shakedown limit in rolling contact*, Proc. 4th U.S. National Congress of

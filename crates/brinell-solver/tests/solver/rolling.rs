@@ -99,6 +99,7 @@ fn free_rolling_above_the_limit_ratchets() {
     let verdict = step.verdict.as_ref().unwrap();
     assert_eq!(verdict.level, VerdictLevel::Ratchets);
     assert!(verdict.text.contains("1.05 times the limit of shakedown"), "{}", verdict.text);
+    assert!(verdict.text.contains("after 12 passes each pass adds"), "{}", verdict.text);
     let (first, later) = found.passes.split_first().unwrap();
     assert!(first.energy_gap < 0.01, "{}", first.energy_gap);
     assert!(later.iter().all(|pass| pass.energy_gap < 0.03), "{later:?}");

@@ -51,18 +51,20 @@ impl Facts<'_> {
             TrackVerdict::ClosedCycle => (
                 VerdictLevel::ClosedCycle,
                 format!(
-                    "Closes a cycle{rule}: {each} flows by a plastic strain of {rate}{at}{body} \
-                     and takes it back, which is low-cycle fatigue"
+                    "Closes a cycle{rule}: after {passes} {each} flows by a plastic strain of \
+                     {rate}{at}{body} and takes it back, which is low-cycle fatigue"
                 ),
             ),
             TrackVerdict::Ratchets => (
                 VerdictLevel::Ratchets,
-                format!("Ratchets{rule}: {each} adds a plastic strain of {rate}{at}{body}"),
+                format!(
+                    "Ratchets{rule}: after {passes} {each} adds a plastic strain of \
+                     {rate}{at}{body}"
+                ),
             ),
-            TrackVerdict::Undecided => (
-                VerdictLevel::NotKnown,
-                format!("Not decided after {passes}{rule}"),
-            ),
+            TrackVerdict::Undecided => {
+                (VerdictLevel::NotKnown, format!("Not decided after {passes}{rule}"))
+            }
         };
         let other = rolling.rules.iter().find(|rule| {
             rolling.rules.len() > 1 && worst.is_some_and(|worst| worst.hardening != rule.hardening)
