@@ -9,7 +9,9 @@ pub enum GridError {
     #[error("a surface grid needs two cells along each side, got {0} × {1}")]
     TooFewCells(usize, usize),
     /// More columns than anybody can wait for.
-    #[error("a track of {0} columns is too long: take fewer over a half-width, or a shorter track")]
+    #[error(
+        "a track of {0} columns is too long: take fewer over a half-width, or a shorter track"
+    )]
     TooManyColumns(usize),
     /// A cell without a size.
     #[error("the cells' sides have to be positive, got {0} × {1} mm")]
