@@ -143,7 +143,12 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
     h(
       'div',
       { class: 'sheet-columns' },
-      h('section', {}, h('h2', {}, shown.length > 1 ? `Set-up: ${label}` : 'Set-up'), inputs(job)),
+      h(
+        'section',
+        {},
+        h('h2', {}, shown.length > 1 ? `Set-up: ${label}` : 'Set-up'),
+        inputs(shown[0]),
+      ),
       sketch,
     ),
     h(
@@ -186,9 +191,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
             { class: 'sheet-setups' },
             shown
               .slice(1)
-              .map(({ job, label }) =>
-                h('section', {}, h('h2', {}, `Set-up: ${label}`), inputs(job)),
-              ),
+              .map((one) => h('section', {}, h('h2', {}, `Set-up: ${one.label}`), inputs(one))),
           ),
         ]
       : []),
@@ -314,8 +317,8 @@ function unitOfLoad(job, { quantity = 'number' }) {
   ].join(', ');
 }
 
-/** What was asked, in the units of the job. @param {Job} job */
-function inputs(job) {
+/** What was asked, in the units of the job, by which theory. @param {Shown} shown */
+function inputs({ job, report: { theory } }) {
   const units = unitsOf(job);
   const row = (
     /** @type {string} */ name,
@@ -440,11 +443,8 @@ function inputs(job) {
         ),
       ),
       ...(given.length ? [] : [whole('Load', 'onset of yield', '')]),
-      whole(
-        'Theory',
-        THEORIES[job.solver?.theory ?? DEFAULTS['/solver/theory']]?.toLowerCase() ?? '',
-        '',
-      ),
+      // Elastic bodies have none.
+      ...(theory ? [whole('Theory', THEORIES[theory]?.toLowerCase() ?? '', '')] : []),
       whole('Elements per half-width', writeValue(elements), ''),
       // Of the settings, those that are not as they are without a word.
       SETTINGS.filter(({ key }) => key.startsWith('solver/')).flatMap(({ key, label }) => {

@@ -104,9 +104,9 @@ const approachOf = ({ approach }) => approach ?? 0;
  * Whether the load falls again on a body that has yielded: the curve has a way back of its own.
  * @param {Shown} shown
  */
-const turnsBack = ({ job, report: { steps } }) =>
+const turnsBack = ({ job, report: { steps, theory } }) =>
   job.load?.history != null &&
-  job.solver?.theory !== 'deformation' &&
+  theory !== 'deformation' &&
   steps.some((step, k) => k > 0 && approachOf(step) < approachOf(steps[k - 1])) &&
   steps.some((step) => (strainOf(step) ?? 1) > 0);
 

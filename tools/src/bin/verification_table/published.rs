@@ -31,7 +31,7 @@ pub const NOTES: &str = "
   small.
 - Storåkers' area is that of solids `ε = (σ/σ_0)^m` without elasticity; here the elastic strain at
   σ_0 is a ten-thousandth of the plastic one.
-- Deformation theory misses all of them by more: `docs/theory.md`, section 4a.
+- Deformation theory misses those that it can answer by more: `docs/notes/flow_theory.md`.
 ";
 
 /// A figure with its relative error; `None` where the answer has none.

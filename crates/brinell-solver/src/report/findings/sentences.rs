@@ -317,9 +317,9 @@ impl Wide {
 /// Elastic peak over yield stress, and by how much the peak pressure of lines and of balls lies above
 /// that of flow theory up to there \[%\]: the most of seven hardening laws, 40 elements over the
 /// half-width (`docs/theory.md`, section 4a; below twice the yield stress Ramberg and Osgood's law
-/// has most).
+/// has most; a perfectly plastic ball on a block at 4 σ_y, `docs/notes/flow_theory.md`).
 const PEAKS_BEYOND_YIELD: [[f64; 3]; 4] =
-    [[2.0, 4.0, 4.0], [3.0, 4.2, 5.8], [4.0, 7.5, 9.9], [5.0, 11.6, 12.8]];
+    [[2.0, 4.0, 4.0], [3.0, 4.2, 5.8], [4.0, 7.5, 10.3], [5.0, 11.6, 12.8]];
 
 impl Deformation {
     pub(super) fn text(self) -> String {
