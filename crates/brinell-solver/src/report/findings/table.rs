@@ -312,7 +312,7 @@ findings! {
                 "Below the surface plastic strain changes within elements of {}: stresses along \
                  the surface, at the depth 0, are known to about {} only. {MORE_ELEMENTS}",
                 write.length_about(*spacing),
-                write.stress_text(
+                write.stress_about(
                     bodies.iter().flatten().map(|stress| stress.error).fold(0.0, f64::max)
                 )
             );
