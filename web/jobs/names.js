@@ -3,6 +3,7 @@
 import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, LAWS, allFields, lawOf, shapeLabel } from '../setup/fields.js';
 import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
+import { lowered } from '../setup/field.js';
 import { historyFigures } from '../setup/history.js';
 import { sweepWords } from '../setup/list.js';
 import { same } from '../lib/pointer.js';
@@ -83,9 +84,7 @@ export function pairOf({ analysis, upper, lower }) {
  */
 export function materialName(job, body) {
   const material = job[body]?.material;
-  return material?.name
-    ? String(material.name)
-    : String(LAWS[lawOf(material)]?.label.toLowerCase());
+  return material?.name ? String(material.name) : lowered(LAWS[lawOf(material)]?.label ?? '');
 }
 
 /** What a job is called: its title, or else the first of its tags. @param {Job} job @returns {string} */
@@ -144,8 +143,8 @@ export function nameOf(pointer, job) {
   const label = field?.label ?? sentence(key.replaceAll('_', ' '));
   const quantity = field?.quantity === 'load' ? forceOf(job) : field?.quantity;
   return {
-    label: body ? `${sentence(body)} ${label.toLowerCase()}` : label,
-    symbol: field?.symbol ?? label.toLowerCase(),
+    label: body ? `${sentence(body)} ${lowered(label)}` : label,
+    symbol: field?.symbol ?? lowered(label),
     unit: quantity ? unit(quantity, unitsOf(job)) : '',
   };
 }

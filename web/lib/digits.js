@@ -16,5 +16,11 @@ export function digitsOf(error) {
   return Math.min(MANY, Math.max(FEW, Math.ceil(-Math.log10(error)) + 1));
 }
 
-/** @param {number} value @param {number | null | undefined} error relative @returns {string} */
-export const figureOf = (value, error) => figure(value, digitsOf(error));
+/**
+ * Digits before the point that the error leaves open are 0.
+ * @param {number} value @param {number | null | undefined} error relative @returns {string}
+ */
+export const figureOf = (value, error) => {
+  const digits = digitsOf(error);
+  return figure(error ? Number(value.toPrecision(digits)) : value, digits);
+};

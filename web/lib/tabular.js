@@ -4,8 +4,8 @@ import { figureOf } from './digits.js';
 import { figure } from './units.js';
 
 /**
- * @typedef {{title: string, unit?: string, of?: string}} Column `of`: title of the column whose
- *   error it has, where it stands by itself
+ * @typedef {{title: string, unit?: string, of?: string, exact?: boolean}} Column `of`: title of the
+ *   column whose error it has, where it stands by itself; `exact`: what is given or follows from it
  */
 /** @typedef {string | number | null} Cell numbers go out in full where a program reads them */
 /**
@@ -17,15 +17,14 @@ import { figure } from './units.js';
  * Figures that end where their error does, which the next column has in per cent: of them, or
  * where they are shares, of the whole.
  * @param {Column[]} columns
- * @param {(figure: number) => string} plainly how figures without an error are written
  * @returns {Table['write']}
  */
-export const endingAtErrors = (columns, plainly) => (cell, k, row) => {
+export const endingAtErrors = (columns) => (cell, k, row) => {
   if (typeof cell !== 'number') return cell ?? '';
-  if (columns[k].title === '±') return figure(cell, 2);
+  if (columns[k].title === '±') return cell === 0 ? '' : figure(cell, 2);
   const error = columns[k + 1]?.title === '±' ? row[k + 1] : null;
-  if (typeof error !== 'number') return plainly(cell);
-  return figureOf(cell, error / (columns[k].unit === '%' ? Math.abs(cell) : 100));
+  if (typeof error !== 'number') return figureOf(cell, columns[k].exact ? 0 : null);
+  return figureOf(cell, error && error / (columns[k].unit === '%' ? Math.abs(cell) : 100));
 };
 
 /** @param {Column} column */

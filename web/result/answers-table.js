@@ -44,7 +44,7 @@ export function verdict({ one, at, label }, named) {
       'span',
       {},
       named ? [swatch(one), h('b', {}, `${label}: `)] : null,
-      symbol(sentenceOf(one.report.steps[at])),
+      symbol(sentenceOf(one.report.steps[at], one.report)),
     ),
   );
 }

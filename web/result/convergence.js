@@ -108,22 +108,22 @@ export class ConvergencePanel {
       marks: [{ across: 'y', at: tolerance, text: 'tolerance', left: true }],
       words: `After ${iterations} the out-of-balance force is ${figure(last.equilibrium_residual, 3)} of the load; the tolerance is ${figure(tolerance, 1)}.`,
     });
+    const pressure = `peak p  [${unit('stress', units)}]`;
+    const approach = { label: 'approach', colour: '--curve-2', x, y: column('approach'), points };
+    const peak = {
+      ...approach,
+      label: 'peak pressure',
+      colour: '--curve-1',
+      y: column('peak_pressure'),
+    };
+    // A load that rolls has no approach.
+    const sinks = approach.y.some((value) => value !== 0);
     this.settling.show({
       x: 'iteration',
-      y: `α  [${unit('length', units)}]`,
-      right: `peak p  [${unit('stress', units)}]`,
-      curves: [
-        { label: 'approach', colour: '--curve-2', x, y: column('approach'), points },
-        {
-          label: 'peak pressure',
-          colour: '--curve-1',
-          x,
-          y: column('peak_pressure'),
-          right: true,
-          points,
-        },
-      ],
-      words: `Approach ${figure(last.approach)} ${unit('length', units)}, peak pressure ${figure(last.peak_pressure)} ${unit('stress', units)} after the last iteration.`,
+      y: sinks ? `α  [${unit('length', units)}]` : pressure,
+      right: sinks ? pressure : undefined,
+      curves: sinks ? [approach, { ...peak, right: true }] : [peak],
+      words: `${sinks ? `Approach ${figure(last.approach)} ${unit('length', units)}, peak` : 'Peak'} pressure ${figure(last.peak_pressure)} ${unit('stress', units)} after the last iteration.`,
     });
   }
 }

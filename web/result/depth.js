@@ -8,7 +8,8 @@ import { nameOf as nameOfQuantity } from '../field/quantities.js';
 import { factor, figure, percent, unit, unitsOf } from '../lib/units.js';
 import { hasInitialStress, overDepthOf, yieldName, yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
-import { governing } from './answers.js';
+import { governing, orMiddle } from './answers.js';
+import { axesOf } from './axes.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
 import { abscissaOf } from './extent.js';
@@ -70,6 +71,14 @@ function caseDepth(job, body, units) {
  */
 function belowWords(step, report, profile) {
   const at = profile?.position ?? step.contact.peak_position;
+  const { three_dimensional: whole } = step;
+  if (whole) {
+    const axes = axesOf(whole);
+    const [x, y] = [orMiddle(at, whole.a), orMiddle(profile?.position_y ?? 0, whole.b)];
+    const places = [`${axes.x.name} = ${figure(axes.x.sign * x || 0, 3)}`];
+    if (y) places.push(`${axes.y.name} = ${figure(axes.y.sign * y, 3)}`);
+    return `at ${places.join(', ')}${x || y ? ` ${unit('length', report.units)}` : ''}`;
+  }
   const name = abscissaOf(step, report.analysis === 'axisymmetric');
   const where = figure(at, 3);
   return name === 'along the arc'

@@ -3,10 +3,9 @@
 import { copy, h, plainButton } from '../lib/dom.js';
 import { browser } from '../lib/kept.js';
 import { endingAtErrors, toCsv, toLatex, toMarkdown, toTsv } from '../lib/tabular.js';
-import { figure } from '../lib/units.js';
 import { save } from './downloads.js';
 import { Panel } from './panel.js';
-import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
+import { STEP_FIGURES, errorOf, titleOf, valueOf } from './step-figures.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
@@ -24,11 +23,11 @@ export function figuresTable(shown) {
   const figures = /** @type {import('./step-figures.js').StepFigure[]} */ (
     Object.values(STEP_FIGURES)
   )
-    .filter(({ value }) => all.some((step) => value(step) != null))
-    .map(({ bar, ...one }) => ({
-      ...one,
-      bar: bar && all.some((step) => barOf(step, bar)) ? bar : undefined,
-    }));
+    .filter((one) => all.some((step) => valueOf(step, one) !== null))
+    .map((one) => {
+      const errors = all.map((step) => errorOf(step, one));
+      return { ...one, barred: errors.some(Boolean), exact: errors.every((error) => error === 0) };
+    });
   // A state that is not the usual one stands where it is seen.
   const amiss = all.some(({ status }) => status !== 'converged');
   const columns = [
@@ -38,8 +37,8 @@ export function figuresTable(shown) {
     ...figures.flatMap((one) => {
       const title = one.short ?? titleOf(one, report);
       return [
-        { title, unit: one.unit(report) },
-        ...(one.bar ? [{ title: '±', of: title, unit: '%' }] : []),
+        { title, unit: one.unit(report), exact: one.exact },
+        ...(one.barred ? [{ title: '±', of: title, unit: '%' }] : []),
       ];
     }),
     ...(amiss ? [] : [{ title: 'state' }]),
@@ -49,14 +48,17 @@ export function figuresTable(shown) {
       ...(several ? [label] : []),
       k + 1,
       ...(amiss ? [stateOf(step)] : []),
-      ...figures.flatMap(({ value, bar }) => {
-        const error = bar && barOf(step, bar);
-        return [value(step) ?? null, ...(bar ? [error === undefined ? null : 100 * error] : [])];
+      ...figures.flatMap((one) => {
+        const cell = valueOf(step, one);
+        const error = errorOf(step, one);
+        // Of a share as one, of others as a part of them.
+        const whole = one.unit(report) === '%' ? Math.abs(cell ?? 0) : 100;
+        return [cell, ...(one.barred ? [error == null ? null : whole * error] : [])];
       }),
       ...(amiss ? [] : [stateOf(step)]),
     ]),
   );
-  const errors = endingAtErrors(columns, figure);
+  const errors = endingAtErrors(columns);
   /** @type {import('../lib/tabular.js').Table['write']} */
   const write = (cell, k, row) =>
     columns[k].title === 'step' ? String(cell) : errors(cell, k, row);

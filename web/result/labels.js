@@ -42,6 +42,7 @@ export function placeWords(lines, curves, box, ratio = 1) {
         const outside =
           around.left < box.left ||
           around.right > box.right + 4 * ratio ||
+          around.top < box.top ||
           around.bottom > box.bottom;
         const covered = taken.filter((other) => overlap(other, around)).length;
         return { place, around, faults: crossings + 1000 * covered + (outside ? 100 : 0) };

@@ -9,6 +9,7 @@ import { colourBar } from '../field/read.js';
 import { button, h, plainButton, pngOf } from '../lib/dom.js';
 import { colour, onTheme, paper } from '../lib/theme.js';
 import { figure, plain, setOf, unit } from '../lib/units.js';
+import { orMiddle } from './answers.js';
 import { axesOf, mapInJob } from './axes.js';
 import { Chart } from './chart.js';
 import { inUnits } from './converted.js';
@@ -231,14 +232,16 @@ export class MapPanel {
   }
 
   /** Where the cuts meet. @param {Picture} picture @returns {[number, number]} */
-  #place({ maps }) {
+  #place({ maps, ellipse }) {
     const { x, y } = maps;
     const values = valuesOf(maps, this.#quantity);
     const within = (/** @type {number} */ at, /** @type {number[]} */ cells) =>
       Math.min(cells[cells.length - 1], Math.max(cells[0], at));
     if (this.#pinned) return [within(this.#pinned[0], x), within(this.#pinned[1], y)];
     const most = this.#quantity === 'gap' ? -1 : values.indexOf(largest(values));
-    return most < 0 ? [0, 0] : [x[Math.floor(most / y.length)], y[most % y.length]];
+    if (most < 0) return [0, 0];
+    const [px, py] = [x[Math.floor(most / y.length)], y[most % y.length]];
+    return ellipse.surface ? [px, py] : [orMiddle(px, ellipse.a), orMiddle(py, ellipse.b)];
   }
 
   /** Curves of all jobs through the place of the cuts. */

@@ -1,6 +1,7 @@
 /** Contact pressure over x, Hertz's beside it, half-widths marked. */
 
 import { figure, unit } from '../lib/units.js';
+import { toldOf } from './answers.js';
 import { alongJob, axesOf } from './axes.js';
 import { Chart } from './chart.js';
 import { abscissaOf, extentOf, rangeAround } from './extent.js';
@@ -77,10 +78,12 @@ export class PressurePanel {
     const name = hertzName(first.report, at);
     if (hertz) curves.push({ ...hertzCurve(hertz, round, name), filled: false });
     const last = contact.patches[contact.patches.length - 1];
+    const half = ellipse ? 'semi_axis_a' : 'half_width';
+    const width = toldOf(step, half, contact.half_width, unit('length', units));
     const marks = contact.patches
       .flatMap((patch) => [
         mark(patch.left, ''),
-        mark(patch.right, patch === last ? widthWords(contact, units) : ''),
+        mark(patch.right, patch === last ? `a ${width}` : ''),
       ])
       .filter(({ at }) => at !== 0 || !round);
     const extents = sides.flatMap(({ one, at }) => extentOf(one.report.steps[at], round) ?? []);
@@ -92,7 +95,7 @@ export class PressurePanel {
       curves,
       marks,
       range: rangeAround(extents, round),
-      words: `Contact pressure over x: highest ${figure(contact.peak_pressure)} ${unit('stress', units)}, half-width ${figure(contact.half_width)} ${unit('length', units)}${
+      words: `Contact pressure over x: highest ${toldOf(step, 'peak_pressure', contact.peak_pressure, unit('stress', units))}, half-width ${width}${
         hertz ? `; ${name}: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''
       }.`,
     });
@@ -132,13 +135,6 @@ function touchedBy({ x, y }) {
  * @returns {import('./chart-svg.js').Mark}
  */
 const mark = (at, text) => ({ across: 'x', at, text });
-
-/**
- * @param {{half_width: number}} contact
- * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units
- */
-const widthWords = ({ half_width }, units) =>
-  `a ${figure(half_width, 4)} ${unit('length', units)}`;
 
 /** @param {{half_width: number}} hertz @returns {import('./extent.js').Extent} */
 const hertzExtent = ({ half_width }) => ({ left: -half_width, right: half_width });

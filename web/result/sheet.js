@@ -461,15 +461,14 @@ const heightsWords = ({ heights, spacing_x, spacing_y, detrend }) =>
   `${heights?.length} × ${heights?.[0]?.length}, ${writeValue(spacing_x)} × ${writeValue(spacing_y)} apart${detrend === 'plane' ? ', mean plane taken away' : ''}`;
 
 /**
- * Every step in figures; beside the names of jobs there is no room to say of each that it
- * converged.
+ * Every step in figures: there is no room to say of each that it converged.
  * @param {Shown[]} shown
  */
 function tableOf(shown) {
   const { columns, rows, write } = figuresTable(shown);
   const last = columns.length - 1;
   // A state that is not the usual one stands before the figures.
-  return shown.length > 1 && columns[last].title === 'state'
+  return columns[last].title === 'state'
     ? { columns: columns.slice(0, last), rows: rows.map((row) => row.slice(0, last)), write }
     : { columns, rows, write };
 }

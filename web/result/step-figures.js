@@ -8,10 +8,6 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
 /**
- * @typedef {Exclude<keyof NonNullable<Step['estimated_error']>, 'bodies'>} Barred a figure of the
- *   contact whose error the mesh tells
- */
-/**
  * @typedef {object} StepFigure
  * @property {string} title
  * @property {string} [short] in tables and at axes
@@ -19,16 +15,28 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
  * @property {string} [ellipse] title in three dimensions
  * @property {(report: Report) => string} unit
  * @property {(step: Step) => number | null | undefined} value
- * @property {Barred} [bar]
+ * @property {string} [answer] its name among the answers; without one it follows from what is given
  */
 
+/** The answer that a figure is. @param {Step} step @param {StepFigure} figure */
+const answerOf = ({ answers = [] }, { answer }) => answers.find(({ name }) => name === answer);
+
+/** What a step says of a figure. @param {Step} step @param {StepFigure} figure @returns {number | null} nothing where its answer has no value */
+export const valueOf = (step, figure) =>
+  answerOf(step, figure)?.value === null ? null : (figure.value(step) ?? null);
+
 /**
- * The bound of the error of a figure: none of what the job prescribes, and none of a state that is
- * not the answer.
- * @param {Step} step @param {Barred} name
+ * The bound of the error of a figure, as its answer has it, or the mesh in results of 0.2.
+ * @param {Step} step @param {StepFigure} figure
+ * @returns {number | null | undefined} 0 of what is given, nothing where it is not known
  */
-export const barOf = ({ status, estimated_error: bars }, name) =>
-  (status === 'converged' && bars?.[name]) || undefined;
+export function errorOf(step, figure) {
+  const { answer } = figure;
+  if (!answer) return 0;
+  if (step.status !== 'converged') return null;
+  const found = answerOf(step, figure);
+  return found ? found.error : /** @type {any} */ (step.estimated_error)?.[answer];
+}
 
 /** @param {import('../wire.js').RollingResult} rolling */
 const rolledStrain = ({ passes }) => {
@@ -60,19 +68,19 @@ export const STEP_FIGURES = {
     title: 'force',
     unit: (/** @type {Report} */ report) => unit(forceOf(report), report.units),
     value: (/** @type {Step} */ { contact }) => contact.force,
-    bar: /** @type {const} */ ('force'),
+    answer: 'force',
   },
   approach: {
     title: 'approach',
     unit: length,
     value: (/** @type {Step} */ { approach }) => approach,
-    bar: /** @type {const} */ ('approach'),
+    answer: 'approach',
   },
   peak: {
     title: 'peak pressure',
     unit: stress,
     value: (/** @type {Step} */ { contact }) => contact.peak_pressure,
-    bar: /** @type {const} */ ('peak_pressure'),
+    answer: 'peak_pressure',
   },
   width: {
     title: 'half-width',
@@ -80,12 +88,13 @@ export const STEP_FIGURES = {
     ellipse: 'shorter semi-axis',
     unit: length,
     value: (/** @type {Step} */ { contact }) => contact.half_width,
-    bar: /** @type {const} */ ('half_width'),
+    answer: 'half_width',
   },
   mean: {
     title: 'mean pressure',
     unit: stress,
     value: (/** @type {Step} */ { contact }) => contact.mean_pressure,
+    answer: 'mean_pressure',
   },
   strain: {
     title: 'plastic strain',
@@ -94,13 +103,14 @@ export const STEP_FIGURES = {
       const strain = strainOf(step);
       return strain === undefined ? undefined : 100 * strain;
     },
+    answer: 'max_plastic_strain',
   },
   stiffness: {
     title: 'contact stiffness',
     short: 'dP/dα',
     unit: (/** @type {Report} */ report) => unit(stiffnessOf(report), report.units),
     value: (/** @type {Step} */ { contact_stiffness: slope }) => slope ?? undefined,
-    bar: /** @type {const} */ ('contact_stiffness'),
+    answer: 'contact_stiffness',
   },
   hertz: {
     title: 'Hertz peak',

@@ -9,6 +9,7 @@ import { button, byId, h, plainButton, toast } from '../lib/dom.js';
 import { readNumber } from '../lib/number.js';
 import { endingAtErrors } from '../lib/tabular.js';
 import { exact, plain } from '../lib/units.js';
+import { lowered } from '../setup/field.js';
 import { inWords } from '../setup/words.js';
 import { answersOf, errorOf, errorWords, shareOf, unitOf, valueOf } from './answers.js';
 import { Chart } from './chart.js';
@@ -142,7 +143,9 @@ export class VaryPanel {
     this.figure.replaceChildren(
       ...this.#answers
         .filter(({ value }) => value !== null)
-        .map(({ name, body, label }) => h('option', { value: keyOf({ name, body }) }, label)),
+        .map(({ name, body, label }) =>
+          h('option', { value: keyOf({ name, body }) }, label.replace('_', '')),
+        ),
     );
     // A largest pressure has an optimum where the first answer may have none.
     for (const usual of [keyOf({ name: 'peak_pressure', body: null }), before])
@@ -189,7 +192,7 @@ export class VaryPanel {
     const trials = await solveAll(jobs, signal, () => {});
     const failed = trials.find(({ problem }) => problem);
     this.words.textContent = failed
-      ? `With another ${number.label.toLowerCase()}: ${inWords(failed.problem ?? '')}.`
+      ? `With another ${lowered(number.label)}: ${inWords(failed.problem ?? '')}.`
       : `${number.label} ± 10 %: each card has both answers, the charts both curves.`;
     const solved = trials.filter(({ report }) => report).map(({ id }) => id);
     if (solved.length === 0 || signal.aborted) return;
@@ -277,8 +280,8 @@ export class VaryPanel {
     }
     this.words.replaceChildren(
       found
-        ? `${number.label} ${plain(best.at, 5)} ${number.unit}: ${answer.label.toLowerCase()} ${whole(answer)}. `
-        : `${answer.label} is nowhere as wanted; nearest is ${whole(answer)}, with ${number.label.toLowerCase()} ${plain(best.at, 5)} ${number.unit}. `,
+        ? `${number.label} ${plain(best.at, 5)} ${number.unit}: ${lowered(answer.label)} ${whole(answer)}. `
+        : `${answer.label} is nowhere as wanted; nearest is ${whole(answer)}, with ${lowered(number.label)} ${plain(best.at, 5)} ${number.unit}. `,
       plainButton('Put it into the form', () =>
         this.on.use(withValue(this.#job, number, best.at)),
       ),
@@ -293,7 +296,7 @@ export class VaryPanel {
     const { point, answer, end } = best;
     const number = this.#varied;
     this.words.replaceChildren(
-      `${answer.label} is ${end} at ${number?.label.toLowerCase()} ${plain(point.at, 5)} ${number?.unit}: ${whole(answer)}. `,
+      `${answer.label} is ${end} at ${lowered(number?.label ?? '')} ${plain(point.at, 5)} ${number?.unit}: ${whole(answer)}. `,
       plainButton('Show this job', () => this.on.open(point.id)),
     );
   }
@@ -330,11 +333,11 @@ export class VaryPanel {
     const limit = LIMITS[answer.name];
     const best = this.#optimum();
     this.chart.show({
-      x: `${number.label.toLowerCase()}  [${number.unit || '1'}]`,
-      y: `${answer.label.toLowerCase()}  [${unitOf(answer) || '1'}]`,
+      x: `${lowered(number.label)}  [${number.unit || '1'}]`,
+      y: `${lowered(answer.label)}  [${unitOf(answer) || '1'}]`,
       curves: [
         {
-          label: answer.label.toLowerCase(),
+          label: lowered(answer.label),
           colour: '--curve-1',
           points: true,
           x: curve.map(({ x }) => x),
@@ -364,7 +367,7 @@ export class VaryPanel {
               },
             ]),
       ],
-      words: `${answer.label} over ${number.label.toLowerCase()}, ${curve.length} values.`,
+      words: `${answer.label} over ${lowered(number.label)}, ${curve.length} values.`,
     });
     this.table.replaceChildren(
       ...tableElements(this.#tableOf(), (row) => ({
@@ -383,26 +386,29 @@ export class VaryPanel {
     const found = this.#points.map(({ answers }) =>
       all.map((one) => answers.find((other) => keyOf(other) === keyOf(one))),
     );
-    const barred = all.map((_, k) => found.some((row) => row[k]?.error));
+    const errors = all.map((_, k) => found.map((row) => row[k] && errorOf(row[k])));
+    const barred = errors.map((ofOne) => ofOne.some(Boolean));
     const columns = [
-      { title: this.#varied?.label.toLowerCase() ?? '', unit: this.#varied?.unit },
+      { title: lowered(this.#varied?.label ?? ''), unit: this.#varied?.unit },
       ...all.flatMap((answer, k) => {
-        const title = answer.label.toLowerCase();
+        const title = lowered(answer.label);
         const error = { title: '±', of: title, unit: '%' };
-        return [{ title, unit: unitOf(answer) }, ...(barred[k] ? [error] : [])];
+        const exact = errors[k].every((one) => one === 0);
+        return [{ title, unit: unitOf(answer), exact }, ...(barred[k] ? [error] : [])];
       }),
     ];
+    const ending = endingAtErrors(columns);
     return {
       columns,
       rows: this.#points.map(({ at }, row) => [
         at,
         ...found[row].flatMap((answer, k) => {
           const value = answer?.value == null ? null : answer.value * shareOf(answer);
-          const error = answer && errorOf(answer);
-          return [value, ...(barred[k] ? [error ? 100 * error : null] : [])];
+          const error = errors[k][row];
+          return [value, ...(barred[k] ? [error == null ? null : 100 * error] : [])];
         }),
       ]),
-      write: endingAtErrors(columns, (value) => plain(value, 5)),
+      write: (cell, k, row) => (k === 0 ? plain(Number(cell), 5) : ending(cell, k, row)),
     };
   }
 }

@@ -203,7 +203,7 @@ export class View {
     const shown = inUnits(history, { analysis: job.analysis, units }, set);
     this.convergence.show(shown, set, Number(job.solver?.tolerance ?? 1e-6));
     byId('headline').replaceChildren(soFar(history, job));
-    this.solver.hidden = false;
+    this.solver.hidden = history.length === 0;
   }
 
   /** @param {Shown[]} shown the first is the one in figures @param {boolean} [moving] whether a slider moves: axes hold, and what was before it stays in grey */

@@ -191,9 +191,13 @@ export class Watch {
     let frame = 0;
     const draw = () => {
       frame = 0;
-      if (signal.aborted || history.length === 0) return;
-      this.on.iterated(history);
-      if (last?.status === 'running') this.#say('');
+      const isRunning = last?.status === 'running';
+      // Of a job that has begun before one looks, its state has the latest of them.
+      const latest = isRunning && last?.progress.latest;
+      const seen = history.length === 0 && latest ? [latest] : history;
+      if (signal.aborted || (seen.length === 0 && !isRunning)) return;
+      this.on.iterated(seen);
+      if (isRunning) this.#say('');
     };
     const looking = setInterval(async () => {
       if (last?.status !== 'queued' || document.hidden) return;

@@ -42,4 +42,12 @@
  * @property {Node[]} [beside]
  */
 
-export {};
+/** What keeps its capitals within a sentence. */
+const NAMES = /^(Young|Poisson|Ramberg|Swift|Ludwik|Voce|[A-Z]{2})/;
+
+/** A label within a sentence or on an axis, its index in line. @param {string} label */
+export const lowered = (label) =>
+  `${NAMES.test(label) ? label[0] : label.charAt(0).toLowerCase()}${label.slice(1)}`.replace(
+    '_',
+    '',
+  );

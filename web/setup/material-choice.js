@@ -7,6 +7,7 @@ import { h, plainButton, toast } from '../lib/dom.js';
 import { toolbar } from '../lib/toolbar.js';
 import { convert, exact, unit, unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
+import { lowered } from './field.js';
 import { ELASTIC, LAWS, lawOf } from './fields.js';
 import { allMaterials, askToForget, askToKeep, ownMaterials } from './library.js';
 import { inMegapascals, materialOf } from './materials.js';
@@ -142,7 +143,7 @@ function figuresOf(material, units) {
   return [
     material?.name,
     ...figures(material?.rigid ? [] : ELASTIC, material),
-    law?.label.toLowerCase(),
+    law && lowered(law.label),
     ...figures(law?.fields ?? [], material?.plasticity),
   ]
     .filter(Boolean)

@@ -1,6 +1,7 @@
 /** Keys of the job in messages of the service, as the form calls them. */
 
 import { plain } from '../lib/units.js';
+import { lowered } from './field.js';
 import { LOADS, SHAPES, allFields } from './fields.js';
 
 const PLAIN = ['analysis', 'units', 'support', 'theory', 'shape', 'material', 'load'];
@@ -11,7 +12,7 @@ const LABELS = new Map([
   ...Object.keys(SHAPES).map((key) => /** @type {[string, string]} */ ([key, key])),
   ...allFields().map(
     ({ key, label }) =>
-      /** @type {[string, string]} */ ([key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]),
+      /** @type {[string, string]} */ ([key.slice(key.lastIndexOf('/') + 1), lowered(label)]),
   ),
   ['profile', 'profile'],
   ['interpolation', '“Between points”'],

@@ -48,19 +48,31 @@ test('a figure ends where its error does', () => {
   assert.equal(figureOf(612.6106, 0), '612.61');
   assert.equal(figureOf(0.9174, null), '0.917');
   assert.equal(figureOf(5.4321, 3), '5.4');
+  assert.equal(figureOf(110423.6, 0.013), '110000');
+  assert.equal(figureOf(1155.2, null), '1155');
   const verdict = {
     level: 'dented',
-    text: 'A dent of 5e-5 mm; strain 0.29 %, 0.29 mm deep, 1.6 times.',
+    text: 'A dent of 5e-5 mm; strain 0.29 %, 0.29 mm deep, 1.6 times; 0.126 ± 0.0181 % a pass.',
   };
   const of = { body: null, elastic: null, place: null, text: '', label: '' };
   const answers = [
     { ...of, name: 'dent', quantity: 'length', unit: 'mm', value: 5.0004e-5, error: 0.002 },
-    { ...of, name: 'strain', quantity: 'strain', unit: '1', value: 0.0029004, error: 0.05 },
+    { ...of, name: 'max_plastic_strain', quantity: 'strain', value: 0.0029004, error: 0.05 },
+    { ...of, name: 'steady_strain', quantity: 'strain', value: 0.00126, error: 0.1437 },
   ];
-  assert.equal(
-    sentenceOf(/** @type {any} */ ({ verdict, answers })),
-    'A dent of 5.000·10⁻⁵ mm; strain 0.290 %, 0.29 mm deep, 1.6 times.',
-  );
+  const said = (/** @type {object | null} */ place) => {
+    const [dent, strain, steady] = answers;
+    const step = { verdict, answers: [dent, { ...strain, place }, steady] };
+    const contact = { half_width: 0.3 };
+    const report = { units: 'mm_N_MPa', analysis: 'plane_strain' };
+    return sentenceOf(/** @type {any} */ ({ ...step, contact }), /** @type {any} */ (report));
+  };
+  const words = (/** @type {string} */ at) =>
+    `A dent of 5.000·10⁻⁵ mm; strain 0.290 %, 0.29 mm deep${at}, 1.6 times; 0.13 ± 0.018 % a pass.`;
+  assert.equal(said(null), words(''));
+  assert.equal(said({ body: 'both', x: 0.154, depth: 0.29 }), words(' at x 0.154 mm'));
+  // Near the middle it is the mesh that says which node.
+  assert.equal(said({ body: 'both', x: 0.008, depth: 0.29 }), words(''));
 });
 
 test('a search finds what a figure asks for, and says what none gives', async () => {

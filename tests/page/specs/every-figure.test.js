@@ -8,7 +8,7 @@ const service = suite();
 /** Of the twelve, those whose usual mesh takes a debug build long are made coarser. */
 const MANY = 12;
 
-/** Signs that a figure is written with, and what it stands for. @param {string} text @returns {{value: number, last: number}[]} `last`: half of its last place */
+/** Signs that a figure is written with, and what it stands for. @param {string} text @returns {{value: number, last: number}[]} `last`: half of its last place, zeros before the point being none */
 function figuresIn(text) {
   const found = text
     .replaceAll('\u202f', '')
@@ -18,9 +18,10 @@ function figuresIn(text) {
       [...power].map((one) => (one === '⁻' ? '-' : '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(one))).join('') || 0,
     );
     const scale = 10 ** exponent;
+    const zeros = /^[1-9]\d*?(0*)$/.exec(digits)?.[1].length ?? 0;
     return {
       value: (sign ? -1 : 1) * Number(digits) * scale,
-      last: 0.5000001 * 10 ** -places.length * scale,
+      last: 0.5000001 * 10 ** (places ? -places.length : zeros) * scale,
     };
   });
 }
@@ -57,8 +58,17 @@ for (let example = 0; example < MANY; example += 1)
       const step = report.steps.at(found);
       const of = await page.locator('.steps output').textContent();
       assert.match(of ?? '', new RegExp(`^${report.steps.indexOf(step) + 1} of `));
-      const said =
+      const whole =
         (await page.locator('#headline .verdict-text span:last-child').textContent()) ?? '';
+      // Behind a depth stands where it is along the surface.
+      const [along = '', where = ''] =
+        /(?<= deep)( at (?:[xyr]′? −?[\d.]+ mm(?:, )?)+)(?= |[.;])/.exec(whole)?.slice(0, 2) ?? [];
+      const said = whole.replace(along, '');
+      const strain = step.answers.find(
+        (/** @type {any} */ { name }) => name === 'max_plastic_strain',
+      );
+      for (const one of figuresIn(where))
+        assert.ok(among(one, [strain.place.x, strain.place.y]), whole);
       const text = step.verdict.text.replace(/\d[\d.]*e-?\d+/g, (/** @type {string} */ one) =>
         String(Number(one)),
       );
@@ -120,6 +130,8 @@ for (let example = 0; example < MANY; example += 1)
       rows.forEach((cells, k) => {
         const of = report.steps[k];
         const numbers = [k + 1];
+        // Of a share the error is one.
+        for (const { error, value } of of.answers) numbers.push(100 * error * Math.abs(value));
         const walk = (/** @type {any} */ part) => {
           if (typeof part === 'number') numbers.push(part, 100 * part);
           else if (

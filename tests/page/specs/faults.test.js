@@ -124,7 +124,7 @@ service.test(
 service.test('messages speak the language of the form', async (page) => {
   await page.getByLabel('Tangent modulus').first().fill('300000');
   const error = page.locator('[data-place="/upper/material/plasticity/tangent_modulus"] .error');
-  await error.getByText('must be less than young’s modulus').waitFor();
+  await error.getByText('must be less than Young’s modulus').waitFor();
   assert.doesNotMatch((await error.textContent()) ?? '', /_/);
   await page.getByLabel('Radius').first().fill('1e-9');
   const radius = page.locator('[data-place="/upper/shape/radius"] .error');

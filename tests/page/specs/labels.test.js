@@ -15,6 +15,11 @@ test('words stand at the end of a level line, above it', () => {
   ]);
 });
 
+test('words go below a line at the top, where they would be cut', () => {
+  const [{ y }] = placeWords([{ across: 'y', at: BOX.top, width: 80 }], [], BOX);
+  assert.ok(y - 11 > BOX.top, `${y}`);
+});
+
 test('words go below a line where a curve runs above it', () => {
   const [{ x, y }] = placeWords(
     [{ across: 'y', at: 100, width: 80 }],

@@ -307,7 +307,10 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
     .getByText(/at most [\d.]+ %/)
     .first()
     .waitFor();
-  assert.match((await columns()).join(), /^force N\/mm,peak pressure MPa,half-width mm/);
+  assert.match(
+    (await columns()).join(),
+    /^force N\/mm,peak pressure MPa,half-width mm,mean pressure MPa/,
+  );
   // What is prescribed says so, and no card is silent.
   assert.equal(await page.locator('#headline .bar-of-error', { hasText: 'as given' }).count(), 1);
   await shown(page, { load: { force: 300 }, output: { contact_stiffness: true } });
@@ -319,7 +322,10 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
     'Contact stiffness',
     'Surface depth',
   ]);
-  assert.match((await columns()).join(), /^approach mm,peak pressure MPa,half-width mm,dP/);
+  assert.match(
+    (await columns()).join(),
+    /^approach mm,peak pressure MPa,half-width mm,mean pressure MPa,dP/,
+  );
 });
 
 service.test('initial stresses in the chart have the unit of its axis', async (page) => {
