@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import json
 import os
 import pickle
@@ -25,8 +26,8 @@ import brinell
 from brinell import Client
 from brinell._core import Core, Emit, Send
 from brinell._course import Course, Outcome
-from brinell._records import Records, digest_of
-from brinell._workers import _here
+from brinell._records import Files, Records, digest_of
+from brinell._workers import _here, known, wanted
 
 PROGRAM = os.environ["BRINELL_PROGRAM"]
 SMALL = {"analysis": "plane_strain", "elements_per_half_width": 5}
@@ -186,15 +187,19 @@ def test_answers_come_in_order_and_are_bounded(monkeypatch: pytest.MonkeyPatch) 
     assert 4 <= len(emitted) <= 7
 
 
-def test_a_result_that_cannot_be_had_now_is_asked_for_again() -> None:
+def test_a_result_that_cannot_be_had_is_asked_for_again() -> None:
     done = {"id": "7", "done": True, "status": "succeeded", "has_result": True}
+    handed_in = {"job": {"id": "7", "done": False}}
     jobs = [
-        {"job": {"id": "7", "done": False}},
+        handed_in,
         {"status": 503, "problem": {"title": "busy"}},
+        # Removed to make room; so it is to HEAD.
+        {"status": 404, "problem": {"title": "no such job"}},
+        handed_in,
         {"job": {**done, "result": {"steps": []}}},
     ]
     said = iter([httpx.Response(200, json={"jobs": [job]}) for job in jobs])
-    flow = Core(0).map(Course(small(1), ordered=False, in_flight=1), "")
+    flow = Core(0).map(Course(small(1), ordered=False, in_flight=1, retries=1), "")
     emitted = []
     with contextlib.suppress(StopIteration):
         effect = next(flow)
@@ -202,9 +207,40 @@ def test_a_result_that_cannot_be_had_now_is_asked_for_again() -> None:
             if isinstance(effect, Emit):
                 emitted.append(effect.value)
             is_post = isinstance(effect, Send) and effect.method == "POST"
-            effect = flow.send(next(said) if is_post else httpx.Response(204))
+            effect = flow.send(next(said) if is_post else httpx.Response(404))
     ((_, _, outcome),) = emitted
     assert outcome.report == {"steps": []}
+
+
+@pytest.mark.parametrize("replayed", [False, True])
+def test_a_run_that_is_left_cancels_its_own_jobs(replayed: bool) -> None:
+    flow = Core(0).map(Course(small(1), ordered=False, in_flight=1), "")
+    next(flow)
+    item = {"job": {"id": "7", "done": False}, "replayed": replayed}
+    flow.send(httpx.Response(200, json={"jobs": [item]}))
+    cancelled = []
+    with contextlib.suppress(KeyboardInterrupt):
+        effect = flow.throw(KeyboardInterrupt())
+        while True:
+            assert isinstance(effect, Send)
+            cancelled.append(effect.body)
+            effect = flow.send(httpx.Response(200, json={}))
+    assert cancelled == ([] if replayed else [b'{"ids": ["7"]}'])
+
+
+def test_a_folder_of_another_container_says_nothing() -> None:
+    with wanted() as here:
+        assert here()
+    assert not here()
+    node, device, place = known(here.path.parent) or ("", 0, 0)
+    assert dataclasses.replace(here, folder=(node, device, place + 1))()
+
+
+def test_what_cannot_be_written_leaves_nothing(tmp_path: Path) -> None:
+    (tmp_path / "there").mkdir()
+    with pytest.raises(OSError, match="there"):
+        Files(tmp_path, make=True).write("there", b"x")
+    assert os.listdir(tmp_path) == ["there"]
 
 
 @pytest.mark.parametrize(("ordered", "read"), [(True, [0]), (False, [0, 2, 3, 4])])

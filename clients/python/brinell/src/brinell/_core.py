@@ -23,6 +23,7 @@ from ._errors import (
     BrinellError,
     InvalidJob,
     JobFailed,
+    NotFound,
     QuotaExceeded,
     ServiceError,
     StillRunning,
@@ -46,6 +47,8 @@ LOOK = 1.0
 BATCH = 100
 # States of jobs without a result that counts.
 UNSOLVED = ("failed", "cancelled", "timed_out")
+# Why a job that was handed in is not there.
+REMOVED = {"detail": "the service made room before its result was read: fewer in_flight need less"}
 # First pause before a retry and the longest [s].
 PAUSE, LONGEST_PAUSE = 0.2, 8.0
 
@@ -407,7 +410,9 @@ class Core:
             raise
         except BaseException:
             with contextlib.suppress(httpx.TransportError, BrinellError):
-                for ids in batches(flying):
+                # What another run of a study has handed in may be wanted there.
+                own = [id for id, tasks in flying.items() if not tasks[0].is_known]
+                for ids in batches(own):
                     yield from call(0, "POST", "/v1/batch/cancel", body={"ids": ids})
             raise
 
@@ -459,9 +464,10 @@ class Core:
         service cannot say now stays, and is asked for again.
         """
         middle = list(flying)[(len(flying) - 1) // 2]
-        yield from call(
-            self.retries, "HEAD", f"/v1/jobs/{middle}", params={"wait": f"{LOOK:g}"}, wait=LOOK
-        )
+        with contextlib.suppress(NotFound):
+            yield from call(
+                self.retries, "HEAD", f"/v1/jobs/{middle}", params={"wait": f"{LOOK:g}"}, wait=LOOK
+            )
         after = None
         for ids in batches(flying):
             answer = yield from self.json(
@@ -488,7 +494,13 @@ class Core:
                     continue
                 else:
                     keeps = course.records is not None
-                    outcome = yield from self._outcome(document, info, keeps)
+                    try:
+                        outcome = yield from self._outcome(document, info, keeps)
+                    except NotFound as gone:
+                        outcome = Outcome(document, id, None, gone)
+                if isinstance(outcome.error, NotFound):
+                    # It was there: it is one that failed by chance.
+                    outcome = Outcome(document, id, None, JobFailed(id, "removed", REMOVED))
                 for task in tasks:
                     course.finish(task, outcome)
         if after is not None:

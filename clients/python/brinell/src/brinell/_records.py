@@ -116,9 +116,14 @@ class Files:
             # What stores objects writes them whole.
             self._fs.pipe_file(path, data)
             return
-        part = f"{path}.{uuid.uuid4().hex}.part"
-        Path(part).write_bytes(data)
-        os.replace(part, path)
+        part = Path(f"{path}.{uuid.uuid4().hex}.part")
+        try:
+            part.write_bytes(data)
+            part.replace(path)
+        except BaseException:
+            # A disk that is full has no room for halves.
+            part.unlink(missing_ok=True)
+            raise
 
 
 class Archives(Sequence[bytes]):

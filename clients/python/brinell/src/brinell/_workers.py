@@ -28,23 +28,34 @@ IN_FLIGHT = 256
 class Wanted:
     """Whether results are still wanted, for workers of the same machine: a file that is there."""
 
-    path: str
-    node: str
+    path: Path
+    folder: tuple[str, int, int] | None
 
     def __call__(self) -> bool:
-        """Whether they are; on other machines they always are."""
-        return self.node != platform.node() or os.path.exists(self.path)
+        """Whether they are; where its folder is not there they always are."""
+        return self.path.exists() or self.folder != known(self.path.parent)
+
+
+def known(folder: Path) -> tuple[str, int, int] | None:
+    """A folder as this machine knows it. A container, or a job of Slurm, on the same machine may
+    have another one under its name.
+    """
+    with contextlib.suppress(OSError):
+        found = folder.stat()
+        return platform.node(), found.st_dev, found.st_ino
+    return None
 
 
 @contextlib.contextmanager
 def wanted() -> Iterator[Wanted]:
     """Results are wanted until this is left."""
-    handle, path = tempfile.mkstemp(prefix="brinell-wanted-")
+    handle, name = tempfile.mkstemp(prefix="brinell-wanted-")
     os.close(handle)
+    path = Path(name)
     try:
-        yield Wanted(path, platform.node())
+        yield Wanted(path, known(path.parent))
     finally:
-        Path(path).unlink(missing_ok=True)
+        path.unlink(missing_ok=True)
 
 
 def over(
