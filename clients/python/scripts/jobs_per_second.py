@@ -1,24 +1,31 @@
 """Measures small jobs a second: `solve` in a loop, `map` of a client, and executors.
 
 python clients/python/scripts/jobs_per_second.py JOBS PROCESSES...
+python clients/python/scripts/jobs_per_second.py study
 
-A line has the way, the processes, the rate, and the rate over that of loops of `solve` in as many
-processes; BRINELL_PROGRAM names the program. The last lines are of a study of 100 000 results.
+The rows of the table have the way, the processes, the jobs, the rate, and the rate over that of
+loops of `solve` in as many processes. The client's `map` solves all jobs, the other ways half of
+them. What client and server take after 500 jobs and at the end stands below.
+BRINELL_PROGRAM names the program. `study` opens one of 100 000 results.
 """
 
 import os
+import re
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import Executor, ProcessPoolExecutor
 from multiprocessing import get_context
+from pathlib import Path
 from typing import Any
 
 import brinell
 from brinell._records import Files, Records, digest_of
 
 STUDY = 100_000
+# Jobs after which caches and pools have their size.
+WARM = 500
 
 
 def small(number: int) -> Any:
@@ -48,7 +55,19 @@ def loops(count: int, processes: int) -> None:
 
 def by_client(count: int, processes: int) -> None:
     with brinell.Client(workers=processes) as client:
-        check(client.map(map(small, range(count))), count)
+        assert client._server is not None
+        pids = {"client": os.getpid(), "server": client._server.pid}
+        for number, (_, result) in enumerate(client.map(map(small, range(count))), 1):
+            assert result.converged
+            if number in (WARM, count):
+                sizes = [f"{name} {resident(pid)} MiB" for name, pid in pids.items()]
+                print(f"after {number} jobs:", *sizes, file=sys.stderr, flush=True)
+
+
+def resident(pid: int) -> int:
+    """The memory of a process [MiB]."""
+    (size,) = re.findall(r"VmRSS:\s+(\d+) kB", Path(f"/proc/{pid}/status").read_text())
+    return int(size) >> 10
 
 
 def by_executor(make: Callable[[int], Executor]) -> Callable[[int, int], None]:
@@ -99,18 +118,19 @@ def study() -> None:
 
 def main() -> None:
     count, *processes = map(int, sys.argv[1:])
-    ways = {"map of a client": by_client, "processes": by_executor(pool), "dask": by_dask}
+    others = {"`ProcessPoolExecutor`": by_executor(pool), "Dask": by_dask}
+    ways = {"loops of `solve`": loops, "`client.map`": by_client, **others}
+    print("| way | processes | jobs | jobs/s | over loops | load |\n|---|--:|--:|--:|--:|--:|")
     for number in processes:
-        rates = {}
-        for way, run in {"loops of solve": loops, **ways}.items():
+        rates: list[float] = []
+        for way, run in ways.items():
+            jobs = count if run is by_client else count // 2
             start = time.perf_counter()
-            run(count, number)
-            rates[way] = count / (time.perf_counter() - start)
-            ratio = rates[way] / rates["loops of solve"]
-            load = os.getloadavg()[0]
-            print(f"{way}, {number}: {rates[way]:.1f}/s, {ratio:.2f}; load {load:.1f}", flush=True)
-    study()
+            run(jobs, number)
+            rates.append(jobs / (time.perf_counter() - start))
+            row = f"{rates[-1]:.1f} | {rates[-1] / rates[0]:.2f} | {os.getloadavg()[0]:.1f}"
+            print(f"| {way} | {number} | {jobs} | {row} |", flush=True)
 
 
 if __name__ == "__main__":
-    main()
+    study() if sys.argv[1:] == ["study"] else main()
