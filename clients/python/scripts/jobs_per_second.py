@@ -14,8 +14,9 @@ import re
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import AbstractContextManager, contextmanager
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -70,7 +71,9 @@ def resident(pid: int) -> int:
     return int(size) >> 10
 
 
-def by_executor(make: Callable[[int], Executor]) -> Callable[[int, int], None]:
+def by_executor(
+    make: Callable[[int], AbstractContextManager[Executor]],
+) -> Callable[[int, int], None]:
     def run(count: int, processes: int) -> None:
         with make(processes) as executor:
             check(brinell.map(map(small, range(count)), executor=executor), count)
@@ -86,12 +89,18 @@ def pool(processes: int) -> Executor:
     return ProcessPoolExecutor(processes, mp_context=get_context("spawn"))
 
 
-def by_dask(count: int, processes: int) -> None:
+@contextmanager
+def dask(processes: int) -> Iterator[Executor]:
     from distributed import Client, LocalCluster
 
     options = {"threads_per_worker": 1, "host": "127.0.0.1", "dashboard_address": None}
-    with LocalCluster(n_workers=processes, **options) as cluster, Client(cluster) as dask:
-        check(brinell.map(map(small, range(count)), executor=dask.get_executor()), count)
+    with LocalCluster(n_workers=processes, **options) as cluster, Client(cluster) as client:
+        yield client.get_executor()
+
+
+def empty(count: int, processes: int) -> None:
+    with dask(processes) as executor:
+        list(executor.map(abs, range(count)))
 
 
 def study() -> None:
@@ -118,8 +127,9 @@ def study() -> None:
 
 def main() -> None:
     count, *processes = map(int, sys.argv[1:])
-    others = {"`ProcessPoolExecutor`": by_executor(pool), "Dask": by_dask}
+    others = {"`ProcessPoolExecutor`": by_executor(pool), "Dask": by_executor(dask)}
     ways = {"loops of `solve`": loops, "`client.map`": by_client, **others}
+    ways["Dask, empty tasks"] = empty
     print("| way | processes | jobs | jobs/s | over loops | load |\n|---|--:|--:|--:|--:|--:|")
     for number in processes:
         rates: list[float] = []
