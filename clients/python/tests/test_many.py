@@ -371,6 +371,9 @@ def test_half_a_file_is_solved_again_and_others_are_left(client: Client, tmp_pat
         _ = study.table
     assert all(result.converged for _, result in client.map(small(2), study=tmp_path))
     assert len(study.table) == 2
+    records, kept = Records(tmp_path, study[0].data["version"]), [study.job(0), study.job(1)]
+    half.unlink()
+    assert [records.get(job) is None for job in kept] == [True, False]
 
 
 def test_a_key_of_a_study_is_of_one_version(tmp_path: Path) -> None:

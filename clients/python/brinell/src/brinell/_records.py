@@ -156,8 +156,8 @@ class Records:
             return None
         try:
             return read(self.files, name)
-        except BrinellError:
-            # A machine without power may leave half a file.
+        except (BrinellError, FileNotFoundError):
+            # A machine without power may leave half a file; another hand may remove one.
             return None
 
     def put(self, outcome: Outcome) -> None:
