@@ -120,9 +120,11 @@ class Files:
         try:
             part.write_bytes(data)
             part.replace(path)
-        except BaseException:
-            # A disk that is full has no room for halves.
+        except BaseException as reason:
+            # A disk that is full has no room for halves, and its error names no file.
             part.unlink(missing_ok=True)
+            if isinstance(reason, OSError):
+                reason.filename = path
             raise
 
 
