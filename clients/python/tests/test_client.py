@@ -516,10 +516,11 @@ def test_a_sweep_takes_quantities(client: Client, job: Any) -> None:
     assert table["force"].tolist() == pytest.approx([300, 500])
 
 
+@pytest.mark.parametrize("variable", ["HTTP_PROXY", "ALL_PROXY"])
 def test_a_proxy_is_named_or_gone_around(
-    client: Client, job: Any, monkeypatch: pytest.MonkeyPatch
+    client: Client, job: Any, monkeypatch: pytest.MonkeyPatch, variable: str
 ) -> None:
-    monkeypatch.setenv("HTTP_PROXY", "http://user:secret@127.0.0.1:9")
+    monkeypatch.setenv(variable, "http://user:secret@127.0.0.1:9")
     monkeypatch.delenv("NO_PROXY", raising=False)
     assert client._server is not None
     with Client(client.url, api_key=client._server.key) as named:

@@ -118,14 +118,15 @@ class _Connection:
         if self._server is not None:
             self._server.check()
         host = httpx.URL(self.url).host
-        proxy = urllib.request.getproxies().get(httpx.URL(self.url).scheme)
+        proxies = urllib.request.getproxies()
+        proxy = proxies.get(httpx.URL(self.url).scheme) or proxies.get("all")
         if self._is_loopback or not proxy or urllib.request.proxy_bypass(host):
             return error
         # Without the password that it may have.
         place = httpx.URL(proxy if "://" in proxy else f"http://{proxy}").copy_with(userinfo=b"")
         return type(error)(
-            f"{error}, by the proxy {place} of the environment (HTTP_PROXY, HTTPS_PROXY); "
-            f"NO_PROXY={host} goes around it"
+            f"{error}, by the proxy {place} of the environment (HTTP_PROXY, HTTPS_PROXY, "
+            f"ALL_PROXY); NO_PROXY={host} goes around it"
         )
 
     def __reduce__(self) -> Any:
