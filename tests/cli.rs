@@ -466,8 +466,6 @@ fn mistakes_of_newcomers_get_a_sentence() {
         (&["solve", EXAMPLE, "--format", "CSV"], "must be one of: json, table, summary-csv"),
         (&["solve", EXAMPLE, "--out", "results"], "cannot be used with"),
         (&["solve", EXAMPLE, "--part", "1/2"], "cannot be used with"),
-        (&["solve", "--array", EXAMPLE, "--out", FOLDER], "a whole job in each line"),
-        (&["solve", "--array", table, "--out", FOLDER], "a whole job in each line"),
         (&["serve", "--workers", "0"], "must be at least 1"),
         (&["worker"], "--database-url"),
     ] {
@@ -753,6 +751,16 @@ fn the_tasks_of_an_array_solve_each_job_once() {
     let half = Path::new(out).join(half);
     let whole = std::fs::read(&half).unwrap();
     std::fs::write(&half, &whole[..whole.len() - 2]).unwrap();
+    // What cannot be written ends the task, and leaves nothing behind.
+    std::fs::remove_file(&half).unwrap();
+    std::fs::create_dir(&half).unwrap();
+    let before = kept();
+    let ends: Vec<_> =
+        [task("10"), task("15")].into_iter().filter(|end| end.0 != Some(0)).collect();
+    let [(Some(1), said)] = &ends[..] else { panic!("{ends:?}") };
+    assert!(said.starts_with("error: cannot write ") && said.lines().count() == 1, "{said}");
+    assert_eq!(kept().into_keys().collect::<Vec<_>>(), before.into_keys().collect::<Vec<_>>());
+    std::fs::remove_dir(&half).unwrap();
     assert_eq!([task("10"), task("15")].map(|(code, _)| code), [Some(0); 2]);
     assert!(std::fs::read(&half).unwrap().ends_with(b"}\n"));
     let all = kept();

@@ -108,30 +108,20 @@ pub(super) fn solve_array(jobs: &Path, args: &ArrayArgs) -> Result<ExitCode, Fau
     let cache = Arc::new(FactorCache::new(WorkConfig::default().factor_cache()));
     let mut ending = None;
     let mut converged = true;
-    // Before the first job: a file of another kind is told once, not line by line.
-    let mut strange = Some(Vec::new());
     for (number, line) in lines.enumerate() {
         let line = line.map_err(unread)?;
         if line.trim_ascii().is_empty() || !part.has(number) {
             continue;
         }
         let name = format!("{} line {}", jobs.display(), number + 1);
-        let answer = folder.answer(&name, &line, &cache);
-        if let (Err(Fault::Syntax { .. }), Some(faults)) = (&answer, &mut strange) {
-            faults.extend(answer.err());
-            continue;
-        }
-        for fault in strange.take().iter().flatten().chain(answer.as_ref().err()) {
-            ending.get_or_insert(report_fault(fault));
-        }
-        converged &= answer.is_ok_and(|status| status == SolveStatus::Converged);
-    }
-    match strange.as_deref() {
-        None | Some([]) => {}
-        Some([fault]) => return Ok(report_fault(fault)),
-        Some(_) => {
-            let reason = "no line of it is JSON; --array takes a whole job in each line";
-            return Err(unread(io::Error::new(io::ErrorKind::InvalidData, reason)));
+        match folder.answer(&name, &line, &cache) {
+            Ok(status) => converged &= status == SolveStatus::Converged,
+            // Further results would find no room either.
+            Err(fault @ Fault::Write { .. }) => return Err(fault),
+            Err(fault) => {
+                let code = report_fault(&fault);
+                ending.get_or_insert(code);
+            }
         }
     }
     let solved = if converged { ExitCode::SUCCESS } else { ExitCode::from(NOT_CONVERGED) };
@@ -195,9 +185,11 @@ impl Folder {
     fn write(&self, file: &str, bytes: &[u8]) -> Result<(), Fault> {
         let path = self.0.join(file);
         let part = self.0.join(format!("{file}.{}.part", Uuid::new_v4().simple()));
-        fs::write(&part, bytes)
-            .and_then(|()| fs::rename(&part, &path))
-            .map_err(|source| Fault::Write { name: path.display().to_string(), source })
+        fs::write(&part, bytes).and_then(|()| fs::rename(&part, &path)).map_err(|source| {
+            // A disk that is full has no room for halves.
+            let _ = fs::remove_file(&part);
+            Fault::Write { name: path.display().to_string(), source }
+        })
     }
 }
 

@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn what_is_not_there_is_named() {
-        let said = |written| Guess { written, known: SHAPE_KEYS }.to_string();
+        let said = |written: &str| Guess { written, known: SHAPE_KEYS }.to_string();
         for (words, instead) in NOT_THERE {
             for word in words {
                 assert_eq!(said(word), format!("; {instead}"));
