@@ -1,5 +1,6 @@
 """A study on a cluster of Ray: ray job submit -- python ray_study.py"""
 
+import functools
 from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from typing import Any
@@ -9,12 +10,15 @@ import ray
 
 import brinell
 
+# A function goes to the cluster once.
+remote = functools.cache(ray.remote)
+
 
 class RayExecutor(Executor):
     """Tasks of one core each, in the processes that Ray keeps."""
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        return ray.remote(fn).remote(*args, **kwargs).future()
+        return remote(fn).remote(*args, **kwargs).future()
 
 
 def job(force: float) -> brinell.JobLike:
