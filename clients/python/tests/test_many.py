@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -210,6 +210,28 @@ def test_a_result_that_cannot_be_had_is_asked_for_again() -> None:
             effect = flow.send(next(said) if is_post else httpx.Response(404))
     ((_, _, outcome),) = emitted
     assert outcome.report == {"steps": []}
+
+
+class Losing(Executor):
+    """Loses results: a number of them, then none."""
+
+    def __init__(self, losses: int) -> None:
+        self.losses = losses
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        if self.losses > 0:
+            self.losses -= 1
+            future.set_exception(TypeError("cannot unpack"))
+        else:
+            future.set_result(Outcome({}, "", {"steps": []}))
+        return future
+
+
+@pytest.mark.parametrize("losses", [1, 2])
+def test_a_result_that_an_executor_loses_is_solved_once_more(losses: int) -> None:
+    ((_, result),) = brinell.map(small(1), executor=Losing(losses))
+    assert isinstance(result.error, brinell.JobFailed) is (losses == 2)
 
 
 @pytest.mark.parametrize("replayed", [False, True])

@@ -74,6 +74,8 @@ class Task:
     """How often it was handed in before, in this run and others."""
     is_known: bool = False
     """Whether the service had it before this run."""
+    was_lost: bool = False
+    """Whether an executor has lost its result before."""
 
     @property
     def key(self) -> str:

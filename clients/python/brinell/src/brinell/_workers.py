@@ -64,31 +64,44 @@ def over(
     """Solves the jobs of a course; yields place, job and answer of each."""
     finished: SimpleQueue[Future[Outcome]] = SimpleQueue()
     tasks: dict[Future[Outcome], Task] = {}
+    lost: list[Task] = []
     with wanted() as are_wanted:
         try:
             while not course.over:
-                for task in course.take():
+                for task in [*lost, *course.take()]:
                     future = executor.submit(solve_here, task.document, parts, are_wanted)
                     tasks[future] = task
                     future.add_done_callback(finished.put)
+                lost = []
                 if answers := list(course.answers()):
                     yield from answers
                 elif tasks:
                     future = finished.get()
                     task = tasks.pop(future)
-                    course.finish(task, _outcome(task, future))
+                    outcome = _outcome(task, future)
+                    if outcome is None:
+                        lost.append(task)
+                    else:
+                        course.finish(task, outcome)
         finally:
             for future in tasks:
                 future.cancel()
 
 
-def _outcome(task: Task, future: Future[Outcome]) -> Outcome:
-    """What a worker has sent. An executor that is broken, or has no program, ends the run."""
+def _outcome(task: Task, future: Future[Outcome]) -> Outcome | None:
+    """What a worker has sent; `None` if it is to be sent once more. An executor that is broken, or
+    has no program, ends the run.
+    """
     try:
         return future.result()
     except (BrokenExecutor, ServerNotFound):
         raise
     except Exception as reason:
+        # A job that fails is an outcome. An exception is of the executor: Dask has a `TypeError`
+        # for a result whose worker is killed while it is fetched.
+        if not task.was_lost:
+            task.was_lost = True
+            return None
         detail = traceback.format_exception_only(reason)[-1].strip()
         return Outcome(task.document, "", None, JobFailed("", "failed", {"detail": detail}))
 
