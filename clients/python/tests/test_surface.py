@@ -566,3 +566,10 @@ def test_a_pitch_that_no_surface_has_is_asked_about(tmp_path: Path) -> None:
 def test_a_decimal_comma_names_what_takes_it() -> None:
     with pytest.raises(brinell.InvalidJob, match='decimal=","'):
         brinell.surface([["1,5"] * 9] * 9, spacing=1)
+
+
+@pytest.mark.parametrize(("text", "size"), [("1 2 3 4", "1 × 4"), ("1\n2\n3\n4", "4 × 1")])
+def test_a_line_of_heights_is_no_grid(tmp_path: Path, text: str, size: str) -> None:
+    (tmp_path / "line.txt").write_text(text)
+    with pytest.raises(brinell.InvalidJob, match=f"{size} figures are no grid"):
+        brinell.surface(tmp_path / "line.txt", spacing=1)

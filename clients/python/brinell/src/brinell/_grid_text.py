@@ -312,9 +312,10 @@ def _plain_grid(lines: list[tuple[int, str]], blank: set[int]) -> Grid:
         table = np.where(np.isclose(table, said.nodata, rtol=1e-6, atol=0), np.nan, table)
     if columns == 3:
         return said.grid_of_list(table)
-    if columns < 3:
+    if columns < 3 or len(table) < 2:
         raise NotUnderstood(
-            f"{columns} columns are no grid of heights; a line of heights is read by brinell.trace"
+            f"{len(table)} × {columns} figures are no grid of heights; "
+            "a line of heights is read by brinell.trace"
         )
     return said.grid(table)
 
