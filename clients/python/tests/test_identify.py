@@ -6,6 +6,7 @@ only that the search ends where it should, and what it tells of noise and gaps.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,13 @@ FREE = ["yield_stress", "exponent"]
 TRUTH = {"yield_stress": 480.0, "exponent": 0.17}
 
 
-def indented(yield_stress: float, exponent: float, forces: Any = (1,), elements: int = 6) -> Any:
+def indented(
+    yield_stress: float,
+    exponent: float,
+    forces: Any = (1,),
+    elements: int = 6,
+    theory: Any = None,
+) -> Any:
     law = brinell.swift(yield_stress=yield_stress, strain_offset=0.002, exponent=exponent)
     steel = brinell.material(young_modulus=210000, poisson_ratio=0.3, plasticity=law)
     return brinell.job(
@@ -26,12 +33,13 @@ def indented(yield_stress: float, exponent: float, forces: Any = (1,), elements:
         analysis="axisymmetric",
         forces=list(forces),
         elements_per_half_width=elements,
+        theory=theory,
     )
 
 
-def curve(client: brinell.Client, forces: Any) -> Any:
+def curve(client: brinell.Client, forces: Any, theory: Any = None) -> Any:
     """Approach and force of the true material."""
-    result = client.solve(indented(**TRUTH, forces=forces))
+    result = client.solve(indented(**TRUTH, forces=forces, theory=theory))
     return np.column_stack([[step.approach for step in result.steps], forces])
 
 
@@ -150,11 +158,13 @@ def test_two_diameters_give_yield_stress_and_exponent(client: brinell.Client) ->
 def test_the_compliance_of_the_frame_is_found_beside_the_yield_stress(
     client: brinell.Client,
 ) -> None:
-    measured = curve(client, np.geomspace(60, 2000, 6))
+    # Frame and yield stress bend the curve almost alike. The leaps of flow theory with its meshes
+    # and increments, 0.1 % of the approach, leave 20 % of the yield stress open.
+    theory = "deformation"
+    measured = curve(client, np.geomspace(60, 2000, 6), theory)
     measured[:, 0] += 3e-6 * measured[:, 1]
-    found = brinell.identify(
-        measured, indented(300, 0.17), ["yield_stress", "frame_compliance"], client=client
-    )
+    job = indented(300, 0.17, theory=theory)
+    found = brinell.identify(measured, job, ["yield_stress", "frame_compliance"], client=client)
     # Six elements leave 4 % of the approach open, which deviations lack.
     assert found.values["yield_stress"] == pytest.approx(480, rel=found.mesh_error)
     assert abs(found.values["frame_compliance"] - 3e-6) < 2 * found.deviations["frame_compliance"]
@@ -163,15 +173,17 @@ def test_the_compliance_of_the_frame_is_found_beside_the_yield_stress(
 
 @pytest.mark.full
 def test_the_truth_lies_within_the_region_of_nineteen_in_twenty(client: brinell.Client) -> None:
+    # Of the noise, not of the theory: the quicker one.
+    indent = partial(indented, elements=10, theory="deformation")
     forces = np.geomspace(60, 2000, 12)
-    exact = client.solve(indented(**TRUTH, forces=forces, elements=10))
+    exact = client.solve(indent(**TRUTH, forces=forces))
     approach = np.array([step.approach for step in exact.steps])
     covered = 0
     for seed in range(20):
         scatter = 1 + 0.01 * np.random.default_rng(seed).normal(size=len(forces))
         found = brinell.identify(
             np.column_stack([approach * scatter, forces]),
-            indented(300, 0.1, elements=10),
+            indent(300, 0.1),
             FREE,
             client=client,
             scatter="relative",
