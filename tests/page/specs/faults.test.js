@@ -71,7 +71,7 @@ service.test('a job is cancelled, and those behind it know their place', async (
   await page.locator('[data-status=queued]').getByText('next in line').waitFor();
   await follow(page, `job=${slow}`);
   await page.locator('[data-status=running]').waitFor();
-  await page.locator('.so-far progress').waitFor();
+  await page.locator('.so-far progress:not([value="0"])').waitFor();
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.locator('[data-status=cancelled]').waitFor();
   await page.getByText('its figures are no answer').waitFor();
