@@ -71,7 +71,11 @@ service.test('a job is cancelled, and those behind it know their place', async (
   await page.locator('[data-status=queued]').getByText('next in line').waitFor();
   await follow(page, `job=${slow}`);
   await page.locator('[data-status=running]').waitFor();
-  await page.locator('.so-far progress:not([value="0"])').waitFor();
+  await page.locator('.so-far progress').waitFor();
+  // Of a preliminary solve there are no figures.
+  const iterations = (/** @type {string} */ id) =>
+    fetch(`v1/jobs/${id}`).then(async (answer) => (await answer.json()).progress.iterations);
+  while ((await page.evaluate(iterations, slow)) === 0);
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.locator('[data-status=cancelled]').waitFor();
   await page.getByText('its figures are no answer').waitFor();

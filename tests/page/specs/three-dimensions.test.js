@@ -156,6 +156,7 @@ service.test(
     await page.getByLabel('Force P').fill('20000');
     // An end far beyond yield takes flow theory minutes on the default grid.
     await page.locator('[data-place="/solver/theory"] select').selectOption('deformation');
+    await page.locator('[data-place="/mesh/elements_per_half_width"] input').fill('6');
     await page.getByRole('button', { name: 'Solve', exact: true }).click();
     await page.locator('.figures > div', { hasText: 'Edge pressure' }).waitFor();
     await page.locator('.figures > div', { hasText: 'Moment' }).waitFor();
