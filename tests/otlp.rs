@@ -12,6 +12,8 @@ mod curl;
 #[path = "http/server.rs"]
 #[expect(dead_code, reason = "shared with the HTTP tests")]
 mod server;
+#[path = "http/stand_in.rs"]
+mod stand_in;
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpListener;
