@@ -39,7 +39,7 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     assert_eq!(store.history(id, 1).await.unwrap(), [numbered(2), numbered(3)]);
     assert_eq!(store.result(id).await.unwrap(), None);
 
-    // The acknowledgement was lost: the same again. A crash of the database lost the fourth.
+    // The acknowledgement was lost: the same again. The fourth is damaged and was left out.
     store.record_progress(&lease, &[numbered(3)], &iteration(3)).await.unwrap();
     assert_eq!(store.history(id, 0).await.unwrap().len(), 3);
     store.finish(&lease, &[numbered(5)], &[], reported(SolveStatus::Converged)).await.unwrap();

@@ -83,8 +83,8 @@ const FORGET_STEPS: [&str; 2] = [
 ];
 const FORGET_ITERATIONS: &str =
     concat!("DELETE FROM iterations WHERE job = (", held!("id"), " AND NOT cancel_requested)");
-// A repeated write, after its acknowledgement was lost, changes nothing. Numbers are those of the
-// attempt: a crash of the database may have lost the latest progress.
+// A repeated write, after its acknowledgement was lost, changes nothing: numbers are those of the
+// attempt.
 const ITERATIONS: [&str; 2] = [
     concat!("INSERT INTO iterations (job, first, last, records) ", held!("id, $4, $5, $6")),
     " ON CONFLICT (job, first) DO UPDATE SET last = excluded.last, records = excluded.records",
