@@ -426,11 +426,6 @@ impl Quota {
 }
 
 impl StoreError {
-    /// Returns whether the storage is at fault rather than the request.
-    pub const fn is_of_storage(&self) -> bool {
-        matches!(self, Self::DiskFull | Self::Damaged(_) | Self::Unavailable(_))
-    }
-
     /// Wraps the cause of a failure of the storage.
     pub fn unavailable(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Unavailable(source.into())

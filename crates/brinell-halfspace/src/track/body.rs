@@ -107,11 +107,6 @@ impl RollingBody {
         self.friction
     }
 
-    /// Changes the friction of the passes to come.
-    pub const fn set_friction(&mut self, friction: f64) {
-        self.friction = friction;
-    }
-
     /// Numbers of an increment.
     pub fn len(&self) -> usize {
         self.gained.len()
