@@ -87,9 +87,9 @@ class Cluster:
     """PostgreSQL on a port of its own (needs initdb and pg_ctl), until the end of a `with`."""
 
     def __init__(self):
-        self.programs = Path(
-            shutil.which("initdb") or sorted(glob.glob("/usr/lib/postgresql/*/bin/initdb"))[-1]
-        ).parent
+        initdb = shutil.which("initdb") or max(glob.glob("/usr/lib/postgresql/*/bin/initdb"))
+        # A link to one of the programs has not the others beside it.
+        self.programs = Path(initdb).resolve().parent
         self.base = tempfile.mkdtemp()
         self.folder, self.port = f"{self.base}/cluster", free_port()
         # PostgreSQL refuses to run as root.

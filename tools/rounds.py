@@ -140,7 +140,9 @@ try:
         if cluster
         else [Node(["--data-dir", f"{data}/jobs"])]
     )
-    clients = [threading.Thread(target=submit, args=(nodes, prefix)) for prefix in "ab"]
+    clients = [
+        threading.Thread(target=submit, args=(nodes, prefix), daemon=True) for prefix in "ab"
+    ]
     for client in clients:
         client.start()
     actions = {
