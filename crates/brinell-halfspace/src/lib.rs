@@ -15,7 +15,6 @@
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
 
-mod ball;
 mod body;
 mod eigenstrain_stress;
 mod elasticity;

@@ -11,10 +11,10 @@
 
 use std::f64::consts::PI;
 
-use crate::ball::smallest_ball;
 use crate::tensors::{self, COMPONENTS, DEVIATOR_COMPONENTS};
 use crate::track::strip;
 use crate::{pressure_stress, traction_stress};
+use brinell_material::smallest_ball;
 
 /// Cells over a semi-axis, those along the travel near the surface, where friction makes σxx steep at
 /// the ends of the contact, and strips over a half-width.

@@ -11,12 +11,15 @@
 //! - [`Inhomogeneous`] gives one of these models a strength that varies over depth, and a residual
 //!   stress of the unloaded body;
 //! - [`Solid`] is the material of a body, from which a model is made;
+//! - [`fatigue`]: criteria on the path of the stress at a point;
 //! - [`tensile`] makes a curve of a tensile test;
 //! - [`analytical`]: closed forms of Hertz, McEwen, Hill, Prandtl, Persson and others, for
 //!   comparison.
 
 pub mod analytical;
+mod ball;
 mod deformation;
+pub mod fatigue;
 mod flow;
 pub mod hardening;
 pub mod hardness;
@@ -34,6 +37,7 @@ mod tangent;
 pub mod tensile;
 
 pub use analytical::von_mises;
+pub use ball::{Ball, smallest_ball};
 pub use deformation::DeformationPlasticity;
 pub use flow::{BackstressTerm, FlowPlasticity, FlowState, Flowing};
 pub use hardening::{HardeningLaw, Inverse};

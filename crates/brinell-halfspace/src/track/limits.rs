@@ -14,8 +14,8 @@ use super::body::ISOMETRIC;
 use super::figures::AtDepth;
 use super::space::TrackSpace;
 use super::sweep::ROWS;
-use crate::ball::smallest_ball;
 use crate::stop::{Stop, Stopped};
+use brinell_material::smallest_ball;
 
 /// Load factors of layers, the least of which is the limit of the track.
 #[derive(Debug, Clone, Copy, PartialEq)]

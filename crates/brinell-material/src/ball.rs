@@ -1,11 +1,14 @@
 //! The smallest ball round the path of a stress.
 
-/// A point of a path of stresses, in the norm of von Mises.
+/// A point of a path of deviators, in coordinates whose sum of squares is a norm.
 type Point<const D: usize> = [f64; D];
 
+/// A ball among the points of D coordinates, in their unit.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ball<const D: usize> {
-    centre: Point<D>,
+pub struct Ball<const D: usize> {
+    /// Its centre.
+    pub centre: Point<D>,
+    /// Its radius.
     pub radius: f64,
 }
 
@@ -25,8 +28,8 @@ const ROUNDING: f64 = 1e-12;
 const MOST_BALLS: usize = 200;
 
 /// The smallest ball round points: that of a few of them, to which the farthest point is added
-/// until none lies outside.
-pub(crate) fn smallest_ball<const D: usize>(points: &[Point<D>]) -> Ball<D> {
+/// until none lies outside. Without points it is the origin.
+pub fn smallest_ball<const D: usize>(points: &[Point<D>]) -> Ball<D> {
     let Some(first) = points.first() else { return Ball { centre: [0.0; D], radius: 0.0 } };
     let mut ball = Ball { centre: *first, radius: 0.0 };
     let mut support = vec![*first];
