@@ -764,8 +764,8 @@ fn the_tasks_of_an_array_solve_each_job_once() {
     assert_eq!([task("10"), task("15")].map(|(code, _)| code), [Some(0); 2]);
     assert!(std::fs::read(&half).unwrap().ends_with(b"}\n"));
     let all = kept();
-    // Again, with a line that is no job: what is there stays.
-    let text = [b"{}\n\xff\n", good.join("\n").as_bytes()].concat();
+    // Again, with a line that is no job, and a byte order mark: what is there stays.
+    let text = [b"{}\n\xff\n\xef\xbb\xbf", good.join("\n").as_bytes()].concat();
     std::fs::write(jobs, text).unwrap();
     let output = brinell(&["solve", "--array", jobs, "--out", out], "");
     assert_eq!(output.status.code(), Some(2));

@@ -47,6 +47,9 @@ pub(super) struct ArrayArgs {
     part: Option<Part>,
 }
 
+/// Stands before text that some programs of Windows write.
+const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
+
 /// One of several parts of a list, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Part {
@@ -68,11 +71,13 @@ impl Part {
         let least = read("MIN").unwrap_or(1);
         let step = read("STEP").unwrap_or(1).max(1);
         let past = id.checked_sub(least).filter(|past| past % step == 0);
-        let (Some(past), Some(count)) = (past, read("COUNT")) else {
+        let (Some(past), Some(count @ 1..)) = (past, read("COUNT")) else {
             return Some(Err("of a task of an array with SLURM_ARRAY_TASK_COUNT"));
         };
+        let has_gaps = read("MAX").is_some_and(|most| most != least + (count - 1) * step);
         let part = Self { index: past / step, count };
-        Some(if part.index < count { Ok(part) } else { Err("of an array without gaps, as 1-8") })
+        let is_whole = part.index < count && !has_gaps;
+        Some(if is_whole { Ok(part) } else { Err("of an array without gaps, as 1-8") })
     }
 }
 
@@ -114,7 +119,8 @@ pub(super) fn solve_array(jobs: &Path, args: &ArrayArgs) -> Result<ExitCode, Fau
             continue;
         }
         let name = format!("{} line {}", jobs.display(), number + 1);
-        match folder.answer(&name, &line, &cache) {
+        let job = line.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&line);
+        match folder.answer(&name, job, &cache) {
             Ok(status) => converged &= status == SolveStatus::Converged,
             // Further results would find no room either.
             Err(fault @ Fault::Write { .. }) => return Err(fault),
@@ -141,7 +147,8 @@ impl Folder {
     ) -> Result<SolveStatus, Fault> {
         let of_job = |error| Fault::of_job(name, error);
         let job = Job::from_json(text).map_err(of_job)?;
-        let document: Value = serde_json::from_slice(text).map_err(io::Error::from)?;
+        let document: Value = serde_json::from_slice(text)
+            .map_err(|error| Fault::Read { name: name.to_owned(), source: error.into() })?;
         let file = format!("{}-{}", digest(&document), env!("CARGO_PKG_VERSION"));
         if let Some(status) = self.status(&file) {
             return Ok(status);
@@ -279,19 +286,26 @@ mod tests {
 
     #[test]
     fn a_task_of_slurm_has_its_part() {
-        let of = |id: &str, least: &str, step: &str, count: &str| {
-            let named = [("ID", id), ("MIN", least), ("STEP", step), ("COUNT", count)];
+        let with = |id: &str, least: &str, most: &str, step: &str, count: &str| {
+            let named =
+                [("ID", id), ("MIN", least), ("MAX", most), ("STEP", step), ("COUNT", count)];
             let found = named.map(|(name, value)| (format!("SLURM_ARRAY_TASK_{name}"), value));
             Part::of_task(|name| {
                 let (_, value) = found.iter().find(|(known, _)| known == name)?;
                 (!value.is_empty()).then(|| (*value).to_owned())
             })
         };
+        let of = |id, least, step, count| with(id, least, "", step, count);
         assert_eq!(of("", "1", "1", "8"), None);
         assert_eq!(of("3", "1", "1", "8"), Some(Ok(Part { index: 2, count: 8 })));
         assert_eq!(of("7", "3", "2", "4"), Some(Ok(Part { index: 2, count: 4 })));
         assert!(of("9", "1", "1", "3").unwrap().is_err());
         assert!(of("4", "1", "2", "3").unwrap().is_err());
         assert!(of("4", "1", "1", "").unwrap().is_err());
+        assert!(of("4", "1", "1", "0").unwrap().is_err());
+        assert_eq!(with("5", "1", "7", "2", "4"), Some(Ok(Part { index: 2, count: 4 })));
+        // Of an array 2,7 both tasks are refused.
+        assert!(with("2", "2", "7", "1", "2").unwrap().is_err());
+        assert!(with("7", "2", "7", "1", "2").unwrap().is_err());
     }
 }

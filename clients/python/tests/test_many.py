@@ -389,8 +389,11 @@ def test_half_a_file_is_solved_again_and_others_are_left(client: Client, tmp_pat
     assert len(study) == 2
     half = tmp_path / study.names[0]
     half.write_bytes(half.read_bytes()[:20])
+    assert study.table["status"].tolist() == ["not whole", "converged"]
+    assert "/upper/shape/radius" not in study.table
     with pytest.raises(brinell.BrinellError, match=half.name):
-        _ = study.table
+        _ = study[0]
+    assert [result.status for result in study[1:]] == ["converged"]
     assert all(result.converged for _, result in client.map(small(2), study=tmp_path))
     assert len(study.table) == 2
     records, kept = Records(tmp_path, study[0].data["version"]), [study.job(0), study.job(1)]

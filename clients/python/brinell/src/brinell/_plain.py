@@ -189,7 +189,7 @@ def _figure(value: Any, kind: str, document: Mapping[str, Any]) -> Any:
 def document_of(job: JobLike) -> dict[str, Any]:
     """The job as a document of its own."""
     if isinstance(job, (str, os.PathLike)):
-        job = json.loads(Path(job).read_text("utf-8"))
+        job = json.loads(Path(job).read_text("utf-8-sig"))
     if not isinstance(job, (Mapping, BaseModel)):
         raise TypeError(
             f"a job is brinell.job(...), a dict or the path of a file, not {type(job).__name__}"

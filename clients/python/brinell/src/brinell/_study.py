@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
+from ._errors import BrinellError
 from ._plain import need
 from ._records import Address, Files, read
 from ._result import Result, result_of
@@ -28,7 +29,13 @@ class Study:
     def __len__(self) -> int:
         return len(self.names)
 
-    def __getitem__(self, place: int) -> Result:
+    @overload
+    def __getitem__(self, place: int) -> Result: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[Result]: ...
+    def __getitem__(self, place: int | slice) -> Result | list[Result]:
+        if isinstance(place, slice):
+            return [self[one] for one in range(*place.indices(len(self)))]
         return result_of(read(self._files, self.names[place]))
 
     def __iter__(self) -> Iterator[Result]:
@@ -41,20 +48,26 @@ class Study:
 
     @cached_property
     def table(self) -> pd.DataFrame:
-        """A row for each result: the figures of the job that differ between jobs, by their
-        pointers, the version of the program, and the figures of the last step.
+        """A row for each result, in their order: the figures of the job that differ between jobs,
+        by their pointers, the version of the program, and the figures of the last step. Half a
+        file has the `status` "not whole".
         """
         pandas = need("pandas", "pandas")
         rows, jobs = [], []
         for name in self.names:
-            summary, job = self._files.lines(name, 2)
+            try:
+                summary, job = self._files.lines(name, 2)
+            except BrinellError:
+                rows.append({"status": "not whole"})
+                jobs.append({})
+                continue
             result = Result(summary)
             figures = result.last.figures() if result.steps else {}
             rows.append({"version": summary["version"], **figures, "status": result.status})
             jobs.append(dict(_leaves(job, "")))
         given = pandas.DataFrame(jobs)
         if len(given):
-            given = given.loc[:, given.nunique(dropna=False) > 1]
+            given = given.loc[:, given.dropna(how="all").nunique(dropna=False) > 1]
         frame: pd.DataFrame = pandas.concat([given, pandas.DataFrame(rows)], axis=1)
         return frame
 
