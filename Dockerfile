@@ -27,9 +27,24 @@ RUN for package in . crates/* tools; do \
  && echo 'fn main() {}' > src/main.rs \
  && cargo build --profile dist --locked --bin brinell \
  && rm -r src crates tests tools
-COPY . .
+COPY api api
+COPY crates crates
+COPY migrations migrations
+COPY src src
+COPY tests tests
+COPY tools tools
+COPY web web
 # Copied files keep their times, and cargo goes by those.
 RUN touch src/lib.rs src/main.rs crates/*/src/lib.rs && cargo build --profile dist --locked --bin brinell && mkdir /data
+
+FROM python:3.13-slim-bookworm AS guide
+WORKDIR /build
+COPY README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md ./
+COPY api/examples api/examples
+COPY clients/python clients/python
+COPY docs docs
+COPY scripts/site.sh scripts/
+RUN scripts/site.sh /guide
 
 FROM debian:bookworm-slim
 ARG VERSION=0.3.0
@@ -39,11 +54,13 @@ LABEL org.opencontainers.image.title="brinell" \
       org.opencontainers.image.licenses="MIT OR Apache-2.0"
 COPY --from=build /build/target/dist/brinell /usr/local/bin/brinell
 COPY LICENSE-MIT LICENSE-APACHE /usr/share/doc/brinell/
+COPY --from=guide /guide /usr/share/doc/brinell/guide
 # A number, so that an orchestrator can see that it is not root.
 COPY --from=build --chown=10001:10001 /data /var/lib/brinell
 USER 10001:10001
 ENV BRINELL_LISTEN=0.0.0.0:8080 \
     BRINELL_DATA_DIR=/var/lib/brinell \
+    BRINELL_GUIDE=/usr/share/doc/brinell/guide \
     BRINELL_LOG_FORMAT=json
 VOLUME /var/lib/brinell
 EXPOSE 8080

@@ -45,6 +45,14 @@ shots:
     cargo build
     npm --prefix tests/page run shots
 
+# The guide, from the documents: target/site/guide
+site:
+    scripts/site.sh
+
+# Wheels and an archive: target/release-files
+release:
+    scripts/release.sh
+
 # Formatting and lints
 lint:
     cargo fmt --check

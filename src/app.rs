@@ -18,7 +18,7 @@ use crate::config::{
     MetricsConfig, ServeConfig, StorageConfig, TlsConfig, WebhookConfig, WorkerConfig,
 };
 use crate::http::{
-    AllowedHosts, HttpSettings, HttpState, Listening, Metrics, TlsError, TlsIdentity,
+    AllowedHosts, Guide, HttpSettings, HttpState, Listening, Metrics, TlsError, TlsIdentity,
     metrics_router, router, serve, worker_router,
 };
 use crate::jobs::{
@@ -80,6 +80,14 @@ pub enum AppError {
     /// The certificate or its key cannot be used.
     #[error("{0} (set by --tls-cert, BRINELL_TLS_CERT and --tls-key, BRINELL_TLS_KEY)")]
     Tls(#[from] TlsError),
+    /// The guide cannot be read.
+    #[error("the guide in {}: {source} (set by --guide, BRINELL_GUIDE)", .folder.display())]
+    Guide {
+        /// The folder as configured.
+        folder: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
     /// The certificates of receivers cannot be used.
     #[error("{0} (set by --webhook-ca, BRINELL_WEBHOOK_CA)")]
     Webhooks(#[from] RootsError),
@@ -118,6 +126,7 @@ impl Service {
             return Err(AppError::NotShared);
         }
         let once_key = config.once_key_env.as_deref().map(once_key).transpose()?;
+        let guide = guide(config.guide.clone())?;
         let listener = listen("--listen, BRINELL_LISTEN", &config.listen).await?;
         let address = listener.local_addr()?;
         if config.cors_origin.iter().any(|origin| origin == "*") && !config.keys_required(address)
@@ -176,6 +185,7 @@ impl Service {
         let hosts = Arc::new(AllowedHosts::new(&config.allowed_hosts, address));
         let mut state = HttpState::new(jobs, settings, metrics);
         state.hosts = hosts;
+        state.guide = Arc::new(guide);
         state.callbacks = callbacks;
         let listening = Listening { listener, tls };
         Ok(Self { listening, address, state, worker, background, grace: config.work.grace })
@@ -287,6 +297,16 @@ fn tls_identity(config: &TlsConfig) -> Result<Option<Arc<TlsIdentity>>, TlsError
 fn once_key(variable: &str) -> Result<OnceKey, AppError> {
     let secret = std::env::var(variable).unwrap_or_default();
     OnceKey::new(&secret).ok_or_else(|| AppError::OnceKey(variable.to_owned()))
+}
+
+/// Reads the guide: the folder that is given, or else the one beside the program.
+fn guide(given: Option<PathBuf>) -> Result<Guide, AppError> {
+    let beside = || {
+        let folder = std::env::current_exe().ok()?.parent()?.join("guide");
+        folder.join("index.html").is_file().then_some(folder)
+    };
+    let Some(folder) = given.or_else(beside) else { return Ok(Guide::default()) };
+    Guide::read(&folder).map_err(|source| AppError::Guide { folder, source })
 }
 
 /// Reads certificate and key again at every SIGHUP.

@@ -544,6 +544,16 @@ fn shells_complete_commands_and_options() {
 }
 
 #[test]
+fn every_command_has_a_manual_page() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("manual");
+    let output = brinell(&["man", folder.to_str().unwrap()], "");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let page = std::fs::read_to_string(folder.join("brinell-solve.1")).unwrap();
+    assert!(page.contains(".SH OPTIONS") && page.contains("depth\\-svg"), "{page}");
+    assert!(folder.join("brinell-key-create.1").exists());
+}
+
+#[test]
 fn keys_are_not_looked_for_where_there_is_no_database() {
     let nowhere = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no_database_here");
     let id = "0197e1f0-0000-7000-8000-000000000000";

@@ -38,6 +38,7 @@ echo "ready after $(($(now) - begin)) ms"
 
 answer=$(curl -sf "$url/v1/solve" -H 'Content-Type: application/json' -d @api/examples/two_cylinders.json)
 [[ $answer == *'"status":"converged"'* ]] || fail "the job was not solved: $answer"
+curl -sf "$url/guide/docs/tutorial.html" >/dev/null || fail "there is no guide"
 "$engine" exec "$id" brinell healthcheck || fail "not healthy"
 if "$engine" exec "$id" touch /usr/local/bin/x 2>/dev/null; then fail "the root is writable"; fi
 

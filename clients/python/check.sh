@@ -2,7 +2,7 @@
 # Checks the Python packages.
 #
 #     clients/python/check.sh fast BRINELL    style, types, generated files, tests against the program BRINELL
-#     clients/python/check.sh full BRINELL    the same with every Python there is, notebooks, wheels and sdists
+#     clients/python/check.sh full BRINELL    the same with every Python there is, and the notebooks
 #
 # Needs a Python with venv; packages are installed under target/.
 set -euo pipefail
@@ -29,8 +29,6 @@ full() {
     fast
     BRINELL_PROGRAM=$brinell "$PWD/target/python/bin/python" -m pytest "$here/tests" -m full
     "$here/scripts/versions.sh" "$brinell"
-    # The development profile compiles in half the time of the release profile, which users get.
-    "$here/scripts/packages.sh" dev
 }
 
 "$what"

@@ -13,6 +13,7 @@ mod fault;
 mod healthcheck;
 mod input;
 mod key;
+mod man;
 mod openapi;
 mod progress;
 mod serve;
@@ -37,6 +38,7 @@ use example::ExampleArgs;
 use fault::{Fault, report_fault};
 use healthcheck::HealthcheckArgs;
 use key::KeyArgs;
+use man::ManArgs;
 use openapi::OpenapiArgs;
 use solve::SolveArgs;
 use validate::ValidateArgs;
@@ -84,6 +86,8 @@ enum Command {
     Example(ExampleArgs),
     /// Print what completes commands and options in a shell
     Completions(CompletionsArgs),
+    /// Write manual pages of all commands into a folder
+    Man(ManArgs),
 }
 
 /// A command with settings, which can be shown instead.
@@ -143,6 +147,7 @@ pub fn main() -> ExitCode {
         Command::Demo(args) => demo::demo(&args),
         Command::Example(args) => example::example(&args),
         Command::Completions(args) => completions::completions(&args),
+        Command::Man(args) => man::man(&args),
     };
     #[cfg(feature = "otlp")]
     telemetry::flush();

@@ -7,6 +7,7 @@ mod storage;
 mod work;
 
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use axum::http::HeaderValue;
@@ -37,6 +38,11 @@ pub struct ServeConfig {
         value_delimiter = ','
     )]
     pub allowed_hosts: Vec<String>,
+
+    /// Folder with the guide, which is served at /guide [default: the folder `guide` beside the
+    /// program, if it is there]
+    #[arg(long, env = "BRINELL_GUIDE", value_name = "FOLDER")]
+    pub guide: Option<PathBuf>,
 
     /// Do not solve here: leave the jobs to `brinell worker` (needs --database-url)
     #[arg(
@@ -167,6 +173,7 @@ impl Default for ServeConfig {
         Self {
             listen: "127.0.0.1:8080".to_owned(),
             allowed_hosts: Vec::new(),
+            guide: None,
             no_workers: false,
             solve_limit: Duration::from_secs(30),
             max_body: 1 << 20,

@@ -14,6 +14,7 @@ mod edge;
 mod event_stream;
 mod examples;
 mod export_file;
+mod guide;
 mod job_path;
 mod listen;
 mod metrics;
@@ -78,6 +79,7 @@ use streams::EventStreamLimit;
 pub use client_address::Network;
 pub use edge::AllowedHosts;
 pub(crate) use examples::EXAMPLES;
+pub use guide::Guide;
 pub use listen::{ConnectionTimeouts, Listening, serve};
 pub use metrics::{Metrics, metrics_router, worker_router};
 pub use problem::Problem;
@@ -168,6 +170,8 @@ pub struct HttpState {
     pub callbacks: Arc<CallbackRules>,
     /// Accepted host names.
     pub hosts: Arc<AllowedHosts>,
+    /// Served at `/guide/`.
+    pub guide: Arc<Guide>,
     /// Cancelled before connections close, to end event streams.
     pub closing: CancellationToken,
     rates: Arc<Rates>,
@@ -190,6 +194,7 @@ impl HttpState {
             sending: Arc::new(Turns::new(BODIES_OF_KEY)),
             callbacks: Arc::default(),
             hosts: Arc::default(),
+            guide: Arc::default(),
             closing: CancellationToken::new(),
             rates,
             streams,
@@ -223,6 +228,9 @@ pub fn router(state: HttpState) -> Router {
     let routes = documented
         .route("/docs", get(docs::to_page))
         .route("/docs/", get(docs::page))
+        .route("/guide", get(guide::to_guide))
+        .route("/guide/", get(guide::file))
+        .route("/guide/{*path}", get(guide::file))
         .route("/", get(page::index))
         .route("/web/{*path}", get(page::file))
         .fallback(no_route)

@@ -50,12 +50,14 @@ const FOR_GOOD: &str = "public, max-age=31536000, immutable";
 const DIGITS: usize = 16;
 
 /// A file as it is sent.
-struct Sent<'a> {
-    path: &'a str,
-    data: Cow<'static, [u8]>,
+pub(super) struct Sent<'a> {
+    pub(super) path: &'a str,
+    pub(super) data: Bytes,
     /// Identifies the bytes.
-    digest: u128,
-    kept: &'static str,
+    pub(super) digest: u128,
+    pub(super) kept: &'static str,
+    /// What the file may load and run.
+    pub(super) policy: &'a str,
 }
 
 /// `GET /`: with the digest of the folder in every address.
@@ -65,8 +67,9 @@ pub(super) async fn index(headers: HeaderMap) -> Result<Response, Problem> {
     let named = format!("{:016x}", folder >> 64);
     let text = String::from_utf8_lossy(&file.data).replace("\"web/", &format!("\"web/{named}/"));
     *NAMED.lock().unwrap_or_else(PoisonError::into_inner) = Some(named);
-    let data = Cow::Owned(text.into_bytes());
-    answer(Sent { path: "index.html", data, digest: folder, kept: "no-cache" }, &headers)
+    let data = text.into_bytes().into();
+    let sent = Sent { path: "index.html", data, digest: folder, kept: "no-cache", policy: POLICY };
+    answer(sent, &headers)
 }
 
 /// `GET /web/{path}`.
@@ -84,8 +87,12 @@ pub(super) async fn file(
     let kept = if digest.is_some() && digest == named.as_deref() { FOR_GOOD } else { "no-cache" };
     let digest = digest_of(&file);
     let is_module = media_type(path).starts_with("text/javascript");
-    let data = if is_module { bare(&file.data).into() } else { file.data };
-    answer(Sent { path, data, digest, kept }, &headers)
+    let data = match file.data {
+        data if is_module => bare(&data).into(),
+        Cow::Borrowed(data) => Bytes::from_static(data),
+        Cow::Owned(data) => data.into(),
+    };
+    answer(Sent { path, data, digest, kept, policy: POLICY }, &headers)
 }
 
 fn nothing() -> Problem {
@@ -96,7 +103,7 @@ fn is_digest(part: &str) -> bool {
     part.len() == DIGITS && part.bytes().all(|one| one.is_ascii_hexdigit())
 }
 
-fn answer(file: Sent, headers: &HeaderMap) -> Result<Response, Problem> {
+pub(super) fn answer(file: Sent, headers: &HeaderMap) -> Result<Response, Problem> {
     let gzip = takes_gzip(headers);
     // A strong tag identifies bytes, so the compressed file has its own.
     let tag = format!("\"{:032x}{}\"", file.digest, if gzip { "-gzip" } else { "" });
@@ -104,7 +111,7 @@ fn answer(file: Sent, headers: &HeaderMap) -> Result<Response, Problem> {
         (ETAG, &tag),
         (CACHE_CONTROL, file.kept),
         (VARY, "accept-encoding"),
-        (CONTENT_SECURITY_POLICY, POLICY),
+        (CONTENT_SECURITY_POLICY, file.policy),
         (X_CONTENT_TYPE_OPTIONS, "nosniff"),
         (REFERRER_POLICY, "no-referrer"),
         (CONTENT_TYPE, media_type(file.path)),
@@ -113,7 +120,7 @@ fn answer(file: Sent, headers: &HeaderMap) -> Result<Response, Problem> {
         return Ok((StatusCode::NOT_MODIFIED, common).into_response());
     }
     if !gzip {
-        return Ok((common, file.data.into_owned()).into_response());
+        return Ok((common, file.data).into_response());
     }
     let body = compressed(&file)
         .map_err(|error| Problem::new(ProblemType::Internal, error.to_string()))?;
@@ -126,6 +133,8 @@ fn media_type(path: &str) -> &'static str {
         Some("css") => "text/css; charset=utf-8",
         Some("js") => "text/javascript; charset=utf-8",
         Some("svg") => "image/svg+xml",
+        Some("png") => "image/png",
+        Some("json" | "ipynb") => "application/json",
         _ => "text/plain; charset=utf-8",
     }
 }

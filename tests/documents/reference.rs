@@ -46,7 +46,7 @@ fn the_interface() {
             writeln!(page, "| [`{name}`](#{anchor}) | {} |", cell(&text(operation, "summary")));
     }
     for (path, method, operation) in operations() {
-        let _ = writeln!(page, "\n## {} {path}\n", method.to_uppercase());
+        let _ = writeln!(page, "\n## `{} {path}`\n", method.to_uppercase());
         let _ = writeln!(page, "{}.\n", text(operation, "summary"));
         let description = paragraph(&text(operation, "description"));
         if !description.is_empty() {

@@ -12,6 +12,7 @@ mod curl;
 mod edge;
 mod events;
 mod exports;
+mod guide;
 mod hostile;
 mod in_process;
 mod jobs;

@@ -3,7 +3,7 @@
 //! `cargo run --release -p brinell-tools --bin error_bars -- fit` solves two sets of random jobs,
 //! each job beside itself on a finer mesh. It takes the smallest floors that cover the errors of
 //! the first set, writes them to `brinell-method/src/floors.rs` and `docs/validity.md`, judges them by the
-//! second set and writes `docs/history/error_bars_counted.md`. A part of a set that has been solved
+//! second set and writes `docs/notes/error_bars_counted.md`. A part of a set that has been solved
 //! is kept under `target/error_bars`, in a folder of the program that solved it: a run that is
 //! stopped goes on where it was.
 //!
@@ -619,13 +619,13 @@ fn fit() -> Result<ExitCode, Fault> {
     }
     let note = format!(
         "# Error bars, counted\n\n`cargo run --release -p brinell-tools --bin error_bars -- fit` \
-         writes this file. [What it does](../notes/error_bars.md).\n\n{} errors of a set of random jobs that \
+         writes this file. [What it does](error_bars.md).\n\n{} errors of a set of random jobs that \
          no floor was fitted to, by figure, analysis and theory. The first three columns of figures \
          are under the floors before, the next three under those after.\n\n{counted}\n## \
          Floors\n\n| figure | | before | after |\n|---|---|---|---|\n{changed}",
         second.len(),
     );
-    fs::write("docs/history/error_bars_counted.md", &note)?;
+    fs::write("docs/notes/error_bars_counted.md", &note)?;
     println!("{note}\n{:.0} s", started.elapsed().as_secs_f64());
     Ok(ExitCode::SUCCESS)
 }

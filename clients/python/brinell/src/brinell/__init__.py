@@ -1,11 +1,13 @@
 """Contact of two bodies that are pressed together so hard that they yield.
 
+```python
 import brinell
 
 client = brinell.Client()
 roller = brinell.cylinder(radius=20, material=brinell.steels["52100"])
 result = client.solve(brinell.job(roller, roller, analysis="plane_strain", force=2000))
 result.peak_pressure
+```
 """
 
 from __future__ import annotations

@@ -1,0 +1,23 @@
+//! `brinell man`
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, CommandFactory};
+
+use super::Cli;
+use super::fault::Fault;
+
+/// Arguments of `brinell man`.
+#[derive(Debug, Args)]
+pub(super) struct ManArgs {
+    /// Folder of the pages
+    folder: PathBuf,
+}
+
+pub(super) fn man(args: &ManArgs) -> Result<ExitCode, Fault> {
+    fs::create_dir_all(&args.folder)?;
+    clap_mangen::generate_to(Cli::command(), &args.folder)?;
+    Ok(ExitCode::SUCCESS)
+}
