@@ -2,7 +2,7 @@
 //! pass is one load.
 //!
 //! A [`RollingProblem`] holds the input, [`run`] solves its passes one after the other,
-//! each from what the one before has left, and returns a [`RollingSolution`]. Equations:
+//! each from what the one before has left, and hands over one [`TrackStep`]. Equations:
 //! `docs/theory_rolling.md`.
 
 mod course;
@@ -16,6 +16,7 @@ mod memory;
 mod pass;
 mod problem;
 mod run;
+mod step;
 mod system;
 
 pub use error::TrackError;
@@ -24,4 +25,5 @@ pub use estimate::{TrackEstimate, estimate};
 pub use limits::FrictionLimit;
 pub use pass::{BodyPass, Pass};
 pub use problem::{Footprint, Hardening, Limit, RollingLoad, RollingProblem};
-pub use run::{KinematicPasses, RollingSolution, run};
+pub use run::{TrackRun, run};
+pub use step::{KinematicPasses, TrackField, TrackStep};

@@ -10,6 +10,7 @@ use super::error::TrackError;
 use super::errors::PassErrors;
 use super::pass::Pass;
 use super::problem::{Hardening, Limit, RollingProblem};
+use super::step::{KinematicPasses, TrackField, TrackStep};
 use brinell_method::Interrupted as _;
 use brinell_method::couplings::iteration::Controls;
 use brinell_method::observer::SolveStatus;
@@ -17,44 +18,11 @@ use brinell_method::observer::{IncrementNumber, Interrupt, IterationRecord, Obse
 use brinell_method::phases::PhaseTimes;
 use brinell_method::run::Run;
 use brinell_method::solve::{Leave, LeaveOf, solve};
+use brinell_method::steps::StepReceiver;
 
-/// The passes of a load and what becomes of the track.
-#[derive(Debug, Clone)]
-pub struct RollingSolution {
-    /// The status of the last pass.
-    pub status: SolveStatus,
-    /// The passes that have converged.
-    pub passes: Vec<Pass>,
-    /// The last pass, converged or not.
-    pub last: Pass,
-    /// Estimated errors of the passes; `None` where the coarse track has no such pass.
-    pub errors: Vec<Option<PassErrors>>,
-    /// Verdict on each body; `None` for one that cannot yield.
-    pub verdicts: [Option<Verdict>; 2],
-    /// Verdict by as many passes on half the columns.
-    pub coarse_verdicts: [Option<Verdict>; 2],
-    /// The same load on bodies that harden kinematically, where both rules are asked for and
-    /// differ.
-    pub kinematic: Option<KinematicPasses>,
-    /// Limit of shakedown of perfectly plastic bodies, and of bodies with kinematic hardening
-    /// without bound on these layers.
-    pub limits: [Option<Limit>; 2],
-    /// Middle of the columns of the window, in the direction of travel \[mm\].
-    pub x: Vec<f64>,
-    /// Their width \[mm\].
-    pub column: f64,
-    /// Area of a cell \[mm²\]; of a line the width of a column.
-    pub cell: f64,
-    /// Columns of the track, layers of each body, rows of cells in a layer.
-    pub grid: [usize; 3],
-    /// Pressure of the last pass, on the axis of the track \[MPa\].
-    pub pressure: Vec<f64>,
-    /// Gap of the last pass \[mm\].
-    pub gap: Vec<f64>,
-    /// Records of the iterations of the last pass.
-    pub history: Vec<IterationRecord>,
-    /// Times the track was enlarged.
-    pub enlargements: usize,
+/// Times, counts and the end of a run, beside its step.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TrackRun {
     /// Wall time by phase.
     pub phases: PhaseTimes,
     /// Number of tracks built.
@@ -63,28 +31,16 @@ pub struct RollingSolution {
     pub interrupted: Option<Interrupt>,
 }
 
-/// Passes over bodies with kinematic hardening of the same uniaxial curves.
-#[derive(Debug, Clone)]
-pub struct KinematicPasses {
-    /// The passes that have converged.
-    pub passes: Vec<Pass>,
-    /// The last pass, converged or not.
-    pub last: Pass,
-    /// Estimated errors of the last converged pass, without that of the length of the track.
-    pub errors: Option<PassErrors>,
-    /// Verdict on each body; `None` for one that cannot yield.
-    pub verdicts: [Option<Verdict>; 2],
-}
-
-/// Solves the passes of a load.
+/// Solves the passes of a load and hands over its step.
 ///
 /// # Errors
-/// [`TrackError`]. A pass that does not converge is no error: it ends the passes, and the
-/// solution has its status.
+/// [`TrackError`]. A pass that does not converge is no error: it ends the passes, and the step has
+/// its status.
 pub fn run(
     problem: &RollingProblem,
     observer: &mut dyn Observer,
-) -> Result<RollingSolution, TrackError> {
+    receiver: &mut dyn StepReceiver<TrackField>,
+) -> Result<TrackRun, TrackError> {
     problem.bears()?;
     let asked = problem.load.hardening;
     let other = problem.hardening_kinematically().filter(|_| asked != Hardening::Isotropic);
@@ -92,30 +48,33 @@ pub fn run(
         Some(kinematic) if asked == Hardening::Kinematic => (kinematic, None),
         other => (problem, other.as_ref()),
     };
-    if problem.is_line() {
-        run_on::<TrackGrid>(problem, other, observer)
+    let mut done = TrackRun::default();
+    let mut run = Run { phases: &mut done.phases, passes: &mut done.tracks, observer };
+    let step = if problem.is_line() {
+        step_on::<TrackGrid>(problem, other, &mut run)?
     } else {
-        run_on::<RacewayGrid>(problem, other, observer)
-    }
+        step_on::<RacewayGrid>(problem, other, &mut run)?
+    };
+    let interrupted = step.status.interrupt();
+    receiver.step(step, run.observer);
+    Ok(TrackRun { interrupted, ..done })
 }
 
-fn run_on<C: Course>(
+fn step_on<C: Course>(
     problem: &RollingProblem,
     other: Option<&RollingProblem>,
-    observer: &mut dyn Observer,
-) -> Result<RollingSolution, TrackError> {
-    let (mut phases, mut tracks) = (PhaseTimes::default(), 0);
-    let mut run = Run { phases: &mut phases, passes: &mut tracks, observer };
+    run: &mut Run<'_>,
+) -> Result<TrackStep, TrackError> {
     let design = TrackDesign::new(problem, problem.columns);
     let passes = problem.load.passes as usize;
     let engine = TrackEngine::<C>::new(problem);
     let ends_at_verdict = problem.load.ends_at_verdict;
-    let fine = sequence(&engine, design, (passes, ends_at_verdict), &mut run)?;
-    let coarse = beside::<C>(problem, &fine, 1.0, &mut run)?;
-    let long = beside::<C>(problem, &fine, 2.0, &mut run)?;
+    let fine = sequence(&engine, design, (passes, ends_at_verdict), run)?;
+    let coarse = beside::<C>(problem, &fine, 1.0, run)?;
+    let long = beside::<C>(problem, &fine, 2.0, run)?;
     let other = other.filter(|_| !long.is_stopped() && may_differ(problem, &fine.passes));
     let kinematic = match other {
-        Some(other) => Some(kinematic::<C>(other, &fine, &mut run)?),
+        Some(other) => Some(kinematic::<C>(other, &fine, run)?),
         None => None,
     };
     let pairs = coarse.passes.iter().zip(&long.passes).map(|(coarse, long)| [coarse, long]);
@@ -126,27 +85,22 @@ fn run_on<C: Course>(
     if let Some(interrupt) = interrupt {
         last.status = interrupt.into();
     }
-    Ok(RollingSolution {
-        status: last.status,
+    let field = TrackField {
         errors,
         verdicts: verdicts(problem, &fine.passes),
         coarse_verdicts: verdicts(problem, &coarse.passes),
         kinematic,
         limits: [problem.perfect_limit(), fine.kinematic],
         passes: fine.passes,
+        last,
         x: fine.x,
         column: fine.column,
         cell: fine.cell,
         grid: fine.grid,
         pressure: fine.pressure,
         gap: fine.gap,
-        history: fine.history,
-        enlargements: fine.enlargements,
-        interrupted: last.status.interrupt(),
-        last,
-        phases,
-        tracks,
-    })
+    };
+    Ok(field.step(problem.load.force, fine.history, fine.enlargements))
 }
 
 /// Whether another rule of hardening may have a worse word: not where nothing yields, and not where

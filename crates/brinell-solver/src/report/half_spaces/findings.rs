@@ -1,7 +1,6 @@
 //! Findings on an answer in three dimensions.
 
 use super::spots;
-use super::step::largest_strain;
 use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
@@ -12,12 +11,12 @@ use crate::report::findings::{
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
 use crate::report::validity::{Unfinished, WIDE_CONTACT, large_strain, long_search, of_history};
-use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, Row, SurfaceMap,
 };
 use crate::solver::method::figures::{Figure, FigureSet};
 use crate::solver::method::sought::{Loads, Sought};
+use crate::solver::{SolveStatus, bounded_strain};
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
@@ -98,6 +97,16 @@ pub(super) fn findings(
     findings.extend(guesses(job));
     of_shapes(problem, step, &mut findings);
     findings
+}
+
+/// Returns the largest plastic strain of a body, or `None` if its hardening curve no longer rises
+/// there.
+pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Option<f64> {
+    let law = match &[&job.upper, &job.lower][side].material {
+        Material::Deformable(material) => material.hardening_law(),
+        Material::Rigid => None,
+    };
+    bounded_strain(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
 }
 
 /// Returns the figures of a load step whose bars findings take, and the figures of the bodies that it
