@@ -14,7 +14,7 @@ mod march;
 use std::hint::black_box;
 use std::time::Instant;
 
-use brinell_halfspace::track::{PassStrain, Verdict};
+use brinell_halfspace::track::{PassStrain, SteadyState};
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use driver::{Material, Roller, Setup, YIELD, YOUNG};
 use march::March;
@@ -52,12 +52,12 @@ fn map() {
             let setup = Setup { peak, material, ..Setup::new(20, friction, 1.0) };
             let strains: Vec<PassStrain> =
                 Roller::new(&setup).passes(10).iter().map(|pass| pass.strain).collect();
-            words[match Verdict::that_counts(&strains, YIELD / YOUNG) {
-                Verdict::Elastic => 0,
-                Verdict::ShakesDown { .. } => 1,
-                Verdict::ClosedCycle { .. } => 2,
-                Verdict::Ratchets { .. } => 3,
-                Verdict::Undecided { .. } => 4,
+            words[match SteadyState::that_counts(&strains, YIELD / YOUNG) {
+                SteadyState::Elastic => 0,
+                SteadyState::ShakesDown { .. } => 1,
+                SteadyState::ClosedCycle { .. } => 2,
+                SteadyState::Ratchets { .. } => 3,
+                SteadyState::Undecided { .. } => 4,
             }] += 1;
         }
     }

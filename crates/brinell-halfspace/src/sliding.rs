@@ -12,8 +12,8 @@
 use std::f64::consts::PI;
 
 use crate::ball::smallest_ball;
+use crate::line::strip;
 use crate::tensors::{self, COMPONENTS, DEVIATOR_COMPONENTS};
-use crate::track::strip;
 use crate::{pressure_stress, traction_stress};
 
 /// Cells over a semi-axis, those along the travel near the surface, where friction makes σxx steep at

@@ -5,7 +5,6 @@
 //! each from what the one before has left, and hands over one [`TrackStep`]. Equations:
 //! `docs/theory_rolling.md`.
 
-mod course;
 mod design;
 mod engine;
 mod error;
@@ -24,6 +23,6 @@ pub use errors::{BodyPassErrors, PassErrors};
 pub use estimate::{TrackEstimate, estimate};
 pub use limits::FrictionLimit;
 pub use pass::{BodyPass, Pass};
-pub use problem::{Footprint, Hardening, Limit, RollingLoad, RollingProblem};
+pub use problem::{Footprint, HardeningRules, Limit, RollingLoad, RollingProblem};
 pub use run::{TrackRun, run};
 pub use step::{KinematicPasses, TrackField, TrackStep};

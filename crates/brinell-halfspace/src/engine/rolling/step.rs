@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::track::Verdict;
+use crate::track::SteadyState;
 
 use super::errors::PassErrors;
 use super::pass::Pass;
@@ -26,9 +26,9 @@ pub struct TrackField {
     /// Estimated errors of the passes; `None` where the coarse track has no such pass.
     pub errors: Vec<Option<PassErrors>>,
     /// Verdict on each body; `None` for one that cannot yield.
-    pub verdicts: [Option<Verdict>; 2],
+    pub verdicts: [Option<SteadyState>; 2],
     /// Verdict by as many passes on half the columns.
-    pub coarse_verdicts: [Option<Verdict>; 2],
+    pub coarse_verdicts: [Option<SteadyState>; 2],
     /// The same load on bodies that harden kinematically, where both rules are asked for and
     /// differ.
     pub kinematic: Option<KinematicPasses>,
@@ -59,7 +59,7 @@ pub struct KinematicPasses {
     /// Estimated errors of the last converged pass, without that of the length of the track.
     pub errors: Option<PassErrors>,
     /// Verdict on each body; `None` for one that cannot yield.
-    pub verdicts: [Option<Verdict>; 2],
+    pub verdicts: [Option<SteadyState>; 2],
 }
 
 impl TrackField {

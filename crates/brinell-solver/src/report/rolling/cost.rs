@@ -2,7 +2,9 @@
 
 use crate::job::Job;
 use crate::report::cost::{JobEstimate, SOLVER_BYTES, STEP_BYTES};
-use crate::solver::rolling::{Hardening, RollingProblem, TrackError, TrackEstimate, estimate};
+use crate::solver::rolling::{
+    HardeningRules, RollingProblem, TrackError, TrackEstimate, estimate,
+};
 
 /// Bytes of the report of a pass, and of a column of the window or a layer.
 const PASS_BYTES: u64 = 900;
@@ -22,8 +24,8 @@ pub(super) fn cost(job: &Job, problem: &RollingProblem) -> Result<JobEstimate, T
     let cells = (columns * rows * layers * bodies) as u64;
     let components = if rows > 1 { 5 } else { 3 };
     let passes = u64::from(problem.load.passes);
-    let is_twice =
-        problem.load.hardening == Hardening::Both && problem.hardening_kinematically().is_some();
+    let is_twice = problem.load.hardening == HardeningRules::Both
+        && problem.hardening_kinematically().is_some();
     let rules = if is_twice { 2 } else { 1 };
     let section = if job.output.fields && rows > 1 { 2 * (2 * rows * layers) as u64 } else { 0 };
     let report = STEP_BYTES

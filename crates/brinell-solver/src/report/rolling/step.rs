@@ -1,6 +1,6 @@
 //! The step of a load that rolls as a report shows it.
 
-use brinell_halfspace::track::Verdict;
+use brinell_halfspace::track::SteadyState;
 
 use super::cost::cost;
 use super::document::{
@@ -25,7 +25,7 @@ use crate::report::{
     PerBody, Side, SubsurfaceReport,
 };
 use crate::solver::rolling::{
-    self, BodyPass, BodyPassErrors, FrictionLimit, Hardening, Limit, Pass, PassErrors,
+    self, BodyPass, BodyPassErrors, FrictionLimit, HardeningRules, Limit, Pass, PassErrors,
     RollingProblem, TrackField, TrackRun, TrackStep,
 };
 use crate::solver::{Interrupt, Observer, Options, SolveStatus, StepReceiver};
@@ -270,8 +270,8 @@ impl Passes<'_> {
         let hardens = self.problem.hardening_kinematically().is_some();
         let hardening = match self.problem.load.hardening {
             _ if !hardens => SolvedHardening::Given,
-            Hardening::Kinematic => SolvedHardening::Kinematic,
-            Hardening::Both | Hardening::Isotropic => SolvedHardening::Isotropic,
+            HardeningRules::Kinematic => SolvedHardening::Kinematic,
+            HardeningRules::Both | HardeningRules::Isotropic => SolvedHardening::Isotropic,
         };
         let as_given = (&*field.passes, &field.last, errors);
         let mut rules = vec![self.rule(hardening, &field.verdicts, as_given)];
@@ -286,26 +286,26 @@ impl Passes<'_> {
     fn rule(
         &self,
         hardening: SolvedHardening,
-        verdicts: &[Option<Verdict>; 2],
+        verdicts: &[Option<SteadyState>; 2],
         (passes, last, errors): (&[Pass], &Pass, Option<&PassErrors>),
     ) -> Ruled {
         let (side, verdict) = worst(verdicts);
         let (rate, change) = match verdict {
-            Verdict::Elastic | Verdict::ShakesDown { .. } => (Some(0.0), Some(0.0)),
-            Verdict::ClosedCycle { strain, bar } => (Some(strain), Some(bar)),
-            Verdict::Ratchets { rate, bar } => (Some(rate), Some(bar)),
-            Verdict::Undecided { .. } => (None, None),
+            SteadyState::Elastic | SteadyState::ShakesDown { .. } => (Some(0.0), Some(0.0)),
+            SteadyState::ClosedCycle { strain, bar } => (Some(strain), Some(bar)),
+            SteadyState::Ratchets { rate, bar } => (Some(rate), Some(bar)),
+            SteadyState::Undecided { .. } => (None, None),
         };
         let errors = errors.and_then(|errors| errors.bodies[side?]);
         let of_columns = match verdict {
-            Verdict::ClosedCycle { .. } => errors.map(|errors| errors.largest_strain),
-            Verdict::Ratchets { .. } => errors.map(|errors| errors.net_strain),
+            SteadyState::ClosedCycle { .. } => errors.map(|errors| errors.largest_strain),
+            SteadyState::Ratchets { .. } => errors.map(|errors| errors.net_strain),
             _ => Some(0.0),
         };
         let strain = passes.last().and_then(|pass| Some(pass.bodies[side?].as_ref()?.strain));
         let place = strain.and_then(|strain| match verdict {
-            Verdict::ClosedCycle { .. } => Some(strain.largest),
-            Verdict::Ratchets { .. } => Some(strain.net),
+            SteadyState::ClosedCycle { .. } => Some(strain.largest),
+            SteadyState::Ratchets { .. } => Some(strain.net),
             _ => None,
         });
         let depth = place.map(|at| if at.to_surface > 0.0 { 0.0 } else { at.depth });
@@ -327,7 +327,7 @@ impl Passes<'_> {
     }
 
     /// Returns why the verdict is open, or why the passes end.
-    fn reason(&self, verdict: Verdict, number: usize, last: &Pass) -> Option<String> {
+    fn reason(&self, verdict: SteadyState, number: usize, last: &Pass) -> Option<String> {
         match (last.status, &last.fault) {
             (SolveStatus::Converged, _) => {}
             (SolveStatus::NotConverged, Some(fault)) => {
@@ -343,7 +343,7 @@ impl Passes<'_> {
             }
             _ => return Some(format!("the job was stopped in pass {}", number + 1)),
         }
-        matches!(verdict, Verdict::Undecided { .. }).then(|| {
+        matches!(verdict, SteadyState::Undecided { .. }).then(|| {
             let unit = if self.problem.load.alternating { "pairs of passes" } else { "passes" };
             format!(
                 "no word has come three times running: a verdict takes at least ten {unit}, and \
