@@ -5,7 +5,7 @@ use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
 use crate::report::findings::{
-    CasePlace, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged, Wide, Work,
+    CasePlace, Deformation, Finding, FinerBy, Known, OnsetUnknown, Unconverged, Wide, Work,
     guesses, left_unknown,
 };
 use crate::report::plastic_strain::bilinear_curve;
@@ -147,7 +147,7 @@ fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Findi
     if step.is_preliminary || number <= 0.0 || number >= COARSE_GRID {
         return None;
     }
-    let advice = if problem.heights.is_some() { Density::Heights } else { Density::Cells };
+    let advice = if problem.heights.is_some() { FinerBy::Heights } else { FinerBy::Cells };
     Some(Finding::FewElements { number, advice })
 }
 
