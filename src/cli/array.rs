@@ -20,7 +20,7 @@ use sha2::{Digest, Sha256};
 use uuid::Uuid;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::NOT_CONVERGED;
+use super::common::NOT_CONVERGED;
 use super::fault::{Fault, report_fault};
 use super::progress::ProgressLine;
 use crate::config::WorkConfig;

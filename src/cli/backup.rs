@@ -8,7 +8,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::block_on;
+use super::common::block_on;
 use super::fault::Fault;
 use super::input::write_answer;
 use crate::app::open_existing;

@@ -2,10 +2,9 @@
 
 use std::process::ExitCode;
 
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
-use super::Cli;
 use super::fault::Fault;
 use super::input::write_answer;
 
@@ -16,9 +15,12 @@ pub(super) struct CompletionsArgs {
     shell: Shell,
 }
 
-pub(super) fn completions(args: &CompletionsArgs) -> Result<ExitCode, Fault> {
+pub(super) fn completions(
+    args: &CompletionsArgs,
+    mut command: Command,
+) -> Result<ExitCode, Fault> {
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut Cli::command(), "brinell", &mut script);
+    clap_complete::generate(args.shell, &mut command, "brinell", &mut script);
     write_answer(None, &script)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -9,12 +9,12 @@ use clap::Args;
 use serde::Deserialize;
 
 use super::client::Client;
+use super::common::{NOT_CONVERGED, block_on};
 use super::fault::Fault;
 use super::input::write_answer;
 use super::progress::{PRELIMINARY, ProgressLine};
 use super::style::Style;
 use super::table::table;
-use super::{NOT_CONVERGED, block_on};
 use crate::app::Service;
 use crate::config::{ServeConfig, StorageConfig};
 use crate::jobs::{CoreSolver, IterationRecord, JobId, JobState};

@@ -9,8 +9,8 @@ use clap::Args;
 use tokio::net::lookup_host;
 use tokio::time::timeout;
 
-use super::block_on;
 use super::client::Client;
+use super::common::block_on;
 use super::fault::Fault;
 use crate::outgoing::Destination;
 

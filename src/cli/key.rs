@@ -8,7 +8,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use jiff::tz::TimeZone;
 use jiff::{Span, Timestamp};
 
-use super::block_on;
+use super::common::block_on;
 use super::fault::Fault;
 use super::input::write_answer;
 use crate::app::{open_existing, open_keys};

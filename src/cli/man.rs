@@ -4,9 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 
-use super::Cli;
 use super::fault::Fault;
 
 /// Arguments of `brinell man`.
@@ -16,8 +15,8 @@ pub(super) struct ManArgs {
     folder: PathBuf,
 }
 
-pub(super) fn man(args: &ManArgs) -> Result<ExitCode, Fault> {
+pub(super) fn man(args: &ManArgs, command: Command) -> Result<ExitCode, Fault> {
     fs::create_dir_all(&args.folder)?;
-    clap_mangen::generate_to(Cli::command(), &args.folder)?;
+    clap_mangen::generate_to(command, &args.folder)?;
     Ok(ExitCode::SUCCESS)
 }

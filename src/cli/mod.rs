@@ -6,6 +6,7 @@
 mod array;
 mod backup;
 mod client;
+mod common;
 mod completions;
 mod demo;
 mod example;
@@ -27,7 +28,7 @@ mod worker;
 
 use std::process::ExitCode;
 
-use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::config::{ServeConfig, WorkerConfig};
 use crate::telemetry::{self, LevelFilter, LogConfig};
@@ -35,16 +36,13 @@ use backup::{BackupArgs, CheckArgs, RestoreArgs};
 use completions::CompletionsArgs;
 use demo::DemoArgs;
 use example::ExampleArgs;
-use fault::{Fault, report_fault};
+use fault::report_fault;
 use healthcheck::HealthcheckArgs;
 use key::KeyArgs;
 use man::ManArgs;
 use openapi::OpenapiArgs;
 use solve::SolveArgs;
 use validate::ValidateArgs;
-
-/// Exit code for a job that did not converge.
-const NOT_CONVERGED: u8 = 3;
 
 /// Elasto-plastic contact between two bodies, solved in milliseconds
 #[derive(Debug, Parser)]
@@ -101,15 +99,6 @@ struct Configured<T: Args> {
     config: T,
 }
 
-/// How to print an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// JSON, for programs
-    Json,
-    /// A table, for people
-    Table,
-}
-
 /// Runs the program with the process's arguments.
 pub fn main() -> ExitCode {
     let mut command = Cli::command();
@@ -146,18 +135,10 @@ pub fn main() -> ExitCode {
         Command::Restore(args) => backup::restore(&args),
         Command::Demo(args) => demo::demo(&args),
         Command::Example(args) => example::example(&args),
-        Command::Completions(args) => completions::completions(&args),
-        Command::Man(args) => man::man(&args),
+        Command::Completions(args) => completions::completions(&args, Cli::command()),
+        Command::Man(args) => man::man(&args, Cli::command()),
     };
     #[cfg(feature = "otlp")]
     telemetry::flush();
     done.unwrap_or_else(|fault| report_fault(&fault))
-}
-
-/// Runs async work on a runtime of its own.
-fn block_on<T>(work: impl Future<Output = Result<T, Fault>>) -> Result<T, Fault> {
-    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
-    let done = runtime.block_on(work);
-    runtime.shutdown_background();
-    done
 }

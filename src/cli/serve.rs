@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use super::block_on;
+use super::common::block_on;
 use super::fault::Fault;
 use super::input::write_answer;
 use crate::app::Service;

@@ -7,8 +7,8 @@ use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
-use super::NOT_CONVERGED;
 use super::array::{ArrayArgs, solve_array};
+use super::common::NOT_CONVERGED;
 use super::fault::Fault;
 use super::input::{Output, Settings};
 use super::progress::ProgressLine;

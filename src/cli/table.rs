@@ -7,57 +7,26 @@ mod number;
 mod passes;
 mod plot;
 mod sweep;
+mod text;
 
 use std::fmt::Write;
 
 use super::style::Style;
-use brinell_solver::job::fields::Figure;
-use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure, measure_of};
+use brinell_solver::job::fields::NumberKind;
+use brinell_solver::job::{Job, Load, Quantity, Target, TargetFigure, measure_of};
 use brinell_solver::report::{
     Answer, FlowReport, LoadReport, PlasticityReport, Report, StepReport, TargetReport, Timings,
     VerdictLevel,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
-
-/// Widest line.
-const WIDTH: usize = 80;
+use text::{Names, WIDTH, words, wrapped};
 
 /// Lays a report out as text. `job` is what was asked. Of a long sweep it shows a line for each
 /// load, or one `step` as a whole.
 pub fn table(job: &Job, report: &Report, step: Option<usize>, style: Style) -> String {
     let page = Page { style, names: Names::of(job), text: String::new(), said: Vec::new() };
     page.lay_out(job, report, step)
-}
-
-/// How units and figures are written, which depends on whether the bodies are turned about an
-/// axis.
-#[derive(Debug, Clone, Copy)]
-struct Names {
-    length: &'static str,
-    stress: &'static str,
-    force: &'static str,
-    work: &'static str,
-    is_round: bool,
-    is_three_dimensional: bool,
-}
-
-impl Names {
-    fn of(job: &Job) -> Self {
-        let is_round = job.analysis == Analysis::Axisymmetric;
-        let is_three_dimensional = job.analysis == Analysis::ThreeDimensional;
-        let force = job.analysis.force().quantity();
-        let work =
-            if force == Quantity::LineForce { Quantity::LineEnergy } else { Quantity::Energy };
-        let [length, stress, force, work] = [Quantity::Length, Quantity::Stress, force, work]
-            .map(|quantity| job.units.symbol(quantity));
-        Self { length, stress, force, work, is_round, is_three_dimensional }
-    }
-
-    /// Places along the surface.
-    fn abscissa(self) -> &'static str {
-        if self.is_round { "r" } else { "x" }
-    }
 }
 
 /// The text so far.
@@ -137,8 +106,8 @@ impl Page {
     fn target(&mut self, job: &Job, target: &TargetReport) {
         let Load::Target(Target { figure, .. }) = &job.load else { return };
         let unit = match measure_of(*figure) {
-            Figure::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
-            Figure::Pure(_) => String::new(),
+            NumberKind::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
+            NumberKind::Pure(_) => String::new(),
         };
         let when = match figure {
             TargetFigure::PermanentApproach | TargetFigure::DentDepth => {
@@ -402,35 +371,6 @@ fn times(timings: &Timings) -> String {
     {
         let separator = if number == 0 { ": " } else { ", " };
         let _ = write!(text, "{separator}{name} {}", significant(time, 2));
-    }
-    text
-}
-
-fn words(text: &str) -> Vec<String> {
-    text.split_whitespace().map(str::to_owned).collect()
-}
-
-/// Items after a label, broken into lines that are indented like the first.
-fn wrapped(label: &str, items: &[String], separator: &str) -> String {
-    let indent = label.chars().count();
-    let (mut text, mut column) = (label.to_owned(), indent);
-    for (number, item) in items.iter().enumerate() {
-        let width = item.chars().count();
-        // What separates an item from the next one stays on its line.
-        let rest = if number + 1 < items.len() { separator.trim_end().len() } else { 0 };
-        if number > 0 {
-            if column + separator.len() + width + rest > WIDTH {
-                text.push_str(separator.trim_end());
-                text.push('\n');
-                text.push_str(&" ".repeat(indent));
-                column = indent;
-            } else {
-                text.push_str(separator);
-                column += separator.len();
-            }
-        }
-        text.push_str(item);
-        column += width;
     }
     text
 }

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 use serde_json::json;
 
-use super::Format;
+use super::common::Format;
 use super::fault::Fault;
 use super::input::{Settings, write_answer};
 use super::style::Style;

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use super::block_on;
+use super::common::block_on;
 use super::fault::Fault;
 use crate::app::run_worker;
 use crate::config::WorkerConfig;

@@ -40,13 +40,13 @@ pub struct Exported {
     jobs: Arc<JobService>,
     id: JobId,
     key: Option<KeyId>,
-    form: Form,
+    form: ExportForm,
 }
 
 type Fields = FieldsReader<Arc<dyn JobStore>>;
 type Pieces = Box<dyn Iterator<Item = String> + Send>;
 
-enum Form {
+enum ExportForm {
     Pieces(Pieces),
     Table(Table, Range<usize>),
     Mesh(VtuFile, Fields),
@@ -84,7 +84,7 @@ impl JobService {
         let Some(last) = steps.checked_sub(1) else {
             // A report of version 1 contains its steps.
             let written = self.decoders.run(key, move || form.write(&job, &report, step)).await?;
-            return Ok(exported(Form::Pieces(Box::new(once(written)))));
+            return Ok(exported(ExportForm::Pieces(Box::new(once(written)))));
         };
         let wanted = step.unwrap_or(last);
         if wanted > last {
@@ -96,18 +96,18 @@ impl JobService {
         let mut shown = self.decoders.run(key, read).await?;
         Ok(exported(if form.is_table() {
             let steps = step.map_or(0..steps, |step| step..step + 1);
-            Form::Table(Table::new(form, &job, &shown)?, steps)
+            ExportForm::Table(Table::new(form, &job, &shown)?, steps)
         } else if let Some(half_spaces) =
             shown.three_dimensional.as_mut().filter(|_| form == Export::FieldVtu)
         {
             let maps = half_spaces.maps.take().ok_or(ExportError::NoFields)?;
-            Form::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
+            ExportForm::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
         } else if form == Export::FieldVtu {
             let fields = self.fields(id, wanted).await?;
             // The layers of a load that rolls are no mesh.
             let fields = fields.filter(|fields| fields.layout().member() == "fields");
             let fields = fields.ok_or(ExportError::NoFields)?;
-            Form::Mesh(
+            ExportForm::Mesh(
                 VtuFile::new(
                     &report,
                     [wanted, steps],
@@ -118,11 +118,11 @@ impl JobService {
             )
         } else if form == Export::FieldVtr {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoLayers)?;
-            Form::Layers(VtrFile::new(&report, [wanted, steps], fields.layout())?, fields)
+            ExportForm::Layers(VtrFile::new(&report, [wanted, steps], fields.layout())?, fields)
         } else {
             report.steps.push(shown);
             let written = self.decoders.run(key, move || form.write(&job, &report, None)).await?;
-            Form::Pieces(Box::new(once(written)))
+            ExportForm::Pieces(Box::new(once(written)))
         }))
     }
 }
@@ -136,14 +136,14 @@ impl Exported {
         let Self { jobs, id, key, form } = self;
         let mut out = Out { text: String::new(), sender };
         match form {
-            Form::Pieces(mut pieces) => {
+            ExportForm::Pieces(mut pieces) => {
                 let next = |mut pieces: Pieces| move || (pieces.next(), pieces);
                 while let (Some(piece), rest) = jobs.decoders.run(key, next(pieces)).await {
                     out.add(&piece).await;
                     pieces = rest;
                 }
             }
-            Form::Table(table, steps) => {
+            ExportForm::Table(table, steps) => {
                 out.add(&table.header()).await;
                 for number in steps {
                     let text = jobs.store.step(id, number).await?;
@@ -154,8 +154,8 @@ impl Exported {
                     out.add(&jobs.decoders.run(key, rows).await?).await;
                 }
             }
-            Form::Mesh(file, fields) => out.fields(&jobs, key, file, fields).await?,
-            Form::Layers(file, fields) => out.fields(&jobs, key, file, fields).await?,
+            ExportForm::Mesh(file, fields) => out.fields(&jobs, key, file, fields).await?,
+            ExportForm::Layers(file, fields) => out.fields(&jobs, key, file, fields).await?,
         }
         out.end().await;
         Ok(())

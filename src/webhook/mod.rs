@@ -29,17 +29,13 @@ use crate::jobs::{
 use crate::outgoing::Client;
 use crate::telemetry;
 use notice::Notice;
-use receivers::{Postponed, Receiver, Receivers};
+use receivers::{ATTEMPT, LEASE, Postponed, Receiver, Receivers};
 pub use rules::CallbackRules;
 pub use signature::WebhookSecret;
 use signature::signatures;
 
 /// Attempts by outcome.
 pub const DELIVERIES: &str = "brinell_webhook_deliveries_total";
-
-/// Longest time of an attempt, and the lease of one.
-const ATTEMPT: Duration = Duration::from_secs(15);
-const LEASE: Duration = Duration::from_mins(1);
 
 /// Time between two queries for due announcements: when the last query found none, and when it
 /// found more than there was room for.

@@ -3,8 +3,11 @@
 use std::collections::{HashMap, VecDeque};
 use std::time::Duration;
 
-use super::{ATTEMPT, LEASE};
 use crate::jobs::{Delivery, KeyId};
+
+/// Longest time of an attempt, and the lease of one.
+pub(super) const ATTEMPT: Duration = Duration::from_secs(15);
+pub(super) const LEASE: Duration = Duration::from_mins(1);
 
 /// Attempts at the same time.
 const AT_ONCE: usize = 64;

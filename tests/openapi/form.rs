@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use brinell_solver::job::fields::{Example, Field, FieldKind, FieldTable, Figure};
+use brinell_solver::job::fields::{Example, Field, FieldKind, FieldTable, NumberKind};
 use brinell_solver::job::{Domain, Hardening, InitialStress, OverDepth, Shape};
 use brinell_solver::material::hardness;
 use serde_json::{Value, json};
@@ -137,17 +137,17 @@ fn field(field: &Field) -> Value {
 }
 
 /// The page's name of a quantity.
-fn quantity(figure: &Figure) -> &'static str {
+fn quantity(figure: &NumberKind) -> &'static str {
     match figure {
-        Figure::Quantity(Domain::Length | Domain::Position | Domain::Depth | Domain::Approach) => {
-            "length"
-        }
-        Figure::Quantity(
+        NumberKind::Quantity(
+            Domain::Length | Domain::Position | Domain::Depth | Domain::Approach,
+        ) => "length",
+        NumberKind::Quantity(
             Domain::Modulus | Domain::TangentModulus | Domain::Stress | Domain::SignedStress,
         ) => "stress",
-        Figure::Quantity(Domain::LineForce) => "line_force",
-        Figure::Quantity(Domain::Force) => "force",
-        Figure::Quantity(Domain::Moment) => "energy",
-        Figure::Pure(_) => "number",
+        NumberKind::Quantity(Domain::LineForce) => "line_force",
+        NumberKind::Quantity(Domain::Force) => "force",
+        NumberKind::Quantity(Domain::Moment) => "energy",
+        NumberKind::Pure(_) => "number",
     }
 }

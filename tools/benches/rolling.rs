@@ -14,7 +14,7 @@ mod march;
 use std::hint::black_box;
 use std::time::Instant;
 
-use brinell_halfspace::track::{PassStrain, Verdict};
+use brinell_halfspace::track::{Operators as _, PassStrain, SteadyState};
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use driver::{Material, Roller, Setup, YIELD, YOUNG};
 use march::March;
@@ -52,12 +52,12 @@ fn map() {
             let setup = Setup { peak, material, ..Setup::new(20, friction, 1.0) };
             let strains: Vec<PassStrain> =
                 Roller::new(&setup).passes(10).iter().map(|pass| pass.strain).collect();
-            words[match Verdict::that_counts(&strains, YIELD / YOUNG) {
-                Verdict::Elastic => 0,
-                Verdict::ShakesDown { .. } => 1,
-                Verdict::ClosedCycle { .. } => 2,
-                Verdict::Ratchets { .. } => 3,
-                Verdict::Undecided { .. } => 4,
+            words[match SteadyState::that_counts(&strains, YIELD / YOUNG) {
+                SteadyState::Elastic => 0,
+                SteadyState::ShakesDown { .. } => 1,
+                SteadyState::ClosedCycle { .. } => 2,
+                SteadyState::Ratchets { .. } => 3,
+                SteadyState::Undecided { .. } => 4,
             }] += 1;
         }
     }
@@ -74,7 +74,7 @@ fn benchmarks(criterion: &mut Criterion) {
     let setup = Setup::new(20, 0.0, 1.05);
     let mut roller = Roller::new(&setup);
     roller.passes(3);
-    let (n, n_layers) = (roller.grid.n_columns(), roller.body.space().layers().len());
+    let (n, n_layers) = (roller.grid.n_columns(), roller.body.space().ground().layers.len());
     let strained = roller.n_strained();
     println!("{n} columns, {n_layers} layers, {strained} of them strained");
     let mut planner = RealFftPlanner::<f64>::new();
@@ -96,7 +96,7 @@ fn benchmarks(criterion: &mut Criterion) {
             black_box(&row);
         });
     });
-    let mut trial = vec![0.0; roller.body.len()];
+    let mut trial = vec![0.0; roller.body.n_numbers()];
     let mut into = trial.clone();
     criterion.bench_function("rolling/evaluation", |bencher| {
         bencher.iter(|| roller.evaluate_again(&mut trial, &mut into));

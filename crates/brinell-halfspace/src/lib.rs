@@ -10,7 +10,7 @@
 //! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and
 //!   what its [`PlasticLaw`] answers;
 //! - [`EllipticContact`] is Hertz;
-//! - [`track`]: line contacts that roll and slide; [`raceway`]: elliptic ones;
+//! - [`track`]: contacts that roll and slide, along a [`line`] or over a [`raceway`];
 //! - [`engine`]: half-spaces and tracks as engines of `brinell-method`.
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
@@ -23,6 +23,7 @@ mod grid;
 mod half_space;
 mod hertz;
 mod images;
+pub mod line;
 mod offsets;
 mod pressure_stress;
 pub mod raceway;

@@ -11,8 +11,8 @@
 
 use std::f64::consts::PI;
 
+use crate::line::strip;
 use crate::tensors::{self, COMPONENTS, DEVIATOR_COMPONENTS};
-use crate::track::strip;
 use crate::{pressure_stress, traction_stress};
 use brinell_material::smallest_ball;
 

@@ -1,6 +1,6 @@
 //! Conversion of figures to the units of the job.
 
-use crate::job::fields::Figure;
+use crate::job::fields::NumberKind;
 use crate::job::{Analysis, Quantity, TargetFigure, Units, measure_of};
 
 /// Converts figures of the solver to the units of a job.
@@ -71,8 +71,8 @@ impl UnitConverter {
     pub fn target_text(self, figure: TargetFigure, core: f64) -> String {
         let value = rounded(self.of_target(figure, core));
         match measure_of(figure) {
-            Figure::Quantity(quantity) => format!("{value} {}", quantity.symbol(self.units)),
-            Figure::Pure(_) => value,
+            NumberKind::Quantity(quantity) => format!("{value} {}", quantity.symbol(self.units)),
+            NumberKind::Pure(_) => value,
         }
     }
 

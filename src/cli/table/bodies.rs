@@ -1,9 +1,9 @@
 //! Descriptions of bodies in a few words.
 
 use super::number::{short, significant};
-use brinell_solver::job::fields::{Field, FieldKind, Value};
+use brinell_solver::job::fields::{Field, FieldKind, FieldValue};
 use brinell_solver::job::{
-    Analysis, Body, Deformable, Job, Material, Quantity, Shape, Support, Units,
+    Analysis, Body, Deformable, FarSupport, Job, Material, Quantity, Shape, Units,
 };
 
 /// Shape, material and support, in the units of the job.
@@ -21,8 +21,8 @@ pub(super) fn describe(body: &Body, job: &Job) -> Vec<String> {
             items.extend(describe_material(material, job));
             if job.analysis != Analysis::ThreeDimensional {
                 items.push(match body.support {
-                    Support::Clamped => "clamped".to_owned(),
-                    Support::Roller => "on rollers".to_owned(),
+                    FarSupport::Clamped => "clamped".to_owned(),
+                    FarSupport::Roller => "on rollers".to_owned(),
                 });
             }
         }
@@ -60,14 +60,14 @@ fn describe_material(material: &Deformable, job: &Job) -> Vec<String> {
 }
 
 /// An object of the job by its label and its fields, each under its symbol.
-fn describe_fields(label: &str, values: Vec<(&Field, Value)>, units: Units) -> String {
+fn describe_fields(label: &str, values: Vec<(&Field, FieldValue)>, units: Units) -> String {
     let mut words = vec![label.to_owned()];
     for (field, value) in values {
         match (value, &field.kind) {
-            (Value::Figure(core), FieldKind::Figure(figure)) => {
+            (FieldValue::Figure(core), FieldKind::Figure(figure)) => {
                 words.push(format!("{} {}", field.symbol, short(figure.to_wire(units, core))));
             }
-            (Value::Points(points), _) => words.push(format!("of {} points", points.len())),
+            (FieldValue::Points(points), _) => words.push(format!("of {} points", points.len())),
             _ => {}
         }
     }

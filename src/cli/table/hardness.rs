@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::number::significant;
+use super::text::{words, wrapped};
 use crate::cli::style::Style;
 use brinell_solver::report::HardnessReport;
 
@@ -25,9 +26,9 @@ pub(super) fn hardness(
     let mut text = format!("{}  {value}{bar}\n", found.test);
     if let (Some(bias), Some(source)) = (found.bias, &found.bias_source) {
         let bias = if bias < 0.0 { percent(bias) } else { format!("+{}", percent(bias)) };
-        text.push_str(&super::wrapped(
+        text.push_str(&wrapped(
             "       ",
-            &super::words(&format!("mean pressure {bias} % against {source}")),
+            &words(&format!("mean pressure {bias} % against {source}")),
             " ",
         ));
         text.push('\n');

@@ -4,8 +4,8 @@
 
 use std::fmt::Write;
 
-use super::Names;
 use super::number::{round_up, short};
+use super::text::{Names, WIDTH};
 use crate::cli::style::Style;
 use brinell_solver::report::StepReport;
 
@@ -225,7 +225,7 @@ fn x_labels(scale: Scale, abscissa: &str, names: Names) -> String {
         let label = short(x);
         let label = if x == 0.0 { format!("{abscissa} = 0 {}", names.length) } else { label };
         let middle = LABEL + 1 + COLUMNS / 4 * usize::try_from(quarter).unwrap_or(0);
-        let start = middle.saturating_sub(label.len() / 2).min(super::WIDTH - label.len());
+        let start = middle.saturating_sub(label.len() / 2).min(WIDTH - label.len());
         let pad = start.saturating_sub(text.len());
         text.push_str(&" ".repeat(pad));
         text.push_str(&label);

@@ -1,7 +1,7 @@
 //! The loads of a sweep as a table of one line each.
 
-use super::Names;
 use super::number::significant;
+use super::text::Names;
 use crate::cli::style::Style;
 use brinell_solver::report::{LoadReport, StepReport};
 use brinell_solver::solver::SolveStatus;

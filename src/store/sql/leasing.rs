@@ -240,7 +240,7 @@ pub(super) async fn begin_steps<C: Messages>(
 
 /// A part of the result of a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum StepPart<'a> {
+pub(super) enum ResultPart<'a> {
     /// Fields from this byte on.
     Fields(usize, &'a [u8]),
     /// The report, through which the fields are found.
@@ -252,15 +252,17 @@ pub(super) async fn append_part<C: Messages>(
     line: &mut C,
     lease: &Lease,
     step: usize,
-    part: StepPart<'_>,
+    part: ResultPart<'_>,
 ) -> Result<(), StoreError> {
-    let [step, first] = [step, if let StepPart::Fields(first, _) = part { first } else { 0 }]
+    let [step, first] = [step, if let ResultPart::Fields(first, _) = part { first } else { 0 }]
         .map(|number| i64::try_from(number).unwrap_or(i64::MAX));
     let rows = match part {
-        StepPart::Fields(_, bytes) => {
+        ResultPart::Fields(_, bytes) => {
             line.insert(&shared::<C>(FIELDS), lease, &[step, first], bytes).await?
         }
-        StepPart::Report(bytes) => line.insert(&shared::<C>(STEP), lease, &[step], bytes).await?,
+        ResultPart::Report(bytes) => {
+            line.insert(&shared::<C>(STEP), lease, &[step], bytes).await?
+        }
     };
     if rows == 0 { Err(StoreError::LeaseLost) } else { Ok(()) }
 }

@@ -41,7 +41,7 @@ use claiming::Terms;
 use codec::{count, unpack_records};
 use deliveries::Deliveries;
 use keys::Keys;
-use leasing::StepPart;
+use leasing::ResultPart;
 use message::Messages;
 use reading::Reading;
 
@@ -156,9 +156,9 @@ impl<B: SqlBackend> SqlStore<B> {
     async fn append_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError> {
         leasing::begin_steps(&mut *self.backend.statements().await?, lease, steps).await?;
         for step in steps {
-            let fields = step.parts().map(|(first, part)| StepPart::Fields(first, part));
+            let fields = step.parts().map(|(first, part)| ResultPart::Fields(first, part));
             // Fields are found through the report, which is therefore the last part.
-            for part in fields.chain([StepPart::Report(step.report.packed())]) {
+            for part in fields.chain([ResultPart::Report(step.report.packed())]) {
                 let mut line = self.backend.statements().await?;
                 leasing::append_part(&mut *line, lease, step.number, part).await?;
             }

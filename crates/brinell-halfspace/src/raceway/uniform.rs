@@ -15,10 +15,10 @@
 
 use std::f64::consts::PI;
 
-use super::grid::RacewayGrid;
 use crate::Layers;
+use crate::line::strip;
 use crate::tensors::DEVIATOR_COMPONENTS;
-use crate::track::strip;
+use crate::track::TrackGrid;
 
 /// The kernels of uniform tracks.
 pub struct UniformTrack {
@@ -31,7 +31,7 @@ pub struct UniformTrack {
 }
 
 impl UniformTrack {
-    pub(super) fn new(grid: &RacewayGrid, layers: &Layers, poisson: f64) -> Self {
+    pub(super) fn new(grid: &TrackGrid, layers: &Layers, poisson: f64) -> Self {
         let rows = grid.n_rows();
         let (mut normal, mut tangential) = (Vec::new(), Vec::new());
         for layer in 0..layers.len() {
@@ -43,12 +43,12 @@ impl UniformTrack {
                     let sides = [(1.0, grid.y(of) - grid.y(at)), (-1.0, -grid.y(of) - grid.y(at))];
                     let (mut by_pressure, mut by_traction) = ([0.0; 3], [0.0; 2]);
                     for (sign, y) in sides {
-                        let [[yy, zz, yz], _] = strip::average(y, faces, grid.hy);
+                        let [[yy, zz, yz], _] = strip::average(y, faces, grid.sides()[1]);
                         let xx = poisson * (yy + zz);
                         by_pressure[0] += h * (xx - zz);
                         by_pressure[1] += h * (yy - zz);
                         by_pressure[2] += sign * h * 2.0 * yz;
-                        let [xz, xy] = antiplane(y, faces, grid.hy);
+                        let [xz, xy] = antiplane(y, faces, grid.sides()[1]);
                         by_traction[0] += sign * h * 2.0 * xy;
                         by_traction[1] += h * 2.0 * xz;
                     }

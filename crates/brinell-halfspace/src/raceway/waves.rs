@@ -22,7 +22,7 @@ use std::sync::Arc;
 use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
-use super::grid::RacewayGrid;
+use crate::track::TrackGrid;
 use crate::transform::{Transform, fast_length};
 use crate::waves::{WIDTH, Wide, combine, wave};
 
@@ -120,11 +120,11 @@ pub(super) struct RingScratch {
 }
 
 impl RingWaves {
-    pub fn new(grid: &RacewayGrid, arch: pulp::Arch) -> Self {
-        let (nx, rows) = (grid.nx, grid.rows);
+    pub fn new(grid: &TrackGrid, arch: pulp::Arch) -> Self {
+        let (nx, rows) = (grid.n_columns(), grid.n_rows());
         let filled = (nx / 2 + 1).next_multiple_of(WIDTH);
         let period = fast_length(4 * rows);
-        let apart = (period - 2 * rows) as f64 * grid.hy;
+        let apart = (period - 2 * rows) as f64 * grid.sides()[1];
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -1,8 +1,8 @@
 //! Why a track has no answer, or one that its grid cuts off.
 
-use thiserror::Error;
+use std::ops::Range;
 
-use super::grid::{TrackGrid, live_columns};
+use thiserror::Error;
 
 /// Why a pass has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -89,7 +89,7 @@ pub const DEEPEST: f64 = 8.0;
 
 /// Strain of the last layer over the largest one below which the layers go deep enough. A curve
 /// without an elastic limit flows everywhere.
-pub(crate) const NOTHING: f64 = 1e-3;
+pub(super) const NOTHING: f64 = 1e-3;
 
 /// Part of the flow far from the load below which a track is long enough. Sound passes have up to
 /// 1.4 %.
@@ -97,7 +97,7 @@ const FAR: f64 = 0.03;
 
 /// Plastic flow of a pass.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct FlowOfPass {
+pub(super) struct FlowOfPass {
     /// `∫∫dp dx dz` over the width of a column.
     pub whole: f64,
     /// The part in the outer quarters of the columns that may flow, where nothing should.
@@ -105,9 +105,12 @@ pub(crate) struct FlowOfPass {
 }
 
 impl FlowOfPass {
-    /// The flow of strains in rows of n columns, each row as thick as given.
-    pub fn of(strains: &[f64], n: usize, thickness: impl Fn(usize) -> f64) -> Self {
-        let live = live_columns(n);
+    /// The flow of strains in rows of n columns of which some are live, each row as thick as given.
+    pub fn of(
+        strains: &[f64],
+        (n, live): (usize, Range<usize>),
+        thickness: impl Fn(usize) -> f64,
+    ) -> Self {
         let outer = live.len() / 8;
         let inner = live.start + outer..live.end - outer;
         let rows = strains.chunks_exact(n).enumerate();
@@ -129,24 +132,10 @@ impl FlowOfPass {
 
 /// By how much the worst of equivalent stresses exceeds its yield stress, over the largest yield
 /// stress. A curve without an elastic limit may have none.
-pub(crate) fn excess(rows: impl Iterator<Item = [f64; 2]>) -> f64 {
+pub(super) fn excess(rows: impl Iterator<Item = [f64; 2]>) -> f64 {
     let (worst, strongest) = rows.fold((f64::NEG_INFINITY, 0.0_f64), |(worst, strongest), row| {
         let [equivalent, yield_stress] = row;
         (worst.max(equivalent - yield_stress), strongest.max(yield_stress))
     });
     if strongest > 0.0 { worst / strongest } else { worst.max(0.0) }
-}
-
-impl TrackGrid {
-    /// Why the pressures of the window are cut off, if they are.
-    ///
-    /// # Errors
-    /// [`TrackFault::Window`].
-    pub fn holds(&self, pressure: &[f64]) -> Result<(), TrackFault> {
-        let ends = [pressure.first(), pressure.last()];
-        if ends.into_iter().flatten().any(|p| *p > 0.0) {
-            return Err(TrackFault::Window { width: pressure.len() as f64 * self.h() });
-        }
-        Ok(())
-    }
 }

@@ -1,7 +1,5 @@
 //! Residual state of a body after a pass, and the force that the pass takes.
 
-use super::grid::TrackGrid;
-
 /// State of a body at the back of a pass, and its changes from the front to the back.
 ///
 /// Fields have values in the rows of all layers, those of the first layer first. A line has one row
@@ -143,19 +141,9 @@ impl PassStrain {
     }
 }
 
-/// The force per length against which a roller is pushed, `F = Σ p ∂δ0/∂x h` \[N/mm\], of a
-/// pressure and the gap of the undeformed bodies in the window.
-///
-/// Of free rolling it is the plastic work and the change of the stored energy of all bodies, per
-/// length of travel.
-pub fn rolling_force(grid: &TrackGrid, gap: &[f64], pressure: &[f64]) -> f64 {
-    debug_assert_eq!(gap.len(), grid.window().len());
-    work_along(pressure, gap)
-}
-
 /// `Σ p ∂u/∂x h` by central differences, which is what the discrete energy is made of; pressures
 /// at both ends do not count.
-pub(crate) fn work_along(pressure: &[f64], u: &[f64]) -> f64 {
+pub(super) fn work_along(pressure: &[f64], u: &[f64]) -> f64 {
     let slopes = u.windows(3).map(|u| 0.5 * (u[2] - u[0]));
     pressure.iter().skip(1).zip(slopes).map(|(p, slope)| p * slope).sum()
 }

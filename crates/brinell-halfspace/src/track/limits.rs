@@ -10,10 +10,8 @@
 //! theorem for elastic/plastic bodies with work hardening*, Proc. 3rd Int. Conf. Struct. Mech.
 //! Reactor Technol. (1975), for balls as elastic domains that move.
 
-use super::body::ISOMETRIC;
 use super::figures::AtDepth;
-use super::space::TrackSpace;
-use super::sweep::ROWS;
+use super::operators::{Ground, ISOMETRIC, Operators};
 use crate::stop::{Stop, Stopped};
 use brinell_material::smallest_ball;
 
@@ -32,24 +30,25 @@ pub struct TrackLimits {
 }
 
 impl TrackLimits {
-    /// Limits under a pressure in the window \[MPa\], with a traction μ p, for a yield stress of
+    /// Limits of a line under a pressure in the window \[MPa\], with a traction μ p, for a yield stress of
     /// each layer \[MPa\].
     ///
     /// # Errors
     /// [`Stopped`].
-    pub fn new(
-        space: &TrackSpace,
+    pub fn new<const D: usize, const R: usize>(
+        space: &impl Operators<D, R>,
         pressure: &[f64],
         friction: f64,
         yield_stress: impl Fn(usize) -> f64,
         stop: &mut Stop<'_>,
     ) -> Result<Self, Stopped> {
-        let n = space.grid().n_columns();
-        let mut stress = vec![0.0; space.field_len()];
+        let Ground { grid, layers, .. } = space.ground();
+        let n = grid.n_columns();
+        let mut stress = vec![0.0; space.ground().field_len::<R>()];
         space.stress(pressure, friction, &mut space.work(), &mut stress, stop)?;
         let none = AtDepth { value: f64::INFINITY, ..AtDepth::default() };
         let mut limits = Self { perfect: none, kinematic: none };
-        for (layer, rows) in stress.chunks_exact(ROWS * n).enumerate() {
+        for (layer, rows) in stress.chunks_exact(R * n).enumerate() {
             let strength = yield_stress(layer);
             let (xx, rest) = rows.split_at(n);
             let (zz, xz) = rest.split_at(n);
@@ -64,7 +63,7 @@ impl TrackLimits {
                 (&mut limits.kinematic, strength / radius),
             ] {
                 if value < limit.value {
-                    let depth = space.layers().middle(layer);
+                    let depth = layers.middle(layer);
                     *limit = AtDepth { value, depth, layer, ..AtDepth::default() };
                 }
             }

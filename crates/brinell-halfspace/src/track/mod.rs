@@ -1,37 +1,32 @@
-//! Line contacts that roll and slide: the operators of a track, one pass of the load, and what
-//! becomes of the track.
+//! Loads that roll and slide over a track again and again: its cells, one pass of the load, and what
+//! becomes of the track. A line is a track of one row.
 //!
-//! - [`TrackGrid`], [`LineFlexibility`]: columns of a ring, and contact in a window;
-//! - [`TrackSpace`]: S, S_t and G with `q_y = 0`, in plane strain;
-//! - [`RollingBody`]: plastic strain that is carried along the track, one pass as the fixed point
+//! - [`TrackGrid`]: columns of a ring, rows across it, and the window of the contact;
+//! - [`Operators`]: pressure and plastic strain to stress and displacement, of a
+//!   [line](crate::line) or of an [ellipse](crate::raceway);
+//! - [`TrackBody`]: plastic strain that is carried along the track, one pass as the fixed point
 //!   of `increment -> open -> (contact) -> trial -> flow`;
-//! - [`Rolls`]: what it has in common with a body under an elliptic contact;
-//! - [`Outlet`], [`PassStrain`], [`rolling_force`]: figures of a pass;
-//! - [`Verdict`]: shakedown, closed cycle or ratcheting;
+//! - [`Outlet`], [`PassStrain`]: figures of a pass;
+//! - [`SteadyState`]: shakedown, closed cycle or ratcheting;
 //! - [`TrackFault`]: why there is no answer;
-//! - [`TrackLimits`]: limits of shakedown of the discrete track.
+//! - [`TrackLimits`]: limits of shakedown of the discrete track of a line.
 //!
-//! x is the direction of travel, z the depth. Equations with sources: `docs/theory_rolling.md`.
+//! x is the direction of travel, y lies across it, z is the depth. Equations with sources:
+//! `docs/theory_rolling.md`.
 
 mod body;
 mod fault;
 mod figures;
 mod grid;
+mod law;
 mod limits;
-mod rolls;
-mod space;
-pub(crate) mod strip;
-mod sweep;
+mod operators;
 mod verdict;
 
-pub use body::RollingBody;
+pub use body::TrackBody;
 pub use fault::{DEEPEST, TrackFault};
-pub(crate) use fault::{FlowOfPass, NOTHING, excess};
-pub(crate) use figures::work_along;
-pub use figures::{AtDepth, Outlet, PassStrain, rolling_force};
-pub(crate) use grid::live_columns;
-pub use grid::{LineFlexibility, TRACK_LENGTH, TrackGrid};
+pub use figures::{AtDepth, Outlet, PassStrain};
+pub use grid::{LENGTH_OF_ELLIPSE, LENGTH_OF_LINE, TrackGrid};
 pub use limits::TrackLimits;
-pub use rolls::Rolls;
-pub use space::{TrackSpace, TrackWork};
-pub use verdict::Verdict;
+pub use operators::{Direction, Frame, Ground, Operators, Settled};
+pub use verdict::SteadyState;

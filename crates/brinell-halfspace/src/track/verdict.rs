@@ -37,7 +37,7 @@ const CLOSED: f64 = 0.01;
 
 /// Verdict on a track: elastic, shakedown, closed cycle or ratcheting.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Verdict {
+pub enum SteadyState {
     /// Nothing yields.
     Elastic,
     /// Plastic flow ends.
@@ -66,7 +66,7 @@ pub enum Verdict {
     },
 }
 
-impl Verdict {
+impl SteadyState {
     /// Passes, or pairs of alternating passes, without which none closes a cycle or ratchets.
     pub const LEAST: usize = LEAST_PASSES + RUNNING - 1;
 
@@ -146,29 +146,29 @@ mod tests {
         (0..n).map(|i| PassStrain { largest: at(strain(i)), net: at(net(i)) }).collect()
     }
 
-    fn of(n: i32, strain: impl Fn(i32) -> f64, net: impl Fn(i32) -> f64) -> Verdict {
-        Verdict::that_counts(&passes(n, strain, net), YIELD)
+    fn of(n: i32, strain: impl Fn(i32) -> f64, net: impl Fn(i32) -> f64) -> SteadyState {
+        SteadyState::that_counts(&passes(n, strain, net), YIELD)
     }
 
     #[test]
     fn words_of_sequences_that_are_known() {
-        assert_eq!(of(1, |_| 0.0, |_| 0.0), Verdict::Elastic);
+        assert_eq!(of(1, |_| 0.0, |_| 0.0), SteadyState::Elastic);
         let falls = |i: i32| 1e-3 * 0.7f64.powi(i);
-        assert!(matches!(of(12, falls, falls), Verdict::ShakesDown { .. }));
+        assert!(matches!(of(12, falls, falls), SteadyState::ShakesDown { .. }));
         let steady = |_: i32| 2e-3;
-        assert!(matches!(of(12, steady, falls), Verdict::ClosedCycle { .. }));
+        assert!(matches!(of(12, steady, falls), SteadyState::ClosedCycle { .. }));
         let creeps = |i: i32| 4e-4 + 1e-3 * 0.5f64.powi(i);
         match of(12, steady, creeps) {
-            Verdict::Ratchets { rate, bar } => {
+            SteadyState::Ratchets { rate, bar } => {
                 assert!((rate - 4e-4).abs() < 1e-6 && bar < 1e-5, "{rate} {bar}");
             }
             other => panic!("{other:?}"),
         }
         // Too few passes, and a figure that rises.
-        assert!(matches!(of(9, steady, creeps), Verdict::Undecided { .. }));
+        assert!(matches!(of(9, steady, creeps), SteadyState::Undecided { .. }));
         let rises = |i: i32| 1e-4 * 1.1f64.powi(i);
-        assert!(matches!(of(12, steady, rises), Verdict::Undecided { .. }));
-        assert!(matches!(of(0, steady, steady), Verdict::Undecided { .. }));
+        assert!(matches!(of(12, steady, rises), SteadyState::Undecided { .. }));
+        assert!(matches!(of(0, steady, steady), SteadyState::Undecided { .. }));
     }
 
     /// A last small strain ends the matter in any pass, but not before three have been small.
@@ -176,8 +176,8 @@ mod tests {
     fn a_word_counts_after_three_passes() {
         let strain = |i: i32| if i == 0 { 1e-3 } else { 1e-7 };
         let net = |i: i32| 0.5 * strain(i);
-        assert!(matches!(of(3, strain, net), Verdict::Undecided { .. }));
-        assert!(matches!(of(4, strain, net), Verdict::ShakesDown { .. }));
+        assert!(matches!(of(3, strain, net), SteadyState::Undecided { .. }));
+        assert!(matches!(of(4, strain, net), SteadyState::ShakesDown { .. }));
     }
 
     #[test]

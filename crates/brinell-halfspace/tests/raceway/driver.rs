@@ -6,8 +6,10 @@ use std::sync::Arc;
 use brinell_contact::{
     ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, never,
 };
-use brinell_halfspace::raceway::{RACEWAY_LENGTH, RacewayBody, RacewayGrid, RacewaySpace, RowLaw};
-use brinell_halfspace::track::{Outlet, PassStrain, Rolls};
+use brinell_halfspace::raceway::{RacewayBody, RacewaySpace, RowLaw};
+use brinell_halfspace::track::{
+    Direction, Ground, LENGTH_OF_ELLIPSE, Operators as _, Outlet, PassStrain, TrackGrid,
+};
 use brinell_halfspace::{Elasticity, EllipticContact, Layers, SurfaceFlexibility};
 use brinell_material::hardening::StraightLine;
 use brinell_material::{
@@ -49,7 +51,7 @@ impl Setup {
     pub fn ball(resolution: usize, ratio: f64, plastic_modulus: f64) -> Self {
         Self {
             resolution,
-            length: RACEWAY_LENGTH,
+            length: LENGTH_OF_ELLIPSE,
             friction: 0.0,
             radii: [10.0, 10.0],
             ratio,
@@ -76,10 +78,10 @@ impl Setup {
         EllipticContact::new(rx, ry, self.effective_modulus(), self.force())
     }
 
-    pub fn grid(&self) -> (RacewayGrid, Layers) {
+    pub fn grid(&self) -> (TrackGrid, Layers) {
         let hertz = self.hertz();
         let axes = [hertz.semi_axis_x, hertz.semi_axis_y];
-        let grid = RacewayGrid::of_contact(axes, self.resolution, self.length).unwrap();
+        let grid = TrackGrid::of_ellipse(axes, self.resolution, self.length).unwrap();
         (grid, grid.layers(axes, self.friction).unwrap())
     }
 
@@ -106,9 +108,9 @@ impl Setup {
     }
 }
 
-pub fn space(grid: RacewayGrid, layers: Layers, slides: bool) -> RacewaySpace {
+pub fn space(grid: TrackGrid, layers: Layers, slides: bool) -> RacewaySpace {
     let elastic = Elasticity::new(YOUNG, POISSON).unwrap();
-    RacewaySpace::new(grid, layers, elastic, slides, &mut || false).unwrap()
+    RacewaySpace::new(Ground { grid, layers, elastic }, slides, &mut || false).unwrap()
 }
 
 #[derive(Debug, Clone)]
@@ -128,7 +130,7 @@ pub struct Pass {
 pub struct Roller {
     pub setup: Setup,
     pub body: RacewayBody,
-    pub grid: RacewayGrid,
+    pub grid: TrackGrid,
     pub gap: Vec<f64>,
     pub pressure: Vec<f64>,
     flexibility: SurfaceFlexibility,
@@ -229,20 +231,28 @@ impl Roller {
     fn ring_groove(&self) -> f64 {
         let (space, grid) = (self.body.space(), &self.grid);
         let (nx, rows) = (grid.n_columns(), grid.n_rows());
-        let double_shear = YOUNG / (1.0 + POISSON);
         let inlet = self.body.inlet();
-        let layers = space.layers().len();
-        let mut field = Vec::with_capacity(space.field_len());
+        let layers = space.ground().layers.len();
+        let mut field = Vec::with_capacity(space.ground().field_len::<5>());
         for of_layer in inlet.chunks_exact(rows) {
             for k in 0..5 {
-                for strain in of_layer {
-                    field.extend(std::iter::repeat_n(double_shear * strain[k], nx));
+                for tau in of_layer {
+                    field.extend(std::iter::repeat_n(tau[k], nx));
                 }
             }
         }
         let mut opening = vec![0.0; rows * grid.window().len()];
         let reach = vec![rows; layers];
-        space.opening(&field, &reach, &mut space.work(), &mut opening, &mut || false).unwrap();
+        space
+            .opening(
+                Direction::Normal,
+                &field,
+                &reach,
+                &mut space.work(),
+                &mut opening,
+                &mut || false,
+            )
+            .unwrap();
         opening[grid.window().len() / 2]
     }
 }

@@ -7,7 +7,8 @@ use brinell_contact::{
     ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, never,
 };
 use brinell_halfspace::SurfaceFlexibility;
-use brinell_halfspace::raceway::{RacewayGrid, RacewaySpace, RacewayWork};
+use brinell_halfspace::raceway::{RacewaySpace, RacewayWork};
+use brinell_halfspace::track::{Direction, Operators as _, TrackGrid};
 use brinell_material::hardening::StraightLine;
 use brinell_material::{ElasticModuli, FlowPlasticity, Flowing, OutOfPlane, ReturnMapping};
 use brinell_method::couplings::anderson::Anderson;
@@ -19,7 +20,7 @@ const COMPONENTS: usize = 5;
 /// A track without backstress, cell by cell, in the frame of the ball.
 struct March {
     space: RacewaySpace,
-    grid: RacewayGrid,
+    grid: TrackGrid,
     work: RacewayWork,
     model: FlowPlasticity<0>,
     flexibility: SurfaceFlexibility,
@@ -46,7 +47,7 @@ impl March {
         let mapping = ReturnMapping::new(Arc::new(law), elastic.shear);
         let surface = grid.surface().unwrap();
         let [rx, ry] = setup.radii;
-        let n = space.field_len();
+        let n = space.ground().field_len::<5>();
         Self {
             work: space.work(),
             model: FlowPlasticity::new(elastic, mapping, [], OutOfPlane::Strained),
@@ -67,8 +68,10 @@ impl March {
     fn trial(&mut self, total: &[f64], part: f64, into: &mut [f64]) {
         let (rows, window) = (self.grid.n_rows(), self.grid.window().len());
         let mut opening = vec![0.0; rows * window];
-        let reach = vec![rows; self.space.layers().len()];
-        self.space.opening(total, &reach, &mut self.work, &mut opening, &mut || false).unwrap();
+        let reach = vec![rows; self.space.ground().layers.len()];
+        self.space
+            .opening(Direction::Normal, total, &reach, &mut self.work, &mut opening, &mut || false)
+            .unwrap();
         let mut gap = self.gap.clone();
         for (i, cells) in gap.chunks_exact_mut(2 * rows).enumerate() {
             for j in 0..rows {
@@ -168,7 +171,7 @@ impl March {
             .collect();
         let residual = self.space.uniform_stress(&section, &mut self.work);
         let least = |k: usize| residual.iter().step_by(rows).map(|s| s[k]).fold(0.0, f64::min);
-        let compliance = 0.5 / self.space.elastic().shear();
+        let compliance = 0.5 / self.space.ground().elastic.shear();
         let strains: Vec<_> = section.iter().map(|tau| tau.map(|t| compliance * t)).collect();
         let uniform = self.space.uniform();
         let outlet = [uniform.groove(&strains)[0], uniform.forward(&strains)[0]];

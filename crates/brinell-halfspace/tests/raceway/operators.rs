@@ -1,6 +1,7 @@
 //! Operators of a track, beside those of a half-space without a ring.
 
-use brinell_halfspace::raceway::{RacewayGrid, RacewaySpace};
+use brinell_halfspace::raceway::RacewaySpace;
+use brinell_halfspace::track::{Direction, Operators as _, TrackGrid};
 use brinell_halfspace::{Elasticity, HalfSpace, Layers, TensorField};
 
 use super::driver::{POISSON, YOUNG, space};
@@ -10,7 +11,7 @@ const ROWS: usize = 8;
 const WINDOW: usize = 17;
 
 fn track(slides: bool) -> RacewaySpace {
-    let grid = RacewayGrid::new(COLUMNS, ROWS, [0.1, 0.12], WINDOW).unwrap();
+    let grid = TrackGrid::ellipse(COLUMNS, ROWS, [0.1, 0.12], WINDOW).unwrap();
     space(grid, Layers::graded(0.08, 1.2, 1.0).unwrap(), slides)
 }
 
@@ -27,9 +28,9 @@ fn noise(n: usize, seed: u64) -> Vec<f64> {
 
 /// A field that is zero but in the window, and the same on the whole of a half-space.
 fn strains(track: &RacewaySpace, seed: u64) -> (Vec<f64>, TensorField) {
-    let (grid, n_layers) = (track.grid(), track.layers().len());
+    let (grid, n_layers) = (&track.ground().grid, track.ground().layers.len());
     let values = noise(n_layers * 5 * ROWS * WINDOW, seed);
-    let mut field = vec![0.0; track.field_len()];
+    let mut field = vec![0.0; track.ground().field_len::<5>()];
     let mut whole = TensorField::deviators(n_layers, WINDOW * 2 * ROWS);
     let compliance = (1.0 + POISSON) / YOUNG;
     for (n, value) in values.into_iter().enumerate() {
@@ -57,19 +58,21 @@ fn pressures(seed: u64) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn half_space(track: &RacewaySpace) -> HalfSpace {
-    let surface = track.grid().surface().unwrap();
+    let surface = track.ground().grid.surface().unwrap();
     let elastic = Elasticity::new(YOUNG, POISSON).unwrap();
-    HalfSpace::new(surface, track.layers().clone(), elastic, false, &mut || false).unwrap()
+    HalfSpace::new(surface, track.ground().layers.clone(), elastic, false, &mut || false).unwrap()
 }
 
 /// Largest difference of a field of the track and one of the half-space, and the largest value.
 fn difference(track: &RacewaySpace, field: &[f64], whole: &TensorField) -> [f64; 2] {
     let mut most = [0.0_f64; 2];
-    for (layer, k) in (0..track.layers().len()).flat_map(|layer| (0..5).map(move |k| (layer, k))) {
+    for (layer, k) in
+        (0..track.ground().layers.len()).flat_map(|layer| (0..5).map(move |k| (layer, k)))
+    {
         let component = whole.component(layer, k);
         for (i, j) in (0..WINDOW).flat_map(|i| (0..ROWS).map(move |j| (i, j))) {
-            let cell = j * COLUMNS + track.grid().window().start + i;
-            let mine = field[(layer * 5 + k) * track.grid().n_cells() + cell];
+            let cell = j * COLUMNS + track.ground().grid.window().start + i;
+            let mine = field[(layer * 5 + k) * track.ground().grid.n_cells() + cell];
             let theirs = component[i * 2 * ROWS + ROWS + j];
             most = [most[0].max((mine - theirs).abs()), most[1].max(theirs.abs())];
         }
@@ -78,7 +81,7 @@ fn difference(track: &RacewaySpace, field: &[f64], whole: &TensorField) -> [f64;
 }
 
 fn reach(track: &RacewaySpace) -> Vec<usize> {
-    vec![ROWS; track.layers().len()]
+    vec![ROWS; track.ground().layers.len()]
 }
 
 /// S and Sᵀ have no images: they are the sums that the half-space has.
@@ -87,13 +90,20 @@ fn pressure_and_opening_are_those_of_a_half_space() {
     let track = track(false);
     let body = half_space(&track);
     let (half, whole) = pressures(3);
-    let (mut stress, mut work) = (vec![0.0; track.field_len()], track.work());
+    let (mut stress, mut work) = (vec![0.0; track.ground().field_len::<5>()], track.work());
     let mut opening = vec![0.0; ROWS * WINDOW];
     track
-        .opening(&stress, &vec![0; reach(&track).len()], &mut work, &mut opening, &mut || false)
+        .opening(
+            Direction::Normal,
+            &stress,
+            &vec![0; reach(&track).len()],
+            &mut work,
+            &mut opening,
+            &mut || false,
+        )
         .unwrap();
     track.stress(&half, 0.0, &mut work, &mut stress, &mut || false).unwrap();
-    let mut expected = TensorField::deviators(track.layers().len(), whole.len());
+    let mut expected = TensorField::deviators(track.ground().layers.len(), whole.len());
     let (mut nothing, mut their) = (vec![0.0; whole.len()], body.work());
     body.opening(&expected, &mut their, &mut nothing, &mut || false).unwrap();
     body.stress(&whole, &mut their, &mut expected, &mut || false).unwrap();
@@ -101,7 +111,9 @@ fn pressure_and_opening_are_those_of_a_half_space() {
     assert!(apart < 1e-12 * largest, "{apart} {largest}");
 
     let (field, strain) = strains(&track, 5);
-    track.opening(&field, &reach(&track), &mut work, &mut opening, &mut || false).unwrap();
+    track
+        .opening(Direction::Normal, &field, &reach(&track), &mut work, &mut opening, &mut || false)
+        .unwrap();
     body.opening(&strain, &mut their, &mut nothing, &mut || false).unwrap();
     let largest = nothing.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     for (n, u) in opening.iter().enumerate() {
@@ -119,7 +131,9 @@ fn stress_of_plastic_strain_is_that_of_a_half_space() {
     // A smooth zone: images of noise cancel.
     let (mut field, mut strain) = strains(&track, 1);
     let compliance = (1.0 + POISSON) / YOUNG;
-    for (layer, k) in (0..track.layers().len()).flat_map(|layer| (0..5).map(move |k| (layer, k))) {
+    for (layer, k) in
+        (0..track.ground().layers.len()).flat_map(|layer| (0..5).map(move |k| (layer, k)))
+    {
         for (i, j) in (0..WINDOW).flat_map(|i| (0..ROWS).map(move |j| (i, j))) {
             let (x, y) = (i as f64 - 8.0, j as f64 + 0.5);
             let value = match k {
@@ -130,8 +144,8 @@ fn stress_of_plastic_strain_is_that_of_a_half_space() {
                 _ => 0.03 * y,
             } * (1.0 - (x / 5.0).powi(2)).max(0.0)
                 * (1.0 - (y / 5.0).powi(2)).max(0.0);
-            let cell = j * COLUMNS + track.grid().window().start + i;
-            field[(layer * 5 + k) * track.grid().n_cells() + cell] = value;
+            let cell = j * COLUMNS + track.ground().grid.window().start + i;
+            field[(layer * 5 + k) * track.ground().grid.n_cells() + cell] = value;
             let sign = if k == 2 || k == 4 { -1.0 } else { 1.0 };
             let component = strain.component_mut(layer, k);
             component[i * 2 * ROWS + ROWS + j] = compliance * value;
@@ -139,10 +153,12 @@ fn stress_of_plastic_strain_is_that_of_a_half_space() {
         }
     }
     let mut opening = vec![0.0; ROWS * WINDOW];
-    let (mut work, mut stress) = (track.work(), vec![0.0; track.field_len()]);
-    track.opening(&field, &reach(&track), &mut work, &mut opening, &mut || false).unwrap();
+    let (mut work, mut stress) = (track.work(), vec![0.0; track.ground().field_len::<5>()]);
+    track
+        .opening(Direction::Normal, &field, &reach(&track), &mut work, &mut opening, &mut || false)
+        .unwrap();
     track.stress(&vec![0.0; opening.len()], 0.0, &mut work, &mut stress, &mut || false).unwrap();
-    let mut expected = TensorField::deviators(track.layers().len(), WINDOW * 2 * ROWS);
+    let mut expected = TensorField::deviators(track.ground().layers.len(), WINDOW * 2 * ROWS);
     let (mut nothing, mut their) = (vec![0.0; WINDOW * 2 * ROWS], body.work());
     body.opening(&strain, &mut their, &mut nothing, &mut || false).unwrap();
     body.stress(
@@ -162,11 +178,21 @@ fn stress_of_plastic_strain_is_symmetric() {
     let track = track(false);
     let mut work = track.work();
     let mut opening = vec![0.0; ROWS * WINDOW];
-    let (nothing, n_cells) = (opening.clone(), track.grid().n_cells());
-    let fields = [1, 2].map(|seed| noise(track.field_len(), seed));
-    let mut stress = [vec![0.0; track.field_len()], vec![0.0; track.field_len()]];
+    let (nothing, n_cells) = (opening.clone(), track.ground().grid.n_cells());
+    let fields = [1, 2].map(|seed| noise(track.ground().field_len::<5>(), seed));
+    let mut stress =
+        [vec![0.0; track.ground().field_len::<5>()], vec![0.0; track.ground().field_len::<5>()]];
     for (field, stress) in fields.iter().zip(&mut stress) {
-        track.opening(field, &reach(&track), &mut work, &mut opening, &mut || false).unwrap();
+        track
+            .opening(
+                Direction::Normal,
+                field,
+                &reach(&track),
+                &mut work,
+                &mut opening,
+                &mut || false,
+            )
+            .unwrap();
         track.stress(&nothing, 0.0, &mut work, stress, &mut || false).unwrap();
     }
     // a:b of deviators, with zz = -xx - yy.
@@ -182,7 +208,7 @@ fn stress_of_plastic_strain_is_symmetric() {
                     + (a[0] + a[1]) * (b[0] + b[1])
                     + 2.0 * (a[2] * b[2] + a[3] * b[3] + a[4] * b[4])
             };
-            track.layers().thickness(layer) * (0..n_cells).map(of_cell).sum::<f64>()
+            track.ground().layers.thickness(layer) * (0..n_cells).map(of_cell).sum::<f64>()
         };
         layers.map(of_layer).sum()
     };
@@ -196,7 +222,7 @@ fn stress_of_plastic_strain_is_symmetric() {
 #[test]
 fn a_uniform_state_has_one_wave() {
     let track = track(false);
-    let (grid, n_layers) = (track.grid(), track.layers().len());
+    let (grid, n_layers) = (&track.ground().grid, track.ground().layers.len());
     let values = noise(n_layers * ROWS * 5, 7);
     let rows: Vec<[f64; 5]> = values.chunks_exact(5).map(|v| v.try_into().unwrap()).collect();
     let mut field = Vec::new();
@@ -207,9 +233,11 @@ fn a_uniform_state_has_one_wave() {
             }
         }
     }
-    let (mut work, mut stress) = (track.work(), vec![0.0; track.field_len()]);
+    let (mut work, mut stress) = (track.work(), vec![0.0; track.ground().field_len::<5>()]);
     let mut opening = vec![0.0; ROWS * WINDOW];
-    track.opening(&field, &reach(&track), &mut work, &mut opening, &mut || false).unwrap();
+    track
+        .opening(Direction::Normal, &field, &reach(&track), &mut work, &mut opening, &mut || false)
+        .unwrap();
     track.stress(&vec![0.0; opening.len()], 0.0, &mut work, &mut stress, &mut || false).unwrap();
     let uniform = track.uniform_stress(&rows, &mut work);
     for (row, [xx, yy, zz, xy, xz, yz]) in uniform.into_iter().enumerate() {
@@ -228,16 +256,18 @@ fn a_uniform_state_has_one_wave() {
 fn a_traction_pulls_the_surface() {
     let (a, cells) = (1.0, 20);
     let h = a / f64::from(cells);
-    let grid = RacewayGrid::new(160, 26, [h, h], 51).unwrap();
+    let grid = TrackGrid::ellipse(160, 26, [h, h], 51).unwrap();
     let track = space(grid, Layers::new(vec![0.0, 1e-4 * h, 2e-4 * h]).unwrap(), true);
     let hertz: Vec<f64> = (0..26)
         .flat_map(|j| grid.window().map(move |i| (grid.x(i), grid.y(j))))
         .map(|(x, y)| (1.0 - (x * x + y * y) / (a * a)).max(0.0).sqrt())
         .collect();
     let deviators = |friction: f64| {
-        let (mut work, mut stress) = (track.work(), vec![0.0; track.field_len()]);
+        let (mut work, mut stress) = (track.work(), vec![0.0; track.ground().field_len::<5>()]);
         let mut opening = vec![0.0; hertz.len()];
-        track.opening(&stress, &[0, 0], &mut work, &mut opening, &mut || false).unwrap();
+        track
+            .opening(Direction::Normal, &stress, &[0, 0], &mut work, &mut opening, &mut || false)
+            .unwrap();
         track.stress(&hertz, friction, &mut work, &mut stress, &mut || false).unwrap();
         stress
     };
@@ -257,14 +287,14 @@ fn a_traction_pulls_the_surface() {
 #[test]
 fn a_uniform_strain_moves_the_surface_forward() {
     let track = track(true);
-    let layers = track.layers().len();
+    let layers = track.ground().layers.len();
     // Shear xz of all rows: -2 ε h in the middle of a wide track.
     let mut strain = vec![[0.0; 5]; layers * ROWS];
     for row in &mut strain[..ROWS] {
         row[3] = -1e-3;
     }
     let forward = track.uniform().forward(&strain);
-    let layer = track.layers().thickness(0);
+    let layer = track.ground().layers.thickness(0);
     assert!((forward[0] / (2e-3 * layer) - 1.0).abs() < 0.05, "{forward:?} {layer}");
     // Compression in z sinks it.
     let mut strain = vec![[0.0; 5]; layers * ROWS];

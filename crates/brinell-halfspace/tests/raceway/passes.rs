@@ -3,8 +3,6 @@
 //! Reference figures are those of a prototype in Python with its own transforms, contact solver,
 //! return map and accelerator, at the same resolution: they say that both solve the same equations.
 
-use brinell_halfspace::track::Rolls as _;
-
 use super::driver::{Pass, Roller, Setup, TWENTIETH};
 
 fn close(name: &str, found: f64, expected: f64, tolerance: f64) {

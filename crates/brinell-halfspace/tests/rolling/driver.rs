@@ -1,4 +1,4 @@
-//! The least that solves passes: the map of `RollingBody` under Anderson's mixing.
+//! The least that solves passes: the map of `LineBody` under Anderson's mixing.
 #![allow(dead_code, reason = "tests and benches use parts of it")]
 #![expect(clippy::unwrap_used, reason = "a driver of tests that cannot go on says where")]
 
@@ -8,9 +8,9 @@ use std::sync::Arc;
 use brinell_contact::{
     ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, never,
 };
+use brinell_halfspace::line::{LineBody, LineFlexibility, LineSpace};
 use brinell_halfspace::track::{
-    LineFlexibility, Outlet, PassStrain, RollingBody, TRACK_LENGTH, TrackFault, TrackGrid,
-    TrackLimits, TrackSpace, rolling_force,
+    Ground, LENGTH_OF_LINE, Operators as _, Outlet, PassStrain, TrackFault, TrackGrid, TrackLimits,
 };
 use brinell_halfspace::{Elasticity, Layers};
 use brinell_material::hardening::{StraightLine, Voce};
@@ -125,7 +125,7 @@ impl Setup {
     pub fn new(resolution: usize, friction: f64, factor: f64) -> Self {
         Self {
             resolution,
-            length: TRACK_LENGTH,
+            length: LENGTH_OF_LINE,
             friction,
             peak: factor * limit(friction) * shear_strength(),
             is_prescribed: false,
@@ -147,14 +147,14 @@ impl Setup {
     }
 
     pub fn grid(&self) -> (TrackGrid, Layers) {
-        let grid = TrackGrid::of_contact(A, self.resolution, self.length).unwrap();
-        (grid, grid.layers(A, self.friction).unwrap())
+        let grid = TrackGrid::of_line(A, self.resolution, self.length).unwrap();
+        (grid, grid.layers([A; 2], self.friction).unwrap())
     }
 }
 
-pub fn space(grid: TrackGrid, layers: Layers) -> TrackSpace {
+pub fn space(grid: TrackGrid, layers: Layers) -> LineSpace {
     let elastic = Elasticity::new(YOUNG, POISSON).unwrap();
-    TrackSpace::new(grid, layers, elastic, &mut || false).unwrap()
+    LineSpace::new(Ground { grid, layers, elastic }, true, &mut || false).unwrap()
 }
 
 /// Means of Hertz's pressure over the columns of the window.
@@ -163,13 +163,14 @@ pub fn hertz(grid: &TrackGrid, peak: f64) -> Vec<f64> {
         let x = (x / A).clamp(-1.0, 1.0);
         0.5 * (x * (1.0 - x * x).sqrt() + x.asin())
     };
-    let h = grid.h();
-    grid.sample(|x| peak * A * (integral(x + 0.5 * h) - integral(x - 0.5 * h)) / h)
+    let h = grid.column();
+    grid.sample(|x, _| peak * A * (integral(x + 0.5 * h) - integral(x - 0.5 * h)) / h)
 }
 
 /// Limits of the layers: elastic peak pressures.
-pub fn limits(space: &TrackSpace, friction: f64) -> TrackLimits {
-    TrackLimits::new(space, &hertz(space.grid(), 1.0), friction, |_| YIELD, &mut || false).unwrap()
+pub fn limits(space: &LineSpace, friction: f64) -> TrackLimits {
+    TrackLimits::new(space, &hertz(&space.ground().grid, 1.0), friction, |_| YIELD, &mut || false)
+        .unwrap()
 }
 
 /// How a pass has ended.
@@ -196,7 +197,7 @@ pub struct Pass {
 
 pub struct Roller {
     pub setup: Setup,
-    pub body: RollingBody,
+    pub body: LineBody,
     pub grid: TrackGrid,
     pub gap: Vec<f64>,
     pub pressure: Vec<f64>,
@@ -213,14 +214,14 @@ impl Roller {
         let initial = depths.iter().map(|z| (setup.initial)(*z)).collect();
         let space = Arc::new(space(grid, layers));
         let law = setup.material.stream(&factors);
-        let body = RollingBody::new(space, law, setup.count, setup.friction, initial);
+        let body = LineBody::new(space, law, setup.count, setup.friction, initial);
         let modulus = modulus() / f64::from(setup.count);
         let radius = modulus * A / (2.0 * setup.peak);
         Self {
             setup: setup.clone(),
-            increment: vec![0.0; body.len()],
+            increment: vec![0.0; body.n_numbers()],
             body,
-            gap: grid.sample(|x| x * x / (2.0 * radius)),
+            gap: grid.sample(|x, _| x * x / (2.0 * radius)),
             pressure: hertz(&grid, setup.peak),
             flexibility: LineFlexibility::new(&grid, modulus),
             contact: None,
@@ -244,7 +245,7 @@ impl Roller {
             let contact =
                 ActiveSetSolver.solve(&problem, self.contact.as_ref(), &mut never).unwrap();
             for (p, force) in self.pressure.iter_mut().zip(&contact.force) {
-                *p = force / self.grid.h();
+                *p = force / self.grid.column();
             }
             self.contact = Some(contact);
         }
@@ -306,7 +307,7 @@ impl Roller {
             }
         }
         let work_of_traction = self.body.work_of_traction(&self.pressure, &mut || false).unwrap();
-        let outlet = self.body.accept(&image);
+        let outlet = self.body.accept(&image, &mut trial);
         self.increment = image;
         Pass {
             end,
@@ -315,7 +316,7 @@ impl Roller {
             strain: PassStrain::of(&outlet),
             outlet,
             peak: self.pressure.iter().copied().fold(0.0, f64::max),
-            rolling_force: rolling_force(&self.grid, &self.gap, &self.pressure),
+            rolling_force: self.grid.rolling_force(&self.gap, &self.pressure),
             work_of_traction,
         }
     }

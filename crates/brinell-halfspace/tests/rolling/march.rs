@@ -6,7 +6,8 @@
 use std::f64::consts::PI;
 
 use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolver, never};
-use brinell_halfspace::track::{LineFlexibility, TrackGrid, TrackSpace, TrackWork};
+use brinell_halfspace::line::{LineFlexibility, LineSpace, LineWork};
+use brinell_halfspace::track::{Direction, Operators as _, TrackGrid};
 use brinell_material::{
     ElasticModuli, FlowPlasticity, Flowing, OutOfPlane, ReturnMapping, scaled,
 };
@@ -16,9 +17,9 @@ use super::driver::{A, POISSON, Setup, YOUNG, modulus, space};
 
 /// A perfectly plastic track, cell by cell, in the frame of the load.
 pub struct March {
-    space: TrackSpace,
+    space: LineSpace,
     grid: TrackGrid,
-    work: TrackWork,
+    work: LineWork,
     model: FlowPlasticity<0>,
     flexibility: LineFlexibility,
     gap: Vec<f64>,
@@ -44,12 +45,12 @@ impl March {
         };
         let mapping = ReturnMapping::new(scaled(&setup.material.law, 1.0), elastic.shear);
         let radius = modulus() * A / (2.0 * setup.peak);
-        let n = space.field_len();
+        let n = space.ground().field_len::<3>();
         Self {
             work: space.work(),
             model: FlowPlasticity::new(elastic, mapping, [], OutOfPlane::Strained),
             flexibility: LineFlexibility::new(&grid, modulus()),
-            gap: grid.sample(|x| x * x / (2.0 * radius)),
+            gap: grid.sample(|x, _| x * x / (2.0 * radius)),
             force: 0.5 * PI * A * setup.peak,
             friction: setup.friction,
             tolerance: setup.tolerance,
@@ -66,7 +67,7 @@ impl March {
     /// Solves one step at a part of the load.
     pub fn step(&mut self, part: f64) {
         let n = self.grid.n_columns();
-        let strained = vec![true; self.space.layers().len()];
+        let strained = vec![1; self.space.ground().layers.len()];
         let mut increment = std::mem::take(&mut self.last);
         let mut trial = vec![0.0; increment.len()];
         let mut image = vec![0.0; increment.len()];
@@ -85,7 +86,14 @@ impl March {
             let total: Vec<f64> = self.strain.iter().zip(&increment).map(|(e, d)| e + d).collect();
             let mut opening = vec![0.0; self.gap.len()];
             self.space
-                .opening(&total, &strained, &mut self.work, &mut opening, &mut || false)
+                .opening(
+                    Direction::Normal,
+                    &total,
+                    &strained,
+                    &mut self.work,
+                    &mut opening,
+                    &mut || false,
+                )
                 .unwrap();
             let gap: Vec<f64> = self.gap.iter().zip(&opening).map(|(g, u)| g + u).collect();
             let problem = ContactProblem {
@@ -95,7 +103,8 @@ impl March {
                 load: ContactLoad::Force(part * self.force),
             };
             let contact = ActiveSetSolver.solve(&problem, None, &mut never).unwrap();
-            let pressure: Vec<f64> = contact.force.iter().map(|f| f / self.grid.h()).collect();
+            let pressure: Vec<f64> =
+                contact.force.iter().map(|f| f / self.grid.column()).collect();
             self.space
                 .stress(&pressure, self.friction, &mut self.work, &mut trial, &mut || false)
                 .unwrap();
@@ -127,7 +136,7 @@ impl March {
             let pack = |field: &[f64]| {
                 let mut packed = Vec::with_capacity(3 * flowed.len());
                 for cell in &flowed {
-                    let weight = self.space.layers().thickness(cell / n).sqrt();
+                    let weight = self.space.ground().layers.thickness(cell / n).sqrt();
                     packed.extend((0..3).map(|k| weight * field[place(*cell, n) + k * n]));
                 }
                 packed
@@ -140,7 +149,7 @@ impl March {
             }
             let next = anderson.next(&x, y);
             for (cell, values) in flowed.iter().zip(next.chunks_exact(3)) {
-                let weight = self.space.layers().thickness(cell / n).sqrt().recip();
+                let weight = self.space.ground().layers.thickness(cell / n).sqrt().recip();
                 for (k, value) in values.iter().enumerate() {
                     increment[place(*cell, n) + k * n] = weight * value;
                 }
@@ -169,13 +178,13 @@ impl March {
     pub fn behind(&self, distance: f64) -> (f64, f64) {
         let n = self.grid.n_columns();
         let column = (0..n / 2).rev().find(|i| self.grid.x(*i) <= -distance).unwrap_or(0);
-        let layers = self.space.layers();
+        let layers = &self.space.ground().layers;
         let strain =
             (0..layers.len()).map(|l| self.accumulated[l * n + column]).fold(0.0, f64::max);
         let shear: f64 = (0..layers.len())
             .map(|l| layers.thickness(l) * self.strain[(l * 3 + 2) * n + column])
             .sum();
-        (strain, -shear / self.space.elastic().shear())
+        (strain, -shear / self.space.ground().elastic.shear())
     }
 }
 

@@ -1,14 +1,15 @@
 //! Operators of a track, by closed forms and by what they owe each other.
 
 use brinell_halfspace::Layers;
-use brinell_halfspace::track::{TrackGrid, TrackLimits, TrackSpace};
+use brinell_halfspace::line::LineSpace;
+use brinell_halfspace::track::{Direction, Operators as _, TrackGrid, TrackLimits};
 use brinell_material::analytical::{DepthLimit, HertzLine};
 
 use super::driver::{POISSON, YIELD, hertz, limits, shear_strength, space};
 
-fn track(resolution: usize, first: f64, growth: f64) -> TrackSpace {
-    let grid = TrackGrid::of_contact(1.0, resolution, 32.0).unwrap();
-    space(grid, Layers::graded(first * grid.h(), growth, 3.0).unwrap())
+fn track(resolution: usize, first: f64, growth: f64) -> LineSpace {
+    let grid = TrackGrid::of_line(1.0, resolution, 32.0).unwrap();
+    space(grid, Layers::graded(first * grid.column(), growth, 3.0).unwrap())
 }
 
 /// Numbers between -1 and 1, other ones for each seed.
@@ -24,8 +25,8 @@ fn noise(seed: u64, n: usize) -> Vec<f64> {
 }
 
 /// `∫a:b` of deviators xx, zz, xz, over the layers.
-fn product(space: &TrackSpace, a: &[f64], b: &[f64]) -> f64 {
-    let n = space.grid().n_columns();
+fn product(space: &LineSpace, a: &[f64], b: &[f64]) -> f64 {
+    let n = space.ground().grid.n_columns();
     let layers = a.chunks_exact(3 * n).zip(b.chunks_exact(3 * n)).enumerate();
     layers
         .map(|(layer, (a, b))| {
@@ -34,24 +35,28 @@ fn product(space: &TrackSpace, a: &[f64], b: &[f64]) -> f64 {
                     ([a[i], a[n + i], a[2 * n + i]], [b[i], b[n + i], b[2 * n + i]]);
                 2.0 * (ax * bx + az * bz + at * bt) + ax * bz + az * bx
             };
-            space.layers().thickness(layer) * (0..n).map(cell).sum::<f64>()
+            space.ground().layers.thickness(layer) * (0..n).map(cell).sum::<f64>()
         })
         .sum()
 }
 
 /// G of a polarization, with the displacement of the window.
-fn of_strain(space: &TrackSpace, polarization: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let (mut work, strained) = (space.work(), vec![true; space.layers().len()]);
-    let mut opening = vec![0.0; space.grid().window().len()];
-    let mut stress = vec![0.0; space.field_len()];
+fn of_strain(space: &LineSpace, polarization: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (mut work, strained) = (space.work(), vec![1; space.ground().layers.len()]);
+    let mut opening = vec![0.0; space.ground().grid.window().len()];
+    let mut stress = vec![0.0; space.ground().field_len::<3>()];
     let none = vec![0.0; opening.len()];
-    space.opening(polarization, &strained, &mut work, &mut opening, &mut || false).unwrap();
+    space
+        .opening(Direction::Normal, polarization, &strained, &mut work, &mut opening, &mut || {
+            false
+        })
+        .unwrap();
     space.stress(&none, 0.0, &mut work, &mut stress, &mut || false).unwrap();
     (stress, opening)
 }
 
-fn of_pressure(space: &TrackSpace, pressure: &[f64], friction: f64) -> Vec<f64> {
-    let mut stress = vec![0.0; space.field_len()];
+fn of_pressure(space: &LineSpace, pressure: &[f64], friction: f64) -> Vec<f64> {
+    let mut stress = vec![0.0; space.ground().field_len::<3>()];
     space.stress(pressure, friction, &mut space.work(), &mut stress, &mut || false).unwrap();
     stress
 }
@@ -60,11 +65,13 @@ fn of_pressure(space: &TrackSpace, pressure: &[f64], friction: f64) -> Vec<f64> 
 fn stress_below_hertz_is_that_of_mcewen() {
     for (resolution, tolerance) in [(10, 11e-4), (20, 3e-4), (40, 1.7e-4)] {
         let space = track(resolution, 0.75, 1.06);
-        let stress = of_pressure(&space, &hertz(space.grid(), 1.0), 0.0);
-        let (n, exact) = (space.grid().n_columns(), HertzLine::from_peak_pressure(1.0, 1.0, 2.0));
+        let stress = of_pressure(&space, &hertz(&space.ground().grid, 1.0), 0.0);
+        let (n, exact) =
+            (space.ground().grid.n_columns(), HertzLine::from_peak_pressure(1.0, 1.0, 2.0));
         let mut worst: f64 = 0.0;
-        for layer in 0..space.layers().len() {
-            let (top, h) = (space.layers().faces()[layer], space.layers().thickness(layer));
+        for layer in 0..space.ground().layers.len() {
+            let (top, h) =
+                (space.ground().layers.faces()[layer], space.ground().layers.thickness(layer));
             let mean = |row: usize| {
                 let at = |k: u32| {
                     let stress =
@@ -87,12 +94,12 @@ fn stress_below_hertz_is_that_of_mcewen() {
 #[test]
 fn stress_beside_the_axis_is_that_of_mcewen_with_friction() {
     let space = track(20, 0.75, 1.06);
-    let (n, friction) = (space.grid().n_columns(), 0.3);
-    let stress = of_pressure(&space, &hertz(space.grid(), 1.0), friction);
+    let (n, friction) = (space.ground().grid.n_columns(), 0.3);
+    let stress = of_pressure(&space, &hertz(&space.ground().grid, 1.0), friction);
     let exact = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
-    for layer in 2..space.layers().len() {
+    for layer in 2..space.ground().layers.len() {
         for i in (n / 2 - 60..n / 2 + 60).step_by(7) {
-            let (x, z) = (space.grid().x(i), space.layers().middle(layer));
+            let (x, z) = (space.ground().grid.x(i), space.ground().layers.middle(layer));
             let expected = exact.stress(x, z, POISSON);
             // A traction in +x makes σxz of the sign of σxx under pressure.
             let expected = expected.tau_xy + friction * expected.sigma_x;
@@ -106,8 +113,10 @@ fn stress_beside_the_axis_is_that_of_mcewen_with_friction() {
 fn stress_of_strain_is_symmetric_and_takes_away_no_more_than_there_is() {
     let space = track(10, 0.75, 1.06);
     for seed in 0..3 {
-        let (a, b) =
-            (noise(2 * seed + 1, space.field_len()), noise(2 * seed + 2, space.field_len()));
+        let (a, b) = (
+            noise(2 * seed + 1, space.ground().field_len::<3>()),
+            noise(2 * seed + 2, space.ground().field_len::<3>()),
+        );
         let (of_a, of_b) = (of_strain(&space, &a).0, of_strain(&space, &b).0);
         let (ab, ba) = (product(&space, &a, &of_b), product(&space, &b, &of_a));
         let (aa, size) = (product(&space, &a, &of_a), product(&space, &a, &a));
@@ -120,11 +129,11 @@ fn stress_of_strain_is_symmetric_and_takes_away_no_more_than_there_is() {
 #[test]
 fn displacements_are_reciprocal() {
     let space = track(10, 0.75, 1.06);
-    let (strain, friction) = (noise(5, space.field_len()), 0.37);
+    let (strain, friction) = (noise(5, space.ground().field_len::<3>()), 0.37);
     let pressure: Vec<f64> =
-        noise(6, space.grid().window().len()).iter().map(|p| p.abs()).collect();
+        noise(6, space.ground().grid.window().len()).iter().map(|p| p.abs()).collect();
     let work = |friction: f64| {
-        let elastic = space.elastic();
+        let elastic = space.ground().elastic;
         let stress = of_pressure(&space, &pressure, friction);
         product(&space, &stress, &strain) / (2.0 * elastic.shear())
     };
@@ -132,9 +141,16 @@ fn displacements_are_reciprocal() {
     let normal = on(&of_strain(&space, &strain).1);
     assert!((normal / work(0.0) - 1.0).abs() < 1e-11, "{normal} {}", work(0.0));
     let mut along = vec![0.0; pressure.len()];
-    let strained = vec![true; space.layers().len()];
+    let strained = vec![1; space.ground().layers.len()];
     space
-        .tangential_opening(&strain, &strained, &mut space.work(), &mut along, &mut || false)
+        .opening(
+            Direction::Tangential,
+            &strain,
+            &strained,
+            &mut space.work(),
+            &mut along,
+            &mut || false,
+        )
         .unwrap();
     let both = normal + friction * on(&along);
     assert!((both / work(friction) - 1.0).abs() < 1e-10, "{both} {}", work(friction));
@@ -144,9 +160,9 @@ fn displacements_are_reciprocal() {
 #[test]
 fn a_uniform_strain_has_its_residual_stress_and_an_even_surface() {
     let space = track(10, 0.75, 1.06);
-    let (n, local) = (space.grid().n_columns(), POISSON / (1.0 - POISSON));
+    let (n, local) = (space.ground().grid.n_columns(), POISSON / (1.0 - POISSON));
     let (xx, zz) = (3.0, -5.0);
-    let mut strain = vec![0.0; space.field_len()];
+    let mut strain = vec![0.0; space.ground().field_len::<3>()];
     let layer = 4;
     strain[layer * 3 * n..][..n].fill(xx);
     strain[(layer * 3 + 1) * n..][..n].fill(zz);
@@ -199,7 +215,7 @@ fn kinematic_hardening_hardly_minds_friction() {
 #[test]
 fn limits_follow_strength_over_depth() {
     let space = track(20, 0.75, 1.06);
-    let pressure = hertz(space.grid(), 1.0);
+    let pressure = hertz(&space.ground().grid, 1.0);
     let strength = |layer: usize| if layer == 20 { 0.5 * YIELD } else { YIELD };
     let limits = TrackLimits::new(&space, &pressure, 0.0, strength, &mut || false).unwrap();
     assert_eq!((limits.perfect.layer, limits.kinematic.layer), (20, 20));

@@ -3,7 +3,7 @@
 //! Reference figures are those of a prototype in Python with its own operators, return map and
 //! accelerator, at the same resolution. They say that both solve the same equations.
 
-use brinell_halfspace::track::{PassStrain, Verdict};
+use brinell_halfspace::track::{PassStrain, SteadyState};
 
 use super::driver::{End, Material, Pass, Roller, Setup, YIELD, YOUNG, modulus};
 
@@ -20,9 +20,9 @@ fn evaluations(passes: &[Pass]) -> usize {
     passes.iter().map(|pass| pass.evaluations).sum()
 }
 
-fn word(passes: &[Pass]) -> Verdict {
+fn word(passes: &[Pass]) -> SteadyState {
     let strains: Vec<_> = passes.iter().map(|pass| pass.strain).collect();
-    Verdict::of(&strains, YIELD / YOUNG)
+    SteadyState::of(&strains, YIELD / YOUNG)
 }
 
 /// After shakedown the pressure is that of Hertz again: u_p is uniform.
@@ -36,7 +36,7 @@ fn shakes_down(friction: f64, [along, across]: [f64; 2], most_passes: usize) {
         passes.push(roller.pass(150));
     }
     assert!(
-        matches!(word(&passes), Verdict::ShakesDown { .. }),
+        matches!(word(&passes), SteadyState::ShakesDown { .. }),
         "{friction}: {:?}",
         word(&passes)
     );
@@ -163,14 +163,14 @@ fn thirty_passes_of_hardening_materials() {
         (passes, at_twenty)
     };
     let (passes, _) = run(0.0, prager());
-    assert!(matches!(word(&passes), Verdict::ClosedCycle { .. }), "{:?}", word(&passes));
+    assert!(matches!(word(&passes), SteadyState::ClosedCycle { .. }), "{:?}", word(&passes));
     close("strain", passes[29].strain.largest.value, 1.65e-2, 0.03);
     let (passes, _) = run(0.0, frederick());
-    assert!(matches!(word(&passes), Verdict::Ratchets { .. }), "{:?}", word(&passes));
+    assert!(matches!(word(&passes), SteadyState::Ratchets { .. }), "{:?}", word(&passes));
     close("net", passes[29].strain.net.value, 7.03e-4, 0.05);
     close("forward", passes[29].outlet.forward, -2.22e-4, 0.05);
     let (passes, at_twenty) = run(0.0, Material::straight(TWENTIETH));
-    assert!(matches!(at_twenty, Verdict::ShakesDown { .. }), "{at_twenty:?}");
+    assert!(matches!(at_twenty, SteadyState::ShakesDown { .. }), "{at_twenty:?}");
     let [xx, yy] = passes[29].least_residual();
     close("residual along", xx, -300.0, 0.03);
     close("residual across", yy, -344.0, 0.03);
@@ -193,11 +193,11 @@ fn a_pass_without_yield_changes_nothing() {
     let mut roller = Roller::new(&Setup { material, initial, ..Setup::new(10, 0.1, 1.2) });
     let first = roller.pass(150).strain;
     roller.setup.peak *= 0.5;
-    let before: Vec<_> = (0..20).map(|layer| roller.body.residual(layer)).collect();
+    let before: Vec<_> = (0..20).map(|layer| roller.body.settled().residual[layer]).collect();
     let pass = roller.passes(2).pop().unwrap();
     // The second pass starts from nothing.
     assert_eq!((pass.end, pass.evaluations), (End::Converged, 1));
-    let after: Vec<_> = (0..20).map(|layer| roller.body.residual(layer)).collect();
+    let after: Vec<_> = (0..20).map(|layer| roller.body.settled().residual[layer]).collect();
     for (a, b) in before.iter().flatten().zip(after.iter().flatten()) {
         assert!((a - b).abs() <= 1e-12 * a.abs(), "{a} {b}");
     }
@@ -282,7 +282,7 @@ fn an_initial_stress_does_not_move_the_limit() {
     let above = Setup { peak: below.peak * 1.05 / 0.97, ..below.clone() };
     let passes = Roller::new(&below).passes(6);
     assert!(
-        matches!(word(&passes), Verdict::ShakesDown { .. } | Verdict::Elastic),
+        matches!(word(&passes), SteadyState::ShakesDown { .. } | SteadyState::Elastic),
         "{:?}",
         word(&passes)
     );

@@ -1,6 +1,6 @@
 //! The verdict on 39 sequences of passes, close to the limits, and what it must never say.
 
-use brinell_halfspace::track::{PassStrain, Verdict};
+use brinell_halfspace::track::{PassStrain, SteadyState};
 
 use super::driver::{Material, Roller, Setup, YIELD, YOUNG};
 
@@ -16,26 +16,26 @@ enum Word {
 }
 
 impl Word {
-    fn of(verdict: Verdict) -> Self {
+    fn of(verdict: SteadyState) -> Self {
         match verdict {
-            Verdict::Elastic | Verdict::ShakesDown { .. } => Self::ShakesDown,
-            Verdict::ClosedCycle { .. } => Self::Cycle,
-            Verdict::Ratchets { .. } => Self::Ratchets,
-            Verdict::Undecided { .. } => Self::Nothing,
+            SteadyState::Elastic | SteadyState::ShakesDown { .. } => Self::ShakesDown,
+            SteadyState::ClosedCycle { .. } => Self::Cycle,
+            SteadyState::Ratchets { .. } => Self::Ratchets,
+            SteadyState::Undecided { .. } => Self::Nothing,
         }
     }
 }
 
 /// Rolls until a word counts; then the word, the pass, its verdict and all evaluations. Fails on a
 /// word that is wrong.
-fn verdict(setup: &Setup, truth: Word, most: usize) -> (Word, usize, Verdict, usize) {
+fn verdict(setup: &Setup, truth: Word, most: usize) -> (Word, usize, SteadyState, usize) {
     let mut roller = Roller::new(setup);
     let (mut strains, mut evaluations, mut said) = (Vec::<PassStrain>::new(), 0, None);
     for number in 1..=most {
         let pass = roller.pass(150);
         evaluations += pass.evaluations;
         strains.push(pass.strain);
-        let verdict = Verdict::that_counts(&strains, YIELD / YOUNG);
+        let verdict = SteadyState::that_counts(&strains, YIELD / YOUNG);
         let word = Word::of(verdict);
         assert!(
             word == Word::Nothing || word == truth,
@@ -45,7 +45,7 @@ fn verdict(setup: &Setup, truth: Word, most: usize) -> (Word, usize, Verdict, us
         );
         if word != Word::Nothing && said.is_none() {
             said = Some((word, number, verdict));
-            if matches!(verdict, Verdict::Elastic) || word != Word::ShakesDown {
+            if matches!(verdict, SteadyState::Elastic) || word != Word::ShakesDown {
                 break;
             }
         }
@@ -56,7 +56,7 @@ fn verdict(setup: &Setup, truth: Word, most: usize) -> (Word, usize, Verdict, us
     }
     match said {
         Some((word, number, verdict)) => (word, number, verdict, evaluations),
-        None => (Word::Nothing, most, Verdict::Undecided { net: 0.0 }, evaluations),
+        None => (Word::Nothing, most, SteadyState::Undecided { net: 0.0 }, evaluations),
     }
 }
 
@@ -81,7 +81,7 @@ fn perfect_plasticity_shakes_down_below_the_limit_and_ratchets_above_it() {
             let (word, number, verdict, evaluations) = verdict(&setup, Word::Ratchets, 20);
             println!("{friction} {factor}: {verdict:?} in pass {number}, {evaluations}");
             undecided += usize::from(word == Word::Nothing);
-            if let Verdict::Ratchets { rate, .. } = verdict {
+            if let SteadyState::Ratchets { rate, .. } = verdict {
                 // Close to the limit the rate depends on the pass in which it is read.
                 let tolerance = if factor < 1.03 { 0.3 } else { 0.08 };
                 assert!(
@@ -139,9 +139,9 @@ fn alternating_passes_are_judged_by_the_pair() {
         .map(|pair| PassStrain::of_pair(&pair[0].outlet, &pair[1].outlet))
         .collect();
     let (single, pair) = (singles.last().unwrap(), pairs.last().unwrap());
-    println!("{single:?} {pair:?} {:?}", Verdict::that_counts(&pairs, YIELD / YOUNG));
+    println!("{single:?} {pair:?} {:?}", SteadyState::that_counts(&pairs, YIELD / YOUNG));
     assert!(single.net.value > 3e-3, "{single:?}");
     assert!(pair.net.value < 0.1 * single.net.value, "{pair:?}");
-    let word = Word::of(Verdict::that_counts(&pairs, YIELD / YOUNG));
+    let word = Word::of(SteadyState::that_counts(&pairs, YIELD / YOUNG));
     assert!(word != Word::Ratchets, "{word:?}");
 }

@@ -14,6 +14,9 @@ pub enum SolveError {
     /// Of half-spaces.
     #[error(transparent)]
     HalfSpaces(#[from] HalfSpaceError),
+    /// A job in three dimensions between shapes that are no half-spaces.
+    #[error("the shapes are no half-spaces")]
+    NoHalfSpaces,
     /// Of a contact that rolls.
     #[error(transparent)]
     Track(#[from] TrackError),

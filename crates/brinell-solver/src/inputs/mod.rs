@@ -3,6 +3,7 @@
 
 mod error;
 mod half_spaces;
+mod input;
 mod outline;
 mod plane;
 mod rolling;
@@ -11,11 +12,11 @@ mod slopes;
 
 pub use error::SolveError;
 pub(crate) use half_spaces::along_axes;
-pub(crate) use half_spaces::half_spaces_with_reference;
 pub use half_spaces::{elliptic_reference, half_spaces};
+pub(crate) use input::{Input, of};
 pub use outline::outline_of;
 pub(crate) use plane::meshed_contact;
 pub use plane::{elastic_reference, estimate, run, run_with, support};
-pub(crate) use rolling::{RollingInput, rolling};
+pub(crate) use rolling::RollingInput;
 pub use settings::{loads, settings};
 pub(crate) use slopes::{of_small_mesh, small_solves};

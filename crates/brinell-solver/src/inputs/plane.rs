@@ -7,7 +7,7 @@ use super::slopes::of_slopes;
 use crate::fem::assembly;
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
-use crate::job::{Analysis, Body, Job, Material, Shape, Support};
+use crate::job::{Analysis, Body, FarSupport, Job, Material, Shape};
 use crate::material::Solid;
 use crate::solver::{
     self, Asked, ElasticReference, Estimate, GivenBody, MeshedContact, Observer, Options, Problem,
@@ -37,10 +37,10 @@ pub(super) fn problem(job: &Job) -> Problem {
 }
 
 /// Returns the support of a body.
-pub const fn support(of_body: Support) -> assembly::Support {
+pub const fn support(of_body: FarSupport) -> assembly::Support {
     match of_body {
-        Support::Clamped => assembly::Support::Clamped,
-        Support::Roller => assembly::Support::Roller,
+        FarSupport::Clamped => assembly::Support::Clamped,
+        FarSupport::Roller => assembly::Support::Roller,
     }
 }
 

@@ -5,7 +5,7 @@ use super::plane::problem;
 use super::settings::settings;
 use crate::analytical::DepthLimit;
 use crate::job::{Analysis, HardeningRule, Job, Load, Until};
-use crate::solver::rolling::{Hardening, RollingLoad, RollingProblem, TrackError};
+use crate::solver::rolling::{HardeningRules, RollingLoad, RollingProblem, TrackError};
 use crate::solver::{ElasticReference, Problem};
 
 /// A contact that rolls, and what closed forms say of it.
@@ -41,9 +41,9 @@ pub(crate) fn rolling(job: &Job) -> Result<RollingInput, TrackError> {
         ends_at_verdict: given.until == Until::Verdict,
         friction: given.friction,
         hardening: match given.hardening {
-            HardeningRule::Both => Hardening::Both,
-            HardeningRule::Isotropic => Hardening::Isotropic,
-            HardeningRule::Kinematic => Hardening::Kinematic,
+            HardeningRule::Both => HardeningRules::Both,
+            HardeningRule::Isotropic => HardeningRules::Isotropic,
+            HardeningRule::Kinematic => HardeningRules::Kinematic,
         },
         alternating: given.alternating,
         track: given.track,

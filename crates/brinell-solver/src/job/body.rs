@@ -19,7 +19,7 @@ pub struct Body {
     /// What people call the material.
     pub material_name: Option<String>,
     /// Support of the far boundary. A rigid body ignores it.
-    pub support: Support,
+    pub support: FarSupport,
     /// Heights on top of the shape of a half-space.
     pub surface: Option<Arc<Surface>>,
 }
@@ -44,7 +44,7 @@ impl Body {
         let object = cursor.object()?;
         object.only(&["shape", "support", "material", Surface::KEY]);
         let shape = object.required("shape", |c| Shape::read(c, units, &[]));
-        let support = object.or("support", Support::default(), |c| c.named());
+        let support = object.or("support", FarSupport::default(), |c| c.named());
         let material = object.required("material", |c| {
             let name = c.object()?.or("name", None, |c| name::read(c).map(Some));
             Some((Material::read(c, units)?, name?))
@@ -61,7 +61,7 @@ impl InUnits<'_, Body> {
     /// Returns the body in the wire format. A half-space is written without the default support.
     pub fn of(&self, analysis: Analysis) -> impl Serialize {
         let has_support =
-            analysis != Analysis::ThreeDimensional || self.0.support != Support::default();
+            analysis != Analysis::ThreeDimensional || self.0.support != FarSupport::default();
         WireBody {
             shape: InUnits(&self.0.shape, self.1),
             support: has_support.then_some(self.0.support),
@@ -78,7 +78,7 @@ impl InUnits<'_, Body> {
 struct WireBody<'a> {
     shape: InUnits<'a, Shape>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    support: Option<Support>,
+    support: Option<FarSupport>,
     material: WireMaterial<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     surface: Option<InUnits<'a, Surface>>,
@@ -96,7 +96,7 @@ struct WireMaterial<'a> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, IntoStaticStr, VariantArray)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
-pub enum Support {
+pub enum FarSupport {
     /// Both displacement components are held.
     #[default]
     Clamped,
@@ -104,4 +104,4 @@ pub enum Support {
     Roller,
 }
 
-impl Named for Support {}
+impl Named for FarSupport {}

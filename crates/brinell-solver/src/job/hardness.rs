@@ -9,8 +9,8 @@ use strum::{IntoStaticStr, VariantArray};
 use super::fields::{Field, Known, read_record_of, record};
 use super::reader::Cursor;
 use super::{
-    Body, Cone, Deformable, Domain, Elastic, FaultCode, FieldError, Material, MeshSettings, Named,
-    PoissonRatio, PositiveF64, Profile, Shape, SolverSettings, Support, Units,
+    Body, Cone, Deformable, Domain, Elastic, FarSupport, FaultCode, FieldError, Material,
+    MeshSettings, Named, PoissonRatio, PositiveF64, Profile, Shape, SolverSettings, Units,
 };
 
 /// Standard gravity \[N/kgf\].
@@ -315,7 +315,7 @@ impl HardnessTest {
             shape,
             material: Material::Deformable(material),
             material_name: None,
-            support: Support::default(),
+            support: FarSupport::default(),
             surface: None,
         })
     }

@@ -46,7 +46,7 @@ mod three_dimensions;
 pub mod units;
 
 pub use analysis::Analysis;
-pub use body::{Body, Support};
+pub use body::{Body, FarSupport};
 pub use brinell_method::words::{Quantity, Side};
 pub use contact_job::Job;
 pub use domain::Domain;

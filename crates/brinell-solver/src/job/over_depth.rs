@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 use serde::{Serialize, Serializer};
 use strum::{IntoStaticStr, VariantArray};
 
-use super::fields::{Field, Figure, InUnits, Known, Member, Record, read_record, record};
+use super::fields::{Field, InUnits, Known, Member, NumberKind, Record, read_record, record};
 use super::reader::Cursor;
 use super::{Domain, FaultCode, FieldError, Named, PositiveF64, Units};
 use crate::material::{StrengthProfile, hardness};
@@ -33,8 +33,8 @@ record! {
         /// ends.
         pub profile: Vec<[f64; 2]> = Field::points(
             [
-                ("Depth below the surface.", Figure::Quantity(Domain::Depth)),
-                ("Hardness, HV unless `hardness_scale` says HRC.", Figure::Pure(HARDNESS)),
+                ("Depth below the surface.", NumberKind::Quantity(Domain::Depth)),
+                ("Hardness, HV unless `hardness_scale` says HRC.", NumberKind::Pure(HARDNESS)),
             ],
             1..=OverDepth::MAX_POINTS,
         )
@@ -156,8 +156,8 @@ impl OverDepth {
     /// The field of factors, for the schema and the form.
     pub(crate) const FACTORS: Field = Field::points(
         [
-            ("Depth below the surface.", Figure::Quantity(Domain::Depth)),
-            ("Factor of the stresses of the hardening curve.", Figure::Pure(FACTORS)),
+            ("Depth below the surface.", NumberKind::Quantity(Domain::Depth)),
+            ("Factor of the stresses of the hardening curve.", NumberKind::Pure(FACTORS)),
         ],
         1..=Self::MAX_POINTS,
     )

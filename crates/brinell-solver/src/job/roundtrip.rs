@@ -129,7 +129,7 @@ fn words_are_those_that_are_serialized() {
     }
     check::<Analysis>();
     check::<Units>();
-    check::<Support>();
+    check::<FarSupport>();
     check::<Coupling>();
     check::<ContactMethod>();
 }

@@ -6,14 +6,14 @@
 
 use serde_json::{Map, Value, json};
 
-use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
+use super::fields::{Example, Field, FieldKind, FieldTable, NumberKind, Record, words};
 use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Domain, Elastic,
-    HardenedCase, Hardening, HardeningRule, HardnessProfile, HardnessScale, HardnessTest,
-    InitialStress, Interpolation, Job, Load, MeshSettings, Method, Named, OutputSettings,
-    OverDepth, PositiveF64, RollerProfile, Rolling, Shape, SolverSettings, Support, Surface,
-    Sweep, TargetFigure, TestScale, Theory, Units, Until, name, tags, target,
+    FarSupport, HardenedCase, Hardening, HardeningRule, HardnessProfile, HardnessScale,
+    HardnessTest, InitialStress, Interpolation, Job, Load, MeshSettings, Method, Named,
+    OutputSettings, OverDepth, PositiveF64, RollerProfile, Rolling, Shape, SolverSettings,
+    Surface, Sweep, TargetFigure, TestScale, Theory, Units, Until, name, tags, target,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -56,7 +56,7 @@ impl Schemas<'_> {
             ),
             (
                 "Support",
-                enumeration::<Support>(
+                enumeration::<FarSupport>(
                     "How the far boundary (diametral plane, base) is held: both displacements, or \
                      the normal one alone. Not in three dimensions.",
                 ),
@@ -210,7 +210,7 @@ impl Schemas<'_> {
 
     fn body(&self) -> Value {
         let support =
-            format!("How the far boundary is held. Default: `{}`.", Support::default().name());
+            format!("How the far boundary is held. Default: `{}`.", FarSupport::default().name());
         object(
             "One body, described in its own frame: the contact starts at the origin, heights are \
              counted along the outward normal. At most one of the two is rigid.",
@@ -254,7 +254,7 @@ impl Schemas<'_> {
         });
         let length = |along: &str| {
             let described = format!("Distance of heights along {along}.");
-            let mut schema = figure_schema(&Figure::Quantity(Domain::Length), &described);
+            let mut schema = figure_schema(&NumberKind::Quantity(Domain::Length), &described);
             schema["examples"] = json!([0.001]);
             schema
         };
@@ -316,11 +316,11 @@ impl Schemas<'_> {
         let entries = table.fields.iter().zip(defaults).map(|(field, default)| {
             let default =
                 default.filter(|_| !required.contains(&field.key)).map(|default| match default {
-                    super::fields::Value::Figure(figure) => json!(figure),
-                    super::fields::Value::Whole(number) => json!(number),
-                    super::fields::Value::Flag(flag) => json!(flag),
-                    super::fields::Value::Word(word) => json!(word),
-                    super::fields::Value::Points(points) => json!(points),
+                    super::fields::FieldValue::Figure(figure) => json!(figure),
+                    super::fields::FieldValue::Whole(number) => json!(number),
+                    super::fields::FieldValue::Flag(flag) => json!(flag),
+                    super::fields::FieldValue::Word(word) => json!(word),
+                    super::fields::FieldValue::Points(points) => json!(points),
                 });
             self.entry(field, default.as_ref())
         });
@@ -721,10 +721,10 @@ fn enumeration<T: Named>(description: &str) -> Value {
     json!({"type": "string", "description": description, "enum": words::<T>()})
 }
 
-fn figure_schema(figure: &Figure, description: &str) -> Value {
+fn figure_schema(figure: &NumberKind, description: &str) -> Value {
     match figure {
-        Figure::Quantity(quantity) => figures_schema(&[*quantity], description),
-        Figure::Pure(range) => json!({
+        NumberKind::Quantity(quantity) => figures_schema(&[*quantity], description),
+        NumberKind::Pure(range) => json!({
             "type": "number",
             "description": format!("{description} Without unit."),
             "minimum": range.start(),

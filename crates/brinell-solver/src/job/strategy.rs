@@ -10,10 +10,10 @@ use serde::Deserialize;
 use super::fields::{Example, FieldKind};
 use super::reader::{Cursor, Faults, Node};
 use super::{
-    Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field,
-    FieldTable, Hardening, HardeningRule, History, HistoryLoad, Job, Load, Material, MeshSettings,
-    Method, Named, NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64, Rolling, Shape,
-    SolverSettings, Support, Sweep, Target, TargetFigure, Theory, Units, Until, target,
+    Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, FarSupport,
+    Field, FieldTable, Hardening, HardeningRule, History, HistoryLoad, Job, Load, Material,
+    MeshSettings, Method, Named, NonNegativeF64, OutputSettings, PoissonRatio, PositiveF64,
+    Rolling, Shape, SolverSettings, Sweep, Target, TargetFigure, Theory, Units, Until, target,
 };
 
 /// Generates a positive number within two decades of a typical one, which is in range in both unit
@@ -132,7 +132,7 @@ fn deformable() -> impl Strategy<Value = Material> {
 }
 
 fn body(material: impl Strategy<Value = Material>) -> impl Strategy<Value = Body> {
-    let all = (shape(), material, named(), any_of(Support::ALL));
+    let all = (shape(), material, named(), any_of(FarSupport::ALL));
     all.prop_map(|(shape, material, material_name, support)| {
         let surface = None;
         Body { shape, material, material_name, support, surface }

@@ -2,8 +2,8 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::fields::Figure;
 use super::fields::InUnits;
+use super::fields::NumberKind;
 use super::reader::Cursor;
 use super::{Domain, FaultCode, Named, PositiveF64, Units};
 pub use brinell_method::sought::TargetFigure;
@@ -52,16 +52,16 @@ pub(super) const fn example(figure: TargetFigure) -> f64 {
 }
 
 /// Returns the unit and range of the figure.
-pub const fn measure_of(figure: TargetFigure) -> Figure {
+pub const fn measure_of(figure: TargetFigure) -> NumberKind {
     match figure {
         TargetFigure::PermanentApproach | TargetFigure::DentDepth => {
-            Figure::Quantity(Domain::Approach)
+            NumberKind::Quantity(Domain::Approach)
         }
         TargetFigure::PeakPressure | TargetFigure::MeanPressure => {
-            Figure::Quantity(Domain::Stress)
+            NumberKind::Quantity(Domain::Stress)
         }
-        TargetFigure::HalfWidth => Figure::Quantity(Domain::Length),
-        TargetFigure::MaxPlasticStrain => Figure::Pure(1e-9..=1.0),
+        TargetFigure::HalfWidth => NumberKind::Quantity(Domain::Length),
+        TargetFigure::MaxPlasticStrain => NumberKind::Pure(1e-9..=1.0),
     }
 }
 
@@ -82,8 +82,8 @@ impl Target {
         let given = TargetFigure::ALL.iter().copied().filter(|figure| object.has(figure.name()));
         let read = |figure: TargetFigure| {
             let value = object.required(figure.name(), |c| match measure_of(figure) {
-                Figure::Quantity(quantity) => c.quantity(quantity, units),
-                Figure::Pure(range) => c.number_in(&range),
+                NumberKind::Quantity(quantity) => c.quantity(quantity, units),
+                NumberKind::Pure(range) => c.number_in(&range),
             });
             value.map(|value| Self { figure, value })
         };

@@ -5,7 +5,7 @@
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray};
 
-use super::fields::{Field, Figure, Record, read_record_of, record};
+use super::fields::{Field, NumberKind, Record, read_record_of, record};
 use super::reader::{self, Cursor, Faults};
 use super::{Domain, FaultCode, FieldError, FieldTable, JobError, Named, PositiveF64, Units};
 use crate::material::tensile::{
@@ -19,8 +19,8 @@ record! {
         /// are compression.
         pub points: Vec<[f64; 2]> = Field::points(
             [
-                ("Strain, elastic part included.", Figure::Pure(-1e7..=1e7)),
-                ("Stress.", Figure::Quantity(Domain::SignedStress)),
+                ("Strain, elastic part included.", NumberKind::Pure(-1e7..=1e7)),
+                ("Stress.", NumberKind::Quantity(Domain::SignedStress)),
             ],
             LEAST_POINTS..=TensileTest::MAX_POINTS,
         )

@@ -15,7 +15,7 @@ use super::{
     LoadApproach, RollingReport, ShakedownLimit, TargetReport, ThreeDimensionalReport,
     ValidityNote, Verdict, YieldOnsetReport,
 };
-use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
+use crate::solver::{IterationRecord, SolveStatus};
 
 /// The answer to a job.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -172,7 +172,7 @@ pub enum LoadReport {
 }
 
 /// One value for each body.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct PerBody<T> {
     /// Of the upper body.
@@ -182,27 +182,29 @@ pub struct PerBody<T> {
 }
 
 impl<T: Clone> PerBody<Option<T>> {
-    /// Applies a function to each deformable body. Bodies that share one solution share the
-    /// result.
-    pub(super) fn of(step: &StepSolution, say: impl Fn(&BodySolution) -> T) -> Self {
-        let said: Result<Self, Infallible> = Self::try_of(step, |body| Ok(say(body)));
+    /// Applies a function to each deformable body and its side. Bodies that share one solution
+    /// share the result.
+    pub(super) fn of<B>(bodies: &[Option<Arc<B>>; 2], say: impl Fn(&B, usize) -> T) -> Self {
+        let said: Result<Self, Infallible> =
+            Self::try_of(bodies, |body, side| Ok(say(body, side)));
         match said {
             Ok(said) => said,
         }
     }
 
     /// Applies a function to each deformable body, as [`Self::of`], until it returns an error.
-    pub(super) fn try_of<E>(
-        step: &StepSolution,
-        mut say: impl FnMut(&BodySolution) -> Result<T, E>,
+    pub(super) fn try_of<B, E>(
+        bodies: &[Option<Arc<B>>; 2],
+        mut say: impl FnMut(&B, usize) -> Result<T, E>,
     ) -> Result<Self, E> {
-        let [upper, lower] = &step.field.bodies;
-        let mut of =
-            |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body)).transpose();
-        let of_upper = of(upper)?;
+        let [upper, lower] = bodies;
+        let mut of = |body: &Option<Arc<B>>, side: usize| {
+            body.as_ref().map(|body| say(body, side)).transpose()
+        };
+        let of_upper = of(upper, 0)?;
         let of_lower = match (upper, lower) {
             (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
-            _ => of(lower)?,
+            _ => of(lower, 1)?,
         };
         Ok(Self { upper: of_upper, lower: of_lower })
     }
@@ -368,20 +370,22 @@ pub struct MeshReport {
     pub max_aspect_ratio: f64,
 }
 
-impl MeshReport {
+impl Default for MeshReport {
     /// The report without a mesh.
-    pub(super) const NONE: Self = Self {
-        symmetric: false,
-        spacing: 0.0,
-        contact_pairs: 0,
-        nodes: 0,
-        elements: 0,
-        equations: 0,
-        passes: 0,
-        enlargements: 0,
-        min_jacobian_ratio: 1.0,
-        max_aspect_ratio: 1.0,
-    };
+    fn default() -> Self {
+        Self {
+            symmetric: false,
+            spacing: 0.0,
+            contact_pairs: 0,
+            nodes: 0,
+            elements: 0,
+            equations: 0,
+            passes: 0,
+            enlargements: 0,
+            min_jacobian_ratio: 1.0,
+            max_aspect_ratio: 1.0,
+        }
+    }
 }
 
 /// Wall time \[ms\] by phase, all passes and steps together.

@@ -113,9 +113,9 @@ pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowRepo
         energy: EnergyReport::of(energy, write),
         increments: IncrementsReport::of(&step.path.increments, write),
         surfaces: if step.status.is_stopped() {
-            PerBody { upper: None, lower: None }
+            PerBody::default()
         } else {
-            PerBody::of(step, |body| surface(body, step.field.symmetric, write))
+            PerBody::of(&step.field.bodies, |body, _| surface(body, step.field.symmetric, write))
         },
     })
 }

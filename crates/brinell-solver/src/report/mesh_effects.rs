@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::fem::element::StressState;
-use crate::job::{Body, Job, Support};
+use crate::job::{Body, FarSupport, Job};
 use crate::solver::{BodySolution, ContactPatch, StepSolution};
 
 /// Relative growth of the peak pressure, from half the elements to the full number, above which
@@ -90,7 +90,7 @@ pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
 /// rows there, and no coarser mesh reveals their effect on the approach.
 pub(super) fn is_clamped_column(job: &Job, step: &StepSolution) -> bool {
     let is_column = |(body, solution): (&Body, &Option<Arc<BodySolution>>)| {
-        let clamped = solution.as_ref().filter(|_| body.support == Support::Clamped);
+        let clamped = solution.as_ref().filter(|_| body.support == FarSupport::Clamped);
         clamped.is_some_and(|solution| solution.depth() > solution.width(step.field.symmetric))
     };
     let is_plane =

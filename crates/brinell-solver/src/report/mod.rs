@@ -1,8 +1,8 @@
 //! The report of a solution: its figures, their validity and their error bars.
 
 mod answers;
-mod build;
 mod contact;
+mod cost;
 mod datum;
 mod document;
 mod error_bars;
@@ -14,16 +14,21 @@ mod findings;
 mod flow;
 mod half_spaces;
 mod hardness;
+mod hertz;
 mod layer_fields;
 mod load_approach;
 mod measured;
 mod mesh_effects;
+mod meshed;
 mod onset;
 mod plastic_strain;
 mod plastic_zone;
 mod rolling;
 mod run;
+mod run_error;
+mod shown;
 mod solve_error;
+mod step;
 mod strength;
 mod subsurface;
 mod surface_stress;
@@ -34,6 +39,7 @@ mod verdict;
 pub use crate::job::{Quantity, Side};
 pub use answers::{Answer, AnswerBody, AnswerPlace};
 pub use contact::{ContactNodes, ContactReport, Patch};
+pub use cost::JobEstimate;
 pub use document::*;
 pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error, scales_of_floors};
 pub use field_arrays::{
@@ -57,7 +63,8 @@ pub use rolling::{
     RollingReport, RuleVerdict, ShakedownLimit, SolvedHardening, TrackLimitReport,
     TrackLimitsReport, TrackVerdict,
 };
-pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
+pub use run::{preflight, run, run_each, run_with};
+pub use run_error::RunError;
 pub use target::TargetReport;
 pub use validity::ValidityNote;
 pub use verdict::{Verdict, VerdictLevel};

@@ -44,16 +44,6 @@ pub(super) struct TargetSeen {
 }
 
 impl TargetSeen {
-    /// Records force, figure and error of a load step.
-    pub fn see(&mut self, job: &Job, step: &StepSolution, findings: &[Finding]) {
-        let Load::Target(target) = &job.load else { return };
-        let of_revolution = step.field.stress_state == StressState::Axisymmetric;
-        let bars = error_bars::under_its_force(step, findings);
-        let error =
-            bars.and_then(|bars| error_bars::of_target(target.figure, &bars, of_revolution));
-        self.take(step.figures.force, target_figure(step, target.figure), error);
-    }
-
     /// Records the force of the first load step, and the figure of the last load step with its
     /// error.
     pub fn take(&mut self, force: f64, reached: f64, figure_error: Option<f64>) {
@@ -81,6 +71,19 @@ impl TargetSeen {
             relative_error: self.figure_error.map(|error| (error + missed) / sensitivity),
         })
     }
+}
+
+/// Returns the figure of meshed bodies that a target asks for, and its relative error.
+pub(super) fn of_section(
+    job: &Job,
+    step: &StepSolution,
+    findings: &[Finding],
+) -> Option<(f64, Option<f64>)> {
+    let Load::Target(target) = &job.load else { return None };
+    let of_revolution = step.field.stress_state == StressState::Axisymmetric;
+    let bars = error_bars::under_its_force(step, findings);
+    let error = bars.and_then(|bars| error_bars::of_target(target.figure, &bars, of_revolution));
+    Some((target_figure(step, target.figure), error))
 }
 
 /// Returns the reason why a target is not reached, in the units of the job.

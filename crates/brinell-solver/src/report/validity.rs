@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::findings::{
-    Advice, Deformation, Density, Finding, MANY_MESHES, Unconverged, Wide, Work, guesses,
+    Advice, Deformation, Finding, FinerBy, MANY_MESHES, Unconverged, Wide, Work, guesses,
 };
 use super::mesh_effects::{
     COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end,
@@ -157,7 +157,7 @@ fn of_mesh(job: &Job, step: &StepSolution, half_width: f64, findings: &mut Vec<F
     let spacing = step.field.spacing;
     if step.field.patch.is_some() && half_width < COARSE_MESH * spacing {
         let number = half_width / spacing;
-        findings.push(Finding::FewElements { number, advice: Density::Elements });
+        findings.push(Finding::FewElements { number, advice: FinerBy::Elements });
     }
     if let Some((part, number)) =
         step.field.coarsest_part().filter(|(_, elements)| *elements < COARSE_MESH)

@@ -1,7 +1,7 @@
 //! The wire format from outside: what is accepted, and what exactly is said about what is not.
 
 use brinell_solver::job::{
-    Bilinear, Block, Cylinder, Hardening, Job, JobError, Load, Material, Shape, Support, Units,
+    Bilinear, Block, Cylinder, FarSupport, Hardening, Job, JobError, Load, Material, Shape, Units,
 };
 use insta::assert_snapshot;
 use proptest::prelude::*;
@@ -76,7 +76,7 @@ mod accepted {
         let job = Job::from_json(CYLINDER_ON_BLOCK.as_bytes()).unwrap();
         assert!(matches!(job.lower.shape, Shape::Block(Block { .. })));
         let job = Job::from_json(RAMBERG_OSGOOD.as_bytes()).unwrap();
-        assert_eq!(job.lower.support, Support::Roller);
+        assert_eq!(job.lower.support, FarSupport::Roller);
     }
 
     #[test]

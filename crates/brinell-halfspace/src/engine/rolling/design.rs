@@ -1,5 +1,9 @@
 //! The extent of a track and its columns.
 
+use crate::Layers;
+use crate::track::TrackGrid;
+
+use super::error::TrackError;
 use super::problem::RollingProblem;
 
 /// Factor of the window, the depth and the length of a track that cuts off contact or yield.
@@ -17,6 +21,7 @@ pub(super) struct TrackDesign {
     /// Friction that decides on the first layer.
     pub friction: f64,
     pub enlargements: usize,
+    pub is_line: bool,
 }
 
 impl TrackDesign {
@@ -28,12 +33,25 @@ impl TrackDesign {
             length: problem.length(),
             friction: problem.load.friction,
             enlargements: 0,
+            is_line: problem.is_line(),
         }
+    }
+
+    /// Cells and layers. A larger track of an ellipse is wider and deeper, and not longer.
+    pub fn lay(&self) -> Result<(TrackGrid, Layers), TrackError> {
+        let (factor, columns) = self.extent();
+        let semi_axes = self.semi_axes.map(|axis| factor * axis);
+        let grid = if self.is_line {
+            TrackGrid::of_line(semi_axes[0], columns, self.length)?
+        } else {
+            TrackGrid::of_ellipse(semi_axes, columns, self.length / factor)?
+        };
+        Ok((grid, grid.layers(semi_axes, self.friction)?))
     }
 
     /// The factor on all extents, and the cells over what the semi-axes become by it: all follow
     /// the contact that the grid is made for.
-    pub fn extent(&self) -> (f64, usize) {
+    fn extent(&self) -> (f64, usize) {
         let factor = ENLARGEMENT.powi(i32::try_from(self.enlargements).unwrap_or(i32::MAX));
         #[expect(
             clippy::cast_possible_truncation,

@@ -2,20 +2,26 @@
 
 use std::cell::RefCell;
 use std::marker::PhantomData;
+use std::sync::Arc;
 
-use crate::track::{Rolls, TrackFault};
+use crate::engine::watch::watched;
+use crate::line::LineFlexibility;
+use crate::track::{Frame as _, Ground, Operators, TrackBody, TrackFault, TrackGrid};
+use crate::{Elasticity, GridError, Layers, SurfaceFlexibility};
 
-use super::course::Course;
 use super::design::TrackDesign;
 use super::error::TrackError;
-use super::problem::RollingProblem;
+use super::memory::bytes;
+use super::problem::{RollingProblem, initial_stress};
 use super::system::Track;
-use brinell_contact::{ConjugateGradientSolver, ContactLoad};
+use brinell_contact::{ConjugateGradientSolver, ContactLoad, Flexibility};
+use brinell_material::Solid;
 use brinell_method::contact_system::BlockVector;
 use brinell_method::couplings::iteration::{Controls, Outcome, Scales};
 use brinell_method::couplings::{Accelerated, Coupling};
 use brinell_method::final_check::COLLAPSE_STRAIN;
 use brinell_method::observer::Held;
+use brinell_method::phases::Phase;
 use brinell_method::run::Run;
 use brinell_method::solve::{Engine, Round, Verdict, VerdictOf};
 
@@ -33,16 +39,16 @@ const CONTACT_TOLERANCE: f64 = 5e-9;
 const OF_ERRORS: f64 = 1e-5;
 
 /// Two bodies on a track.
-pub(super) struct TrackEngine<'a, C> {
+pub(super) struct TrackEngine<'a, O, const D: usize, const R: usize> {
     pub problem: &'a RollingProblem,
     pub coupling: &'static dyn Coupling,
     /// Residual over the contact force at which an iteration ends.
     pub tolerance: f64,
     contact: ConjugateGradientSolver,
-    course: PhantomData<C>,
+    operators: PhantomData<O>,
 }
 
-impl<'a, C: Course> TrackEngine<'a, C> {
+impl<'a, O: Operators<D, R>, const D: usize, const R: usize> TrackEngine<'a, O, D, R> {
     /// Iterated as the problem asks for.
     pub fn new(problem: &'a RollingProblem) -> Self {
         Self::with(problem, problem.solver.coupling, problem.solver.tolerance)
@@ -59,14 +65,18 @@ impl<'a, C: Course> TrackEngine<'a, C> {
             coupling,
             tolerance,
             contact: ConjugateGradientSolver::new(CONTACT_TOLERANCE),
-            course: PhantomData,
+            operators: PhantomData,
         }
     }
 
     /// The increment is filled in.
     pub fn controls(&self) -> Controls<'_> {
         Controls {
-            contact: C::solver(self.problem, &self.contact),
+            contact: if self.problem.is_line() {
+                self.problem.solver.contact
+            } else {
+                &self.contact
+            },
             load: ContactLoad::Force(self.problem.load.force),
             tolerance: self.tolerance,
             max_iterations: self.problem.solver.max_iterations,
@@ -76,20 +86,24 @@ impl<'a, C: Course> TrackEngine<'a, C> {
         }
     }
 
-    fn track(&self, design: &TrackDesign, run: &mut Run<'_>) -> Result<Track<C>, TrackError> {
-        let (grid, layers) = C::lay(design)?;
+    fn track(
+        &self,
+        design: &TrackDesign,
+        run: &mut Run<'_>,
+    ) -> Result<Track<O, D, R>, TrackError> {
+        let (grid, layers) = design.lay()?;
         let problem = self.problem;
-        run.hold(Held::Bodies, grid.bytes(problem, layers.len()))?;
-        let count = if problem.is_shared() { 2 } else { 1 };
+        run.hold(Held::Bodies, bytes(problem, &grid, layers.len()))?;
         let frictions = problem.frictions();
-        let bodies = problem
-            .yielding()
-            .map(|(side, material)| grid.body(&layers, material, (count, frictions[side]), run));
+        let bodies = problem.yielding().map(|(side, material)| {
+            let count = if problem.is_shared() { 2 } else { 1 };
+            body((grid, &layers), material, (count, frictions[side]), run)
+        });
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-        let initial_gap = grid.gap(problem);
+        let initial_gap = grid.sample(|x, y| problem.gap(x, y));
         Ok(Track {
             design: *design,
-            flexibility: grid.surface(problem.effective_modulus())?,
+            flexibility: flexibility(&grid, problem.effective_modulus())?,
             closing: vec![1.0; initial_gap.len()],
             initial_gap,
             accepted: bodies.iter().map(|body| vec![0.0; body.n_numbers()]).collect(),
@@ -101,15 +115,41 @@ impl<'a, C: Course> TrackEngine<'a, C> {
     }
 }
 
+/// A body of a material, for `count` bodies, each as strong as its layers.
+fn body<O: Operators<D, R>, const D: usize, const R: usize>(
+    (grid, layers): (TrackGrid, &Layers),
+    material: &Solid,
+    (count, friction): (u8, f64),
+    run: &mut Run<'_>,
+) -> Result<TrackBody<O, D, R>, TrackError> {
+    let elastic = material.elastic();
+    let elastic = Elasticity::new(elastic.young_modulus, elastic.poisson_ratio)?;
+    let depths: Vec<f64> = (0..layers.len()).map(|layer| layers.middle(layer)).collect();
+    let law = O::Frame::law(material, &depths, grid.n_rows()).ok_or(TrackError::NoTrack)?;
+    let ground = Ground { grid, layers: layers.clone(), elastic };
+    let space = watched(run, Phase::Flexibility, |stop| O::new(ground, friction != 0.0, stop))?;
+    let initial = initial_stress(material, layers);
+    Ok(TrackBody::new(Arc::new(space), law, count, friction, initial))
+}
+
+/// The flexibility of both surfaces with the modulus E\* \[MPa\].
+fn flexibility(grid: &TrackGrid, modulus: f64) -> Result<Box<dyn Flexibility>, GridError> {
+    Ok(if grid.is_line() {
+        Box::new(LineFlexibility::new(grid, modulus))
+    } else {
+        Box::new(SurfaceFlexibility::new(grid.surface()?, modulus))
+    })
+}
+
 /// A pass on its track.
-pub(super) struct Answer<C: Course> {
-    pub track: Track<C>,
+pub(super) struct Answer<O: Operators<D, R>, const D: usize, const R: usize> {
+    pub track: Track<O, D, R>,
     pub outcome: Outcome,
     /// Fault of a track that cuts off contact or plastic region.
     pub fault: Option<TrackFault>,
 }
 
-impl<C: Course> Answer<C> {
+impl<O: Operators<D, R>, const D: usize, const R: usize> Answer<O, D, R> {
     /// Whether strains have outgrown the theory of small strains.
     pub fn has_collapsed(&self) -> bool {
         let n = self.track.grid.n_columns();
@@ -119,31 +159,31 @@ impl<C: Course> Answer<C> {
     }
 }
 
-impl<C: Course> Engine for TrackEngine<'_, C> {
-    type System = Track<C>;
+impl<O: Operators<D, R>, const D: usize, const R: usize> Engine for TrackEngine<'_, O, D, R> {
+    type System = Track<O, D, R>;
     type Design = TrackDesign;
-    type Answer = Answer<C>;
+    type Answer = Answer<O, D, R>;
     type Error = TrackError;
 
     fn build(
         &self,
         design: &mut TrackDesign,
         run: &mut Run<'_>,
-    ) -> Result<(Track<C>, Option<BlockVector>), TrackError> {
+    ) -> Result<(Track<O, D, R>, Option<BlockVector>), TrackError> {
         Ok((self.track(design, run)?, None))
     }
 
     fn verdict(
         &self,
         design: &TrackDesign,
-        system: Track<C>,
+        system: Track<O, D, R>,
         outcome: Outcome,
         _: Round,
         _: &mut Run<'_>,
     ) -> Result<VerdictOf<Self>, TrackError> {
         let pressure = system.pressure(&outcome.state.response.contact.force);
         let bodies = system.bodies.borrow();
-        let held = bodies.iter().try_for_each(Rolls::holds);
+        let held = bodies.iter().try_for_each(TrackBody::holds);
         drop(bodies);
         let fault = system.grid.holds(&pressure).and(held).err();
         let (larger, may_enlarge) = match fault {
@@ -160,7 +200,7 @@ impl<C: Course> Engine for TrackEngine<'_, C> {
         let may_enlarge = may_enlarge && !outcome.status.is_stopped();
         Ok(match fault {
             // The window of a larger track may outgrow its ring.
-            Some(_) if may_enlarge && C::lay(&larger).is_ok() => Verdict::Again(larger),
+            Some(_) if may_enlarge && larger.lay().is_ok() => Verdict::Again(larger),
             fault => Verdict::Accept(Answer { track: system, outcome, fault }),
         })
     }

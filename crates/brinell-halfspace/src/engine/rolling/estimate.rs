@@ -1,11 +1,8 @@
 //! Track and memory of a load that rolls, estimated before it is solved.
 
-use crate::raceway::RacewayGrid;
-use crate::track::TrackGrid;
-
-use super::course::Course;
 use super::design::TrackDesign;
 use super::error::TrackError;
+use super::memory::bytes;
 use super::problem::RollingProblem;
 
 /// The track of a problem, as long as contact and plastic strain stay on it.
@@ -29,16 +26,12 @@ pub struct TrackEstimate {
 /// Those of a grid, and [`TrackError::Track`] where the surfaces do not bear the friction.
 pub fn estimate(problem: &RollingProblem) -> Result<TrackEstimate, TrackError> {
     problem.bears()?;
-    if problem.is_line() { of::<TrackGrid>(problem) } else { of::<RacewayGrid>(problem) }
-}
-
-fn of<C: Course>(problem: &RollingProblem) -> Result<TrackEstimate, TrackError> {
-    let (grid, layers) = C::lay(&TrackDesign::new(problem, problem.columns))?;
+    let (grid, layers) = TrackDesign::new(problem, problem.columns).lay()?;
     Ok(TrackEstimate {
         columns: grid.n_columns(),
-        window: grid.x().len(),
+        window: grid.window().len(),
         layers: layers.len(),
         rows: grid.n_rows(),
-        bytes: grid.bytes(problem, layers.len()) as u64,
+        bytes: bytes(problem, &grid, layers.len()) as u64,
     })
 }

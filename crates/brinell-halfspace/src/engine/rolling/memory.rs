@@ -1,6 +1,6 @@
 //! Bytes that a solve on a track holds.
 
-use crate::raceway::{RacewayGrid, RacewaySpace};
+use crate::raceway::RacewaySpace;
 use crate::track::TrackGrid;
 
 use super::problem::RollingProblem;
@@ -13,28 +13,23 @@ const NUMBERS_OF_FLOW: usize = 3 * 2 * 9;
 /// Part of the cells that flows.
 const FLOWING: usize = 4;
 
-/// Bytes that a solve on a line holds.
-pub(super) fn bytes_of_line(problem: &RollingProblem, grid: &TrackGrid, layers: usize) -> usize {
-    let cells = grid.n_columns() * layers * problem.yielding().count();
-    let contact = 3 * grid.window().len().pow(2);
-    size_of::<f64>() * (cells * (NUMBERS_OF_CELL + NUMBERS_OF_FLOW / FLOWING) + contact)
-}
-
 /// Numbers that a body keeps of each cell and component on a track of finite width: increments,
 /// trials and their images.
 const FIELDS: usize = 8;
 
-/// Bytes that a solve on a track of finite width holds.
-pub(super) fn bytes_of_ellipse(
-    problem: &RollingProblem,
-    grid: &RacewayGrid,
-    layers: usize,
-) -> usize {
+/// Bytes that a solve on a track holds.
+pub(super) fn bytes(problem: &RollingProblem, grid: &TrackGrid, layers: usize) -> usize {
+    let bodies = problem.yielding().count();
+    if grid.is_line() {
+        let cells = grid.n_columns() * layers * bodies;
+        let contact = 3 * grid.window().len().pow(2);
+        return size_of::<f64>()
+            * (cells * (NUMBERS_OF_CELL + NUMBERS_OF_FLOW / FLOWING) + contact);
+    }
     let field = 5 * grid.n_cells() * layers;
     let vectors = field * (FIELDS + NUMBERS_OF_FLOW / 3 / FLOWING);
     let operators = RacewaySpace::bytes(grid, layers);
     // Spectra of the flexibility and its padded fields.
     let surface = 32 * grid.window().len() * 2 * grid.n_rows();
-    problem.yielding().count() * (operators + size_of::<f64>() * vectors)
-        + size_of::<f64>() * surface
+    bodies * (operators + size_of::<f64>() * vectors) + size_of::<f64>() * surface
 }

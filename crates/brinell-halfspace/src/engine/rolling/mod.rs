@@ -2,10 +2,9 @@
 //! pass is one load.
 //!
 //! A [`RollingProblem`] holds the input, [`run`] solves its passes one after the other,
-//! each from what the one before has left, and returns a [`RollingSolution`]. Equations:
+//! each from what the one before has left, and hands over one [`TrackStep`]. Equations:
 //! `docs/theory_rolling.md`.
 
-mod course;
 mod design;
 mod engine;
 mod error;
@@ -16,6 +15,7 @@ mod memory;
 mod pass;
 mod problem;
 mod run;
+mod step;
 mod system;
 
 pub use error::TrackError;
@@ -23,5 +23,6 @@ pub use errors::{BodyPassErrors, PassErrors};
 pub use estimate::{TrackEstimate, estimate};
 pub use limits::FrictionLimit;
 pub use pass::{BodyPass, Pass};
-pub use problem::{Footprint, Hardening, Limit, RollingLoad, RollingProblem};
-pub use run::{KinematicPasses, RollingSolution, run};
+pub use problem::{Footprint, HardeningRules, Limit, RollingLoad, RollingProblem};
+pub use run::{TrackRun, run};
+pub use step::{KinematicPasses, TrackField, TrackStep};

@@ -1,10 +1,7 @@
 //! One pass: its figures, and the evidence on which it is judged.
 
-use crate::track::{Outlet, PassStrain, Rolls as _, TrackFault};
+use crate::track::{Operators, Outlet, PassStrain, TrackBody, TrackFault};
 
-use brinell_contact::Flexibility as _;
-
-use super::course::Course;
 use super::engine::{Answer, TrackEngine};
 use super::system::Track;
 use crate::engine::watch::never;
@@ -111,14 +108,14 @@ impl Pass {
     }
 }
 
-impl<C: Course> Answer<C> {
+impl<O: Operators<D, R>, const D: usize, const R: usize> Answer<O, D, R> {
     /// The figures of the pass behind `earlier` ones, and the track as it leaves it. A pass that
     /// has not converged leaves nothing.
     pub fn pass(
         self,
-        engine: &TrackEngine<'_, C>,
+        engine: &TrackEngine<'_, O, D, R>,
         earlier: &[Pass],
-    ) -> (Pass, Track<C>, Vec<IterationRecord>) {
+    ) -> (Pass, Track<O, D, R>, Vec<IterationRecord>) {
         let evidence = self.evidence();
         let load = engine.controls().load;
         let least = LeastScales::default().contact;
@@ -127,14 +124,15 @@ impl<C: Course> Answer<C> {
         let Self { mut track, outcome, fault } = self;
         let contact = &outcome.state.response.contact;
         let pressure = track.pressure(&contact.force);
-        let work = |body: &mut C::Body| {
+        let work = |body: &mut TrackBody<O, D, R>| {
             body.count() * body.work_of_traction(&pressure, &mut never).unwrap_or_default()
         };
         let work_of_traction = track.bodies.get_mut().iter_mut().map(work).sum();
         let ContactFigures { peak_pressure, .. } = track.figures(contact);
-        let (x, along) = (track.grid.x(), track.grid.along(&pressure));
+        let (x, along) = (track.grid.places(), track.grid.along(&pressure));
         let largest = along.iter().zip(&x).max_by(|a, b| a.0.total_cmp(b.0));
-        let (y, across) = track.grid.across(&pressure);
+        let y: Vec<f64> = track.grid.places_across().collect();
+        let across = track.grid.in_the_middle(&pressure);
         let of_places = |places: &[f64]| places.get(1).zip(places.first()).map(|(b, a)| b - a);
         let mut pass = Pass {
             status,
@@ -144,10 +142,10 @@ impl<C: Course> Answer<C> {
             peak_position: largest.map_or(0.0, |(_, x)| *x),
             ends: ends(&along, x.first().copied().unwrap_or(0.0), track.grid.column()),
             half_width_across: of_places(&y).map(|h| {
-                let [left, right] = ends(&across, y[0], h);
+                let [left, right] = ends(across, y[0], h);
                 0.5 * (right - left)
             }),
-            approach: C::approach(contact),
+            approach: track.approach(contact),
             rolling_force: track.grid.rolling_force(&track.initial_gap, &pressure),
             work_of_traction,
             fault,

@@ -1,20 +1,15 @@
 //! The input of a contact that rolls.
 
-use std::sync::Arc;
-
-use crate::track::{DEEPEST, TrackFault};
+use crate::track::{DEEPEST, Frame as _, LENGTH_OF_ELLIPSE, LENGTH_OF_LINE, TrackFault};
 use crate::{EllipticContact, Layers};
-use brinell_material::{Deviators, StreamLaw, StreamOfLayers, TrackFrame};
+use brinell_material::{StreamLaw, TrackFrame};
 
 use super::error::TrackError;
 use crate::engine::half_spaces::{HalfSpaceProblem, Relief, RollerGap};
+use brinell_material::Solid;
 use brinell_material::analytical::{DepthLimit, HertzEllipse, HertzLine};
-use brinell_material::{BackstressTerm, FlowPlasticity, OutOfPlane, ReturnMapping, Solid, scaled};
 use brinell_method::settings::Settings;
 
-/// Length of a track over the elastic semi-axis along the travel, where none is given.
-const LENGTH_OF_LINE: f64 = 32.0;
-const LENGTH_OF_ELLIPSE: f64 = 12.0;
 /// Curvature that couples both axes over the sum of the curvatures, and sine of a rotation, below
 /// which a contact lies along the travel.
 const ALIGNED: f64 = 1e-9;
@@ -56,12 +51,12 @@ pub struct RollingLoad {
     /// Length of the track over the elastic semi-axis along the travel; `None` for the default.
     pub track: Option<f64>,
     /// How bodies harden that have no backstress.
-    pub hardening: Hardening,
+    pub hardening: HardeningRules,
 }
 
 /// How bodies harden whose curve says nothing of a load that turns round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Hardening {
+pub enum HardeningRules {
     /// Isotropically as given, and once more kinematically with the same uniaxial curve.
     #[default]
     Both,
@@ -276,7 +271,7 @@ impl RollingProblem {
     pub fn bears(&self) -> Result<(), TrackError> {
         let traction = self.load.friction.abs() * self.elastic_peak();
         for (_, material) in self.yielding() {
-            let law: Option<Box<dyn StreamLaw>> = law_of_rows(material, &[0.0], 1);
+            let law: Option<Box<dyn StreamLaw>> = TrackFrame::law(material, &[0.0], 1);
             let Some(law) = law else { continue };
             let strength = law.largest_stress(0) / 3f64.sqrt();
             if traction > strength {
@@ -363,55 +358,6 @@ impl RollingProblem {
 enum Elastic {
     Line(HertzLine),
     Ellipse(EllipticContact),
-}
-
-/// The plastic law of so many rows in each of the layers at these depths, if the material can
-/// yield. Each layer has the strength at its depth.
-pub(super) fn law_of_rows<const D: usize, const R: usize>(
-    material: &Solid,
-    depths: &[f64],
-    rows: usize,
-) -> Option<Box<dyn StreamLaw<D, R>>>
-where
-    TrackFrame: Deviators<D, R>,
-{
-    let curve = Arc::clone(material.hardening_law()?);
-    let of = Making { material, curve, depths, rows };
-    // The number of terms is a type parameter, as in the cells of three dimensions.
-    Some(match *material.backstress() {
-        [] => of.rows([]),
-        [a] => of.rows([a]),
-        [a, b] => of.rows([a, b]),
-        [a, b, c] => of.rows([a, b, c]),
-        [a, b, c, d, ..] => of.rows([a, b, c, d]),
-    })
-}
-
-struct Making<'a> {
-    material: &'a Solid,
-    curve: Arc<dyn brinell_material::HardeningLaw>,
-    depths: &'a [f64],
-    rows: usize,
-}
-
-impl Making<'_> {
-    fn rows<const N: usize, const D: usize, const R: usize>(
-        self,
-        backstress: [BackstressTerm; N],
-    ) -> Box<dyn StreamLaw<D, R>>
-    where
-        TrackFrame: Deviators<D, R>,
-    {
-        let elastic = self.material.moduli();
-        let strength = self.material.strength();
-        let of_layer = |depth: &f64| {
-            let factor = strength.map_or(1.0, |strength| strength.factor(*depth));
-            let mapping = ReturnMapping::new(scaled(&self.curve, factor), elastic.shear);
-            let model = FlowPlasticity::new(elastic, mapping, backstress, OutOfPlane::Strained);
-            std::iter::repeat_n(Arc::new(model), self.rows)
-        };
-        Box::new(StreamOfLayers::<N, D>::new(self.depths.iter().flat_map(of_layer).collect()))
-    }
 }
 
 /// σxx along the travel and σyy across it in each layer before any load \[MPa\].

@@ -1,60 +1,30 @@
 //! Solves the passes of a load: first on half the columns, then on all of them.
 
-use crate::raceway::RacewayGrid;
-use crate::track::{PassStrain, Rolls, TrackGrid, Verdict};
+use crate::engine::watch::watched;
+use crate::line::LineSpace;
+use crate::raceway::RacewaySpace;
+use crate::track::{Operators, PassStrain, SteadyState, TrackBody, TrackLimits};
 
-use super::course::Course;
 use super::design::TrackDesign;
 use super::engine::TrackEngine;
 use super::error::TrackError;
 use super::errors::PassErrors;
 use super::pass::Pass;
-use super::problem::{Hardening, Limit, RollingProblem};
+use super::problem::{HardeningRules, Limit, RollingProblem};
+use super::step::{KinematicPasses, TrackField, TrackStep};
+use super::system::Track;
 use brinell_method::Interrupted as _;
 use brinell_method::couplings::iteration::Controls;
 use brinell_method::observer::SolveStatus;
 use brinell_method::observer::{IncrementNumber, Interrupt, IterationRecord, Observer};
-use brinell_method::phases::PhaseTimes;
+use brinell_method::phases::{Phase, PhaseTimes};
 use brinell_method::run::Run;
 use brinell_method::solve::{Leave, LeaveOf, solve};
+use brinell_method::steps::StepReceiver;
 
-/// The passes of a load and what becomes of the track.
-#[derive(Debug, Clone)]
-pub struct RollingSolution {
-    /// The status of the last pass.
-    pub status: SolveStatus,
-    /// The passes that have converged.
-    pub passes: Vec<Pass>,
-    /// The last pass, converged or not.
-    pub last: Pass,
-    /// Estimated errors of the passes; `None` where the coarse track has no such pass.
-    pub errors: Vec<Option<PassErrors>>,
-    /// Verdict on each body; `None` for one that cannot yield.
-    pub verdicts: [Option<Verdict>; 2],
-    /// Verdict by as many passes on half the columns.
-    pub coarse_verdicts: [Option<Verdict>; 2],
-    /// The same load on bodies that harden kinematically, where both rules are asked for and
-    /// differ.
-    pub kinematic: Option<KinematicPasses>,
-    /// Limit of shakedown of perfectly plastic bodies, and of bodies with kinematic hardening
-    /// without bound on these layers.
-    pub limits: [Option<Limit>; 2],
-    /// Middle of the columns of the window, in the direction of travel \[mm\].
-    pub x: Vec<f64>,
-    /// Their width \[mm\].
-    pub column: f64,
-    /// Area of a cell \[mm²\]; of a line the width of a column.
-    pub cell: f64,
-    /// Columns of the track, layers of each body, rows of cells in a layer.
-    pub grid: [usize; 3],
-    /// Pressure of the last pass, on the axis of the track \[MPa\].
-    pub pressure: Vec<f64>,
-    /// Gap of the last pass \[mm\].
-    pub gap: Vec<f64>,
-    /// Records of the iterations of the last pass.
-    pub history: Vec<IterationRecord>,
-    /// Times the track was enlarged.
-    pub enlargements: usize,
+/// Times, counts and the end of a run, beside its step.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TrackRun {
     /// Wall time by phase.
     pub phases: PhaseTimes,
     /// Number of tracks built.
@@ -63,59 +33,50 @@ pub struct RollingSolution {
     pub interrupted: Option<Interrupt>,
 }
 
-/// Passes over bodies with kinematic hardening of the same uniaxial curves.
-#[derive(Debug, Clone)]
-pub struct KinematicPasses {
-    /// The passes that have converged.
-    pub passes: Vec<Pass>,
-    /// The last pass, converged or not.
-    pub last: Pass,
-    /// Estimated errors of the last converged pass, without that of the length of the track.
-    pub errors: Option<PassErrors>,
-    /// Verdict on each body; `None` for one that cannot yield.
-    pub verdicts: [Option<Verdict>; 2],
-}
-
-/// Solves the passes of a load.
+/// Solves the passes of a load and hands over its step.
 ///
 /// # Errors
-/// [`TrackError`]. A pass that does not converge is no error: it ends the passes, and the
-/// solution has its status.
+/// [`TrackError`]. A pass that does not converge is no error: it ends the passes, and the step has
+/// its status.
 pub fn run(
     problem: &RollingProblem,
     observer: &mut dyn Observer,
-) -> Result<RollingSolution, TrackError> {
+    receiver: &mut dyn StepReceiver<TrackField>,
+) -> Result<TrackRun, TrackError> {
     problem.bears()?;
     let asked = problem.load.hardening;
-    let other = problem.hardening_kinematically().filter(|_| asked != Hardening::Isotropic);
+    let other = problem.hardening_kinematically().filter(|_| asked != HardeningRules::Isotropic);
     let (problem, other) = match &other {
-        Some(kinematic) if asked == Hardening::Kinematic => (kinematic, None),
+        Some(kinematic) if asked == HardeningRules::Kinematic => (kinematic, None),
         other => (problem, other.as_ref()),
     };
-    if problem.is_line() {
-        run_on::<TrackGrid>(problem, other, observer)
+    let mut done = TrackRun::default();
+    let mut run = Run { phases: &mut done.phases, passes: &mut done.tracks, observer };
+    let step = if problem.is_line() {
+        step_on::<LineSpace, 4, 3>(problem, other, &mut run)?
     } else {
-        run_on::<RacewayGrid>(problem, other, observer)
-    }
+        step_on::<RacewaySpace, 6, 5>(problem, other, &mut run)?
+    };
+    let interrupted = step.status.interrupt();
+    receiver.step(step, run.observer);
+    Ok(TrackRun { interrupted, ..done })
 }
 
-fn run_on<C: Course>(
+fn step_on<O: Operators<D, R>, const D: usize, const R: usize>(
     problem: &RollingProblem,
     other: Option<&RollingProblem>,
-    observer: &mut dyn Observer,
-) -> Result<RollingSolution, TrackError> {
-    let (mut phases, mut tracks) = (PhaseTimes::default(), 0);
-    let mut run = Run { phases: &mut phases, passes: &mut tracks, observer };
+    run: &mut Run<'_>,
+) -> Result<TrackStep, TrackError> {
     let design = TrackDesign::new(problem, problem.columns);
     let passes = problem.load.passes as usize;
-    let engine = TrackEngine::<C>::new(problem);
+    let engine = TrackEngine::<O, D, R>::new(problem);
     let ends_at_verdict = problem.load.ends_at_verdict;
-    let fine = sequence(&engine, design, (passes, ends_at_verdict), &mut run)?;
-    let coarse = beside::<C>(problem, &fine, 1.0, &mut run)?;
-    let long = beside::<C>(problem, &fine, 2.0, &mut run)?;
+    let fine = sequence(&engine, design, (passes, ends_at_verdict), run)?;
+    let coarse = beside::<O, D, R>(problem, &fine, 1.0, run)?;
+    let long = beside::<O, D, R>(problem, &fine, 2.0, run)?;
     let other = other.filter(|_| !long.is_stopped() && may_differ(problem, &fine.passes));
     let kinematic = match other {
-        Some(other) => Some(kinematic::<C>(other, &fine, &mut run)?),
+        Some(other) => Some(kinematic::<O, D, R>(other, &fine, run)?),
         None => None,
     };
     let pairs = coarse.passes.iter().zip(&long.passes).map(|(coarse, long)| [coarse, long]);
@@ -126,27 +87,22 @@ fn run_on<C: Course>(
     if let Some(interrupt) = interrupt {
         last.status = interrupt.into();
     }
-    Ok(RollingSolution {
-        status: last.status,
+    let field = TrackField {
         errors,
         verdicts: verdicts(problem, &fine.passes),
         coarse_verdicts: verdicts(problem, &coarse.passes),
         kinematic,
         limits: [problem.perfect_limit(), fine.kinematic],
         passes: fine.passes,
+        last,
         x: fine.x,
         column: fine.column,
         cell: fine.cell,
         grid: fine.grid,
         pressure: fine.pressure,
         gap: fine.gap,
-        history: fine.history,
-        enlargements: fine.enlargements,
-        interrupted: last.status.interrupt(),
-        last,
-        phases,
-        tracks,
-    })
+    };
+    Ok(field.step(problem.load.force, fine.history, fine.enlargements))
 }
 
 /// Whether another rule of hardening may have a worse word: not where nothing yields, and not where
@@ -154,12 +110,12 @@ fn run_on<C: Course>(
 fn may_differ(problem: &RollingProblem, passes: &[Pass]) -> bool {
     let yields = passes.first().is_some_and(|first| first.plastic_work() > 0.0);
     let each = if problem.load.alternating { 2 } else { 1 };
-    let many = problem.load.passes as usize >= each * Verdict::LEAST;
+    let many = problem.load.passes as usize >= each * SteadyState::LEAST;
     yields && (many || is_decided(problem, passes))
 }
 
 /// The passes of a sequence once more, on half the columns of a track so many times as long.
-fn beside<C: Course>(
+fn beside<O: Operators<D, R>, const D: usize, const R: usize>(
     problem: &RollingProblem,
     fine: &Sequence,
     times: f64,
@@ -171,7 +127,7 @@ fn beside<C: Course>(
     let half = TrackDesign::new(problem, (problem.columns / 2).max(2));
     let design =
         TrackDesign { length: times * fine.length, enlargements: fine.enlargements, ..half };
-    let engine = TrackEngine::<C>::auxiliary(problem);
+    let engine = TrackEngine::<O, D, R>::auxiliary(problem);
     let found =
         run.preliminarily(|run| sequence(&engine, design, (fine.passes.len(), false), run));
     found.or_else(|error| stopped_beside(fine, error))
@@ -186,17 +142,17 @@ fn stopped_beside(fine: &Sequence, error: TrackError) -> Result<Sequence, TrackE
 }
 
 /// Passes over bodies that harden kinematically.
-fn kinematic<C: Course>(
+fn kinematic<O: Operators<D, R>, const D: usize, const R: usize>(
     problem: &RollingProblem,
     given: &Sequence,
     run: &mut Run<'_>,
 ) -> Result<KinematicPasses, TrackError> {
     let design = TrackDesign::new(problem, problem.columns);
     let passes = (problem.load.passes as usize, problem.load.ends_at_verdict);
-    let engine = TrackEngine::<C>::new(problem);
+    let engine = TrackEngine::<O, D, R>::new(problem);
     let fine = run.preliminarily(|run| sequence(&engine, design, passes, run));
     let fine = fine.or_else(|error| stopped_beside(given, error))?;
-    let coarse = beside::<C>(problem, &fine, 1.0, run)?;
+    let coarse = beside::<O, D, R>(problem, &fine, 1.0, run)?;
     let errors = errors(problem, &fine, coarse.passes.iter().map(|pass| [pass; 2]));
     let mut last = fine.last.ok_or(TrackError::NoTrack)?;
     if let Some(stopped) = coarse.last.filter(|last| last.status.is_stopped()) {
@@ -259,8 +215,8 @@ impl Sequence {
 }
 
 /// Solves at most so many passes, one after the other.
-fn sequence<C: Course>(
-    engine: &TrackEngine<'_, C>,
+fn sequence<O: Operators<D, R>, const D: usize, const R: usize>(
+    engine: &TrackEngine<'_, O, D, R>,
     design: TrackDesign,
     (passes, ends_at_verdict): (usize, bool),
     run: &mut Run<'_>,
@@ -268,14 +224,14 @@ fn sequence<C: Course>(
     let (problem, load) = (engine.problem, engine.problem.load);
     solve(engine, design, None, run, |on, mut track, mut start, run| {
         let grid = &track.grid;
-        let layers = track.bodies.borrow().iter().map(Rolls::n_layers).max();
+        let layers = |body: &TrackBody<O, D, R>| body.space().ground().layers.len();
+        let layers = track.bodies.borrow().iter().map(layers).max();
         let mut done = Sequence {
-            kinematic: grid
-                .kinematic(problem, &track.bodies.borrow(), run)
-                .map_err(LeaveOf::<TrackEngine<'_, C>>::Failed)?,
-            x: grid.x(),
+            kinematic: kinematic_limit(&track, problem, run)
+                .map_err(LeaveOf::<TrackEngine<'_, O, D, R>>::Failed)?,
+            x: grid.places(),
             column: grid.column(),
-            cell: grid.area(),
+            cell: grid.cell_area(),
             grid: [grid.n_columns(), layers.unwrap_or(0), grid.n_rows()],
             length: track.design.length,
             enlargements: track.design.enlargements,
@@ -311,8 +267,37 @@ fn sequence<C: Course>(
     })
 }
 
+/// The limit of shakedown of bodies on a line that harden kinematically without bound. Across the
+/// travel of an ellipse a residual stress may touch every component: there is no such form.
+fn kinematic_limit<O: Operators<D, R>, const D: usize, const R: usize>(
+    track: &Track<O, D, R>,
+    problem: &RollingProblem,
+    run: &mut Run<'_>,
+) -> Result<Option<Limit>, TrackError> {
+    if !problem.is_line() {
+        return Ok(None);
+    }
+    let [a, _] = problem.semi_axes();
+    let pressure = track.grid.sample(|x, _| (1.0 - (x / a).powi(2)).max(0.0).sqrt());
+    let bodies = track.bodies.borrow();
+    let limited = problem.yielding().zip(&*bodies);
+    let mut least: Option<Limit> = None;
+    for ((side, _), body) in limited.filter(|((_, of), _)| of.yield_stress().is_some()) {
+        let limits = watched(run, Phase::Flexibility, |stop| {
+            let strength = |layer: usize| body.law().yield_stress(layer);
+            TrackLimits::new(body.space(), &pressure, body.friction(), strength, stop)
+        })?;
+        let kinematic = limits.kinematic;
+        let of_body = Limit { peak_pressure: kinematic.value, depth: kinematic.depth, side };
+        if least.is_none_or(|least| of_body.peak_pressure < least.peak_pressure) {
+            least = Some(of_body);
+        }
+    }
+    Ok(least.filter(|limit| limit.peak_pressure.is_finite()))
+}
+
 /// Returns the verdict on each body after these passes. Passes there and back are judged by pairs.
-fn verdicts(problem: &RollingProblem, passes: &[Pass]) -> [Option<Verdict>; 2] {
+fn verdicts(problem: &RollingProblem, passes: &[Pass]) -> [Option<SteadyState>; 2] {
     std::array::from_fn(|side| {
         let material = problem.materials[side].as_ref()?;
         material.hardening_law()?;
@@ -327,11 +312,11 @@ fn verdicts(problem: &RollingProblem, passes: &[Pass]) -> [Option<Verdict>; 2] {
         } else {
             passes.iter().filter_map(of).map(|body| body.strain).collect()
         };
-        Some(Verdict::that_counts(&strains, RollingProblem::yield_strain(material)))
+        Some(SteadyState::that_counts(&strains, RollingProblem::yield_strain(material)))
     })
 }
 
 fn is_decided(problem: &RollingProblem, passes: &[Pass]) -> bool {
     let verdicts = verdicts(problem, passes);
-    !verdicts.iter().flatten().any(|verdict| matches!(verdict, Verdict::Undecided { .. }))
+    !verdicts.iter().flatten().any(|verdict| matches!(verdict, SteadyState::Undecided { .. }))
 }

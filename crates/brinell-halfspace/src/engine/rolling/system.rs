@@ -12,27 +12,26 @@ use std::cell::RefCell;
 use std::ops::Range;
 
 use crate::Stopped;
-use crate::track::{Outlet, Rolls};
+use crate::track::{Operators, Outlet, TrackBody, TrackGrid};
 
-use super::course::Course;
 use super::design::TrackDesign;
 use crate::engine::watch::{never, watched};
-use brinell_contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use brinell_contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver, Flexibility};
 use brinell_method::contact_system::{BlockVector, ContactFigures, ContactSystem, Response};
 use brinell_method::phases::Phase;
 use brinell_method::run::Run;
 
 /// Two bodies and the window of columns in which they touch.
-pub(super) struct Track<C: Course> {
+pub(super) struct Track<O: Operators<D, R>, const D: usize, const R: usize> {
     pub design: TrackDesign,
-    pub grid: C,
-    pub flexibility: C::Surface,
+    pub grid: TrackGrid,
+    pub flexibility: Box<dyn Flexibility>,
     /// Initial gap δ0 \[mm\].
     pub initial_gap: Vec<f64>,
     /// Components of the normals along the approach, all 1.
     pub closing: Vec<f64>,
     /// The bodies that can yield; two equal bodies that roll freely are one.
-    pub bodies: RefCell<Vec<C::Body>>,
+    pub bodies: RefCell<Vec<TrackBody<O, D, R>>>,
     /// Trials to start the next pass from.
     pub accepted: BlockVector,
     /// States of the bodies at the back of the last pass.
@@ -42,20 +41,26 @@ pub(super) struct Track<C: Course> {
     pub begun: RefCell<Vec<(usize, Range<usize>)>>,
 }
 
-impl<C: Course> Track<C> {
+impl<O: Operators<D, R>, const D: usize, const R: usize> Track<O, D, R> {
     /// Pressures of contact forces \[MPa\].
     pub fn pressure(&self, force: &[f64]) -> Vec<f64> {
-        force.iter().map(|force| force / self.grid.area()).collect()
+        force.iter().map(|force| force / self.grid.cell_area()).collect()
+    }
+
+    /// The approach of a contact. A line has none: that of half-planes depends on the place from
+    /// which it is counted.
+    pub fn approach(&self, contact: &ContactSolution) -> Option<f64> {
+        (!self.grid.is_line()).then_some(contact.approach)
     }
 
     /// Turns the track round, for a pass that goes back.
     pub fn turn(&mut self) {
-        self.bodies.get_mut().iter_mut().for_each(Rolls::turn);
+        self.bodies.get_mut().iter_mut().for_each(TrackBody::turn);
         self.initial_gap = self.grid.reversed(&self.initial_gap);
     }
 
     fn scale(&self) -> f64 {
-        self.grid.area() / self.design.shorter().sqrt()
+        self.grid.cell_area() / self.design.shorter().sqrt()
     }
 
     /// `h √(Σ h_l/a a:a)` of packed columns.
@@ -64,7 +69,7 @@ impl<C: Course> Track<C> {
     }
 }
 
-impl<C: Course> ContactSystem for Track<C> {
+impl<O: Operators<D, R>, const D: usize, const R: usize> ContactSystem for Track<O, D, R> {
     fn zeros(&self) -> BlockVector {
         self.bodies.borrow().iter().map(|body| vec![0.0; body.n_numbers()]).collect()
     }
@@ -75,7 +80,7 @@ impl<C: Course> ContactSystem for Track<C> {
 
     fn contact_problem<'a>(&'a self, gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
         ContactProblem {
-            flexibility: &self.flexibility,
+            flexibility: &*self.flexibility,
             initial_gap: gap,
             closing: &self.closing,
             load,
@@ -143,7 +148,7 @@ impl<C: Course> ContactSystem for Track<C> {
                 begun.push((n, first..body.n_flowed()));
             }
         }
-        bodies.iter().flat_map(Rolls::strains).filter(|strain| **strain > 0.0).count()
+        bodies.iter().flat_map(TrackBody::strains).filter(|strain| **strain > 0.0).count()
     }
 
     fn norm(&self, v: &BlockVector) -> f64 {
@@ -159,8 +164,8 @@ impl<C: Course> ContactSystem for Track<C> {
     /// earlier is the beginning of one packed later.
     fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
         let bodies = self.bodies.borrow();
-        let of_body = |(body, vector): (&C::Body, &Vec<f64>)| {
-            let mut packed = Vec::with_capacity(C::Body::PACKED * body.n_flowed());
+        let of_body = |(body, vector): (&TrackBody<O, D, R>, &Vec<f64>)| {
+            let mut packed = Vec::with_capacity(R * body.n_flowed());
             body.pack(vector, &mut packed);
             packed
         };
@@ -168,19 +173,19 @@ impl<C: Course> ContactSystem for Track<C> {
         let begun = self.begun.borrow();
         begun
             .iter()
-            .flat_map(|(n, numbers)| &parts[*n][components::<C>(numbers)])
+            .flat_map(|(n, numbers)| &parts[*n][components::<R>(numbers)])
             .copied()
             .collect()
     }
 
     fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
         let bodies = self.bodies.borrow();
-        let empty = |body: &C::Body| vec![0.0; C::Body::PACKED * body.n_flowed()];
+        let empty = |body: &TrackBody<O, D, R>| vec![0.0; R * body.n_flowed()];
         let mut parts: Vec<Vec<f64>> = bodies.iter().map(empty).collect();
         let mut rest = packed;
         for (n, numbers) in self.begun.borrow().iter() {
-            let (mine, next) = rest.split_at((C::Body::PACKED * numbers.len()).min(rest.len()));
-            parts[*n][components::<C>(numbers)][..mine.len()].copy_from_slice(mine);
+            let (mine, next) = rest.split_at((R * numbers.len()).min(rest.len()));
+            parts[*n][components::<R>(numbers)][..mine.len()].copy_from_slice(mine);
             rest = next;
         }
         for ((body, part), vector) in bodies.iter().zip(&parts).zip(vectors) {
@@ -192,8 +197,8 @@ impl<C: Course> ContactSystem for Track<C> {
         let largest = contact.force.iter().copied().fold(0.0, f64::max);
         ContactFigures {
             force: contact.total_force,
-            approach: C::approach(contact).unwrap_or(0.0),
-            peak_pressure: largest / self.grid.area(),
+            approach: self.approach(contact).unwrap_or(0.0),
+            peak_pressure: largest / self.grid.cell_area(),
             pairs: contact.active_set.len(),
         }
     }
@@ -219,6 +224,6 @@ impl<C: Course> ContactSystem for Track<C> {
 }
 
 /// Numbers of columns in a packed vector.
-fn components<C: Course>(columns: &Range<usize>) -> Range<usize> {
-    C::Body::PACKED * columns.start..C::Body::PACKED * columns.end
+const fn components<const R: usize>(columns: &Range<usize>) -> Range<usize> {
+    R * columns.start..R * columns.end
 }

@@ -5,7 +5,7 @@ use serde::ser::Serializer;
 
 use super::super::number::{NonNegativeF64, PoissonRatio, PositiveF64};
 use super::super::reader::{Cursor, Object};
-use super::{Field, FieldKind, Figure, Value};
+use super::{Field, FieldKind, FieldValue, NumberKind};
 use crate::job::{Named, Units};
 
 /// A type of field values.
@@ -17,7 +17,7 @@ pub(in crate::job) trait Member: Sized {
     fn read(cursor: Cursor<'_>, field: &Field, units: Option<Units>) -> Option<Self>;
 
     /// Returns the value in N–mm–MPa; `None` if the field is not written.
-    fn value(&self) -> Option<Value>;
+    fn value(&self) -> Option<FieldValue>;
 
     /// Returns the value of a missing field, for optional types.
     fn absent() -> Option<Self> {
@@ -41,12 +41,12 @@ pub(in crate::job) fn read_member<T: Member>(
 /// Reads a number in the range of its figure.
 fn read_figure<T: TryFrom<f64>>(
     cursor: Cursor<'_>,
-    kind: &Figure,
+    kind: &NumberKind,
     units: Option<Units>,
 ) -> Option<T> {
     match kind {
-        Figure::Quantity(quantity) => cursor.quantity(*quantity, units),
-        Figure::Pure(range) => cursor.number_in(range),
+        NumberKind::Quantity(quantity) => cursor.quantity(*quantity, units),
+        NumberKind::Pure(range) => cursor.number_in(range),
     }
 }
 
@@ -58,8 +58,8 @@ macro_rules! numbers {
                 read_figure(cursor, kind, units)
             }
 
-            fn value(&self) -> Option<Value> {
-                Some(Value::Figure(f64::from(*self)))
+            fn value(&self) -> Option<FieldValue> {
+                Some(FieldValue::Figure(f64::from(*self)))
             }
         }
     )+};
@@ -73,8 +73,8 @@ impl Member for u32 {
         cursor.integer(range)
     }
 
-    fn value(&self) -> Option<Value> {
-        Some(Value::Whole(*self))
+    fn value(&self) -> Option<FieldValue> {
+        Some(FieldValue::Whole(*self))
     }
 }
 
@@ -83,8 +83,8 @@ impl Member for bool {
         cursor.boolean()
     }
 
-    fn value(&self) -> Option<Value> {
-        Some(Value::Flag(*self))
+    fn value(&self) -> Option<FieldValue> {
+        Some(FieldValue::Flag(*self))
     }
 }
 
@@ -93,8 +93,8 @@ impl<T: Named> Member for T {
         cursor.named()
     }
 
-    fn value(&self) -> Option<Value> {
-        Some(Value::Word(self.name()))
+    fn value(&self) -> Option<FieldValue> {
+        Some(FieldValue::Word(self.name()))
     }
 }
 
@@ -109,8 +109,8 @@ impl Member for Vec<[f64; 2]> {
         })
     }
 
-    fn value(&self) -> Option<Value> {
-        Some(Value::Points(self.clone()))
+    fn value(&self) -> Option<FieldValue> {
+        Some(FieldValue::Points(self.clone()))
     }
 }
 
@@ -121,7 +121,7 @@ impl<T: Member> Member for Option<T> {
         T::read(cursor, field, units).map(Some)
     }
 
-    fn value(&self) -> Option<Value> {
+    fn value(&self) -> Option<FieldValue> {
         self.as_ref().and_then(T::value)
     }
 
@@ -131,25 +131,25 @@ impl<T: Member> Member for Option<T> {
 }
 
 /// A value in the wire format, in a system of units.
-pub(super) struct Written<'a>(pub &'a Value, pub &'a Field, pub Units);
+pub(super) struct Written<'a>(pub &'a FieldValue, pub &'a Field, pub Units);
 
 impl Serialize for Written<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let wire = |kind: &Figure, core| kind.to_wire(self.2, core);
+        let wire = |kind: &NumberKind, core| kind.to_wire(self.2, core);
         match (self.0, &self.1.kind) {
-            (Value::Figure(core), FieldKind::Figure(kind)) => {
+            (FieldValue::Figure(core), FieldKind::Figure(kind)) => {
                 serializer.serialize_f64(wire(kind, *core))
             }
             (
-                Value::Points(points),
+                FieldValue::Points(points),
                 FieldKind::Points { columns: [(_, first), (_, second)], .. },
             ) => serializer
                 .collect_seq(points.iter().map(|[x, y]| [wire(first, *x), wire(second, *y)])),
-            (Value::Figure(core), _) => serializer.serialize_f64(*core),
-            (Value::Points(points), _) => points.serialize(serializer),
-            (Value::Whole(number), _) => serializer.serialize_u32(*number),
-            (Value::Flag(flag), _) => serializer.serialize_bool(*flag),
-            (Value::Word(word), _) => serializer.serialize_str(word),
+            (FieldValue::Figure(core), _) => serializer.serialize_f64(*core),
+            (FieldValue::Points(points), _) => points.serialize(serializer),
+            (FieldValue::Whole(number), _) => serializer.serialize_u32(*number),
+            (FieldValue::Flag(flag), _) => serializer.serialize_bool(*flag),
+            (FieldValue::Word(word), _) => serializer.serialize_str(word),
         }
     }
 }

@@ -78,7 +78,7 @@ pub enum Example {
 #[derive(Debug, Clone)]
 pub enum FieldKind {
     /// A number.
-    Figure(Figure),
+    Figure(NumberKind),
     /// A whole number in a range.
     Whole(RangeInclusive<u32>),
     /// `true` or `false`.
@@ -88,7 +88,7 @@ pub enum FieldKind {
     /// Points, each a pair of figures.
     Points {
         /// The two figures of a point, with their descriptions.
-        columns: [(&'static str, Figure); 2],
+        columns: [(&'static str, NumberKind); 2],
         /// Range of the number of points.
         count: RangeInclusive<usize>,
     },
@@ -96,14 +96,14 @@ pub enum FieldKind {
 
 /// A number and its range.
 #[derive(Debug, Clone)]
-pub enum Figure {
+pub enum NumberKind {
     /// A figure with a unit; the quantity determines the range.
     Quantity(Domain),
     /// A figure without a unit.
     Pure(RangeInclusive<f64>),
 }
 
-impl Figure {
+impl NumberKind {
     /// Returns the smallest and largest valid figure, in N–mm–MPa.
     pub const fn range(&self) -> (f64, f64) {
         match self {
@@ -136,12 +136,12 @@ impl Field {
 
     /// Returns a field for a figure with a unit.
     pub(super) const fn quantity(quantity: Domain) -> Self {
-        Self::new(FieldKind::Figure(Figure::Quantity(quantity)))
+        Self::new(FieldKind::Figure(NumberKind::Quantity(quantity)))
     }
 
     /// Returns a field for a figure without a unit.
     pub(super) const fn pure(range: RangeInclusive<f64>) -> Self {
-        Self::new(FieldKind::Figure(Figure::Pure(range)))
+        Self::new(FieldKind::Figure(NumberKind::Pure(range)))
     }
 
     /// Returns a field for a whole number.
@@ -161,7 +161,7 @@ impl Field {
 
     /// Returns a field for a list of points.
     pub(super) const fn points(
-        columns: [(&'static str, Figure); 2],
+        columns: [(&'static str, NumberKind); 2],
         count: RangeInclusive<usize>,
     ) -> Self {
         Self::new(FieldKind::Points { columns, count })
@@ -208,7 +208,7 @@ pub fn words<T: Named>() -> Vec<&'static str> {
 /// The valid figures, words and points of an object, for conditions between fields.
 #[derive(Debug, Default)]
 pub(super) struct Known {
-    pub values: Vec<(&'static str, Value)>,
+    pub values: Vec<(&'static str, FieldValue)>,
     /// Keys of all given fields, valid or not.
     pub given: Vec<&'static str>,
 }
@@ -218,14 +218,16 @@ impl Known {
     pub fn figure(&self, key: &str) -> Option<f64> {
         let found = self.values.iter().find(|(name, _)| *name == key);
         found.and_then(
-            |(_, value)| if let Value::Figure(figure) = value { Some(*figure) } else { None },
+            |(_, value)| if let FieldValue::Figure(figure) = value { Some(*figure) } else { None },
         )
     }
 
     /// Returns a word; `None` if it is missing or invalid.
     pub fn word(&self, key: &str) -> Option<&'static str> {
         let found = self.values.iter().find(|(name, _)| *name == key);
-        found.and_then(|(_, value)| if let Value::Word(word) = value { Some(*word) } else { None })
+        found.and_then(
+            |(_, value)| if let FieldValue::Word(word) = value { Some(*word) } else { None },
+        )
     }
 
     /// Whether a field is given, valid or not.
@@ -237,14 +239,16 @@ impl Known {
     pub fn points(&self, key: &str) -> Option<&[[f64; 2]]> {
         let found = self.values.iter().find(|(name, _)| *name == key);
         found.and_then(
-            |(_, value)| if let Value::Points(points) = value { Some(&**points) } else { None },
+            |(_, value)| {
+                if let FieldValue::Points(points) = value { Some(&**points) } else { None }
+            },
         )
     }
 }
 
 /// The value of a field, in N–mm–MPa.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Value {
+pub enum FieldValue {
     /// A number.
     Figure(f64),
     /// A whole number.

@@ -4,7 +4,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::super::reader::{Cursor, Object};
 use super::member::Written;
-use super::{FieldKind, FieldTable, Figure, Known, Value};
+use super::{FieldKind, FieldTable, FieldValue, Known, NumberKind};
 use crate::job::{FaultCode, FieldError, Units};
 
 /// An object of the job with a table of fields.
@@ -22,7 +22,7 @@ pub(in crate::job) trait Record: Sized {
     ) -> Option<Self>;
 
     /// Returns the values in the order of the table.
-    fn values(&self) -> Vec<Option<Value>>;
+    fn values(&self) -> Vec<Option<FieldValue>>;
 
     /// Checks conditions between the known fields. Pointers are relative to the object.
     fn rules(_known: &Known) -> Vec<FieldError> {
@@ -74,7 +74,7 @@ pub(in crate::job) fn faults_of<T: Record>(
     let mut faults = Vec::new();
     for (field, value) in T::TABLE.fields.iter().zip(record.values()) {
         let Some(value) = value else { continue };
-        if let (FieldKind::Figure(Figure::Pure(range)), Value::Figure(figure)) =
+        if let (FieldKind::Figure(NumberKind::Pure(range)), FieldValue::Figure(figure)) =
             (&field.kind, &value)
             && !range.contains(figure)
         {
@@ -89,8 +89,8 @@ pub(in crate::job) fn faults_of<T: Record>(
     faults
 }
 
-fn beside_values(beside: &[(&'static str, f64)]) -> Vec<(&'static str, Value)> {
-    beside.iter().map(|(key, figure)| (*key, Value::Figure(*figure))).collect()
+fn beside_values(beside: &[(&'static str, f64)]) -> Vec<(&'static str, FieldValue)> {
+    beside.iter().map(|(key, figure)| (*key, FieldValue::Figure(*figure))).collect()
 }
 
 /// Reads an object whose fields all have defaults.
@@ -184,7 +184,7 @@ macro_rules! record {
                 Some(Self { $($field: $field?),+ })
             }
 
-            fn values(&self) -> Vec<Option<$crate::job::fields::Value>> {
+            fn values(&self) -> Vec<Option<$crate::job::fields::FieldValue>> {
                 vec![$($crate::job::fields::Member::value(&self.$field)),+]
             }
 
@@ -228,7 +228,7 @@ macro_rules! tagged {
             }
 
             /// Returns every given field with its value in N–mm–MPa.
-            pub fn values(&self) -> Vec<(&'static $crate::job::Field, $crate::job::fields::Value)> {
+            pub fn values(&self) -> Vec<(&'static $crate::job::Field, $crate::job::fields::FieldValue)> {
                 let values = match self {
                     $(Self::$variant(record) => $crate::job::fields::Record::values(record)),+
                 };

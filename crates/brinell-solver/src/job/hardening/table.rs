@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Curve;
-use crate::job::fields::{Field, Figure, Member, Value, record};
+use crate::job::fields::{Field, FieldValue, Member, NumberKind, record};
 use crate::job::reader::Cursor;
 use crate::job::{Domain, FieldError, Units};
 use crate::material::{HardeningLaw, hardening};
@@ -14,8 +14,8 @@ record! {
         /// Points `[plastic_strain, stress]`, joined by straight lines, constant beyond the last.
         pub points: TablePoints = Field::points(
             [
-                ("Plastic strain, rising; the first is 0.", Figure::Pure(0.0..=100.0)),
-                ("Stress, never falling.", Figure::Quantity(Domain::Stress)),
+                ("Plastic strain, rising; the first is 0.", NumberKind::Pure(0.0..=100.0)),
+                ("Stress, never falling.", NumberKind::Quantity(Domain::Stress)),
             ],
             1..=TablePoints::MAX_POINTS,
         )
@@ -61,7 +61,7 @@ impl Member for TablePoints {
         cursor.checked(Self::new(Vec::read(cursor, field, units)?))
     }
 
-    fn value(&self) -> Option<Value> {
+    fn value(&self) -> Option<FieldValue> {
         self.0.value()
     }
 }

@@ -2,7 +2,7 @@
 
 use strum::{IntoStaticStr, VariantArray};
 
-use crate::job::fields::{Field, Figure, Known, faults_of, record};
+use crate::job::fields::{Field, Known, NumberKind, faults_of, record};
 use crate::job::{Domain, FieldError, Named, PositiveF64};
 
 record! {
@@ -12,8 +12,8 @@ record! {
         /// completed by its mirror image.
         points: Vec<[f64; 2]> = Field::points(
             [
-                ("x, tangential.", Figure::Quantity(Domain::Position)),
-                ("Height.", Figure::Quantity(Domain::Position)),
+                ("x, tangential.", NumberKind::Quantity(Domain::Position)),
+                ("Height.", NumberKind::Quantity(Domain::Position)),
             ],
             2..=Profile::MAX_POINTS,
         )

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use strum::{IntoStaticStr, VariantArray};
 
-use crate::job::fields::{Field, Figure, Known, record, unless};
+use crate::job::fields::{Field, Known, NumberKind, record, unless};
 use crate::job::{Domain, FieldError, Named, PositiveF64};
 
 record! {
@@ -28,9 +28,9 @@ record! {
         /// outermost ones the height stays.
         pub points: Option<Vec<[f64; 2]>> = Field::points(
             [
-                ("y, along the axis from the middle.", Figure::Quantity(Domain::Position)),
+                ("y, along the axis from the middle.", NumberKind::Quantity(Domain::Position)),
                 ("Height over the cylinder, negative where the surface \
-                  falls.", Figure::Quantity(Domain::Position)),
+                  falls.", NumberKind::Quantity(Domain::Position)),
             ],
             2..=Roller::MAX_POINTS,
         )

@@ -166,12 +166,12 @@ impl Values {
 /// A piece of a file. Pieces are written in order.
 #[derive(Debug, Clone)]
 pub struct VtkPiece<B> {
-    part: Part<B>,
+    part: PieceKind<B>,
     sources: Vec<Range<usize>>,
 }
 
 #[derive(Debug, Clone)]
-enum Part<B> {
+enum PieceKind<B> {
     Survey(B),
     Head,
     /// The beginning of one of the arrays.
@@ -209,15 +209,15 @@ impl<C: VtkContents> VtkFile<C> {
     pub fn pieces(&self) -> Vec<VtkPiece<C::Block>> {
         let text = |part| VtkPiece { part, sources: Vec::new() };
         let survey = self.contents.survey().into_iter();
-        let read = |(block, sources)| VtkPiece { part: Part::Survey(block), sources };
-        let mut pieces: Vec<_> = survey.map(read).chain([text(Part::Head)]).collect();
+        let read = |(block, sources)| VtkPiece { part: PieceKind::Survey(block), sources };
+        let mut pieces: Vec<_> = survey.map(read).chain([text(PieceKind::Head)]).collect();
         for (k, array) in C::ARRAYS.iter().enumerate() {
-            let write = |(block, sources)| VtkPiece { part: Part::Block(k, block), sources };
-            pieces.push(text(Part::Begin(k)));
+            let write = |(block, sources)| VtkPiece { part: PieceKind::Block(k, block), sources };
+            pieces.push(text(PieceKind::Begin(k)));
             pieces.extend(self.contents.blocks(array).into_iter().map(write));
-            pieces.push(text(Part::End));
+            pieces.push(text(PieceKind::End));
         }
-        pieces.push(text(Part::Foot));
+        pieces.push(text(PieceKind::Foot));
         pieces
     }
 
@@ -225,18 +225,18 @@ impl<C: VtkContents> VtkFile<C> {
     pub fn write(&mut self, piece: &VtkPiece<C::Block>, sources: &[impl AsRef<[u8]>]) -> String {
         let sources: Vec<&[u8]> = sources.iter().map(AsRef::as_ref).collect();
         match &piece.part {
-            Part::Survey(block) => self.contents.read(block, Sources(&sources)),
-            Part::Head => self.head(),
-            Part::Begin(array) => self.begin(*array),
-            Part::Block(array, block) => {
+            PieceKind::Survey(block) => self.contents.read(block, Sources(&sources)),
+            PieceKind::Head => self.head(),
+            PieceKind::Begin(array) => self.begin(*array),
+            PieceKind::Block(array, block) => {
                 C::ARRAYS[*array].6(&self.contents, block, Sources(&sources), &mut self.values);
                 self.values.encode(false);
             }
-            Part::End => {
+            PieceKind::End => {
                 self.values.encode(true);
                 self.values.text.push_str("</DataArray>\n");
             }
-            Part::Foot => {
+            PieceKind::Foot => {
                 let (last, grid) = (C::ARRAYS.last().map_or("", Array::element), C::GRID);
                 let text = &mut self.values.text;
                 let _ = write!(text, "</{last}>\n</Piece>\n</{grid}>\n</VTKFile>\n");

@@ -1,7 +1,7 @@
 //! The sentences of findings, in the units of a job.
 
-use super::{
-    Advice, CasePlace, Deformation, Density, MANY_MESHES, OnsetUnknown, Unconverged, Wide, Work,
+use super::kinds::{
+    Advice, CasePlace, Deformation, FinerBy, MANY_MESHES, OnsetUnknown, Unconverged, Wide, Work,
 };
 use crate::job::MeshSettings;
 use crate::report::solve_error::track_text;
@@ -45,17 +45,17 @@ pub(super) fn collapse(strain: f64, last: Option<[f64; 2]>) -> String {
     }
 }
 
-pub(super) fn few(number: f64, advice: Density) -> String {
+pub(super) fn few(number: f64, advice: FinerBy) -> String {
     match advice {
-        Density::Elements => format!(
+        FinerBy::Elements => format!(
             "The half-width has only {number:.1} elements; ask for at least 10 \
              (`mesh.elements_per_half_width`)."
         ),
-        Density::Cells => format!(
+        FinerBy::Cells => format!(
             "A semi-axis of the contact has only {number:.1} cells; ask for more \
              (`mesh.elements_per_half_width`)."
         ),
-        Density::Heights => format!(
+        FinerBy::Heights => format!(
             "A semi-axis of the contact has only {number:.1} cells; finer heights tell more."
         ),
     }

@@ -1,12 +1,12 @@
 //! The table of findings: each with its data, its code, the bars that it takes, its rows of
 //! `docs/validity.md` and its sentence.
 
+use super::kinds::{
+    BELOW, CasePlace, Deformation, FinerBy, OnsetUnknown, PEAK_AND_BELOW, Row, Section, Takes,
+    Unconverged, Wide, Work,
+};
 use super::sentences::{
     MORE_ELEMENTS, coarse_case, collapse, few, onset_unknown, rounded_tip, stopped,
-};
-use super::{
-    BELOW, CasePlace, Deformation, Density, OnsetUnknown, PEAK_AND_BELOW, Row, Section, Takes,
-    Unconverged, Wide, Work,
 };
 use crate::job::{Named as _, NoData, TestScale, YIELD_OVER_HARDNESS};
 use crate::report::figure_names::name_of;
@@ -228,7 +228,7 @@ findings! {
             } };
 
     /// Few elements or cells over the half-width. `unit` is one of the two.
-    FewElements { number: f64, advice: Density } => "coarse_mesh", Takes::Nothing,
+    FewElements { number: f64, advice: FinerBy } => "coarse_mesh", Takes::Nothing,
     row Mesh
         "fewer than 9 elements over a, or over half the width of a part that carries at least 5 % \
          of the force"

@@ -2,11 +2,11 @@
 
 use crate::inputs::{of_small_mesh, small_solves};
 use crate::job::Job;
-use crate::report::run::{
-    FIELD_COPIES, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
+use crate::report::LAYER_NAMES;
+use crate::report::cost::{
+    FIELD_COPIES, JobEstimate, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
     steps_and_solves,
 };
-use crate::report::{JobEstimate, LAYER_NAMES};
 use crate::solver::half_spaces::{self, HalfSpaceError, HalfSpaceProblem};
 
 /// Bytes of the report of a load step: for each cell of the maps, if the job asks for them, and

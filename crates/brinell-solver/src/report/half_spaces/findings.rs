@@ -1,23 +1,22 @@
 //! Findings on an answer in three dimensions.
 
 use super::spots;
-use super::step::largest_strain;
 use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
 use crate::report::findings::{
-    CasePlace, Deformation, Density, Finding, Known, OnsetUnknown, Unconverged, Wide, Work,
+    CasePlace, Deformation, Finding, FinerBy, Known, OnsetUnknown, Unconverged, Wide, Work,
     guesses, left_unknown,
 };
 use crate::report::plastic_strain::bilinear_curve;
 use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness, wanted};
 use crate::report::validity::{Unfinished, WIDE_CONTACT, large_strain, long_search, of_history};
-use crate::solver::SolveStatus;
 use crate::solver::half_spaces::{
     HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, Row, SurfaceMap,
 };
 use crate::solver::method::figures::{Figure, FigureSet};
 use crate::solver::method::sought::{Loads, Sought};
+use crate::solver::{SolveStatus, bounded_strain};
 
 /// Number of cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
@@ -100,6 +99,16 @@ pub(super) fn findings(
     findings
 }
 
+/// Returns the largest plastic strain of a body, or `None` if its hardening curve no longer rises
+/// there.
+pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Option<f64> {
+    let law = match &[&job.upper, &job.lower][side].material {
+        Material::Deformable(material) => material.hardening_law(),
+        Material::Rigid => None,
+    };
+    bounded_strain(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
+}
+
 /// Returns the figures of a load step whose bars findings take, and the figures of the bodies that it
 /// leaves unknown to the loads that follow it in a history.
 pub fn unknown_figures(
@@ -138,7 +147,7 @@ fn coarse_grid(problem: &HalfSpaceProblem, step: &HalfSpaceStep) -> Option<Findi
     if step.is_preliminary || number <= 0.0 || number >= COARSE_GRID {
         return None;
     }
-    let advice = if problem.heights.is_some() { Density::Heights } else { Density::Cells };
+    let advice = if problem.heights.is_some() { FinerBy::Heights } else { FinerBy::Cells };
     Some(Finding::FewElements { number, advice })
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::step::{of_bodies, section_along_x};
+use super::sections::section_along_x;
 use crate::job::{Job, Material};
 use crate::report::flow::NOTICEABLE;
 use crate::report::{EnergyReport, FlowReport, IncrementsReport, PerBody, SurfaceReport};
@@ -11,7 +11,7 @@ use crate::units::UnitConverter;
 
 /// State of a history after its loads so far.
 #[derive(Debug, Default)]
-pub(super) struct FlowState {
+pub(in crate::report) struct FlowState {
     /// Force at the end of the last load.
     force: f64,
     /// Bodies before the load last began to fall.
@@ -44,10 +44,10 @@ impl FlowState {
             energy: EnergyReport::of(step.path.energy.unwrap_or_default(), write),
             increments: IncrementsReport::of(&step.path.increments, write),
             surfaces: if step.status.is_stopped() {
-                PerBody { upper: None, lower: None }
+                PerBody::default()
             } else {
                 let deflection = elastic_deflection(reference, step);
-                of_bodies(step, |body, side| {
+                PerBody::of(&step.field.bodies, |body, side| {
                     self.surface(job, step, (body, side), &deflection, write)
                 })
             },

@@ -7,14 +7,16 @@ mod findings;
 mod flow;
 mod layers;
 mod measured;
-mod run;
 mod seats;
+mod sections;
 mod spots;
 mod step;
+#[cfg(test)]
+mod tests;
 
 pub use document::{
     EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
     SectionReport, ThreeDimensionalReport,
 };
 pub use findings::unknown_figures;
-pub(super) use run::{preflight, run_each};
+pub(super) use step::HalfSpaces;

@@ -1,28 +1,33 @@
-//! The report of one load step.
+//! Steps of half-spaces as a report shows them.
 
 use super::document::{
     EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
     SectionReport, ThreeDimensionalReport,
 };
+use super::estimate::estimate;
+use super::findings::{findings, largest_strain};
+use super::flow::FlowState;
 use super::layers::layers;
+use super::measured::measured;
+use super::sections::{middle, section_along_x, section_along_y};
 use super::{seats, spots};
 use crate::contact::ContactLoad;
+use crate::inputs::SolveError;
 use crate::job::{Deformable, Job, Load, Material, Quantity};
-use crate::report::build::in_units;
-use crate::report::datum::Datum;
+use crate::report::cost::JobEstimate;
 use crate::report::error_bars::BESIDE;
 use crate::report::findings::{Finding, Known};
-use crate::report::validity;
+use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::{
-    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport,
-    Patch, PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, YieldOnsetReport,
+    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, HertzReport, MeshReport, Patch,
+    PerBody, PlasticityReport, Side, SubsurfaceReport, YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
-    self, ColumnPoint, EllipticReference, HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Row,
-    SurfaceMap, von_mises,
+    self, ColumnPoint, EllipticReference, HalfSpaceBody, HalfSpaceField, HalfSpaceProblem,
+    HalfSpaceRun, HalfSpaceStep, Row, target_error, target_figure, von_mises,
 };
 use crate::solver::method::figures::{Figure, Values};
-use crate::solver::{SLOPE_ERROR, bounded_strain};
+use crate::solver::{Interrupt, Observer, Options, SLOPE_ERROR, StepReceiver};
 use crate::units::UnitConverter;
 
 /// Relative error of an onset of yield in closed form, which is sought over some hundred depths.
@@ -30,72 +35,123 @@ const CLOSED_FORM: f64 = 1e-3;
 /// Fractions of the contact area for which the quantile of the pressure is reported.
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
-/// Writes the reports of the load steps of one job.
-pub(super) struct StepWriter<'a> {
-    pub job: &'a Job,
-    pub write: UnitConverter,
-    pub problem: &'a HalfSpaceProblem,
-    pub reference: &'a EllipticReference,
+/// Two half-spaces.
+pub(in crate::report) struct HalfSpaces<'a> {
+    job: &'a Job,
+    write: UnitConverter,
+    problem: HalfSpaceProblem,
+    reference: EllipticReference,
     /// Angle from the x of the job to the x of the fields \[rad\].
-    pub orientation: f64,
+    orientation: f64,
 }
 
-impl StepWriter<'_> {
-    /// Returns the report of a load step, including its report of flow theory and its remarks.
-    pub fn report(
+impl Shown for HalfSpaces<'_> {
+    type Field = HalfSpaceField;
+    type Memory = FlowState;
+
+    fn job(&self) -> &Job {
+        self.job
+    }
+
+    fn cost(&self) -> Result<JobEstimate, SolveError> {
+        Ok(estimate(self.job, &self.problem)?)
+    }
+
+    fn solve(
         &self,
-        step: &HalfSpaceStep,
-        contact_stiffness: Option<f64>,
-        flow: Option<FlowReport>,
-        findings: &[Finding],
-    ) -> StepReport {
-        let (write, known) = (self.write, Known::of_job(self.job, findings));
-        let is_stopped = step.status.is_stopped();
+        _: Options<'_>,
+        observer: &mut dyn Observer,
+        receiver: &mut dyn StepReceiver<HalfSpaceField>,
+    ) -> Result<Solved, SolveError> {
+        let HalfSpaceRun { phases, grids, interrupted, sensitivity } =
+            half_spaces::run_each(&self.problem, observer, receiver)?;
+        Ok(Solved { phases, passes: grids, interrupted, sensitivity })
+    }
+
+    fn arrays(&self, step: &HalfSpaceStep, _: &mut dyn Observer) -> Result<Arrays, Interrupt> {
+        let bodies = &step.field.bodies;
         let [subsurface, below_peak] = self.subsurface(step);
-        StepReport {
-            verdict: None,
-            answers: Vec::new(),
-            load: match step.load {
-                ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
-                ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),
-            },
-            status: step.status,
-            approach: Some(write.length(step.figures.approach)),
-            approach_datum: Datum::FarPoints.to_string(),
-            contact: self.contact(step),
-            contact_stiffness: contact_stiffness
-                .filter(|_| !is_stopped)
-                .map(|slope| write.stiffness(slope)),
-            flow,
+        Ok(Arrays {
             subsurface,
-            subsurface_below_peak: below_peak,
-            plasticity: if is_stopped {
-                PerBody { upper: None, lower: None }
-            } else {
-                of_bodies(step, |body, side| self.plasticity(body, side))
-            },
-            hertz: step.field.hertz.map(|hertz| HertzReport {
-                half_width: write.length(hertz.semi_axis_x),
-                peak_pressure: write.stress(hertz.peak_pressure),
-                yield_onset_force: self.reference.onset_force().map(|force| write.force(force)),
-                yield_onset_depth: self.reference.onset_depth().map(|depth| write.length(depth)),
-                shakedown_pressure: self
-                    .reference
-                    .rolling()
-                    .map(|limit| write.stress(limit.peak_pressure)),
-                shakedown_depth: self.reference.rolling().map(|limit| write.length(limit.depth)),
-                shakedown_over_friction: Vec::new(),
-            }),
-            yield_onset: self.yield_onset(step, known),
-            validity: validity::remarks(findings, write),
-            estimated_error: self.estimated_error(step, contact_stiffness, known),
+            below_peak,
+            plasticity: PerBody::of(bodies, |body, side| self.plasticity(body, side)),
             fields: None,
-            layers: (self.job.output.fields && !is_stopped)
-                .then(|| of_bodies(step, |body, _| layers(body, write))),
+            layers: (self.job.output.fields)
+                .then(|| PerBody::of(bodies, |body, _| layers(body, self.write))),
+        })
+    }
+
+    fn findings(&self, step: &HalfSpaceStep) -> Vec<Finding> {
+        findings(self.job, &self.problem, step)
+    }
+
+    fn parts(&self, memory: &mut FlowState, step: &HalfSpaceStep, findings: &[Finding]) -> Parts {
+        let (job, problem, reference) = (self.job, &self.problem, &self.reference);
+        let known = Known::of_job(job, findings);
+        let stiffness = self.elastic_stiffness(step).or(step.contact_stiffness);
+        let stiffness = stiffness.filter(|_| !step.status.is_stopped());
+        Parts {
+            contact: self.contact(step),
+            stiffness,
+            spacing: Some(step.field.surface.grid.hx()),
+            flow: memory.report(job, step, reference, self.write),
+            hertz: self.hertz(step),
+            yield_onset: self.yield_onset(step, known),
+            bars: self.estimated_error(step, stiffness, known),
             three_dimensional: self.three_dimensional(step, known),
             rolling: None,
-            history: step.history.iter().map(|record| in_units(record, write)).collect(),
+            measured: measured(job, problem, reference, step, findings),
+            target: self.target(step),
+            indentation: None,
+            leaves_unknown: job.has_memory(),
         }
+    }
+
+    fn mesh(&self, step: &HalfSpaceStep) -> MeshReport {
+        let grid = &step.field.surface.grid;
+        let cells = grid.n_cells();
+        let bodies = || step.field.bodies.iter().flatten();
+        MeshReport {
+            spacing: self.write.length(grid.hx()),
+            contact_pairs: cells,
+            nodes: cells,
+            elements: bodies().map(|body| cells * body.layers.len()).sum(),
+            equations: cells
+                + bodies().map(|body| 5 * body.equivalent_plastic_strain.len()).sum::<usize>(),
+            max_aspect_ratio: (grid.hy() / grid.hx()).max(grid.hx() / grid.hy()),
+            ..MeshReport::default()
+        }
+    }
+}
+
+impl<'a> HalfSpaces<'a> {
+    pub fn new(job: &'a Job, (problem, reference): (HalfSpaceProblem, EllipticReference)) -> Self {
+        let write = UnitConverter::new(job.units, job.analysis);
+        Self { job, write, orientation: problem.orientation(), problem, reference }
+    }
+
+    /// Returns the elastic contact of the same bodies.
+    fn hertz(&self, step: &HalfSpaceStep) -> Option<HertzReport> {
+        let (write, reference) = (self.write, &self.reference);
+        let (hertz, limit) = (step.field.hertz?, reference.rolling());
+        Some(HertzReport {
+            half_width: write.length(hertz.semi_axis_x),
+            peak_pressure: write.stress(hertz.peak_pressure),
+            yield_onset_force: reference.onset_force().map(|force| write.force(force)),
+            yield_onset_depth: reference.onset_depth().map(|depth| write.length(depth)),
+            shakedown_pressure: limit.map(|limit| write.stress(limit.peak_pressure)),
+            shakedown_depth: limit.map(|limit| write.length(limit.depth)),
+            shakedown_over_friction: Vec::new(),
+        })
+    }
+
+    /// Returns the figure that a target asks for, and its relative error under the force that was
+    /// found: the error of the force follows from it.
+    fn target(&self, step: &HalfSpaceStep) -> Option<(f64, Option<f64>)> {
+        let Load::Target(target) = &self.job.load else { return None };
+        let errors = half_spaces::errors(step, None);
+        let error = errors.and_then(|errors| target_error(step, &errors, target.figure));
+        Some((target_figure(&step.figures, target.figure), error))
     }
 
     fn contact(&self, step: &HalfSpaceStep) -> ContactReport {
@@ -157,7 +213,7 @@ impl StepWriter<'_> {
     }
 
     /// Returns dP/dα at a constant contact area \[N/mm\] of bodies that do not flow.
-    pub fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
+    fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
         let is_known = !(step.status.is_stopped() || step.path.flows);
         is_known.then(|| self.reference.stiffness(step))
     }
@@ -278,11 +334,12 @@ impl StepWriter<'_> {
     /// Returns the stresses below the middle of the contact, and below a peak pressure off the
     /// middle.
     fn subsurface(&self, step: &HalfSpaceStep) -> [Option<PerBody<Option<SubsurfaceReport>>>; 2] {
-        if !self.job.output.subsurface || step.status.is_stopped() {
+        if !self.job.output.subsurface {
             return [None, None];
         }
-        let below =
-            |place: [f64; 2]| of_bodies(step, |body, side| self.profile(body, side, place));
+        let below = |place: [f64; 2]| {
+            PerBody::of(&step.field.bodies, |body, side| self.profile(body, side, place))
+        };
         let is_beside = step
             .field
             .peak_position
@@ -384,7 +441,7 @@ impl StepWriter<'_> {
         let middle = known
             .bar(Figure::MiddlePressure, 0, of(Figure::MiddlePressure))
             .filter(|_| peak.is_some() || !is_peak_in_middle);
-        let of_spots = spots::error_of_approach(self.problem, step);
+        let of_spots = spots::error_of_approach(&self.problem, step);
         let of_spots = match step.load {
             ContactLoad::Force(_) => [of_spots, 0.0],
             ContactLoad::Approach(_) => [0.0, of_spots],
@@ -462,33 +519,10 @@ fn plastic_part(step: &HalfSpaceStep) -> Option<f64> {
     strains().any(|strain| !strain.is_empty()).then_some(part)
 }
 
-/// Returns the largest plastic strain of a body, or `None` if its hardening curve no longer rises
-/// there.
-pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Option<f64> {
-    let law = match &[&job.upper, &job.lower][side].material {
-        Material::Deformable(material) => material.hardening_law(),
-        Material::Rigid => None,
-    };
-    bounded_strain(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
-}
-
 /// Returns two semi-axes, the shorter one first. An initial stress along one axis may make the
 /// contact longer along the axis with the larger curvature of the gap.
 fn ordered([x, y]: [f64; 2]) -> [f64; 2] {
     [x.min(y), x.max(y)]
-}
-
-/// Applies a function to each deformable body. Bodies that share one solution share the result.
-pub(super) fn of_bodies<T: Clone>(
-    step: &HalfSpaceStep,
-    say: impl Fn(&HalfSpaceBody, usize) -> T,
-) -> PerBody<Option<T>> {
-    let [upper, lower] = &step.field.bodies;
-    let is_shared = matches!((upper, lower), (Some(a), Some(b)) if std::sync::Arc::ptr_eq(a, b));
-    let of_upper = upper.as_ref().map(|body| say(body, 0));
-    let of_lower =
-        if is_shared { of_upper.clone() } else { lower.as_ref().map(|body| say(body, 1)) };
-    PerBody { upper: of_upper, lower: of_lower }
 }
 
 fn relative(error: f64, figure: f64) -> f64 {
@@ -507,24 +541,6 @@ fn dent(step: &HalfSpaceStep) -> Option<Vec<f64>> {
         }
     }
     Some(dent)
-}
-
-/// Returns the row of cells at y = 0, or the mean of the two rows beside y = 0.
-pub(super) fn section_along_x(map: &SurfaceMap, values: &[f64]) -> Vec<f64> {
-    let (nx, ny) = (map.grid.nx(), map.grid.ny());
-    let [low, high] = middle(ny);
-    (0..nx).map(|i| 0.5 * (values[i * ny + low] + values[i * ny + high])).collect()
-}
-
-/// Returns the row of cells at x = 0, or the mean of the two rows beside x = 0.
-fn section_along_y(map: &SurfaceMap, values: &[f64]) -> Vec<f64> {
-    let (nx, ny) = (map.grid.nx(), map.grid.ny());
-    let [low, high] = middle(nx);
-    (0..ny).map(|j| 0.5 * (values[low * ny + j] + values[high * ny + j])).collect()
-}
-
-const fn middle(count: usize) -> [usize; 2] {
-    [(count - 1) / 2, count / 2]
 }
 
 /// Returns the yield stresses at the depths of the points, or `None` for a constant strength.

@@ -18,7 +18,8 @@ mod seen;
 
 use self::found::Found;
 pub use self::result::{HardnessReport, OliverPharrReport};
-use self::seen::{Seen, is_pyramid};
+pub(super) use self::seen::Seen;
+use self::seen::is_pyramid;
 use super::error_bars::under_its_force;
 use super::findings::Finding;
 use super::validity;
@@ -38,36 +39,8 @@ pub(super) struct HardnessSeen(Vec<Seen>);
 
 impl HardnessSeen {
     /// Records a load.
-    pub fn see(&mut self, job: &Job, step: &StepSolution, findings: &[Finding]) {
-        let (Some(_), Some(specimen)) = (job.load.hardness(), &step.field.bodies[1]) else {
-            return;
-        };
-        // Its last iteration has no displacements.
-        if step.status.is_stopped() {
-            return;
-        }
-        let surface = specimen.surface();
-        let highest =
-            surface.iter().copied().fold([0.0; 2], |a, b| if b[1] > a[1] { b } else { a });
-        self.0.push(Seen {
-            force: step.figures.force,
-            approach: step.figures.approach,
-            approach_bar: under_its_force(step, findings).and_then(|bars| bars.approach),
-            half_width: step.figures.half_width,
-            spacing: step.field.spacing,
-            stiffness: step.field.unloading_stiffness,
-            dent: specimen.dent_depth(),
-            has_yielded: specimen.has_yielded(),
-            highest,
-            surface,
-            increments: step
-                .path
-                .increments
-                .iter()
-                .map(|end| [end.force, end.half_width])
-                .collect(),
-            is_converged: step.status == SolveStatus::Converged,
-        });
+    pub fn see(&mut self, load: Option<Seen>) {
+        self.0.extend(load);
     }
 
     /// Returns the report, or `None` of another job and where the largest force has no answer.
@@ -121,6 +94,30 @@ impl HardnessSeen {
             remarks: validity::remarks(&found.findings(published.is_some()), write),
         })
     }
+}
+
+/// Returns what is seen of a load of a hardness test; `None` of another job.
+pub(super) fn indentation(job: &Job, step: &StepSolution, findings: &[Finding]) -> Option<Seen> {
+    job.load.hardness()?;
+    // The last iteration of a step that was stopped has no displacements.
+    let specimen = step.field.bodies[1].as_ref().filter(|_| !step.status.is_stopped())?;
+    let surface = specimen.surface();
+    let highest = surface.iter().copied().fold([0.0; 2], |a, b| if b[1] > a[1] { b } else { a });
+    let increments = step.path.increments.iter();
+    Some(Seen {
+        force: step.figures.force,
+        approach: step.figures.approach,
+        approach_bar: under_its_force(step, findings).and_then(|bars| bars.approach),
+        half_width: step.figures.half_width,
+        spacing: step.field.spacing,
+        stiffness: step.field.unloading_stiffness,
+        dent: specimen.dent_depth(),
+        has_yielded: specimen.has_yielded(),
+        highest,
+        surface,
+        increments: increments.map(|end| [end.force, end.half_width]).collect(),
+        is_converged: step.status == SolveStatus::Converged,
+    })
 }
 
 /// Dao's loading curvature of an E* and the stress at his strain, within the moduli over stress of

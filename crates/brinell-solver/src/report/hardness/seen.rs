@@ -4,7 +4,7 @@ use crate::job::{HardnessTest, TestScale};
 
 /// One load of the test.
 #[derive(Debug, Clone)]
-pub(super) struct Seen {
+pub(in crate::report) struct Seen {
     pub force: f64,
     pub approach: f64,
     /// Relative error of the approach.

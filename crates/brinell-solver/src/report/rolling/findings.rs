@@ -8,7 +8,7 @@ use crate::job::Job;
 use crate::report::findings::{Advice, Finding, Unconverged, Wide, guesses};
 use crate::report::strength::by_hardness;
 use crate::report::validity::{WIDE_CONTACT, large_strain, smallest_radius};
-use crate::solver::rolling::{RollingProblem, RollingSolution};
+use crate::solver::rolling::{RollingProblem, TrackStep};
 use crate::solver::{ElasticReference, SolveStatus};
 
 /// Distance over the half-width within which the stress of the contact decays.
@@ -19,11 +19,12 @@ pub(super) fn findings(
     job: &Job,
     problem: &RollingProblem,
     reference: Option<&ElasticReference>,
-    solution: &RollingSolution,
+    step: &TrackStep,
 ) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let last = &solution.last;
-    match solution.status {
+    let field = &step.field;
+    let last = &field.last;
+    match step.status {
         SolveStatus::Converged => {}
         SolveStatus::NotConverged if last.fault.is_some_and(cuts_off) => {
             findings.push(Finding::NotConverged(Unconverged::AtEdge));
@@ -47,16 +48,16 @@ pub(super) fn findings(
     if ratio > WIDE_CONTACT {
         findings.push(Finding::Wide(Wide::OverRadius { ratio, in_groove: false }));
     }
-    let other = solution.kinematic.iter().flat_map(|other| &other.passes);
-    let bodies = solution.passes.iter().chain(other).flat_map(|pass| pass.bodies.iter().flatten());
+    let other = field.kinematic.iter().flat_map(|other| &other.passes);
+    let bodies = field.passes.iter().chain(other).flat_map(|pass| pass.bodies.iter().flatten());
     let strain = bodies.map(|body| body.strain.largest.value.max(body.outlet.strain_of_all()));
     findings.extend(large_strain(strain.fold(0.0, f64::max), false, None));
     let [fine, coarse] =
-        [&solution.verdicts, &solution.coarse_verdicts].map(|verdicts| word(worst(verdicts).1));
+        [&field.verdicts, &field.coarse_verdicts].map(|verdicts| word(worst(verdicts).1));
     if fine != coarse && ![fine, coarse].contains(&TrackVerdict::Undecided) {
         findings.push(Finding::NearLimit { coarse });
     }
-    if solution.status == SolveStatus::Converged && problem.load.friction != 0.0 {
+    if step.status == SolveStatus::Converged && problem.load.friction != 0.0 {
         findings.push(Finding::FullSliding);
     }
     findings.extend(by_hardness(job));

@@ -1,9 +1,9 @@
 //! Jobs whose load rolls: estimate, report, findings, answers.
 
 mod answers;
+mod cost;
 mod document;
 mod findings;
-mod run;
 mod section;
 mod step;
 mod verdicts;
@@ -13,4 +13,4 @@ pub use document::{
     RollingReport, RuleVerdict, ShakedownLimit, SolvedHardening, TrackLimitReport,
     TrackLimitsReport, TrackVerdict,
 };
-pub(super) use run::{preflight, run_each};
+pub(super) use step::Track;

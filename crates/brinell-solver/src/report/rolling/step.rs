@@ -1,9 +1,8 @@
-//! The report of a load that rolls.
+//! The step of a load that rolls as a report shows it.
 
-use std::f64::consts::PI;
+use brinell_halfspace::track::SteadyState;
 
-use brinell_halfspace::track::Verdict;
-
+use super::cost::cost;
 use super::document::{
     BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
     RollingReport, RuleVerdict, SolvedHardening, TrackLimitReport, TrackLimitsReport,
@@ -12,23 +11,24 @@ use super::document::{
 use super::findings::findings;
 use super::section::section;
 use super::verdicts::{word, worst};
-use crate::inputs::RollingInput;
+use crate::inputs::{RollingInput, SolveError};
 use crate::job::Job;
 use crate::report::answers::Measured;
-use crate::report::build::{hertz, in_units, over_friction};
+use crate::report::cost::JobEstimate;
 use crate::report::datum::Datum;
+use crate::report::findings::Finding;
+use crate::report::hertz::{line, over_friction};
+use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::solve_error::track_text;
-use crate::report::validity;
 use crate::report::{
-    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LayersReport, LoadReport, Patch,
-    PerBody, Side, StepReport, SubsurfaceReport,
+    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LayersReport, MeshReport, Patch,
+    PerBody, Side, SubsurfaceReport,
 };
-use crate::solver::SolveStatus;
-use crate::solver::method::figures::{Figure, Values};
 use crate::solver::rolling::{
-    BodyPass, BodyPassErrors, FrictionLimit, Hardening, Limit, Pass, PassErrors, RollingProblem,
-    RollingSolution,
+    self, BodyPass, BodyPassErrors, FrictionLimit, HardeningRules, Limit, Pass, PassErrors,
+    RollingProblem, TrackField, TrackRun, TrackStep,
 };
+use crate::solver::{Interrupt, Observer, Options, SolveStatus, StepReceiver};
 use crate::units::UnitConverter;
 
 /// Difference below which two frictions are one.
@@ -42,70 +42,117 @@ struct Ruled {
     depth: Option<f64>,
 }
 
-/// Writes the report of one job.
-pub(super) struct StepWriter<'a> {
-    pub job: &'a Job,
-    pub write: UnitConverter,
-    pub input: &'a RollingInput,
-    pub problem: &'a RollingProblem,
-    pub solution: &'a RollingSolution,
+/// A load that rolls.
+pub(in crate::report) struct Track<'a> {
+    job: &'a Job,
+    write: UnitConverter,
+    input: RollingInput,
 }
 
-impl StepWriter<'_> {
-    fn datum(&self) -> Datum {
-        if self.problem.is_line() { Datum::None } else { Datum::FarPoints }
+impl<'a> Track<'a> {
+    pub fn new(job: &'a Job, input: RollingInput) -> Self {
+        Self { job, write: UnitConverter::new(job.units, job.analysis), input }
     }
 
-    /// Returns the report of the step.
-    pub fn report(&self) -> StepReport {
-        let (job, write, solution) = (self.job, self.write, self.solution);
-        let reference = self.input.reference();
-        let hertz = reference
-            .as_ref()
-            .map(|reference| {
-                let limits = over_friction(&self.input.over_friction(reference), write);
-                hertz(reference, &limits, write)
-            })
-            .or_else(|| self.ellipse());
-        let findings = findings(job, self.problem, reference.as_ref(), solution);
-        let report = StepReport {
-            verdict: None,
-            answers: Vec::new(),
-            load: LoadReport::Force(write.force(self.problem.load.force)),
-            status: solution.status,
-            approach: solution.last.approach.map(|approach| write.length(approach)),
-            approach_datum: self.datum().to_string(),
-            contact: self.contact(),
-            contact_stiffness: None,
+    fn shown<'s>(&'s self, step: &'s TrackStep) -> Passes<'s> {
+        Passes { write: self.write, problem: &self.input.problem, step, field: &step.field }
+    }
+}
+
+impl Shown for Track<'_> {
+    type Field = TrackField;
+    type Memory = ();
+
+    fn job(&self) -> &Job {
+        self.job
+    }
+
+    fn cost(&self) -> Result<JobEstimate, SolveError> {
+        Ok(cost(self.job, &self.input.problem)?)
+    }
+
+    fn solve(
+        &self,
+        _: Options<'_>,
+        observer: &mut dyn Observer,
+        receiver: &mut dyn StepReceiver<TrackField>,
+    ) -> Result<Solved, SolveError> {
+        let TrackRun { phases, tracks, interrupted } =
+            rolling::run(&self.input.problem, observer, receiver)?;
+        Ok(Solved { phases, passes: tracks, interrupted, sensitivity: None })
+    }
+
+    fn arrays(&self, step: &TrackStep, _: &mut dyn Observer) -> Result<Arrays, Interrupt> {
+        let (shown, output) = (self.shown(step), &self.job.output);
+        let of = |side: usize| shown.profile(side);
+        let subsurface = output.subsurface.then(|| PerBody { upper: of(0), lower: of(1) });
+        let layers = if output.fields { shown.layers() } else { None };
+        Ok(Arrays { subsurface, layers, ..Arrays::default() })
+    }
+
+    fn findings(&self, step: &TrackStep) -> Vec<Finding> {
+        findings(self.job, &self.input.problem, self.input.reference().as_ref(), step)
+    }
+
+    fn parts(&self, (): &mut (), step: &TrackStep, _: &[Finding]) -> Parts {
+        let (shown, reference) = (self.shown(step), self.input.reference());
+        let hertz = reference.as_ref().map(|reference| {
+            let limits = over_friction(&self.input.over_friction(reference), self.write);
+            line(reference, &limits, self.write)
+        });
+        let hertz = hertz.or_else(|| shown.ellipse());
+        let is_line = self.input.problem.is_line();
+        Parts {
+            contact: shown.contact(),
+            stiffness: None,
+            spacing: None,
             flow: None,
-            subsurface: self.subsurface(),
-            subsurface_below_peak: None,
-            plasticity: PerBody { upper: None, lower: None },
-            rolling: Some(self.rolling(hertz.as_ref())),
+            rolling: Some(shown.rolling(hertz.as_ref())),
             hertz,
             yield_onset: None,
-            validity: validity::remarks(&findings, write),
-            estimated_error: self.estimated_error(),
-            fields: None,
-            layers: self.layers(),
+            bars: shown.estimated_error(),
             three_dimensional: None,
-            history: solution.history.iter().map(|record| in_units(record, write)).collect(),
-        };
-        let first_yield = reference.and_then(|reference| reference.yield_onset_force);
-        let mut figures = Values::default();
-        for side in 0..2 {
-            figures.set(Figure::PlasticDepth, side, self.plastic_depth(side));
+            measured: Measured {
+                first_yield: reference.and_then(|reference| reference.yield_onset_force),
+                figures: step.figures.values(),
+                datum: if is_line { Datum::None } else { Datum::FarPoints },
+                ..Measured::default()
+            },
+            target: None,
+            indentation: None,
+            leaves_unknown: false,
         }
-        let datum = self.datum();
-        let measured = Measured { first_yield, figures, datum, ..Measured::default() };
-        report.answered(job, &measured, &findings, write)
     }
 
+    fn mesh(&self, step: &TrackStep) -> MeshReport {
+        let TrackField { x, column, grid: [columns, layers, rows], .. } = &step.field;
+        let components = if *rows > 1 { 5 } else { 3 };
+        let cells = columns * layers * rows;
+        MeshReport {
+            spacing: self.write.length(*column),
+            contact_pairs: x.len() * rows,
+            nodes: columns * rows,
+            elements: cells * self.input.problem.yielding().count(),
+            equations: x.len() * rows + components * cells,
+            ..MeshReport::default()
+        }
+    }
+}
+
+/// The passes of a step, in the units of the job.
+struct Passes<'a> {
+    write: UnitConverter,
+    problem: &'a RollingProblem,
+    step: &'a TrackStep,
+    field: &'a TrackField,
+}
+
+impl Passes<'_> {
     /// Returns the contact of elastic bodies, if it is an ellipse.
     fn ellipse(&self) -> Option<HertzReport> {
         let write = self.write;
         let [along, across] = self.problem.semi_axes();
-        let limit = self.solution.limits[0];
+        let limit = self.field.limits[0];
         (!self.problem.is_line()).then(|| HertzReport {
             half_width: write.length(along.min(across)),
             peak_pressure: write.stress(self.problem.elastic_peak()),
@@ -118,50 +165,38 @@ impl StepWriter<'_> {
     }
 
     fn contact(&self) -> ContactReport {
-        let (write, solution, last) = (self.write, self.solution, &self.solution.last);
-        let force = match last.half_width_across {
-            Some(_) => self.problem.load.force,
-            None => solution.pressure.iter().map(|p| p * solution.column).sum(),
-        };
+        let (write, field, figures) = (self.write, self.field, &self.step.figures);
+        let last = &field.last;
         let [left, right] = last.ends.map(|x| write.length(x));
         let touches = last.half_width() > 0.0;
-        let across = last.half_width_across.map_or(2.0, |half_width| PI * half_width);
-        let mean = if touches { force / (across * last.half_width()) } else { 0.0 };
-        let forces = solution.pressure.iter().map(|p| write.force(p * solution.cell));
+        let area = figures.contact_area.unwrap_or(2.0 * last.half_width());
+        let mean = if touches { figures.force / area } else { 0.0 };
+        let forces = field.pressure.iter().map(|p| write.force(p * field.cell));
         ContactReport {
-            force: write.force(force),
+            force: write.force(figures.force),
             half_width: write.length(last.half_width()),
             half_angle: None,
             peak_pressure: write.stress(last.peak_pressure),
             peak_position: write.length(last.peak_position),
-            middle_pressure: self.middle_pressure().map(|pressure| write.stress(pressure)),
+            middle_pressure: figures.middle_pressure.map(|pressure| write.stress(pressure)),
             mean_pressure: write.stress(mean),
             patches: touches.then_some(Patch { left, right }).into_iter().collect(),
             nodes: ContactNodes {
-                x: solution.x.iter().map(|x| write.length(*x)).collect(),
+                x: field.x.iter().map(|x| write.length(*x)).collect(),
                 force: forces.collect(),
-                pressure: solution.pressure.iter().map(|p| write.stress(*p)).collect(),
-                gap: solution.gap.iter().map(|gap| write.length(*gap)).collect(),
+                pressure: field.pressure.iter().map(|p| write.stress(*p)).collect(),
+                gap: field.gap.iter().map(|gap| write.length(*gap)).collect(),
             },
         }
     }
 
-    /// Returns the pressure of the column nearest to the middle of the contact.
-    fn middle_pressure(&self) -> Option<f64> {
-        let [left, right] = self.solution.last.ends;
-        let from_middle = |x: f64| (x - 0.5 * (left + right)).abs();
-        let columns = self.solution.x.iter().zip(&self.solution.pressure);
-        let nearest = columns.min_by(|a, b| from_middle(*a.0).total_cmp(&from_middle(*b.0)));
-        nearest.map(|(_, pressure)| *pressure)
-    }
-
     /// Returns the errors of the contact in the last pass.
     fn estimated_error(&self) -> Option<ErrorEstimate> {
-        if self.solution.status != SolveStatus::Converged {
+        if self.step.status != SolveStatus::Converged {
             return None;
         }
-        let errors = self.solution.errors.last()?.as_ref()?;
-        let last = &self.solution.last;
+        let errors = self.field.errors.last()?.as_ref()?;
+        let last = &self.field.last;
         Some(ErrorEstimate {
             peak_pressure: relative(errors.peak_pressure, last.peak_pressure),
             half_width: relative(errors.half_width, last.half_width()),
@@ -172,7 +207,7 @@ impl StepWriter<'_> {
     }
 
     fn rolling(&self, hertz: Option<&HertzReport>) -> RollingReport {
-        let (write, solution) = (self.write, self.solution);
+        let (write, field) = (self.write, self.field);
         let rules = self.rules();
         // Of equal words the larger rate.
         let worst = rules.iter().max_by(|a, b| {
@@ -185,7 +220,7 @@ impl StepWriter<'_> {
             depth: write.length(limit.depth),
             body: Side::of(limit.side),
         };
-        let [perfect, kinematic] = &solution.limits;
+        let [perfect, kinematic] = &field.limits;
         RollingReport {
             verdict: worst.as_ref().map_or(TrackVerdict::Undecided, |of| of.verdict.verdict),
             body: worst.as_ref().and_then(|of| of.body),
@@ -202,9 +237,9 @@ impl StepWriter<'_> {
                 shear_yield_stress: self.problem.shear_yield_stress().map(|k| write.stress(k)),
                 over_friction: self.over_friction(hertz),
             },
-            columns: solution.grid[0],
-            layers: solution.grid[1],
-            rows: solution.grid[2],
+            columns: field.grid[0],
+            layers: field.grid[1],
+            rows: field.grid[2],
         }
     }
 
@@ -230,17 +265,17 @@ impl StepWriter<'_> {
 
     /// Returns the verdicts by the rules of hardening that were solved.
     fn rules(&self) -> Vec<Ruled> {
-        let solution = self.solution;
-        let errors = solution.errors.last().and_then(Option::as_ref);
+        let field = self.field;
+        let errors = field.errors.last().and_then(Option::as_ref);
         let hardens = self.problem.hardening_kinematically().is_some();
         let hardening = match self.problem.load.hardening {
             _ if !hardens => SolvedHardening::Given,
-            Hardening::Kinematic => SolvedHardening::Kinematic,
-            Hardening::Both | Hardening::Isotropic => SolvedHardening::Isotropic,
+            HardeningRules::Kinematic => SolvedHardening::Kinematic,
+            HardeningRules::Both | HardeningRules::Isotropic => SolvedHardening::Isotropic,
         };
-        let as_given = (&*solution.passes, &solution.last, errors);
-        let mut rules = vec![self.rule(hardening, &solution.verdicts, as_given)];
-        if let Some(other) = &solution.kinematic {
+        let as_given = (&*field.passes, &field.last, errors);
+        let mut rules = vec![self.rule(hardening, &field.verdicts, as_given)];
+        if let Some(other) = &field.kinematic {
             let passes = (&*other.passes, &other.last, other.errors.as_ref());
             rules.push(self.rule(SolvedHardening::Kinematic, &other.verdicts, passes));
         }
@@ -251,26 +286,26 @@ impl StepWriter<'_> {
     fn rule(
         &self,
         hardening: SolvedHardening,
-        verdicts: &[Option<Verdict>; 2],
+        verdicts: &[Option<SteadyState>; 2],
         (passes, last, errors): (&[Pass], &Pass, Option<&PassErrors>),
     ) -> Ruled {
         let (side, verdict) = worst(verdicts);
         let (rate, change) = match verdict {
-            Verdict::Elastic | Verdict::ShakesDown { .. } => (Some(0.0), Some(0.0)),
-            Verdict::ClosedCycle { strain, bar } => (Some(strain), Some(bar)),
-            Verdict::Ratchets { rate, bar } => (Some(rate), Some(bar)),
-            Verdict::Undecided { .. } => (None, None),
+            SteadyState::Elastic | SteadyState::ShakesDown { .. } => (Some(0.0), Some(0.0)),
+            SteadyState::ClosedCycle { strain, bar } => (Some(strain), Some(bar)),
+            SteadyState::Ratchets { rate, bar } => (Some(rate), Some(bar)),
+            SteadyState::Undecided { .. } => (None, None),
         };
         let errors = errors.and_then(|errors| errors.bodies[side?]);
         let of_columns = match verdict {
-            Verdict::ClosedCycle { .. } => errors.map(|errors| errors.largest_strain),
-            Verdict::Ratchets { .. } => errors.map(|errors| errors.net_strain),
+            SteadyState::ClosedCycle { .. } => errors.map(|errors| errors.largest_strain),
+            SteadyState::Ratchets { .. } => errors.map(|errors| errors.net_strain),
             _ => Some(0.0),
         };
         let strain = passes.last().and_then(|pass| Some(pass.bodies[side?].as_ref()?.strain));
         let place = strain.and_then(|strain| match verdict {
-            Verdict::ClosedCycle { .. } => Some(strain.largest),
-            Verdict::Ratchets { .. } => Some(strain.net),
+            SteadyState::ClosedCycle { .. } => Some(strain.largest),
+            SteadyState::Ratchets { .. } => Some(strain.net),
             _ => None,
         });
         let depth = place.map(|at| if at.to_surface > 0.0 { 0.0 } else { at.depth });
@@ -292,7 +327,7 @@ impl StepWriter<'_> {
     }
 
     /// Returns why the verdict is open, or why the passes end.
-    fn reason(&self, verdict: Verdict, number: usize, last: &Pass) -> Option<String> {
+    fn reason(&self, verdict: SteadyState, number: usize, last: &Pass) -> Option<String> {
         match (last.status, &last.fault) {
             (SolveStatus::Converged, _) => {}
             (SolveStatus::NotConverged, Some(fault)) => {
@@ -308,7 +343,7 @@ impl StepWriter<'_> {
             }
             _ => return Some(format!("the job was stopped in pass {}", number + 1)),
         }
-        matches!(verdict, Verdict::Undecided { .. }).then(|| {
+        matches!(verdict, SteadyState::Undecided { .. }).then(|| {
             let unit = if self.problem.load.alternating { "pairs of passes" } else { "passes" };
             format!(
                 "no word has come three times running: a verdict takes at least ten {unit}, and \
@@ -318,7 +353,7 @@ impl StepWriter<'_> {
     }
 
     fn passes(&self) -> Vec<PassReport> {
-        let passes = self.solution.passes.iter().zip(&self.solution.errors).enumerate();
+        let passes = self.field.passes.iter().zip(&self.field.errors).enumerate();
         passes.map(|(k, (pass, errors))| self.pass(k + 1, pass, errors.as_ref())).collect()
     }
 
@@ -326,7 +361,7 @@ impl StepWriter<'_> {
         let write = self.write;
         let of_side = |side: usize| {
             let body = pass.bodies[side].as_ref()?;
-            Some(body_report(body, self.accumulated(side, number), write))
+            Some(body_report(body, self.field.accumulated(side, number), write))
         };
         PassReport {
             number,
@@ -355,50 +390,22 @@ impl StepWriter<'_> {
         }
     }
 
-    /// Returns the largest plastic strain that so many passes have accumulated in a body.
-    fn accumulated(&self, side: usize, passes: usize) -> f64 {
-        let passes =
-            || self.solution.passes[..passes].iter().filter_map(|p| p.bodies[side].as_ref());
-        let rows = 0..passes().next().map_or(0, |body| body.outlet.accumulated.len());
-        let of_row = |row: usize| passes().map(|body| body.outlet.accumulated[row]).sum();
-        rows.map(of_row).fold(0.0, f64::max)
-    }
-
-    /// Returns the depth of the lowest layer that has yielded in a pass \[mm\].
-    fn plastic_depth(&self, side: usize) -> Option<f64> {
-        let passes = self.solution.passes.iter().filter_map(|pass| pass.bodies[side].as_ref());
-        let rows = passes.flat_map(|BodyPass { outlet, .. }| {
-            let of_row = move |row: usize| outlet.depths[row / outlet.across.len().max(1)];
-            let yielded =
-                outlet.accumulated.iter().enumerate().filter(|(_, strain)| **strain > 0.0);
-            yielded.map(move |(row, _)| of_row(row))
-        });
-        rows.reduce(f64::max)
-    }
-
     /// Returns what the last pass has left in the section of a track of finite width.
     fn layers(&self) -> Option<PerBody<Option<LayersReport>>> {
         let of_side = |side: usize| {
-            let passes = self.solution.passes.iter();
+            let passes = self.field.passes.iter();
             let passes: Vec<_> = passes.filter_map(|pass| pass.bodies[side].as_ref()).collect();
             section(&passes, self.write)
         };
-        let is_asked = self.job.output.fields && !self.solution.status.is_stopped();
         let layers = PerBody { upper: of_side(0), lower: of_side(1) };
-        Some(layers)
-            .filter(|layers| is_asked && (layers.upper.is_some() || layers.lower.is_some()))
+        Some(layers).filter(|layers| layers.upper.is_some() || layers.lower.is_some())
     }
 
     /// Returns what the last pass has left over depth, far from the load.
-    fn subsurface(&self) -> Option<PerBody<Option<SubsurfaceReport>>> {
-        let is_asked = self.job.output.subsurface && !self.solution.status.is_stopped();
-        is_asked.then(|| PerBody { upper: self.profile(0), lower: self.profile(1) })
-    }
-
     fn profile(&self, side: usize) -> Option<SubsurfaceReport> {
         let write = self.write;
         let material = self.problem.materials[side].as_ref()?;
-        let passes = || self.solution.passes.iter().filter_map(|pass| pass.bodies[side].as_ref());
+        let passes = || self.field.passes.iter().filter_map(|pass| pass.bodies[side].as_ref());
         let outlet = &passes().next_back()?.outlet;
         let layers = || outlet.on_axis(&outlet.residual);
         let stress =

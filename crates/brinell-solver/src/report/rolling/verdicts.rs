@@ -2,15 +2,15 @@
 
 use std::cmp::Ordering;
 
-use brinell_halfspace::track::Verdict;
+use brinell_halfspace::track::SteadyState;
 
 use super::document::TrackVerdict;
 
 /// Returns the worst verdict and the body that has it; elastic where none can yield, and no body
 /// where plastic flow dies out in both.
-pub(super) fn worst(verdicts: &[Option<Verdict>; 2]) -> (Option<usize>, Verdict) {
+pub(super) fn worst(verdicts: &[Option<SteadyState>; 2]) -> (Option<usize>, SteadyState) {
     match *verdicts {
-        [None, None] => (None, Verdict::Elastic),
+        [None, None] => (None, SteadyState::Elastic),
         [Some(upper), None] => (Some(0), upper),
         [None, Some(lower)] => (Some(1), lower),
         [Some(upper), Some(lower)] => match word(upper).cmp(&word(lower)) {
@@ -26,20 +26,24 @@ pub(super) fn worst(verdicts: &[Option<Verdict>; 2]) -> (Option<usize>, Verdict)
 }
 
 /// Returns the plastic strain of a steady pass, where there is any.
-const fn rate(verdict: Verdict) -> Option<f64> {
+const fn rate(verdict: SteadyState) -> Option<f64> {
     match verdict {
-        Verdict::ClosedCycle { strain: rate, .. } | Verdict::Ratchets { rate, .. } => Some(rate),
-        Verdict::Elastic | Verdict::ShakesDown { .. } | Verdict::Undecided { .. } => None,
+        SteadyState::ClosedCycle { strain: rate, .. } | SteadyState::Ratchets { rate, .. } => {
+            Some(rate)
+        }
+        SteadyState::Elastic | SteadyState::ShakesDown { .. } | SteadyState::Undecided { .. } => {
+            None
+        }
     }
 }
 
 /// Returns the word of a verdict.
-pub(super) const fn word(verdict: Verdict) -> TrackVerdict {
+pub(super) const fn word(verdict: SteadyState) -> TrackVerdict {
     match verdict {
-        Verdict::Elastic => TrackVerdict::Elastic,
-        Verdict::ShakesDown { .. } => TrackVerdict::ShakesDown,
-        Verdict::ClosedCycle { .. } => TrackVerdict::ClosedCycle,
-        Verdict::Undecided { .. } => TrackVerdict::Undecided,
-        Verdict::Ratchets { .. } => TrackVerdict::Ratchets,
+        SteadyState::Elastic => TrackVerdict::Elastic,
+        SteadyState::ShakesDown { .. } => TrackVerdict::ShakesDown,
+        SteadyState::ClosedCycle { .. } => TrackVerdict::ClosedCycle,
+        SteadyState::Undecided { .. } => TrackVerdict::Undecided,
+        SteadyState::Ratchets { .. } => TrackVerdict::Ratchets,
     }
 }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use brinell_solver::report::{StepReport, SubsurfaceReport};
 use serde_json::{Value, json};
 
-use super::{Computed, Example, answer, solve};
+use super::example::{Computed, Example, answer, solve};
 
 pub const EXAMPLE: Example = Example {
     document: "case_hardened_roller.md",

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::{Computed, Example, shipped, solve};
+use super::example::{Computed, Example, shipped, solve};
 
 pub const EXAMPLE: Example =
     Example { document: "rolling_bearing.md", blocks: &[("passes", passes)] };

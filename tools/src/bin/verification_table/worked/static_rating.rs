@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::{Computed, Example, answer, hertz, pressed, shipped, solve};
+use super::example::{Computed, Example, answer, hertz, pressed, shipped, solve};
 
 pub const EXAMPLE: Example = Example {
     document: "static_rating.md",

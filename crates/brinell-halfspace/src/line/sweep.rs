@@ -13,10 +13,9 @@
 
 use std::f64::consts::PI;
 
-use super::grid::TrackGrid;
 use crate::eigenstrain_stress::coefficients_of;
+use crate::track::Ground;
 use crate::waves::WIDTH;
-use crate::{Elasticity, Layers};
 
 /// xx, zz, xz.
 pub(super) const ROWS: usize = 3;
@@ -42,7 +41,7 @@ pub(super) struct Sweep {
 pub(super) type SweepWork = Vec<[Lanes; KEPT]>;
 
 impl Sweep {
-    pub fn new(grid: &TrackGrid, layers: &Layers, elastic: Elasticity) -> Self {
+    pub fn new(Ground { grid, layers, elastic }: &Ground) -> Self {
         let half = grid.n_columns() / 2 + 1;
         let filled = half.next_multiple_of(WIDTH);
         let mut wave: Vec<f64> = (0..half).map(|k| 2.0 * PI * k as f64 / grid.length()).collect();

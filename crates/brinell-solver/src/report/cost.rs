@@ -1,0 +1,53 @@
+//! What a job costs: the part that all engines have in common.
+
+use serde::Serialize;
+
+use crate::job::{Job, Load};
+
+/// What a job will cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Estimate))]
+pub struct JobEstimate {
+    /// Equations of both bodies.
+    pub equations: usize,
+    /// Peak memory \[bytes\], the fields of a step while they are handed over included.
+    pub bytes: u64,
+    /// The result of all steps as it is kept \[bytes\].
+    pub result_bytes: u64,
+    /// How much work it is, in units of its own: to weigh jobs against each other.
+    #[serde(skip)]
+    pub work: u64,
+}
+
+/// Bytes that every job takes: the heap of a thread, in pages of 2 MiB, and buffers of the load
+/// steps that are being written to the result.
+pub(super) const SOLVER_BYTES: u64 = 56 << 20;
+/// Copies of the fields while a load step is written, encoded and stored.
+pub(super) const FIELD_COPIES: u64 = 6;
+/// Bytes of the compressed report of a load step without fields and contact nodes.
+pub(super) const STEP_BYTES: u64 = 8 << 10;
+/// Bytes of an increment and its iterations in the report.
+pub(super) const REPORTED_INCREMENT_BYTES: u64 = 1024;
+/// Increments that the solver chooses itself: in total up to the largest load, and for each load.
+const CHOSEN_INCREMENTS: [u64; 2] = [32, 2];
+/// Mesh solves of a search for a load. Coarser meshes count by their share of the work.
+const SEARCH_SOLVES: u64 = 4;
+
+/// Returns the number of load steps of a job and of their mesh solves.
+pub(super) fn steps_and_solves(job: &Job) -> [u64; 2] {
+    match &job.load {
+        Load::Forces(sweep) | Load::Approaches(sweep) => [sweep.iter().count() as u64; 2],
+        Load::History(history) => [history.iter().count() as u64; 2],
+        // One load step under the force and one after its removal.
+        Load::Target(target) if target.figure.is_permanent() => [2, 2 * SEARCH_SOLVES],
+        Load::Rolling(rolling) => [1, rolling.passes.into()],
+        Load::Onset | Load::Target(_) => [1, SEARCH_SOLVES],
+    }
+}
+
+/// Returns the most increments of one load of a history, and those of all `steps`.
+pub(super) fn increments_of(job: &Job, steps: u64) -> [u64; 2] {
+    let [to_largest, of_load] =
+        job.solver.increments.map_or(CHOSEN_INCREMENTS, |of_load| [0, of_load.into()]);
+    [to_largest + of_load, to_largest + of_load * steps]
+}

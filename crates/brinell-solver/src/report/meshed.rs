@@ -1,0 +1,212 @@
+//! Jobs between meshed bodies, in a plane or of revolution.
+
+use super::answers::Measured;
+use super::cost::{
+    FIELD_COPIES, JobEstimate, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
+    steps_and_solves,
+};
+use super::datum::Datum;
+use super::findings::Finding;
+use super::hertz::{line, over_friction};
+use super::measured::measured;
+use super::shown::{Arrays, Parts, Shown, Solved};
+use super::{
+    MeshReport, PerBody, PlasticityReport, ShakedownLimit, contact, error_bars, fields, flow,
+    hardness, onset, plastic_zone, subsurface, target, validity,
+};
+use crate::inputs::{SolveError, of_small_mesh, small_solves};
+use crate::job::Job;
+use crate::solver::method::observer::ask;
+use crate::solver::{
+    self, BodySolution, ElasticReference, Interrupt, MeshedContact, Observer, Options,
+    SectionField, SolveStatus, StepReceiver, StepSolution, has_yielded,
+};
+use crate::units::UnitConverter;
+
+/// Bytes per node of the fields of a load step: ten numbers and the corners of an element.
+const FIELD_BYTES: u64 = 96;
+/// Bytes that each element over the half-width adds to the report, by its contact nodes.
+const STEP_BYTES_PER_ELEMENT: u64 = 832;
+/// Bytes per node of an increment of flow theory. The solver keeps displacements of the coarse
+/// mesh, with a quarter of the nodes, for this number of increments and for twice the number.
+const INCREMENT_BYTES: u64 = 16 * (1 + 2) / 4;
+/// Memory of a job \[bytes\] whose load step counts as one unit of work.
+const WORK_UNIT: u64 = 1 << 16;
+
+/// Meshed bodies.
+pub(super) struct Meshed<'a> {
+    job: &'a Job,
+    contact: MeshedContact,
+    write: UnitConverter,
+}
+
+impl<'a> Meshed<'a> {
+    pub fn new(job: &'a Job, contact: MeshedContact) -> Self {
+        Self { job, contact, write: UnitConverter::new(job.units, job.analysis) }
+    }
+
+    /// Returns the elastic contact of a step in closed form.
+    fn reference(&self, step: &StepSolution) -> Option<ElasticReference> {
+        ElasticReference::of(&self.contact.problem, step.figures.force)
+    }
+}
+
+impl Shown for Meshed<'_> {
+    type Field = SectionField;
+    /// Limits of shakedown over friction, which every load step repeats.
+    type Memory = Option<Vec<ShakedownLimit>>;
+
+    fn job(&self) -> &Job {
+        self.job
+    }
+
+    /// Adds memory and work of the result to the estimate of the solver.
+    fn cost(&self) -> Result<JobEstimate, SolveError> {
+        let job = self.job;
+        let estimate = solver::estimate(&self.contact)?;
+        let [steps, solves] = steps_and_solves(job);
+        let increments = if job.has_memory() { increments_of(job, steps)[1] } else { 0 };
+        let nodes = estimate.equations as u64 / 2;
+        let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
+        let elements = u64::from(job.mesh.elements_per_half_width);
+        let step = fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * elements;
+        let work = (estimate.bytes / WORK_UNIT).max(1);
+        Ok(JobEstimate {
+            equations: estimate.equations,
+            bytes: SOLVER_BYTES
+                + estimate.bytes
+                + of_small_mesh(job, estimate.bytes)
+                + FIELD_COPIES * fields
+                + increments * (nodes * INCREMENT_BYTES + REPORTED_INCREMENT_BYTES),
+            result_bytes: step * steps + increments * REPORTED_INCREMENT_BYTES,
+            work: work * solves + of_small_mesh(job, work) * small_solves(job, steps),
+        })
+    }
+
+    fn solve(
+        &self,
+        options: Options<'_>,
+        observer: &mut dyn Observer,
+        receiver: &mut dyn StepReceiver<SectionField>,
+    ) -> Result<Solved, SolveError> {
+        let solver::Solution { phases, passes, interrupted, sensitivity, .. } =
+            solver::run_each(&self.contact, options, observer, receiver)?;
+        Ok(Solved { phases, passes, interrupted, sensitivity })
+    }
+
+    fn arrays(
+        &self,
+        step: &StepSolution,
+        observer: &mut dyn Observer,
+    ) -> Result<Arrays, Interrupt> {
+        let (write, bodies) = (self.write, &step.field.bodies);
+        let mut arrays = Arrays::default();
+        if self.job.output.subsurface {
+            let mut at = |x: f64| {
+                PerBody::try_of(bodies, |body, _| {
+                    ask(observer)?;
+                    Ok(subsurface::profile(step, body, x, write))
+                })
+            };
+            let below_peak =
+                subsurface::is_beside_middle(step).then(|| at(step.field.peak_position));
+            arrays.subsurface = Some(at(step.field.middle)?);
+            arrays.below_peak = below_peak.transpose()?;
+        }
+        arrays.plasticity = PerBody::try_of(bodies, |body, _| {
+            ask(observer)?;
+            Ok(plasticity_report(body, step.field.symmetric, write))
+        })?;
+        if self.job.output.fields {
+            arrays.fields = Some(fields::fields(step, write, observer)?);
+        }
+        Ok(arrays)
+    }
+
+    fn findings(&self, step: &StepSolution) -> Vec<Finding> {
+        let reference = self.reference(step);
+        let problem = &self.contact.problem;
+        let mut findings = validity::findings(self.job, problem, step, reference.as_ref());
+        let bars = error_bars::estimate(self.job, step, &findings);
+        findings.extend(validity::small_approach(step, bars.and_then(|bars| bars.approach)));
+        findings
+    }
+
+    fn parts(
+        &self,
+        memory: &mut Self::Memory,
+        step: &StepSolution,
+        findings: &[Finding],
+    ) -> Parts {
+        let (job, problem, write) = (self.job, &self.contact.problem, self.write);
+        let reference = self.reference(step);
+        let hertz = reference.as_ref().map(|reference| {
+            let limits = || over_friction(&reference.limits_over_friction(problem), write);
+            line(reference, memory.get_or_insert_with(limits), write)
+        });
+        Parts {
+            contact: contact::report(step, write),
+            stiffness: step.contact_stiffness,
+            spacing: Some(step.field.spacing),
+            flow: flow::flow(step, write),
+            hertz,
+            yield_onset: onset::onset((job, problem), step, findings, write),
+            bars: error_bars::estimate(job, step, findings),
+            three_dimensional: None,
+            rolling: None,
+            measured: Measured {
+                datum: Datum::of(job, write),
+                ..measured(job, problem, step, reference.as_ref(), findings)
+            },
+            target: target::of_section(job, step, findings),
+            indentation: hardness::indentation(job, step, findings),
+            leaves_unknown: step.status == SolveStatus::Converged,
+        }
+    }
+
+    fn mesh(&self, step: &StepSolution) -> MeshReport {
+        let bodies = || step.field.bodies.iter().flatten();
+        let quality = bodies().map(|body| body.quality);
+        MeshReport {
+            symmetric: step.field.symmetric,
+            spacing: self.write.length(step.field.spacing),
+            contact_pairs: step.field.pairs.len(),
+            nodes: bodies().map(|body| body.mesh.nodes.len()).sum(),
+            elements: bodies().map(|body| body.mesh.elements.len()).sum(),
+            equations: bodies().map(|body| body.equations).sum(),
+            min_jacobian_ratio: quality.clone().map(|q| q.min_jacobian_ratio).fold(1.0, f64::min),
+            max_aspect_ratio: quality.map(|q| q.max_aspect_ratio).fold(1.0, f64::max),
+            ..MeshReport::default()
+        }
+    }
+}
+
+fn plasticity_report(
+    solution: &BodySolution,
+    symmetric: bool,
+    write: UnitConverter,
+) -> PlasticityReport {
+    let points = || solution.stress.points.iter().flatten();
+    let (mut highest, mut position) = (0.0, [0.0; 2]);
+    for point in points() {
+        if point.equivalent_plastic_strain > highest {
+            (highest, position) = (point.equivalent_plastic_strain, point.position);
+        }
+    }
+    let [place, depth] = solution.mesh.frame.place(position);
+    let zone = plastic_zone::outline(solution, symmetric);
+    let written =
+        |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
+    PlasticityReport {
+        yielded: points().any(has_yielded),
+        max_equivalent_plastic_strain: solution.bounded_plastic_strain(),
+        mean_equivalent_plastic_strain: solution.mean_plastic_strain(),
+        position: write.length(place),
+        depth: write.length(depth),
+        area: write.area(solution.plastic_area(symmetric)),
+        reached_surface: zone.reached_surface,
+        outline: zone.outline.iter().map(written).collect(),
+        position_y: None,
+        volume: None,
+    }
+}
