@@ -10,7 +10,7 @@
 //! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and
 //!   what its [`PlasticLaw`] answers;
 //! - [`EllipticContact`] is Hertz;
-//! - [`track`]: contacts that roll and slide, along a [`line`] or over a [`raceway`];
+//! - [`track`]: contacts that roll and slide, along a [`mod@line`] or over a [`raceway`];
 //! - [`engine`]: half-spaces and tracks as engines of `brinell-method`.
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
