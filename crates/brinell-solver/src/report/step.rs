@@ -53,7 +53,7 @@ struct Seen<M> {
     status: Option<SolveStatus>,
     /// Points of the converged load steps.
     curve: Vec<CurvePoint>,
-    /// The mesh of the last load step.
+    /// The mesh of the last load step on the grid that was asked for.
     mesh: MeshReport,
     /// Largest force that has left plastic strain in a history.
     dented_under: f64,
