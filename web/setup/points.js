@@ -4,6 +4,7 @@
  */
 
 import { h, plainButton } from '../lib/dom.js';
+import { keepFocus } from '../lib/focus.js';
 import { columnsInWords, numberOf, readNumber } from '../lib/number.js';
 import { readTable } from '../lib/table.js';
 import { textOf } from '../lib/text-file.js';
@@ -68,7 +69,7 @@ export function pointsControl(field, id, change, { units, parent, beside, inMate
   let typed = false;
   const say = (/** @type {string} */ text, /** @type {Node[]} */ more = []) => {
     note.textContent = text;
-    offers.replaceChildren(...more);
+    keepFocus(offers, () => offers.replaceChildren(...more));
   };
   const write = (/** @type {any} */ value) => {
     if (!same(value, noted)) say('');
@@ -94,7 +95,7 @@ export function pointsControl(field, id, change, { units, parent, beside, inMate
       const again = (/** @type {Choice} */ other) => take(text, other);
       const ways = points.length ? waysOf(record.measure, points) : [];
       const more = [...ways, ...pointing(record, again)];
-      if ('problem' in result) say(`Not taken yet: ${result.problem}`, more);
+      if ('problem' in result) put(text, [`Not taken yet: ${result.problem}`], more);
       else put(textOfRecord(record.measure, points, units()), [`${points.length} points read`, ...result.notes], more); // prettier-ignore
       return true;
     }
