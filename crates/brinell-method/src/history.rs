@@ -210,6 +210,20 @@ struct Found<M, S> {
     interrupted: Option<Interrupt>,
 }
 
+impl<M, S> Found<M, S> {
+    /// The result before the first load.
+    const fn at_rest(memory: M) -> Self {
+        Self {
+            memory,
+            system: None,
+            figures: Vec::new(),
+            is_finest: true,
+            has_collapsed: false,
+            interrupted: None,
+        }
+    }
+}
+
 /// A history by one engine and one division of its loads.
 struct History<'a, E: Memory> {
     engine: &'a E,
@@ -284,14 +298,7 @@ impl<E: Memory> History<'_, E> {
         run: &mut Run<'_>,
     ) -> Result<FoundOf<E>, LeaveOf<E>> {
         let engine = self.engine;
-        let mut found = Found {
-            memory: engine.begin(&system),
-            system: None,
-            figures: Vec::new(),
-            is_finest: true,
-            has_collapsed: false,
-            interrupted: None,
-        };
+        let mut found = Found::at_rest(engine.begin(&system));
         self.hold(&found.memory, 0, run)?;
         let mut progress = Progress::at_rest();
         let is_given = matches!(division, Division::Fixed(_));
@@ -312,12 +319,7 @@ impl<E: Memory> History<'_, E> {
                 let (count, end) = (ends.count(), ends.measure(k));
                 let time = number as f64 + if k + 1 == count { 1.0 } else { leg.part(end) };
                 let target = leg.load(end);
-                progress.number = IncrementNumber {
-                    number: k + 1,
-                    count,
-                    load: self.stretch.before + number + 1,
-                    loads: self.stretch.all,
-                };
+                progress.number = self.number(number, k, count);
                 let guide = self.guide;
                 let next =
                     NextIncrement { target, time, leg: &leg, progress: &progress, guide, follows };
@@ -400,6 +402,12 @@ impl<E: Memory> History<'_, E> {
         }
         found.system = Some(system);
         Ok(found)
+    }
+
+    /// Returns the number of increment `k` of a load of the stretch.
+    const fn number(&self, load: usize, k: usize, count: usize) -> IncrementNumber {
+        let Stretch { before, all, .. } = self.stretch;
+        IncrementNumber { number: k + 1, count, load: before + load + 1, loads: all }
     }
 
     /// Tells the observer the memory that this history, the one before, and `records` of the

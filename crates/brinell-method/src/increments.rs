@@ -11,8 +11,9 @@ const MOST: f64 = 32.0;
 /// yield stresses. Beyond, strain gathers at the ends of the contact, where the paths of two meshes
 /// differ.
 const MOST_FOLLOWED: f64 = 9.0;
-/// Assumed onset of plastic flow over the load, where the onset is unknown.
-const UNKNOWN_ONSET: f64 = 0.05;
+/// Assumed onset of plastic flow over the load, where the onset is unknown: that of a ball pressed in
+/// by 100 times the approach at its onset.
+const UNKNOWN_ONSET: f64 = 0.01;
 
 /// The division of every load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
