@@ -64,8 +64,8 @@ coproc server { exec ./brinell serve --listen 127.0.0.1:0 --data-dir :memory: --
 read -r line <&"${server[0]}"
 url=${line##* }
 block "$root/README.md" 'sh curl' | sed "s#http://127.0.0.1:8080#$url#" | bash -eu
-curl --fail --silent "$url/" | grep --quiet '<title>'
-curl --fail --silent "$url/guide/docs/tutorial.html" | grep --quiet 'From a press to a measured map'
+curl --fail --silent "$url/" | grep '<title>' >/dev/null
+curl --fail --silent "$url/guide/docs/tutorial.html" | grep 'From a press to a measured map' >/dev/null
 exec {server[1]}>&-
 wait "$server_PID"
 
