@@ -27,6 +27,8 @@ python3 scripts/licences.py >"$source/clients/python/server/licenses/THIRD-PARTY
 
 "$python" -m build --outdir "$files" "$source/clients/python/brinell"
 # Zig links against the symbols of an old glibc, 2.17, so that the program runs on every Linux since 2014.
+# With debug assertions it would read its page in the folder where it was built.
+export CARGO_PROFILE_DEV_DEBUG_ASSERTIONS=false
 (cd "$source/clients/python/server" && CARGO_TARGET_DIR=$root/target/python-server PATH=$root/target/packages/bin:$PATH \
     "$python" -m maturin build --sdist --profile "$profile" --zig --compatibility manylinux2014 --out "$files")
 
@@ -62,7 +64,8 @@ coproc server { exec ./brinell serve --listen 127.0.0.1:0 --data-dir :memory: --
 read -r line <&"${server[0]}"
 url=${line##* }
 block "$root/README.md" 'sh curl' | sed "s#http://127.0.0.1:8080#$url#" | bash -eu
-curl --fail --silent "$url/guide/docs/tutorial.html" | grep --quiet 'From a press to a measured map'
+curl --fail --silent "$url/" | grep '<title>' >/dev/null
+curl --fail --silent "$url/guide/docs/tutorial.html" | grep 'From a press to a measured map' >/dev/null
 exec {server[1]}>&-
 wait "$server_PID"
 

@@ -18,6 +18,8 @@ ROOT = SITE.parents[1]
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 # What a page may show or hand out.
 FILES = {".svg", ".png", ".json", ".ipynb"}
+# Stands where the repository's README stands, whose commands are for a clone.
+README, START = ROOT / "README.md", SITE / "start.md"
 FOLDED = {"Decisions": "docs/adr/README.md", "Measurements": "docs/notes/README.md"}
 
 
@@ -56,7 +58,7 @@ class Stage:
     def write(self) -> None:
         shutil.rmtree(self.folder, ignore_errors=True)
         for page in self.pages:
-            self.put(page, self.linked(page))
+            self.put(page, self.linked(START if page == README else page))
         self.put(ROOT / "SUMMARY.md", self.contents)
         for name in ("book.toml", "style.css"):
             shutil.copy(SITE / name, self.folder)
@@ -87,6 +89,8 @@ class Stage:
             return link[0]
         name, _, anchor = target.partition("#")
         path = Path(os.path.normpath(page.parent / name))
+        if page == START:
+            name = from_root(path)
         if path.is_dir():
             path, name = path / "README.md", f"{name.rstrip('/')}/README.md"
         if path in self.pages:
@@ -95,7 +99,7 @@ class Stage:
             return f"{kind}[{words}]({name}{'#' if anchor else ''}{anchor})"
         if path.suffix in FILES:
             self.copy(path)
-            return link[0]
+            return f"{kind}[{words}]({name})"
         return words
 
     def copy(self, path: Path) -> None:

@@ -40,8 +40,8 @@ def find_program(program: str | os.PathLike[str] | None = None) -> str:
         found = find_brinell()
     if found is None:
         raise ServerNotFound(
-            'there is no brinell program on this machine: pip install "brinell[local]", or name a '
-            "service by brinell.Client(url=...) or BRINELL_URL"
+            "there is no brinell program on the PATH: add its folder, name it by BRINELL_PROGRAM, "
+            "or name a service by brinell.Client(url=...) or BRINELL_URL"
         )
     return found
 

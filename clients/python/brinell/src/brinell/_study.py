@@ -53,7 +53,8 @@ class Study:
         file has the `status` "not whole".
         """
         pandas = need("pandas", "pandas")
-        rows, jobs = [], []
+        rows: list[dict[str, Any]] = []
+        jobs: list[dict[str, Any]] = []
         for name in self.names:
             try:
                 summary, job = self._files.lines(name, 2)
