@@ -15,8 +15,8 @@ use super::style::Style;
 use brinell_solver::job::fields::NumberKind;
 use brinell_solver::job::{Job, Load, Quantity, Target, TargetFigure, measure_of};
 use brinell_solver::report::{
-    Answer, FlowReport, LoadReport, PlasticityReport, Report, StepReport, TargetReport, Timings,
-    VerdictLevel,
+    Answer, FlowReport, LoadReport, Mark, Name, PlasticityReport, Report, StepReport,
+    TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -144,16 +144,11 @@ impl Page {
         self.line("");
         if let Some(verdict) = &step.verdict {
             let text = wrapped("", &words(&verdict.text), " ");
-            let text = match verdict.level {
-                VerdictLevel::NotConverged | VerdictLevel::Collapse | VerdictLevel::Ratchets => {
-                    style.red(&text)
-                }
-                VerdictLevel::AboveShakedownLimit
-                | VerdictLevel::ClosedCycle
-                | VerdictLevel::Yields
-                | VerdictLevel::Dented => style.yellow(&text),
-                VerdictLevel::Elastic | VerdictLevel::ShakesDown => style.green(&text),
-                VerdictLevel::NotKnown | VerdictLevel::NoContact => text,
+            let text = match verdict.mark {
+                Mark::Bad => style.red(&text),
+                Mark::Attention => style.yellow(&text),
+                Mark::Good => style.green(&text),
+                Mark::Unknown => text,
             };
             self.line(&text);
             self.line("");
@@ -200,14 +195,14 @@ impl Page {
     /// Writes the answers, each with its elastic reference or its place, and its error bar. A
     /// force that is sought stands under its own name alone.
     fn answers(&mut self, step: &StepReport) {
-        let is_force = |name: &str| matches!(name, "force_found" | "first_yield_force");
-        let is_sought = step.answers.iter().any(|answer| is_force(&answer.name));
-        if step.answers.iter().any(|answer| answer.elastic.is_some()) {
+        let shown = || step.answers.iter().filter(|row| !row.detail);
+        let is_onset = shown().any(|row| row.is(Name::FirstYieldForce));
+        if shown().any(|row| row.elastic.is_some()) {
             let head = format!("{:34}{:>12}{:>11}{:>8}", "", "this contact", "Hertz", "ratio");
             self.line(&self.style.dim(&head));
         }
-        for answer in &step.answers {
-            if !is_sought || answer.name != "force" {
+        for answer in shown() {
+            if !is_onset || !answer.is(Name::Force) {
                 self.answer(answer);
             }
         }
@@ -246,7 +241,7 @@ impl Page {
             first.make_ascii_lowercase();
         }
         // A prescribed figure has no error.
-        let error = answer.error.filter(|error| *error > 0.0);
+        let error = answer.error.bound().filter(|error| *error > 0.0);
         let limit = |value: f64| format!("{} {unit}", significant(factor * value, 3));
         let bound = match (answer.at_least, answer.at_most) {
             (Some(least), Some(most)) => {

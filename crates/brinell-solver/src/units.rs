@@ -43,15 +43,6 @@ impl UnitConverter {
         self.length(self.length(core))
     }
 
-    /// Converts the figure of a row of the table of figures.
-    pub fn of(self, quantity: Quantity, core: f64) -> f64 {
-        match quantity {
-            Quantity::Area => self.area(core),
-            Quantity::Force => self.force(core),
-            quantity => self.figure(quantity, core),
-        }
-    }
-
     /// Returns a length with its unit, for sentences: all digits of a dimension of the job.
     pub fn exact_length(self, core: f64) -> String {
         format!("{} {}", self.length(core), self.units.symbol(Quantity::Length))
@@ -107,7 +98,8 @@ pub(crate) fn about(value: f64) -> String {
     to_digits(value, 3)
 }
 
-fn to_digits(value: f64, digits: usize) -> String {
+/// Returns a figure to a number of digits, for sentences.
+pub(crate) fn to_digits(value: f64, digits: usize) -> String {
     let digits = format!("{value:.*e}", digits - 1);
     match digits.parse::<f64>() {
         Ok(plain) if plain == 0.0 || (1e-3..1e7).contains(&plain.abs()) => plain.to_string(),

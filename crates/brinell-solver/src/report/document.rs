@@ -33,6 +33,10 @@ pub struct Report {
     pub status: SolveStatus,
     /// One entry for each load.
     pub steps: Vec<StepReport>,
+    /// The figures that follow from more than one load: of a hardness test, and the sensitivity of
+    /// a target.
+    #[serde(default)]
+    pub answers: Vec<Answer>,
     /// The load–approach curve of a sweep.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_approach: Option<LoadApproach>,

@@ -55,6 +55,7 @@ pub(super) fn measured(
         reference.and_then(|reference| reference.yield_onset_force)
     };
     Measured {
+        is_of_field: closed.is_none(),
         utilization: utilization
             .filter(|_| !is_unknown)
             .map(|(value, [x, depth], side)| Largest { value, side, place: [x, 0.0, depth] }),

@@ -37,7 +37,9 @@ mod validity;
 mod verdict;
 
 pub use crate::job::{Quantity, Side};
-pub use answers::{Answer, AnswerBody, AnswerPlace};
+pub use answers::{
+    Answer, AnswerAt, AnswerBody, AnswerPlace, BarKind, ErrorBar, ErrorWord, Name, table_of_names,
+};
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use cost::JobEstimate;
 pub use document::*;
@@ -67,4 +69,4 @@ pub use run::{preflight, run, run_each, run_with};
 pub use run_error::RunError;
 pub use target::TargetReport;
 pub use validity::ValidityNote;
-pub use verdict::{Verdict, VerdictLevel};
+pub use verdict::{Mark, Verdict, VerdictLevel};

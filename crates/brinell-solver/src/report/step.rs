@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::answers::{Measured, is_dented};
+use super::answers::{Answer, Measured, Name, is_dented};
 use super::datum::Datum;
 use super::findings::left_unknown;
 use super::hardness::HardnessSeen;
@@ -12,7 +12,7 @@ use super::target::TargetSeen;
 use super::{LoadReport, MeshReport, Report, StepReport, Timings, load_approach, validity};
 use crate::contact::ContactLoad;
 use crate::inputs::SolveError;
-use crate::job::{Named as _, Quantity};
+use crate::job::{Job, Load, Named as _, Quantity};
 use crate::solver::method::figures::{FigureSet, Figures};
 use crate::solver::{
     IterationRecord, Observer, Options, Phase, PhaseTimes, SolveStatus, Step, StepReceiver,
@@ -164,6 +164,7 @@ impl<'a, E: Shown> StepWriter<'a, E> {
             theory: job.theory().map(|theory| theory.name().to_owned()),
             status: status.unwrap_or(SolveStatus::Cancelled),
             steps: Vec::new(),
+            answers: of_job(job, &seen.hardness, solved.sensitivity, write),
             load_approach: load_approach::of_job(job, seen.curve, write),
             target: seen.target.finish(job, solved.sensitivity, write),
             hardness: seen.hardness.finish(job, write),
@@ -188,6 +189,19 @@ impl<M> Seen<M> {
             self.curve.extend(load_approach::points(increments, end, spacing, parts.stiffness));
         }
     }
+}
+
+/// Returns the rows that follow from more than one load.
+fn of_job(
+    job: &Job,
+    hardness: &HardnessSeen,
+    sensitivity: Option<f64>,
+    write: UnitConverter,
+) -> Vec<Answer> {
+    let name = Name::ForceSensitivity;
+    let sensitivity = sensitivity.filter(|_| matches!(job.load, Load::Target(_)));
+    let sensitivity = sensitivity.map(|value| Answer::new(name, name.quantity(), "", Some(value)));
+    Report::of_hardness(job, hardness, write).into_iter().chain(sensitivity).collect()
 }
 
 /// Returns the worse of two statuses.

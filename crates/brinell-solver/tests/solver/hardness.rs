@@ -202,9 +202,10 @@ fn a_thin_specimen() {
     let hardness = report.hardness.unwrap();
     assert!(hardness.least_thickness.unwrap() > 0.5);
     assert!(hardness.remarks.iter().any(|remark| remark.code == "thin_specimen"));
+    let row = &report.answers[0];
+    assert_eq!((row.value, row.error.bound()), (hardness.number, hardness.relative_error));
+    assert_eq!((row.name.as_str(), row.label.as_str()), ("hardness", "HBW 2.5/187.5"));
     for step in &report.steps {
-        let answer = &step.answers[0];
-        assert_eq!((answer.value, answer.error), (hardness.number, hardness.relative_error));
         let verdict = &step.verdict.as_ref().unwrap().text;
         assert!(verdict.starts_with("HBW 2.5/187.5: "), "{verdict}");
     }
@@ -254,7 +255,7 @@ fn nothing_is_left_to_be_measured() {
         let report = report(&few(test(&json!(scale), &hard, 208_000.0, 8.0, 6)));
         let number = report.hardness.as_ref().unwrap().number;
         assert_eq!(number, None, "{scale}");
-        assert!(report.steps.iter().all(|step| step.answers[0].name != "hardness"));
+        assert!(report.answers.iter().all(|row| row.name != "hardness"));
     }
 }
 

@@ -1,9 +1,12 @@
 //! Answers on the strength of the bodies: utilization, margin, core, shakedown.
 
-use super::{Answer, Facts};
-use crate::job::Quantity;
+use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name};
+use crate::job::Load;
 use crate::report::findings::Finding;
 use crate::units::{about, rounded};
+
+/// Why a utilization of the field has no bar.
+const MESH: &str = "it is that of the mesh";
 
 impl Facts<'_> {
     /// Returns utilization and margin, which every loaded job has.
@@ -13,92 +16,76 @@ impl Facts<'_> {
         }
         let none = "no yield stress is given";
         let reason = if self.flows_from_the_first() {
-            Some("not known: a body has plastic strain under any stress")
+            Some("a body has plastic strain under any stress")
         } else {
             let is_dented = self.measured.is_dented;
-            is_dented.then_some("not known: an earlier load has dented the bodies")
+            is_dented.then_some("an earlier load has dented the bodies")
         };
         let used = self.measured.utilization.as_ref().filter(|_| reason.is_none());
-        let place = used.map(|used| self.place_of(used));
-        let utilization = self
-            .answer("utilization", "Utilization", Quantity::Ratio, used.map(|used| used.value))
-            .place(place)
-            .text(if used.is_some() {
-                "largest von Mises stress of elastic bodies over the yield stress there"
-            } else if let Some(reason) = reason {
-                reason
-            } else if self.can_yield() {
-                "not known: closed forms do not have these shapes, and the bodies yield or the \
-                 mesh does not tell the onset of yield"
-            } else {
-                none
-            });
-        let utilization = Answer { body: place.map(|place| place.body), ..utilization };
+        let utilization = self.row(Name::Utilization, used.map(|used| used.value));
+        let utilization = match used {
+            Some(used) => {
+                let place = self.place_of(used);
+                let row = Answer { body: Some(place.body), ..utilization };
+                let row = if self.measured.is_of_field { row.bar(Bar::none(MESH)) } else { row };
+                row.place(Some(place))
+                    .text("largest von Mises stress of elastic bodies over the yield stress there")
+            }
+            None if !self.can_yield() => utilization.not_known(none),
+            None => utilization.not_known(reason.unwrap_or(
+                "closed forms do not have these shapes, and the bodies yield or the mesh does not \
+                 tell the onset of yield",
+            )),
+        };
         let first = self.first_yield().filter(|_| reason.is_none());
-        let margin = self
-            .answer(
-                "margin",
-                "Margin to first yield",
-                Quantity::Number,
-                first.map(|first| first / self.step.contact.force),
-            )
-            .text(match (first, reason) {
-                (Some(first), _) => format!(
-                    "force of first yield, {}, over this force",
-                    self.with_unit(rounded, self.force_quantity(), first)
-                ),
-                (None, Some(reason)) => reason.to_owned(),
-                (None, None) if self.is_rough() => "not known of rough surfaces".to_owned(),
-                (None, None) if self.can_yield() => {
-                    "not known: `load.onset` looks for the force of first yield".to_owned()
-                }
-                (None, None) => none.to_owned(),
-            });
+        let margin = first.map(|first| first / self.step.contact.force);
+        let margin = self.row(Name::Margin, margin);
+        let margin = match first {
+            Some(first) => {
+                let first = self.with_unit(rounded, self.force_quantity(), first);
+                let text = format!("force of first yield, {first}, over this force");
+                let row =
+                    if self.job.load == Load::Onset { margin.bar(Bar::Given) } else { margin };
+                row.text(text)
+            }
+            None if self.is_rough() => margin.not_known("rough surfaces have no closed form"),
+            None if !self.can_yield() => margin.not_known(none),
+            None => margin
+                .not_known(reason.unwrap_or("`load.onset` looks for the force of first yield")),
+        };
         [utilization, margin].into_iter().chain(self.core()).collect()
     }
 
     pub(super) fn core(&self) -> Option<Answer> {
         let core = self.measured.core.as_ref()?;
         let place = self.place_of(core);
-        Some(
-            self.answer("core_utilization", "Core utilization", Quantity::Ratio, core.value)
-                .of(place.body)
-                .place(Some(place))
-                .text(format!(
-                    "von Mises stress over the yield stress below the case, largest of all {}",
-                    self.measured.points
-                )),
-        )
+        let text = format!(
+            "von Mises stress over the yield stress below the case, largest of all {}",
+            self.measured.points
+        );
+        let row = self.row(Name::CoreUtilization, core.value);
+        Some(row.of(place.body).place(Some(place)).text(text))
     }
 
     pub(super) fn of_shapes(&self) -> Vec<Answer> {
-        let mut answers = Vec::new();
+        let mut rows = Vec::new();
         if let Some((peak, limit)) = self.shakedown() {
-            answers.push(
-                self.answer(
-                    "shakedown_pressure",
-                    "Shakedown pressure",
-                    Quantity::Stress,
-                    limit,
-                )
-                .text(format!(
-                    "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
-                    about(peak / limit)
-                )),
-            );
+            let depth = self.step.hertz.as_ref().and_then(|hertz| hertz.shakedown_depth);
+            let body = AnswerBody::Both;
+            let place = depth.map(|depth| AnswerPlace { body, x: 0.0, y: None, depth });
+            let row = self.row(Name::ShakedownPressure, limit).place(place);
+            rows.push(row.text(format!(
+                "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
+                about(peak / limit)
+            )));
         }
-        answers.extend(self.measured.effective_radius.map(|radius| {
-            self.answer(
-                "effective_radius",
-                "Effective radius",
-                Quantity::Length,
-                self.write.length(radius),
-            )
-            .text(
+        let radius = self.measured.effective_radius;
+        rows.extend(radius.map(|radius| {
+            self.row(Name::EffectiveRadius, self.write.length(radius)).text(
                 "reciprocal of the sum of both curvatures across the shorter side of the contact",
             )
         }));
-        answers
+        rows
     }
 
     /// Returns Hertz's peak pressure and the shakedown limit, where both are those of the contact.

@@ -21,7 +21,8 @@ pub(super) use guesses::guesses;
 pub(super) use kinds::{
     Advice, CasePlace, Deformation, FinerBy, MANY_MESHES, OnsetUnknown, Unconverged, Wide, Work,
 };
-use kinds::{BELOW, Row, Section, Takes, Voids};
+use kinds::{BELOW, Row, Section, Takes};
+pub(super) use kinds::Voids;
 pub(super) use sentences::CONFORMING_ADVICE;
 pub(super) use table::Finding;
 use table::ROWS;

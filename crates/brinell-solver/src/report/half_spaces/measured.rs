@@ -1,6 +1,7 @@
 //! Figures of contacts in three dimensions that only answers and verdict have.
 
 use std::f64::consts::FRAC_PI_3;
+use std::sync::Arc;
 
 use super::findings::reaches_rim;
 use crate::job::{Deformable, Job, Load, Material};
@@ -30,6 +31,8 @@ pub(super) fn measured(
     if step.status.is_stopped() {
         return at_rest;
     }
+    let at_rest =
+        Measured { plastic_tops: step.field.bodies.each_ref().map(plastic_top), ..at_rest };
     let force = step.figures.force;
     let core = largest_in(step, |side, body| core(job, side, body));
     if force <= 0.0 {
@@ -50,14 +53,23 @@ pub(super) fn measured(
         Some(Largest { value: found.ratio, side: found.side, place: found.position })
     };
     let first_yield = if is_sought { Some(force) } else { reference.onset_force() };
+    let closed = closed();
     Measured {
-        utilization: closed().or_else(of_field).filter(|_| !at_end),
+        is_of_field: closed.is_none(),
+        utilization: closed.or_else(of_field).filter(|_| !at_end),
         first_yield: first_yield.filter(|_| is_smooth && (is_sought || !at_end)),
         core,
         bearable: super::spots::unbearable(problem, step),
         inside_rim: if is_smooth { None } else { inside_rim(&step.field.surface) },
         ..at_rest
     }
+}
+
+/// Returns the depth of the highest face of a layer with plastic strain \[mm\].
+fn plastic_top(body: &Option<Arc<HalfSpaceBody>>) -> Option<f64> {
+    let body = body.as_ref()?;
+    let first = body.equivalent_plastic_strain.iter().position(|strain| *strain > 0.0)?;
+    Some(body.layers.faces()[first / body.grid.n_cells()])
 }
 
 /// Returns the largest of both bodies; of two alike the lower one.

@@ -32,6 +32,8 @@ use crate::units::UnitConverter;
 
 /// Relative error of an onset of yield in closed form, which is sought over some hundred depths.
 const CLOSED_FORM: f64 = 1e-3;
+/// Relative difference of semi-axes that are one radius.
+const ALIKE: f64 = 1e-9;
 /// Fractions of the contact area for which the quantile of the pressure is reported.
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
@@ -469,10 +471,18 @@ impl<'a> HalfSpaces<'a> {
     }
 
     /// Returns the relative error of a semi-axis, or `None` for heights: single asperities bound
-    /// their contact.
+    /// their contact. A circle has one radius, with the larger error of both.
     fn semi_axis_error(&self, step: &HalfSpaceStep, axis: Figure) -> Option<f64> {
         let errors = self.errors(step).filter(|_| self.problem.heights.is_none())?;
-        errors.zip(&step.figures.values(), relative).get(axis, 0)
+        let errors = errors.zip(&step.figures.values(), relative);
+        let is_circle = step.field.hertz.is_some_and(|hertz| {
+            (hertz.semi_axis_x - hertz.semi_axis_y).abs() <= ALIKE * hertz.semi_axis_x
+        });
+        let of = |axis: Figure| errors.get(axis, 0);
+        if is_circle && self.problem.rollers.is_empty() {
+            return of(Figure::HalfWidth).zip(of(Figure::SemiAxisY)).map(|(a, b)| a.max(b));
+        }
+        of(axis)
     }
 
     /// Returns the relative errors of the figures; `None` where a finding takes the estimate away.

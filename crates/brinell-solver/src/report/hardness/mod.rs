@@ -43,10 +43,16 @@ impl HardnessSeen {
         self.0.extend(load);
     }
 
+    /// Returns the number of the largest load, from 0.
+    pub fn loaded(&self, job: &Job) -> Option<usize> {
+        let force = job.load.hardness()?.force();
+        self.0.iter().position(|seen| seen.force >= 0.999 * force)
+    }
+
     /// Returns the report, or `None` of another job and where the largest force has no answer.
     pub fn finish(self, job: &Job, write: UnitConverter) -> Option<HardnessReport> {
         let test = job.load.hardness()?;
-        let loaded = self.0.iter().position(|seen| seen.force >= 0.999 * test.force())?;
+        let loaded = self.loaded(job)?;
         let Material::Deformable(specimen) = &job.lower.material else { return None };
         let indenter = test.elastic()?;
         let modulus = 1.0

@@ -4,10 +4,12 @@ use super::document::{
     BodyPassReport, PassReport, RollingReport, RuleVerdict, SolvedHardening, TrackVerdict,
 };
 use crate::job::Load;
-use crate::report::answers::{Answer, AnswerBody, AnswerPlace, Facts};
-use crate::report::{PerBody, Quantity, Side, VerdictLevel};
-use crate::solver::method::figures::Figure;
-use crate::units::{about, rounded};
+use crate::report::answers::{Answer, AnswerAt, AnswerBody, AnswerPlace, Bar, Facts, Name};
+use crate::report::{ErrorBar, PerBody, Quantity, Side, VerdictLevel};
+use crate::units::{about, rounded, to_digits};
+
+/// Why a figure of a pass has no bar.
+const NO_BAR: &str = "the pass on half the columns does not bound it";
 
 type ErrorOf = fn(&super::document::BodyPassErrorReport) -> Option<f64>;
 
@@ -115,42 +117,52 @@ impl Facts<'_> {
         limit.is_some_and(|(limit, hertz)| hertz.peak_pressure > limit.peak_pressure)
     }
 
-    /// Returns the answers of the last pass.
+    /// Returns the rows of the last pass.
     pub(in crate::report) fn of_track(&self, rolling: &RollingReport) -> Vec<Answer> {
         let Some(last) = rolling.passes.last() else { return Vec::new() };
-        let mut answers = vec![self.rate(rolling)];
+        let mut rows = self.rates(rolling);
         let sides = [(Side::Upper, &last.bodies.upper), (Side::Lower, &last.bodies.lower)];
         let is_shared = rolling.body.is_none() && last.bodies.upper == last.bodies.lower;
         let sides = sides.into_iter().filter(|(side, _)| !is_shared || *side == Side::Lower);
         for (side, body) in sides.filter_map(|(side, body)| Some((side, body.as_ref()?))) {
             let of = if is_shared { AnswerBody::Both } else { side.into() };
-            answers.extend(self.of_body(last, (side, of), body));
+            rows.extend(self.of_pass(last, (side, of), body));
         }
-        let work = last.estimated_error.as_ref().and_then(|errors| errors.plastic_work);
-        let force = self.force_quantity();
-        answers.push(
-            self.answer("rolling_force", "Rolling force", force, last.rolling_force)
-                .error(work)
-                .text("against which the load is pushed in the last pass, without friction"),
-        );
-        answers.push(
-            self.answer("loss", "Rolling resistance", Quantity::Ratio, last.loss)
-                .error(work)
-                .text("rolling force over the load"),
-        );
-        answers.extend(self.without_member());
-        answers.extend(self.limits(rolling));
+        rows.extend(self.works(last));
+        rows.extend(self.plastic_depths());
+        rows.extend(self.limits(rolling));
         let contact = self.of_contact().into_iter();
-        let has_approach = self.step.approach.is_some();
-        answers.extend(
-            contact.filter(|answer| has_approach || answer.name != Figure::Approach.name()),
-        );
-        answers
+        let across = last.half_width_across.map(|across| self.row(Name::HalfWidthAcross, across));
+        let approach = self.step.approach.map(|_| self.approach());
+        rows.extend(contact.chain(across).chain(approach));
+        let at = AnswerAt { pass: Some(last.number), ..AnswerAt::default() };
+        let of_pass = |row: Answer| if row.at.is_none() { row.at(at) } else { row };
+        rows.into_iter().map(of_pass).collect()
     }
 
-    /// Returns the strain that a steady pass adds or moves.
-    fn rate(&self, rolling: &RollingReport) -> Answer {
-        let text = match rolling.verdict {
+    /// Returns works and resistance of the last pass.
+    fn works(&self, last: &PassReport) -> Vec<Answer> {
+        let work = last.estimated_error.as_ref().and_then(|errors| errors.plastic_work);
+        let bar = || work.map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
+        let force = self.row(Name::RollingForce, last.rolling_force).bar(bar());
+        let loss = self.row(Name::RollingResistance, last.loss).bar(bar());
+        let details = [
+            self.row(Name::PassWork, last.plastic_work).bar(bar()),
+            self.row(Name::PassStoredEnergy, last.stored_energy),
+            self.row(Name::TractionWork, last.traction_work),
+            self.row(Name::EnergyGap, last.energy_gap),
+        ];
+        let rows = [
+            force.text("against which the load is pushed in the last pass, without friction"),
+            loss.text("rolling force over the load"),
+        ];
+        rows.into_iter().chain(details.map(Answer::detail)).collect()
+    }
+
+    /// Returns the strain that a steady pass adds or moves, by each rule of hardening; that of the
+    /// verdict first.
+    fn rates(&self, rolling: &RollingReport) -> Vec<Answer> {
+        let text = |verdict: TrackVerdict| match verdict {
             TrackVerdict::Elastic => "nothing yields",
             TrackVerdict::ShakesDown => "plastic flow dies out",
             TrackVerdict::ClosedCycle => {
@@ -159,9 +171,15 @@ impl Facts<'_> {
             TrackVerdict::Ratchets => "added by each pass, or pair of passes, for good",
             TrackVerdict::Undecided => "not known: more passes are needed",
         };
-        let of_rate = |(error, rate): (f64, f64)| if rate > 0.0 { error / rate } else { 0.0 };
-        let error = rolling.rate_error.zip(rolling.rate).map(of_rate);
-        let rate = self.answer("rate", "Strain of a steady pass", Quantity::Strain, rolling.rate);
+        let bar = |rule: &RuleVerdict| match (rule.verdict, rule.rate, rule.rate_error) {
+            (TrackVerdict::ShakesDown | TrackVerdict::Elastic, ..) => {
+                Bar::none("a figure of zero has no relative error")
+            }
+            (_, Some(rate), Some(error)) if rate > 0.0 && error.is_finite() => {
+                Bar::Relative(error / rate)
+            }
+            _ => Bar::none(NO_BAR),
+        };
         let body = rolling.body.map(AnswerBody::from);
         let place = |depth: f64| AnswerPlace {
             body: body.unwrap_or(AnswerBody::Both),
@@ -169,11 +187,26 @@ impl Facts<'_> {
             y: None,
             depth,
         };
-        let rate = rate.place(rolling.rate_depth.map(place));
-        Answer { body, ..rate.error(error.filter(|error| error.is_finite())).text(text) }
+        let is_worst =
+            |rule: &RuleVerdict| (rule.verdict, rule.rate) == (rolling.verdict, rolling.rate);
+        let of = |rule: &RuleVerdict| {
+            let row = self.row(Name::StrainPerPass, rule.rate).bar(bar(rule));
+            let hardening = (rolling.rules.len() > 1).then_some(rule.hardening);
+            let at = AnswerAt { pass: Some(rule.passes), hardening, load: None };
+            let label = Name::StrainPerPass.label();
+            let label = format!("{label}{}", by_rule(rule.hardening));
+            let row = row.at(at).labelled(&label).text(text(rule.verdict));
+            if is_worst(rule) {
+                let place = rolling.rate_depth.map(place);
+                Answer { body, ..row.place(place) }
+            } else {
+                row.detail()
+            }
+        };
+        rolling.rules.iter().rev().map(of).collect()
     }
 
-    fn of_body(
+    fn of_pass(
         &self,
         last: &PassReport,
         (side, of): (Side, AnswerBody),
@@ -189,103 +222,81 @@ impl Facts<'_> {
                 .map(|error| error * body.largest_residual() / stress.abs())
                 .filter(|error| error.is_finite())
         };
-        let below = |depth: f64, across: f64| {
-            let y = last.half_width_across.map(|_| across);
-            Some(AnswerPlace { body: of, x: 0.0, y, depth })
+        let row = |name: Name, value: f64, error: Option<f64>| {
+            let bar = error.map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
+            self.row(name, value).bar(bar).of(of)
         };
-        let stress = Quantity::Stress;
-        let mut answers = vec![
-            self.answer("groove_depth", "Depth of the track", Quantity::Length, body.groove_depth)
-                .error(error(|errors| errors.groove_depth))
-                .of(of)
+        let stress = |name: Name, value: f64| row(name, value, of_stress(value));
+        let below = |value: f64, depth: f64, across: f64| {
+            let y = last.half_width_across.map(|_| across);
+            (value > 0.0).then_some(AnswerPlace { body: of, x: 0.0, y, depth })
+        };
+        let net = error(|errors| errors.net_strain);
+        let mut rows = vec![
+            row(Name::TrackDepth, body.groove_depth, error(|errors| errors.groove_depth))
                 .text("how far all passes have sunk the surface, on the axis"),
-            self.answer("forward", "Forward displacement", Quantity::Length, body.forward)
-                .error(error(|errors| errors.forward))
-                .of(of)
+            row(Name::ForwardDisplacement, body.forward, error(|errors| errors.forward))
                 .text("of the surface along the travel, by the last pass"),
-            self.answer("pass_strain", "Strain, last pass", Quantity::Strain, body.largest_strain)
-                .error(error(|errors| errors.largest_strain))
-                .of(of)
-                .place(
-                    below(body.largest_strain_depth, body.largest_strain_across)
-                        .filter(|_| body.largest_strain > 0.0),
-                )
+            row(Name::PassStrain, body.largest_strain, error(|errors| errors.largest_strain))
+                .place(below(
+                    body.largest_strain,
+                    body.largest_strain_depth,
+                    body.largest_strain_across,
+                ))
                 .text("accumulated, largest of all layers"),
-            self.answer("net_strain", "Net strain, last pass", Quantity::Strain, body.net_strain)
-                .error(error(|errors| errors.net_strain))
-                .of(of)
-                .place(
-                    below(body.net_strain_depth, body.net_strain_across)
-                        .filter(|_| body.net_strain > 0.0),
-                )
-                .text(if error(|errors| errors.net_strain).is_some_and(|error| error >= 1.0) {
+            row(Name::NetStrain, body.net_strain, net)
+                .place(below(body.net_strain, body.net_strain_depth, body.net_strain_across))
+                .text(if net.is_some_and(|error| error >= 1.0) {
                     "below its error; what the pass has not taken back, largest of all layers"
                 } else {
                     "what the pass has not taken back, largest of all layers"
                 }),
-            self.figure(Figure::MaxPlasticStrain, body.accumulated_strain)
-                .of(of)
+            row(Name::MaxPlasticStrain, body.accumulated_strain, None)
                 .text("accumulated by all passes, largest of all layers"),
-            self.answer("least_sigma_x", "Residual σ_x", stress, body.least_sigma_x)
-                .error(of_stress(body.least_sigma_x))
-                .of(of)
+            stress(Name::LeastSigmaX, body.least_sigma_x)
                 .text("along the travel, the least over depth after the last pass"),
-            self.answer("least_sigma_z", "Residual σ_z", stress, body.least_sigma_z)
-                .error(of_stress(body.least_sigma_z))
-                .of(of)
+            stress(Name::LeastSigmaZ, body.least_sigma_z)
                 .text("across the travel, the least over depth after the last pass"),
+            stress(Name::LargestSigmaX, body.largest_sigma_x).detail(),
+            stress(Name::LargestSigmaZ, body.largest_sigma_z).detail(),
         ];
         if last.half_width_across.is_some() {
-            let pile_up = self.answer("pile_up", "Pile-up", Quantity::Length, body.pile_up);
-            let pile_up = pile_up.error(error(|errors| errors.pile_up)).of(of);
-            answers.insert(
-                1,
-                pile_up.text("how far all passes have raised the surface beside the track"),
-            );
+            let pile_up = row(Name::PileUp, body.pile_up, error(|errors| errors.pile_up));
+            let text = "how far all passes have raised the surface beside the track";
+            rows.insert(1, pile_up.text(text));
         }
-        answers
+        rows
     }
 
     fn limits(&self, rolling: &RollingReport) -> Vec<Answer> {
-        let stress = Quantity::Stress;
         let place = |limit: &super::TrackLimitReport| {
             Some(AnswerPlace { body: limit.body.into(), x: 0.0, y: None, depth: limit.depth })
         };
         let perfect = rolling.limits.perfect.as_ref().map(|limit| {
-            self.answer("shakedown_pressure", "Shakedown pressure", stress, limit.peak_pressure)
+            self.row(Name::ShakedownPressure, limit.peak_pressure)
                 .place(place(limit))
                 .text("Hertz's peak up to which perfectly plastic bodies shake down")
         });
         let kinematic = rolling.limits.kinematic.as_ref().map(|limit| {
-            self.answer(
-                "kinematic_shakedown_pressure",
-                "Kinematic shakedown",
-                stress,
-                limit.peak_pressure,
-            )
-            .place(place(limit))
-            .text("of bodies whose backstress has no bound, on these layers")
+            self.row(Name::KinematicShakedownPressure, limit.peak_pressure)
+                .place(place(limit))
+                .text("of bodies whose backstress has no bound, on these layers")
         });
-        let peak = self.answer(
-            "elastic_peak_pressure",
-            "Peak pressure of Hertz",
-            stress,
-            self.step.hertz.as_ref().map(|hertz| hertz.peak_pressure),
-        );
-        perfect
-            .into_iter()
-            .chain(kinematic)
-            .chain([peak.text("to be held beside the limits")])
-            .collect()
+        let shear = rolling.limits.shear_yield_stress;
+        let shear = shear.map(|shear| self.row(Name::ShearYieldStress, shear).detail());
+        let friction = self.row(Name::Friction, rolling.friction).bar(Bar::Given).detail();
+        perfect.into_iter().chain(kinematic).chain(shear).chain([friction]).collect()
     }
 }
 
-/// Returns a strain with its error, both in per cent.
+/// Returns a strain in the digits of its error, and the error, both in per cent.
 fn strain(rate: Option<f64>, error: Option<f64>) -> String {
     let Some(rate) = rate else { return String::new() };
-    let error = error.filter(|error| error.is_finite());
-    let error = error.map(|error| format!(" ± {}", about(100.0 * error)));
-    format!("{}{} %", about(100.0 * rate), error.unwrap_or_default())
+    let Some(error) = error.filter(|error| error.is_finite() && rate > 0.0) else {
+        return format!("{} %", about(100.0 * rate));
+    };
+    let digits = ErrorBar::Relative(error / rate).digits();
+    format!("{} ± {} %", to_digits(100.0 * rate, digits), to_digits(100.0 * error, 2))
 }
 
 /// Returns the rule that a verdict is said under.
