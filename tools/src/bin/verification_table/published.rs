@@ -54,7 +54,7 @@ struct Published {
 /// An answer of a step.
 fn answer(step: &StepReport, name: &str) -> Option<Found> {
     let answer = step.answers.iter().find(|answer| answer.name == name)?;
-    Some(Found { value: answer.value?, error: answer.error })
+    Some(Found { value: answer.value?, error: answer.error.bound() })
 }
 
 fn last(report: &Report) -> Option<&StepReport> {
