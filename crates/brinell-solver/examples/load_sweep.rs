@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
 use brinell_solver::report;
+use brinell_solver::report::Name;
 use brinell_solver::solver::{Interrupt, IterationRecord, Observer};
 use serde_json::json;
 
@@ -69,9 +70,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let hertz = step.hertz.as_ref().map_or(f64::NAN, |hertz| hertz.peak_pressure);
         println!(
             "{:8.0} {:10.5} {:10.1} {:10.1} {:12.5} {:>10?}",
-            step.contact.force,
+            step[Name::Force],
             step.approach.unwrap_or_default(),
-            step.contact.peak_pressure,
+            step[Name::PeakPressure],
             hertz,
             area,
             step.status

@@ -43,6 +43,15 @@ impl UnitConverter {
         self.length(self.length(core))
     }
 
+    /// Converts the figure of a row of the table of figures.
+    pub fn of(self, quantity: Quantity, core: f64) -> f64 {
+        match quantity {
+            Quantity::Area => self.area(core),
+            Quantity::Force => self.force(core),
+            quantity => self.figure(quantity, core),
+        }
+    }
+
     /// Returns a length with its unit, for sentences: all digits of a dimension of the job.
     pub fn exact_length(self, core: f64) -> String {
         format!("{} {}", self.length(core), self.units.symbol(Quantity::Length))

@@ -141,7 +141,7 @@ impl Facts<'_> {
             let text = "The bodies do not bear this load with small strains.";
             return (VerdictLevel::Collapse, text.to_owned());
         }
-        match self.step.status {
+        match self.known.status {
             SolveStatus::Converged => {}
             SolveStatus::NotConverged => {
                 let text = "No answer: this load has not converged.";
@@ -152,8 +152,8 @@ impl Facts<'_> {
                 return (VerdictLevel::NotConverged, text.to_owned());
             }
         }
-        if let Some(rolling) = &self.step.rolling {
-            return self.track_verdict(rolling);
+        if let Some(rolled) = &self.known.rolled {
+            return self.track_verdict(rolled);
         }
         let has_yielded = self.has_yielded();
         if !self.touches() {
@@ -187,9 +187,9 @@ impl Facts<'_> {
             return (VerdictLevel::NotKnown, text.to_owned());
         }
         let is_sought = self.job.load == Load::Onset;
-        match self.first_yield().filter(|first| !is_sought && self.step.contact.force > *first) {
+        match self.first_yield().filter(|first| !is_sought && self.known.figures.force > *first) {
             Some(first) => {
-                let first = self.with_unit(rounded, self.force_quantity(), first);
+                let first = self.write.force_text(first);
                 let text = format!(
                     "About at first yield: nothing yields on this mesh, and closed forms give \
                      first yield at {first}."
@@ -202,8 +202,7 @@ impl Facts<'_> {
 
     /// Returns the force of first yield, which laws without a yield point have none of.
     pub fn first_yield(&self) -> Option<f64> {
-        let force = self.measured.first_yield.filter(|_| !self.flows_from_the_first());
-        force.map(|force| self.write.force(force))
+        self.measured.first_yield.filter(|_| !self.flows_from_the_first())
     }
 
     fn elastic(&self, rows: &[Answer]) -> String {
@@ -213,7 +212,8 @@ impl Facts<'_> {
             if self.job.load == Load::Onset {
                 return format!("First yield: a body begins to yield under this force, {force}.");
             }
-            let part = first.value.map_or(0.0, |first| self.step.contact.force / first);
+            let force_now = self.write.force(self.known.figures.force);
+            let part = first.value.map_or(0.0, |first| force_now / first);
             let part = to_digits(100.0 * part, first.error.digits().min(3));
             return format!("Elastic: this force is {part} % of that of first yield, {force}.");
         }
@@ -229,21 +229,21 @@ impl Facts<'_> {
     fn yields(&self, rows: &[Answer]) -> (VerdictLevel, String) {
         let mut parts: Vec<String> = Vec::new();
         if let Some(first) = self.first_yield().filter(|_| !self.measured.is_dented) {
-            let ratio = self.step.contact.force / first;
+            let ratio = self.known.figures.force / first;
             let by = if ratio < 1.0 { " of closed forms" } else { "" };
             parts.push(format!(
                 "{} times first yield{by} at {}",
                 about(ratio),
-                self.with_unit(rounded, self.force_quantity(), first)
+                self.write.force_text(first)
             ));
         }
         parts.extend(self.strained(rows));
-        let above = self.shakedown().filter(|(peak, limit)| peak > limit);
-        parts.extend(above.map(|(peak, limit)| {
+        let above = self.shakedown().filter(|[peak, limit, _]| peak > limit);
+        parts.extend(above.map(|[peak, limit, _]| {
             format!(
                 "above the shakedown limit of a perfectly plastic body (Hertz's peak {} > {})",
-                rounded(peak),
-                self.with_unit(rounded, Quantity::Stress, limit)
+                rounded(self.write.stress(peak)),
+                self.write.stress_text(limit)
             )
         }));
         let level =
@@ -308,7 +308,7 @@ impl Facts<'_> {
         let touches = format!(
             "{} % of the area of the heights touches under a nominal pressure of {}",
             about(100.0 * rough.contact_ratio),
-            self.with_unit(about, Quantity::Stress, rough.nominal_pressure)
+            self.write.stress_about(rough.nominal_pressure)
         );
         if self.measured.inside_rim.is_some_and(|(pressure, _)| pressure <= 0.0) {
             return (
@@ -316,7 +316,7 @@ impl Facts<'_> {
                 format!("{touches}, all of it at the rim: what yields is not known."),
             );
         }
-        match rough.plastic_part {
+        match rough.yielded_part {
             Some(part) if has_yielded => (
                 VerdictLevel::Yields,
                 format!("{touches}; below {} % of that area a body yields.", about(100.0 * part)),

@@ -89,7 +89,7 @@ fn profiles_lie_below_the_middle_and_below_the_peak() {
     let steps = report(&job).steps;
     let parts = &steps[0].contact.patches;
     let middle = 0.5 * (parts[0].left + parts.last().unwrap().right);
-    let peak = steps[0].contact.peak_position;
+    let peak = steps[0].peak_position();
     assert!((peak - middle).abs() > 0.02, "{peak} {middle}");
     for step in &steps {
         let places: Vec<f64> =

@@ -2,11 +2,9 @@
 
 use super::{Answer, AnswerBody, AnswerPlace, Facts, Name};
 use crate::job::{Quantity, Side};
-use crate::report::{BodyErrors, FlowReport, PerBody, PlasticityReport, SurfaceReport};
+use crate::report::known::{FlowFigures, SurfaceFigures, Zone};
 use crate::solver::method::figures::Figure;
 use crate::units::about;
-
-type BarOf = fn(&BodyErrors) -> Option<f64>;
 
 impl Facts<'_> {
     /// Returns the sides of which there are rows: of bodies that are alike one.
@@ -14,36 +12,22 @@ impl Facts<'_> {
         if self.is_alike() { &[Side::Lower] } else { &Side::BOTH }
     }
 
-    fn body_bar(&self, side: Side, bar: BarOf) -> Option<f64> {
-        let whole = self.step.three_dimensional.as_ref();
-        let of_ellipse = whole.and_then(|whole| whole.estimated_error.as_ref());
-        let bars = self.bars()?;
-        let PerBody { upper, lower } = of_ellipse.map(|errors| errors.bodies).or(bars.bodies)?;
-        let errors = if side == Side::Upper { upper } else { lower };
-        errors.as_ref().and_then(bar)
-    }
-
     /// Returns the row of a figure of a body with its bar.
-    fn of_body(
-        &self,
-        (name, side): (Name, Side),
-        value: impl Into<Option<f64>>,
-        figure: Figure,
-        bar: BarOf,
-    ) -> Answer {
-        let bar = self.body_bar(side, bar);
-        self.meshed(name, value, (figure, side.member()), bar).of(self.body(side))
+    fn of_body(&self, name: Name, core: impl Into<Option<f64>>, figure: (Figure, Side)) -> Answer {
+        let (figure, side) = figure;
+        self.meshed(name, core, (figure, side.member())).of(self.body(side))
     }
 
     /// Returns the largest plastic strain of each body, where that has no limit the mean one, the
     /// larger of both before the details.
     pub(super) fn strains(&self) -> Vec<Answer> {
-        let most = self.most_strained().map(|(body, _)| body);
-        let is_limited =
-            self.zones().all(|(_, zone)| zone.max_equivalent_plastic_strain.is_some());
+        let most = self.most_strained();
+        let is_limited = self.zones().all(|(_, zone)| zone.largest.is_some());
         let zones = self.zones().filter(|(side, _)| self.sides().contains(side));
         let rows = zones.flat_map(|(side, zone)| {
-            let mean = self.mean_strain(side, zone);
+            let mean = Figure::MeanPlasticStrain;
+            let mean = self.of_body(Name::MeanPlasticStrain, zone.mean, (mean, side));
+            let mean = mean.text("over the area that has yielded");
             let largest = self.largest_strain(side, zone);
             let is_most = most == Some(self.body(side));
             match (is_most, is_limited) {
@@ -55,83 +39,56 @@ impl Facts<'_> {
         rows.collect()
     }
 
-    fn largest_strain(&self, side: Side, zone: &PlasticityReport) -> Answer {
-        let (name, value) = (Name::MaxPlasticStrain, zone.max_equivalent_plastic_strain);
-        let row = self.of_body((name, side), value, Figure::MaxPlasticStrain, |errors| {
-            errors.max_equivalent_plastic_strain
-        });
-        if value.is_none() {
+    fn largest_strain(&self, side: Side, zone: &Zone) -> Answer {
+        let figure = (Figure::MaxPlasticStrain, side);
+        let row = self.of_body(Name::MaxPlasticStrain, zone.largest, figure);
+        let Some(largest) = zone.largest else {
             return row.not_known("it has no limit on finer meshes");
-        }
-        let place = AnswerPlace {
-            body: self.body(side),
-            x: zone.position,
-            y: zone.position_y,
-            depth: zone.depth,
         };
+        let place = self.place(self.body(side), zone.place);
         row.elastic(Some(0.0).filter(|_| self.touches()))
-            .place(Some(place).filter(|_| value > Some(0.0)))
+            .place(Some(place).filter(|_| largest > 0.0))
             .text(format!("of all {}", self.measured.points))
-    }
-
-    fn mean_strain(&self, side: Side, zone: &PlasticityReport) -> Answer {
-        let value = zone.mean_equivalent_plastic_strain;
-        self.of_body((Name::MeanPlasticStrain, side), value, Figure::MeanPlasticStrain, |errors| {
-            errors.mean_equivalent_plastic_strain
-        })
-        .text("over the area that has yielded")
     }
 
     /// Returns how deep plastic strain reaches.
     pub fn plastic_depths(&self) -> Vec<Answer> {
-        let figures = &self.measured.figures;
         let depth = |side: &Side| {
-            let depth = figures.get(Figure::PlasticDepth, side.member())?;
-            let row = self.row(Name::PlasticDepth, self.write.length(depth));
-            Some(row.of(self.body(*side)))
+            let depth = self.known.figures.bodies[side.member()]?.plastic_depth?;
+            Some(self.row(Name::PlasticDepth, depth).of(self.body(*side)))
         };
         self.sides().iter().filter_map(depth).collect()
     }
 
-    /// Returns depth and pile-up of each surface. Under load the surfaces of half-spaces have an
-    /// elastic deflection, which has no bar.
+    /// Returns depth and pile-up of each surface.
     pub(super) fn surfaces(&self, name: Name) -> Vec<Answer> {
-        let Some(FlowReport { surfaces, .. }) = &self.step.flow else { return Vec::new() };
-        let has_bar = self.is_unloaded() || !self.is_three_dimensional();
-        let bar_of = |bar: BarOf| if has_bar { bar } else { |_: &BodyErrors| None };
-        let of = |side: Side| {
-            let surface = if side == Side::Upper { &surfaces.upper } else { &surfaces.lower };
-            surface.as_ref().map(|surface| (side, surface))
-        };
-        let both: Vec<_> = self.sides().iter().filter_map(|side| of(*side)).collect();
-        let depth = |(side, surface): &(Side, &SurfaceReport)| {
-            let reversed = if surface.yielded_in_reverse { "; yielded in reverse" } else { "" };
-            let bar = bar_of(|errors| errors.depth);
-            self.of_body((name, *side), surface.depth, Figure::Dent, bar)
+        let Some(FlowFigures { surfaces, .. }) = &self.known.flow else { return Vec::new() };
+        let of = |side: &Side| Some((*side, surfaces[side.member()]?));
+        let both: Vec<_> = self.sides().iter().filter_map(of).collect();
+        let depth = |(side, surface): &(Side, SurfaceFigures)| {
+            let reversed = if surface.reverse.is_some() { "; yielded in reverse" } else { "" };
+            self.of_body(name, surface.depth, (Figure::Dent, *side))
                 .text(format!("deepest point below the undeformed surface{reversed}"))
         };
-        let pile_up = |(side, surface): &(Side, &SurfaceReport)| {
-            let bar = bar_of(|errors| errors.pile_up);
-            let row = self.of_body((Name::PileUp, *side), surface.pile_up, Figure::PileUp, bar);
+        let pile_up = |(side, surface): &(Side, SurfaceFigures)| {
+            let row = self.of_body(Name::PileUp, surface.pile_up, (Figure::PileUp, *side));
             if surface.pile_up <= 0.0 {
                 return row;
             }
-            let from = surface.pile_up_position;
-            let place = AnswerPlace { body: self.body(*side), x: from, y: None, depth: 0.0 };
-            row.place(Some(place)).text(format!(
+            let from = self.write.length(surface.pile_up_from);
+            let place = self.place(self.body(*side), [surface.pile_up_from, 0.0, 0.0]);
+            row.place(Some(AnswerPlace { y: None, ..place })).text(format!(
                 "highest point above the undeformed surface, {} from the middle",
                 self.with_unit(about, Quantity::Length, from)
             ))
         };
-        let reverse = |(side, surface): &(Side, &SurfaceReport)| {
-            let rows = [
-                (Name::ReversePlasticStrain, surface.max_reverse_strain),
-                (Name::ReversePlasticArea, surface.reverse_area),
-            ];
-            let rows = rows.map(|(name, value)| self.row(name, value).of(self.body(*side)));
-            surface.yielded_in_reverse.then(|| rows.map(Answer::detail))
+        let reverse = |(side, surface): &(Side, SurfaceFigures)| {
+            let [strain, area] = surface.reverse?;
+            let rows = [(Name::ReversePlasticStrain, strain), (Name::ReversePlasticArea, area)];
+            let body = self.body(*side);
+            Some(rows.map(|(name, value)| self.row(name, value).of(body).detail()))
         };
-        let reversed = both.iter().filter_map(reverse).flatten().collect::<Vec<_>>();
+        let reversed: Vec<_> = both.iter().filter_map(reverse).flatten().collect();
         both.iter().map(depth).chain(both.iter().map(pile_up)).chain(reversed).collect()
     }
 
@@ -141,44 +98,22 @@ impl Facts<'_> {
         for (side, zone) in self.zones().filter(|(side, _)| self.sides().contains(side)) {
             let body = self.body(side);
             if zone.yielded {
-                let area = Name::PlasticArea;
-                rows.push(
-                    self.of_body((area, side), zone.area, Figure::PlasticArea, |errors| {
-                        errors.area
-                    }),
-                );
-                rows.extend(self.cover(side, zone).map(|row| row.of(body)));
+                let area = (Figure::PlasticArea, side);
+                rows.push(self.of_body(Name::PlasticArea, zone.area, area));
+                rows.extend(zone.cover.map(|top| self.row(Name::PlasticCover, top).of(body)));
             }
             let volume = zone.volume.filter(|volume| *volume > 0.0);
             rows.extend(volume.map(|volume| self.row(Name::PlasticVolume, volume).of(body)));
-            let stress = |figure: Figure| self.measured.figures.get(figure, side.member());
-            let least = stress(Figure::LeastStress).map(|stress| self.write.stress(stress));
-            rows.extend(least.map(|stress| {
-                self.of_body((Name::LeastStress, side), stress, Figure::LeastStress, |errors| {
-                    errors.least_stress
-                })
-            }));
-            let most = stress(Figure::LargestVonMises).map(|stress| self.write.stress(stress));
-            rows.extend(most.map(|stress| {
-                let name = Name::LargestVonMises;
-                self.of_body((name, side), stress, Figure::LargestVonMises, |errors| {
-                    errors.utilization
-                })
+            let Some(figures) = self.known.figures.bodies[side.member()] else { continue };
+            let stresses = [
+                (Name::LeastStress, figures.least_stress, Figure::LeastStress),
+                (Name::LargestVonMises, figures.largest_von_mises, Figure::LargestVonMises),
+            ];
+            rows.extend(stresses.into_iter().filter_map(|(name, stress, figure)| {
+                Some(self.of_body(name, stress?, (figure, side)))
             }));
         }
         rows.into_iter().map(Answer::detail).collect()
-    }
-
-    /// Returns the depth at which a plastic zone begins.
-    fn cover(&self, side: Side, zone: &PlasticityReport) -> Option<Answer> {
-        let depths = zone.outline.iter().flatten().map(|point| point[1]);
-        let drawn = depths.reduce(f64::min);
-        let of_cells = || {
-            let top = self.measured.plastic_tops[side.member()]?;
-            Some(self.write.length(top))
-        };
-        let top = if zone.reached_surface { Some(0.0) } else { drawn.or_else(of_cells) };
-        Some(self.row(Name::PlasticCover, top?.max(0.0)))
     }
 }
 

@@ -1,35 +1,33 @@
 //! Rows of the contact: pressure, size, force; heights and rollers.
 
 use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name};
-use crate::job::{Analysis, Load, Shape, label_of};
-use crate::report::{
-    HertzReport, LoadReport, RollerReport, RoughContactReport, ThreeDimensionalReport,
-};
+use crate::contact::ContactLoad;
+use crate::job::{Analysis, Load, Shape};
+use crate::report::known::{Hertz, RollerFigures, Rough, Whole};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::Figure;
 use crate::units::about;
 
 impl Facts<'_> {
-    fn whole(&self) -> Option<&ThreeDimensionalReport> {
-        self.step.three_dimensional.as_ref()
+    fn whole(&self) -> Option<&Whole> {
+        self.known.whole.as_ref()
     }
 
-    pub fn rough(&self) -> Option<&RoughContactReport> {
-        self.whole()?.surface.as_ref()
+    pub fn rough(&self) -> Option<Rough> {
+        self.whole()?.rough
     }
 
-    fn roller(&self) -> Option<&RollerReport> {
-        self.whole()?.roller.as_ref()
+    fn roller(&self) -> Option<RollerFigures> {
+        self.whole()?.roller
     }
 
-    fn on_surface(&self, x: f64, y: Option<f64>) -> Option<AnswerPlace> {
-        Some(AnswerPlace { body: AnswerBody::Both, x, y, depth: 0.0 })
+    fn on_surface(&self, [x, y]: [f64; 2]) -> Option<AnswerPlace> {
+        Some(self.place(AnswerBody::Both, [x, y, 0.0]))
     }
 
     pub(super) fn of_heights(&self) -> Vec<Answer> {
         let Some(rough) = self.rough() else { return Vec::new() };
-        let bar = self.bars().and_then(|bars| bars.force);
-        let of_force = self.bar(&[(Figure::Force, 0)], bar);
+        let of_force = self.bar(&[(Figure::Force, 0)], self.bar_of(Figure::Force, 0));
         let is_given = self.given_force().is_some();
         let mut rows = vec![
             self.row(Name::ContactRatio, rough.contact_ratio)
@@ -38,7 +36,7 @@ impl Facts<'_> {
                 .bar(if is_given { Bar::Exact } else { of_force })
                 .text("force over the area of all heights"),
         ];
-        rows.extend(rough.plastic_part.map(|part| {
+        rows.extend(rough.yielded_part.map(|part| {
             self.row(Name::YieldedPart, part)
                 .text("of the area in contact, below which a body has yielded")
         }));
@@ -46,21 +44,23 @@ impl Facts<'_> {
     }
 
     pub(super) fn of_roller(&self) -> Vec<Answer> {
-        let whole = self.whole().filter(|_| self.touches());
-        let Some((whole, roller)) = whole.zip(self.roller()) else { return Vec::new() };
+        let Some((whole, roller)) = self.whole().zip(self.roller()) else { return Vec::new() };
         let [low, high] = roller.end_pressure;
         let edge = low.max(high);
-        let text = if edge <= 0.0 {
+        let text = if !self.touches() {
+            String::new()
+        } else if edge <= 0.0 {
             "the contact ends before the roller".to_owned()
         } else if roller.middle_pressure > 0.0 {
             format!("{} times the pressure in the middle", about(edge / roller.middle_pressure))
         } else {
             "the middle of the roller does not touch".to_owned()
         };
-        let end = if high >= low { roller.y.last() } else { roller.y.first() };
-        let place = end.filter(|_| edge > 0.0).and_then(|y| self.on_surface(0.0, Some(*y)));
+        let end = roller.ends[usize::from(high >= low)];
+        let place = self.on_surface([0.0, end]).filter(|_| edge > 0.0);
         let mut rows = vec![self.row(Name::EdgePressure, edge).place(place).text(text)];
-        let is_even = roller.moment.abs() <= 1e-6 * self.step.contact.force * whole.b;
+        let [_, longer] = whole.semi_axes;
+        let is_even = roller.moment.abs() <= 1e-6 * self.known.figures.force * longer;
         let moment = self
             .row(Name::Moment, roller.moment)
             .text("of the pressure about the middle, positive towards y");
@@ -89,39 +89,28 @@ impl Facts<'_> {
     /// Returns the force that the job gives.
     pub fn given_force(&self) -> Option<f64> {
         let is_sought = matches!(self.job.load, Load::Target(_) | Load::Onset);
-        match self.step.load {
-            LoadReport::Force(force) if !is_sought => Some(force),
+        match self.known.load {
+            ContactLoad::Force(force) if !is_sought => Some(force),
             _ => None,
         }
     }
 
     /// Returns the force. One that is given is known, whatever the mesh tells.
-    pub(super) fn force(&self) -> Answer {
-        let given = self.given_force().filter(|_| self.step.status == SolveStatus::Converged);
-        let bar = self.bars().and_then(|bars| bars.force);
-        let force = given.unwrap_or(self.step.contact.force);
-        let row = self.meshed(Name::Force, force, (Figure::Force, 0), bar);
-        let row = if given.is_some() { row.bar(Bar::Given) } else { row };
-        match &self.job.load {
-            Load::Target(target) if self.touches() => {
-                let figure = self.write.target_text(target.figure, target.value.get());
-                row.text(format!("for a {} of {figure}", label_of(target.figure)))
-            }
-            _ => row,
-        }
+    fn force(&self) -> Answer {
+        let given = self.given_force().filter(|_| self.known.status == SolveStatus::Converged);
+        let force = given.unwrap_or(self.known.figures.force);
+        let row = self.meshed(Name::Force, force, (Figure::Force, 0));
+        if given.is_some() { row.bar(Bar::Given) } else { row }
     }
 
     pub fn of_contact(&self) -> Vec<Answer> {
         let mut rows = vec![self.peak()];
         rows.extend(self.middle_pressure());
         rows.extend(self.sizes());
-        if !self.is_unloaded() && self.step.rolling.is_none() {
+        if !self.is_unloaded() && self.known.rolled.is_none() {
             rows.push(self.approach());
         }
-        if !self.is_sought() {
-            rows.push(self.force());
-        }
-        rows.push(self.mean_pressure());
+        rows.extend([self.force(), self.mean_pressure()]);
         rows
     }
 
@@ -131,71 +120,67 @@ impl Facts<'_> {
     }
 
     fn peak(&self) -> Answer {
-        let step = self.step;
-        let (contact, whole) = (&step.contact, self.whole());
+        let known = self.known;
         let unknown = |why: &str| self.row(Name::PeakPressure, None).not_known(why);
-        let bar = self.bars().and_then(|bars| bars.peak_pressure);
-        let meshed =
-            |value: f64| self.meshed(Name::PeakPressure, value, (Figure::PeakPressure, 0), bar);
+        let meshed = |core: f64| self.meshed(Name::PeakPressure, core, (Figure::PeakPressure, 0));
         match self.measured.inside_rim {
             _ if self.measured.bearable.is_some() => unknown("above what the flow stress carries"),
             Some((pressure, _)) if pressure <= 0.0 => unknown("only cells of the rim touch"),
-            Some((pressure, _)) if self.write.stress(pressure) < contact.mean_pressure => {
+            Some((pressure, _)) if pressure < known.mean_pressure => {
                 unknown("cells of the rim bear the most")
             }
-            Some((pressure, [x, y])) => meshed(self.write.stress(pressure))
+            Some((pressure, place)) => meshed(pressure)
                 .bar(Bar::none("remark `surface_end`"))
-                .place(self.on_surface(self.write.length(x), Some(self.write.length(y))))
+                .place(self.on_surface(place))
                 .text("largest pressure of a cell, without the cells of the rim"),
             None => {
-                meshed(contact.peak_pressure)
-                    .elastic(self.hertz().map(|hertz| hertz.peak_pressure))
-                    .place(self.on_surface(
-                        contact.peak_position,
-                        whole.map(|whole| whole.peak_position_y),
-                    ))
-                    .at_least(self.least_peak(), self.of_dent())
+                let elastic = self.hertz().map(|hertz| self.write.stress(hertz.peak_pressure));
+                let least = self.least_peak().map(|least| self.write.stress(least));
+                meshed(known.figures.peak_pressure)
+                    .elastic(elastic)
+                    .place(self.on_surface(known.peak_place))
+                    .at_least(least, self.of_dent())
             }
         }
     }
 
     /// Returns Hertz's contact, where it is beside this one.
-    fn hertz(&self) -> Option<&HertzReport> {
-        self.step.hertz.as_ref().filter(|_| self.touches() && !self.is_rough())
+    fn hertz(&self) -> Option<Hertz> {
+        self.known.hertz.filter(|_| self.touches() && !self.is_rough())
     }
 
     /// Returns the half-width, or both semi-axes.
     fn sizes(&self) -> Vec<Answer> {
-        let (contact, bars, whole) = (&self.step.contact, self.bars(), self.whole());
-        let bar = bars.and_then(|bars| bars.half_width);
-        let elastic = self.hertz().map(|hertz| hertz.half_width);
-        let half_width = |name: Name| {
-            let row = self.meshed(name, contact.half_width, (Figure::HalfWidth, 0), bar);
-            row.elastic(elastic).text(self.of_dent())
+        let length = |core: f64| self.write.length(core);
+        let size = |name: Name, core: f64, figure: Figure, elastic: Option<f64>| {
+            let row = self.meshed(name, core, (figure, 0));
+            row.elastic(elastic.map(length)).text(self.of_dent())
         };
-        if let Some(whole) = whole {
-            let errors = whole.estimated_error.as_ref().filter(|_| bars.is_some());
-            let bar = errors.and_then(|errors| errors.b);
-            let hertz = whole.hertz.filter(|_| self.touches());
-            let longer = self.meshed(Name::SemiAxisB, whole.b, (Figure::SemiAxisY, 0), bar);
-            let longer = longer.elastic(hertz.map(|hertz| hertz.b)).text(self.of_dent());
-            let both = [half_width(Name::SemiAxisA), longer];
+        let shorter = self.hertz().map(|hertz| hertz.half_width);
+        if let Some(whole) = self.whole() {
+            let longer = self.hertz().and_then(|hertz| hertz.longer);
+            let [a, b] = whole.semi_axes;
+            let both = [
+                size(Name::SemiAxisA, a, Figure::HalfWidth, shorter),
+                size(Name::SemiAxisB, b, Figure::SemiAxisY, longer),
+            ];
             return if self.is_rough() { both.map(Answer::detail) } else { both }.to_vec();
         }
-        let row = half_width(Name::HalfWidth);
+        let half_width = self.known.figures.half_width;
+        let row = size(Name::HalfWidth, half_width, Figure::HalfWidth, shorter);
         if self.job.analysis == Analysis::Axisymmetric {
             return vec![row.labelled("Contact radius").of_width(self.touches())];
         }
-        let Some(angle) = contact.half_angle else {
+        let Some(angle) = self.known.half_angle else {
             return vec![row.of_width(self.touches())];
         };
         let row = row.text(format!("along the arc, {}° to each side", about(angle)));
-        let angle = self.meshed(Name::HalfAngle, angle, (Figure::HalfWidth, 0), bar);
+        let angle = self.meshed(Name::HalfAngle, angle, (Figure::HalfWidth, 0));
         vec![row.of_width(self.touches()), angle.detail()]
     }
 
     fn mean_pressure(&self) -> Answer {
-        let (contact, hertz) = (&self.step.contact, self.hertz());
+        let hertz = self.hertz().map(|hertz| self.write.stress(hertz.peak_pressure));
         // A roller that touches from end to end has Hertz's line contact.
         let over_peak = if self.roller().is_some() {
             None
@@ -204,12 +189,12 @@ impl Facts<'_> {
         } else {
             Some(std::f64::consts::FRAC_PI_4)
         };
-        let parts = contact.patches.len() > 1 && self.whole().is_none();
-        let row = self.row(Name::MeanPressure, contact.mean_pressure);
-        let row = if parts { row.labelled("Mean pressure, gaps included") } else { row };
+        let has_gaps = self.known.parts > 1 && self.whole().is_none();
+        let row = self.row(Name::MeanPressure, self.known.mean_pressure);
+        let row = if has_gaps { row.labelled("Mean pressure, gaps included") } else { row };
         let of = [(Figure::HalfWidth, 0), (Figure::ContactArea, 0), (Figure::Force, 0)];
         row.bar(self.bar(&of, self.mean_pressure_bar()))
-            .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
+            .elastic(hertz.zip(over_peak).map(|(peak, part)| part * peak))
             .text(if self.is_rough() { "over the cells in contact" } else { self.of_dent() })
             .of_width(self.touches())
     }
@@ -217,46 +202,47 @@ impl Facts<'_> {
     /// Returns the pressure in the middle, before the details where it has a bar and the peak has
     /// none.
     fn middle_pressure(&self) -> Option<Answer> {
-        let pressure = self.step.contact.middle_pressure?;
-        let (bars, figure) = (self.bars(), Figure::MiddlePressure);
-        let bar = bars.and_then(|bars| bars.middle_pressure);
-        let row = self.meshed(Name::MiddlePressure, pressure, (figure, 0), bar);
-        let is_peak_known = bars.is_none_or(|bars| bars.peak_pressure.is_some());
-        let is_behind = is_peak_known || bar.is_none() || pressure <= 0.0;
-        Some(if is_behind { row.detail() } else { row })
+        let pressure = self.known.figures.middle_pressure?;
+        let row = self.meshed(Name::MiddlePressure, pressure, (Figure::MiddlePressure, 0));
+        let is_ahead = self.bar_of(Figure::MiddlePressure, 0).is_some()
+            && self.bar_of(Figure::PeakPressure, 0).is_none()
+            && pressure > 0.0;
+        Some(if is_ahead { row } else { row.detail() })
     }
 
     /// Returns what a peak without a bar is at least: the larger of the pressures in the middle and
     /// in the mean, less their bars.
     fn least_peak(&self) -> Option<f64> {
-        let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
-        let contact = &self.step.contact;
+        if self.bars().is_none() || self.bar_of(Figure::PeakPressure, 0).is_some() {
+            return None;
+        }
         let less =
             |pressure: f64, bar: Option<f64>| pressure * (1.0 - bar.unwrap_or(1.0)).max(0.0);
-        let least = less(contact.middle_pressure.unwrap_or_default(), bars.middle_pressure)
-            .max(less(contact.mean_pressure, self.mean_pressure_bar()));
+        let middle = self.known.figures.middle_pressure.unwrap_or_default();
+        let least = less(middle, self.bar_of(Figure::MiddlePressure, 0))
+            .max(less(self.known.mean_pressure, self.mean_pressure_bar()));
         (least > 0.0).then_some(least)
     }
 
     /// Returns the bar of the mean pressure: under a given force that of the contact area.
     fn mean_pressure_bar(&self) -> Option<f64> {
-        let bars = self.bars().filter(|_| !self.is_rough())?;
+        if self.is_rough() {
+            return None;
+        }
+        let of = |figure: Figure| self.bar_of(figure, 0);
         let of_area = match self.whole() {
-            Some(whole) => whole.estimated_error.as_ref()?.area,
-            None if self.is_whole() => 2.0 * bars.half_width?,
-            None => bars.half_width?,
+            Some(_) => of(Figure::ContactArea)?,
+            None if self.is_whole() => 2.0 * of(Figure::HalfWidth)?,
+            None => of(Figure::HalfWidth)?,
         };
-        Some(of_area + bars.force?)
+        Some(of_area + of(Figure::Force)?)
     }
 
     /// Returns area, orientation and the largest cell of a contact in three dimensions.
     pub(super) fn of_place(&self) -> Vec<Answer> {
         let Some(whole) = self.whole() else { return Vec::new() };
-        let area = whole.estimated_error.as_ref().filter(|_| self.bars().is_some());
-        let area = area.map(|errors| errors.area);
-        let area = self.meshed(Name::ContactArea, whole.area, (Figure::ContactArea, 0), area);
         let rows = [
-            area,
+            self.meshed(Name::ContactArea, whole.area, (Figure::ContactArea, 0)),
             self.row(Name::LargestCellPressure, whole.largest_cell_pressure),
             self.row(Name::Orientation, whole.orientation)
                 .text("from the x of the job to this x, towards the y of the job"),

@@ -11,12 +11,15 @@ pub use names::{BarKind, Name, table_of_names};
 pub(super) use row::Bar;
 pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
 
+use super::Verdict;
 use super::datum::Datum;
+use super::error_bars::ErrorEstimate;
 use super::findings::{Finding, Voids};
-use super::{ErrorEstimate, FlowReport, LoadReport, PerBody, PlasticityReport, StepReport};
+use super::known::{FlowFigures, Known, Zone};
+use crate::contact::ContactLoad;
 use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory};
 use crate::solver::SolveStatus;
-use crate::solver::method::figures::{Figure, Values};
+use crate::solver::method::figures::Figure;
 use crate::units::{UnitConverter, about};
 
 /// Relative difference of forces that are alike.
@@ -52,12 +55,8 @@ pub(super) struct Measured {
     pub inside_rim: Option<(f64, [f64; 2])>,
     /// The largest pressure that the flow stress carries, where the peak of heights is above it.
     pub bearable: Option<f64>,
-    /// All figures.
-    pub figures: Values,
     /// Between what the approach is measured.
     pub datum: Datum,
-    /// Depth at which the plastic zone of each body of cells begins.
-    pub plastic_tops: [Option<f64>; 2],
     /// Over which points the fields were searched.
     pub points: &'static str,
     /// Whether an earlier load of the history, at least as large, has dented the bodies.
@@ -74,32 +73,21 @@ pub(super) fn is_dented(dented_under: f64, force: f64) -> bool {
 /// What the answers and the verdict of a load step are made of.
 pub(super) struct Facts<'a> {
     pub job: &'a Job,
-    pub step: &'a StepReport,
+    pub known: &'a Known,
     pub measured: &'a Measured,
     pub findings: &'a [Finding],
     pub write: UnitConverter,
 }
 
-impl StepReport {
-    /// Adds answers and verdict to a report that is complete but for them.
-    pub(super) fn answered(
-        mut self,
-        job: &Job,
-        measured: &Measured,
-        findings: &[Finding],
-        write: UnitConverter,
-    ) -> Self {
-        let facts = Facts { job, step: &self, measured, findings, write };
-        let rows = facts.answers().into_iter().map(|row| facts.bounded(row));
+impl Facts<'_> {
+    /// Returns the verdict and the rows, those with details last.
+    pub fn answered(&self) -> (Verdict, Vec<Answer>) {
+        let rows = self.answers().into_iter().map(|row| self.bounded(row));
         let (details, mut rows): (Vec<_>, Vec<_>) = rows.partition(|row| row.detail);
         rows.extend(details);
-        self.verdict = Some(facts.verdict(&rows));
-        self.answers = rows;
-        self
+        (self.verdict(&rows), rows)
     }
-}
 
-impl Facts<'_> {
     pub fn is_three_dimensional(&self) -> bool {
         self.job.analysis == Analysis::ThreeDimensional
     }
@@ -123,17 +111,12 @@ impl Facts<'_> {
     }
 
     pub fn touches(&self) -> bool {
-        self.step.contact.force > 0.0
+        self.known.figures.force > 0.0
     }
 
     /// Returns whether the load of a history is taken away.
     pub fn is_unloaded(&self) -> bool {
         !self.touches() && self.job.solver.theory == Theory::Flow
-    }
-
-    /// Returns whether the force was sought by what it does.
-    pub fn is_sought(&self) -> bool {
-        matches!(self.job.load, Load::Target(_)) && self.touches()
     }
 
     pub fn has_yielded(&self) -> bool {
@@ -161,10 +144,9 @@ impl Facts<'_> {
 
     /// Returns the zones that have yielded; under a law without a yield point those with plastic
     /// strain.
-    fn strained_zones(&self) -> impl Iterator<Item = (Side, &PlasticityReport)> {
+    fn strained_zones(&self) -> impl Iterator<Item = (Side, &Zone)> {
         self.zones().filter(|(side, zone)| {
-            let strain = zone.max_equivalent_plastic_strain;
-            zone.yielded || strain > Some(0.0) && self.yield_point(*side) == Some(0.0)
+            zone.yielded || zone.largest > Some(0.0) && self.yield_point(*side) == Some(0.0)
         })
     }
 
@@ -176,42 +158,39 @@ impl Facts<'_> {
         })
     }
 
-    fn zones(&self) -> impl Iterator<Item = (Side, &PlasticityReport)> {
-        let PerBody { upper, lower } = &self.step.plasticity;
-        [(Side::Upper, upper), (Side::Lower, lower)]
-            .into_iter()
-            .filter_map(|(side, zone)| Some((side, zone.as_ref()?)))
+    fn zones(&self) -> impl Iterator<Item = (Side, &Zone)> {
+        let zones = Side::BOTH.into_iter().zip(&self.known.zones);
+        zones.filter_map(|(side, zone)| Some((side, zone.as_ref()?)))
     }
 
-    /// Returns the zone with the largest plastic strain, or with the largest mean of strains
+    /// Returns the body with the largest plastic strain, or with the largest mean of strains
     /// without limit.
-    pub fn most_strained(&self) -> Option<(AnswerBody, &PlasticityReport)> {
-        let strain = |zone: &PlasticityReport| {
-            zone.max_equivalent_plastic_strain.unwrap_or(zone.mean_equivalent_plastic_strain)
-        };
-        let (side, zone) =
-            self.strained_zones().max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
-        Some((self.body(side), zone))
+    fn most_strained(&self) -> Option<AnswerBody> {
+        let strain = |zone: &Zone| zone.largest.unwrap_or(zone.mean);
+        let zones = self.strained_zones();
+        let (side, _) = zones.max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
+        Some(self.body(side))
     }
 
     pub fn body(&self, side: Side) -> AnswerBody {
         if self.is_alike() { AnswerBody::Both } else { side.into() }
     }
 
-    pub fn place_of(&self, largest: &Largest) -> AnswerPlace {
-        let [x, y, depth] = largest.place.map(|length| self.write.length(length));
-        AnswerPlace {
-            body: self.body(Side::of(largest.side)),
-            x,
-            y: self.is_three_dimensional().then_some(y),
-            depth,
-        }
+    /// Returns a place `[x, y, depth]` in the units of the job; y only in three dimensions.
+    pub fn place(&self, body: AnswerBody, place: [f64; 3]) -> AnswerPlace {
+        let [x, y, depth] = place.map(|length| self.write.length(length));
+        AnswerPlace { body, x, y: self.is_three_dimensional().then_some(y), depth }
     }
 
-    /// Returns the row of a figure of the report.
-    pub fn row(&self, name: Name, value: impl Into<Option<f64>>) -> Answer {
+    pub fn place_of(&self, largest: &Largest) -> AnswerPlace {
+        self.place(self.body(Side::of(largest.side)), largest.place)
+    }
+
+    /// Returns the row of a figure in N–mm–MPa.
+    pub fn row(&self, name: Name, core: impl Into<Option<f64>>) -> Answer {
         let quantity = self.quantity(name);
-        let row = Answer::new(name, quantity, self.unit(quantity), value.into());
+        let value = core.into().map(|core| self.write.of(quantity, core));
+        let row = Answer::new(name, quantity, self.unit(quantity), value);
         match name.bar() {
             BarKind::Mesh => row.bar(Bar::none(self.why(&[]))),
             BarKind::Exact | BarKind::None => row,
@@ -222,11 +201,16 @@ impl Facts<'_> {
     pub fn meshed(
         &self,
         name: Name,
-        value: impl Into<Option<f64>>,
+        core: impl Into<Option<f64>>,
         (figure, side): (Figure, usize),
-        bar: Option<f64>,
     ) -> Answer {
-        self.row(name, value).bar(self.bar(&[(figure, side)], bar))
+        let bar = self.bar_of(figure, side);
+        self.row(name, core).bar(self.bar(&[(figure, side)], bar))
+    }
+
+    /// Returns the bar of a figure, of a body that of one side.
+    pub fn bar_of(&self, figure: Figure, side: usize) -> Option<f64> {
+        self.bars()?.of_figure(figure, side)
     }
 
     /// Returns a bar, or why one of the figures on which it depends has none.
@@ -236,7 +220,7 @@ impl Facts<'_> {
 
     /// Returns why figures have no bar.
     fn why(&self, of: &[(Figure, usize)]) -> String {
-        if self.step.status != SolveStatus::Converged {
+        if self.known.status != SolveStatus::Converged {
             return "the load has not converged".to_owned();
         }
         let takes = |finding: &&Finding| match finding.voids() {
@@ -259,10 +243,6 @@ impl Facts<'_> {
             Quantity::Energy if !self.is_whole() => Quantity::LineEnergy,
             quantity => quantity,
         }
-    }
-
-    pub fn force_quantity(&self) -> Quantity {
-        self.quantity(Name::Force)
     }
 
     pub fn unit(&self, quantity: Quantity) -> &'static str {
@@ -298,23 +278,20 @@ impl Facts<'_> {
 
     /// Returns the error estimate of a step that has converged.
     fn bars(&self) -> Option<&ErrorEstimate> {
-        let bars = self.step.estimated_error.as_ref();
-        bars.filter(|_| self.step.status == SolveStatus::Converged)
+        let bars = self.known.bars.as_ref();
+        bars.filter(|_| self.known.status == SolveStatus::Converged)
     }
 
     /// Returns the rows in their order, but for details, which may be anywhere.
     fn answers(&self) -> Vec<Answer> {
-        if self.step.status.is_stopped() {
+        if self.known.status.is_stopped() {
             return Vec::new();
         }
-        if let Some(rolling) = &self.step.rolling {
-            return self.of_track(rolling);
+        if let Some(rolled) = &self.known.rolled {
+            return self.of_track(rolled);
         }
         let mut rows = self.asked();
-        if self.is_sought() {
-            rows.push(self.force().labelled("Force found"));
-        }
-        let is_graded = self.step.profiles().any(|(_, profile)| profile.yield_stress.is_some());
+        let is_graded = self.known.is_graded;
         if self.is_unloaded() {
             rows.extend(self.surfaces(Name::DentDepth));
             rows.push(self.approach());
@@ -323,7 +300,8 @@ impl Facts<'_> {
             rows.extend(self.strains());
             rows.extend(self.plastic_depths());
             rows.extend(self.work());
-            rows.extend(self.of_contact().into_iter().map(Answer::detail));
+            let behind = [self.of_contact(), self.of_heights(), self.of_roller()];
+            rows.extend(behind.into_iter().flatten().map(Answer::detail));
         } else {
             rows.extend(self.of_heights());
             rows.extend(self.of_roller());
@@ -348,83 +326,82 @@ impl Facts<'_> {
 
     /// Returns the onset of yield: sought, or in closed form.
     fn asked(&self) -> Vec<Answer> {
-        let step = self.step;
-        let hertz = step.hertz.as_ref();
-        let closed = hertz.and_then(|hertz| hertz.yield_onset_force);
-        if let Some(onset) = &step.yield_onset {
-            let body = self.body(onset.body);
-            let place = AnswerPlace { body, x: onset.position, y: None, depth: onset.depth };
-            let bar = self.bars().and_then(|bars| bars.force);
-            let first = self.meshed(Name::FirstYieldForce, onset.force, (Figure::Force, 0), bar);
-            let first = first.elastic(closed).place(Some(place));
+        let closed = self.known.hertz.and_then(|hertz| hertz.first_yield);
+        let name = Name::FirstYieldForce;
+        if let Some(onset) = &self.known.onset {
+            let body = self.body(Side::of(onset.side));
+            let place = self.place(body, [onset.position, 0.0, onset.depth]);
+            let first = self.meshed(name, onset.force, (Figure::Force, 0));
+            let elastic = closed.map(|[force, _]| self.write.force(force));
+            let first = first.elastic(elastic).place(Some(place));
             let first = first.text("the force under which a body begins to yield, on this mesh");
-            let bar = self.bars().and_then(|bars| bars.peak_pressure);
-            let peak = Name::FirstYieldPeakPressure;
-            let peak = self.meshed(peak, onset.peak_pressure, (Figure::PeakPressure, 0), bar);
+            let peak = (Figure::PeakPressure, 0);
+            let peak = self.meshed(Name::FirstYieldPeakPressure, onset.peak_pressure, peak);
             return vec![first, peak.detail()];
         }
         // A closed form that is not of these bodies is no figure of theirs.
-        let first = self.first_yield().filter(|_| self.touches());
-        let Some((force, hertz)) = first.zip(hertz) else { return Vec::new() };
+        let Some((force, [_, depth])) = self.first_yield().filter(|_| self.touches()).zip(closed)
+        else {
+            return Vec::new();
+        };
         let used = self.measured.utilization.as_ref();
         let body = used.map_or(AnswerBody::Both, |used| self.body(Side::of(used.side)));
-        let depth = hertz.yield_onset_depth;
-        let place = depth.map(|depth| AnswerPlace { body, x: 0.0, y: None, depth });
-        let row = self.row(Name::FirstYieldForce, force).place(place);
+        let row = self.row(name, force).place(Some(self.place(body, [0.0, 0.0, depth])));
         vec![row.text("closed form of half-spaces").detail()]
     }
 
     /// Returns the approach; without force, and unless it is given, the permanent one.
     pub fn approach(&self) -> Answer {
-        let step = self.step;
-        let whole = step.three_dimensional.as_ref();
-        let hertz = whole.and_then(|whole| whole.hertz).filter(|_| self.touches());
-        let given = match step.load {
-            LoadReport::Approach(approach) => Some(approach),
-            LoadReport::Force(_) => None,
+        let hertz = self.known.hertz.filter(|_| self.touches());
+        let hertz = hertz.and_then(|hertz| hertz.approach);
+        let given = match self.known.load {
+            ContactLoad::Approach(approach) => Some(approach),
+            ContactLoad::Force(_) => None,
         };
         // Apart, a given approach tells nothing of what is left.
         let is_left = self.is_unloaded() && given.is_none();
         let name = if is_left { Name::PermanentApproach } else { Name::Approach };
-        let bar = self.bars().and_then(|bars| bars.approach);
-        let row = self.meshed(name, given.or(step.approach), (Figure::Approach, 0), bar);
+        let approach = given.unwrap_or(self.known.figures.approach);
+        let row = self.meshed(name, approach, (Figure::Approach, 0));
         let row = if given.is_some() { row.bar(Bar::Given) } else { row };
-        row.elastic(hertz.map(|hertz| hertz.approach))
+        row.elastic(hertz.map(|approach| self.write.length(approach)))
             .text(format!("between {}", self.measured.datum.between()))
     }
 
     fn tension(&self) -> Option<Answer> {
         let largest = self.measured.tension.as_ref().filter(|most| most.value > 0.0)?;
         let place = self.place_of(largest);
-        let row = self.row(Name::ResidualTension, self.write.stress(largest.value));
+        let row = self.row(Name::ResidualTension, largest.value);
         let text = format!("largest principal stress of all {}", self.measured.points);
         Some(row.of(place.body).place(Some(place)).text(text))
     }
 
     /// Returns the works of flow theory; of bodies without plastic strain all are details.
     fn work(&self) -> Vec<Answer> {
-        let Some(FlowReport { energy, .. }) = &self.step.flow else { return Vec::new() };
+        let Some(FlowFigures { energy, .. }) = &self.known.flow else { return Vec::new() };
         let since = "since the bodies were at rest";
-        let lost = self.row(Name::DissipatedWork, energy.dissipated).text(since);
-        let mut rows = vec![if energy.dissipated > 0.0 { lost } else { lost.detail() }];
+        let lost = self.row(Name::DissipatedWork, energy.dissipated()).text(since);
+        let is_lost = energy.dissipated() > 0.0;
+        let mut rows = vec![if is_lost { lost } else { lost.detail() }];
         let details = [
-            (Name::Work, energy.work),
+            (Name::Work, energy.work()),
             (Name::ElasticEnergy, energy.elastic),
-            (Name::PlasticWork, energy.plastic),
-            (Name::StoredEnergy, energy.stored),
+            (Name::PlasticWork, energy.plastic_work),
+            (Name::StoredEnergy, energy.backstress),
         ];
         rows.extend(details.map(|(name, value)| self.row(name, value).detail()));
         rows
     }
 
     fn stiffness(&self) -> Vec<Answer> {
-        let contact = self.step.contact_stiffness.filter(|_| self.touches());
+        let contact = self.known.stiffness.filter(|_| self.touches());
         let contact = contact.map(|slope| {
             let bar = self.bars().and_then(|bars| bars.contact_stiffness);
-            let row = self.meshed(Name::ContactStiffness, slope, (Figure::HalfWidth, 0), bar);
-            row.text("slope of the force over the approach")
+            self.row(Name::ContactStiffness, slope)
+                .bar(self.bar(&[(Figure::HalfWidth, 0)], bar))
+                .text("slope of the force over the approach")
         });
-        let unloading = self.step.flow.as_ref().map(|flow| flow.unloading_stiffness);
+        let unloading = self.known.flow.as_ref().map(|flow| flow.unloading_stiffness);
         let unloading = unloading.filter(|slope| *slope > 0.0).map(|slope| {
             let row = self.row(Name::UnloadingStiffness, slope);
             row.text("slope where the load begins to fall")

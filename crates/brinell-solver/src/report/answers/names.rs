@@ -73,6 +73,7 @@ impl Named for Name {}
 names! {
     Hardness "Hardness" Number Mesh
         "number of a hardness test; of `berkovich` and `sphere` the mean pressure";
+    ForceFound "Force found" Force Mesh "force under which a figure has the value that is wanted";
     FirstYieldForce "First yield" Force Exact
         "force under which a body begins to yield: sought on this mesh, or in closed form";
     FirstYieldPeakPressure "Peak pressure at first yield" Stress Mesh

@@ -1,9 +1,9 @@
 //! Answers on the strength of the bodies: utilization, margin, core, shakedown.
 
-use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name};
+use super::{Answer, AnswerBody, Bar, Facts, Name};
 use crate::job::Load;
 use crate::report::findings::Finding;
-use crate::units::{about, rounded};
+use crate::units::about;
 
 /// Why a utilization of the field has no bar.
 const MESH: &str = "it is that of the mesh";
@@ -38,11 +38,11 @@ impl Facts<'_> {
             )),
         };
         let first = self.first_yield().filter(|_| reason.is_none());
-        let margin = first.map(|first| first / self.step.contact.force);
+        let margin = first.map(|first| first / self.known.figures.force);
         let margin = self.row(Name::Margin, margin);
         let margin = match first {
             Some(first) => {
-                let first = self.with_unit(rounded, self.force_quantity(), first);
+                let first = self.write.force_text(first);
                 let text = format!("force of first yield, {first}, over this force");
                 let row =
                     if self.job.load == Load::Onset { margin.bar(Bar::Given) } else { margin };
@@ -69,11 +69,9 @@ impl Facts<'_> {
 
     pub(super) fn of_shapes(&self) -> Vec<Answer> {
         let mut rows = Vec::new();
-        if let Some((peak, limit)) = self.shakedown() {
-            let depth = self.step.hertz.as_ref().and_then(|hertz| hertz.shakedown_depth);
-            let body = AnswerBody::Both;
-            let place = depth.map(|depth| AnswerPlace { body, x: 0.0, y: None, depth });
-            let row = self.row(Name::ShakedownPressure, limit).place(place);
+        if let Some([peak, limit, depth]) = self.shakedown() {
+            let place = self.place(AnswerBody::Both, [0.0, 0.0, depth]);
+            let row = self.row(Name::ShakedownPressure, limit).place(Some(place));
             rows.push(row.text(format!(
                 "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
                 about(peak / limit)
@@ -81,25 +79,25 @@ impl Facts<'_> {
         }
         let radius = self.measured.effective_radius;
         rows.extend(radius.map(|radius| {
-            self.row(Name::EffectiveRadius, self.write.length(radius)).text(
+            self.row(Name::EffectiveRadius, radius).text(
                 "reciprocal of the sum of both curvatures across the shorter side of the contact",
             )
         }));
         rows
     }
 
-    /// Returns Hertz's peak pressure and the shakedown limit, where both are those of the contact.
-    /// Beyond the end of a roller the pressure is larger: a peak below the limit tells nothing. In
-    /// a dent the contact is wider.
-    pub fn shakedown(&self) -> Option<(f64, f64)> {
+    /// Returns Hertz's peak pressure, the shakedown limit and the depth that decides, where they are
+    /// those of the contact. Beyond the end of a roller the pressure is larger: a peak below the
+    /// limit tells nothing. In a dent the contact is wider.
+    pub fn shakedown(&self) -> Option<[f64; 3]> {
         let is_of_contact = self.touches() && !self.measured.is_dented;
-        let hertz = self.step.hertz.as_ref().filter(|_| is_of_contact)?;
-        let (peak, limit) = (hertz.peak_pressure, hertz.shakedown_pressure?);
+        let hertz = self.known.hertz.filter(|_| is_of_contact)?;
+        let (peak, [limit, depth]) = (hertz.peak_pressure, hertz.shakedown?);
         let is_known = self.findings.iter().all(|finding| match finding {
             Finding::NearSupport => false,
             Finding::RollerEnd { .. } | Finding::Kinks => peak > limit,
             _ => true,
         });
-        (is_known && !self.flows_from_the_first()).then_some((peak, limit))
+        (is_known && !self.flows_from_the_first()).then_some([peak, limit, depth])
     }
 }

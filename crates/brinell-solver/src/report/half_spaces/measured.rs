@@ -1,7 +1,6 @@
 //! Figures of contacts in three dimensions that only answers and verdict have.
 
 use std::f64::consts::FRAC_PI_3;
-use std::sync::Arc;
 
 use super::findings::reaches_rim;
 use crate::job::{Deformable, Job, Load, Material};
@@ -25,14 +24,11 @@ pub(super) fn measured(
     let at_rest = Measured {
         effective_radius: Some(radius).filter(|radius| is_smooth && radius.is_finite()),
         points: "cells",
-        figures: step.figures.values(),
         ..Measured::default()
     };
     if step.status.is_stopped() {
         return at_rest;
     }
-    let at_rest =
-        Measured { plastic_tops: step.field.bodies.each_ref().map(plastic_top), ..at_rest };
     let force = step.figures.force;
     let core = largest_in(step, |side, body| core(job, side, body));
     if force <= 0.0 {
@@ -63,13 +59,6 @@ pub(super) fn measured(
         inside_rim: if is_smooth { None } else { inside_rim(&step.field.surface) },
         ..at_rest
     }
-}
-
-/// Returns the depth of the highest face of a layer with plastic strain \[mm\].
-fn plastic_top(body: &Option<Arc<HalfSpaceBody>>) -> Option<f64> {
-    let body = body.as_ref()?;
-    let first = body.equivalent_plastic_strain.iter().position(|strain| *strain > 0.0)?;
-    Some(body.layers.faces()[first / body.grid.n_cells()])
 }
 
 /// Returns the largest of both bodies; of two alike the lower one.

@@ -1,40 +1,34 @@
-//! Answers and verdict of a load that rolls.
+//! Rows and verdict of a load that rolls.
 
-use super::document::{
-    BodyPassReport, PassReport, RollingReport, RuleVerdict, SolvedHardening, TrackVerdict,
-};
-use crate::job::Load;
-use crate::report::answers::{Answer, AnswerAt, AnswerBody, AnswerPlace, Bar, Facts, Name};
-use crate::report::{ErrorBar, PerBody, Quantity, Side, VerdictLevel};
-use crate::units::{about, rounded, to_digits};
+use super::document::{SolvedHardening, TrackVerdict};
+use super::known::{PassFigure, PassFigures, Rolled, Ruled};
+use crate::job::{Load, Quantity, Side};
+use crate::report::answers::{Answer, AnswerAt, AnswerBody, Bar, Facts, Name};
+use crate::report::{ErrorBar, VerdictLevel};
+use crate::solver::rolling::Limit;
+use crate::units::{about, to_digits};
 
 /// Why a figure of a pass has no bar.
 const NO_BAR: &str = "the pass on half the columns does not bound it";
 
-type ErrorOf = fn(&super::document::BodyPassErrorReport) -> Option<f64>;
-
 impl Facts<'_> {
     /// Returns level and sentence of the verdict on a track.
-    pub(in crate::report) fn track_verdict(
-        &self,
-        rolling: &RollingReport,
-    ) -> (VerdictLevel, String) {
-        let is_worst =
-            |rule: &&RuleVerdict| (rule.verdict, rule.rate) == (rolling.verdict, rolling.rate);
-        let worst = rolling.rules.iter().rev().find(is_worst);
-        let rule = worst.map_or("", |worst| by_rule(worst.hardening));
-        let passes = self.passes_of(worst.map_or(rolling.passes.len(), |worst| worst.passes));
-        let body = in_body(rolling.body);
-        let rate = strain(rolling.rate, rolling.rate_error);
-        let at = match rolling.rate_depth {
+    pub(in crate::report) fn track_verdict(&self, rolled: &Rolled) -> (VerdictLevel, String) {
+        let worst = rolled.worst();
+        let verdict = worst.map_or(TrackVerdict::Undecided, Ruled::verdict);
+        let rule = worst.map_or("", |worst| by_rule(worst.hardening()));
+        let passes = self.passes_of(worst.map_or(0, |worst| worst.passes));
+        let body = in_body(worst.and_then(|worst| worst.body));
+        let rate = worst.map_or_else(String::new, strain);
+        let at = match worst.and_then(|worst| worst.depth) {
             Some(depth) if depth > 0.0 => {
-                format!(" at a depth of {}", self.with_unit(about, Quantity::Length, depth))
+                format!(" at a depth of {}", self.write.length_about(depth))
             }
             Some(_) => " at the surface".to_owned(),
             None => String::new(),
         };
         let each = if self.is_alternating() { "each pass there and back" } else { "each pass" };
-        let (level, text) = match rolling.verdict {
+        let (level, text) = match verdict {
             TrackVerdict::Elastic if !self.can_yield() => (
                 VerdictLevel::NotKnown,
                 "No yield stress is given: elastic by assumption".to_owned(),
@@ -43,7 +37,7 @@ impl Facts<'_> {
                 (VerdictLevel::Elastic, "Elastic: nothing yields as the load rolls".to_owned())
             }
             TrackVerdict::ShakesDown => (
-                if self.is_beyond(rolling) {
+                if self.is_beyond(rolled) {
                     VerdictLevel::AboveShakedownLimit
                 } else {
                     VerdictLevel::ShakesDown
@@ -68,33 +62,31 @@ impl Facts<'_> {
                 (VerdictLevel::NotKnown, format!("Not decided after {passes}{rule}"))
             }
         };
-        let other = rolling.rules.iter().find(|rule| {
-            rolling.rules.len() > 1 && worst.is_some_and(|worst| worst.hardening != rule.hardening)
-        });
-        let other = other.map_or_else(String::new, |rule| self.beside(rule));
-        let perfect = rolling.limits.perfect.zip(self.step.hertz.as_ref());
+        let other = rolled.rules.iter().enumerate().find(|(place, _)| *place != rolled.worst);
+        let other = other.map_or_else(String::new, |(_, rule)| self.beside(rule));
+        let perfect = rolled.limits[0].zip(self.known.hertz);
         let limit = perfect.map_or_else(String::new, |(limit, hertz)| {
             format!(
                 "; Hertz's peak is {} times the limit of shakedown of a perfectly plastic body, {}",
                 about(hertz.peak_pressure / limit.peak_pressure),
-                self.with_unit(rounded, Quantity::Stress, limit.peak_pressure)
+                self.write.stress_text(limit.peak_pressure)
             )
         });
         (level, format!("{text}{other}{limit}."))
     }
 
     /// Returns what a second rule of hardening says.
-    fn beside(&self, rule: &RuleVerdict) -> String {
-        let rate = strain(rule.rate, rule.rate_error);
+    fn beside(&self, rule: &Ruled) -> String {
+        let rate = strain(rule);
         let passes = self.passes_of(rule.passes);
-        let says = match rule.verdict {
+        let says = match rule.verdict() {
             TrackVerdict::Elastic => "nothing yields".to_owned(),
             TrackVerdict::ShakesDown => format!("it shakes down within {passes}"),
             TrackVerdict::ClosedCycle => format!("it closes a cycle of {rate}"),
             TrackVerdict::Ratchets => format!("it ratchets by {rate} a pass"),
             TrackVerdict::Undecided => format!("it is not decided after {passes}"),
         };
-        format!(";{} {says}", by_rule(rule.hardening))
+        format!(";{} {says}", by_rule(rule.hardening()))
     }
 
     /// Returns a number of passes, of those asked for where fewer were enough.
@@ -112,56 +104,46 @@ impl Facts<'_> {
 
     /// Returns whether the pressure is above the limit of bodies whose backstress has no bound,
     /// which no rule but isotropic hardening exceeds.
-    fn is_beyond(&self, rolling: &RollingReport) -> bool {
-        let limit = rolling.limits.kinematic.zip(self.step.hertz.as_ref());
+    fn is_beyond(&self, rolled: &Rolled) -> bool {
+        let limit = rolled.limits[1].zip(self.known.hertz);
         limit.is_some_and(|(limit, hertz)| hertz.peak_pressure > limit.peak_pressure)
     }
 
     /// Returns the rows of the last pass.
-    pub(in crate::report) fn of_track(&self, rolling: &RollingReport) -> Vec<Answer> {
-        let Some(last) = rolling.passes.last() else { return Vec::new() };
-        let mut rows = self.rates(rolling);
-        let sides = [(Side::Upper, &last.bodies.upper), (Side::Lower, &last.bodies.lower)];
-        let is_shared = rolling.body.is_none() && last.bodies.upper == last.bodies.lower;
-        let sides = sides.into_iter().filter(|(side, _)| !is_shared || *side == Side::Lower);
-        for (side, body) in sides.filter_map(|(side, body)| Some((side, body.as_ref()?))) {
-            let of = if is_shared { AnswerBody::Both } else { side.into() };
-            rows.extend(self.of_pass(last, (side, of), body));
+    pub(in crate::report) fn of_track(&self, rolled: &Rolled) -> Vec<Answer> {
+        let Some(last) = &rolled.last else { return Vec::new() };
+        let mut rows = self.rates(rolled);
+        let sides: &[Side] = if rolled.is_shared { &[Side::Lower] } else { &Side::BOTH };
+        for side in sides {
+            let of = if rolled.is_shared { AnswerBody::Both } else { (*side).into() };
+            let figures = &last.bodies[side.member()];
+            rows.extend(figures.iter().map(|figure| self.of_pass(figure, Some(of)).of(of)));
         }
-        rows.extend(self.works(last));
+        rows.extend(last.works.iter().map(|figure| self.of_pass(figure, None)));
         rows.extend(self.plastic_depths());
-        rows.extend(self.limits(rolling));
-        let contact = self.of_contact().into_iter();
-        let across = last.half_width_across.map(|across| self.row(Name::HalfWidthAcross, across));
-        let approach = self.step.approach.map(|_| self.approach());
-        rows.extend(contact.chain(across).chain(approach));
+        rows.extend(self.limits(rolled));
+        rows.extend(self.of_contact());
+        let has = |name: Name| last.contact.iter().find(|figure| figure.name == name);
+        rows.extend(has(Name::HalfWidthAcross).map(|figure| self.of_pass(figure, None)));
+        rows.extend(has(Name::Approach).map(|_| self.approach()));
         let at = AnswerAt { pass: Some(last.number), ..AnswerAt::default() };
         let of_pass = |row: Answer| if row.at.is_none() { row.at(at) } else { row };
         rows.into_iter().map(of_pass).collect()
     }
 
-    /// Returns works and resistance of the last pass.
-    fn works(&self, last: &PassReport) -> Vec<Answer> {
-        let work = last.estimated_error.as_ref().and_then(|errors| errors.plastic_work);
-        let bar = || work.map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
-        let force = self.row(Name::RollingForce, last.rolling_force).bar(bar());
-        let loss = self.row(Name::RollingResistance, last.loss).bar(bar());
-        let details = [
-            self.row(Name::PassWork, last.plastic_work).bar(bar()),
-            self.row(Name::PassStoredEnergy, last.stored_energy),
-            self.row(Name::TractionWork, last.traction_work),
-            self.row(Name::EnergyGap, last.energy_gap),
-        ];
-        let rows = [
-            force.text("against which the load is pushed in the last pass, without friction"),
-            loss.text("rolling force over the load"),
-        ];
-        rows.into_iter().chain(details.map(Answer::detail)).collect()
+    /// Returns the row of a figure of a pass.
+    fn of_pass(&self, figure: &PassFigure, body: Option<AnswerBody>) -> Answer {
+        let bar = figure.bar().map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
+        let row = self.row(figure.name, figure.core).bar(bar).text(figure.name.meaning());
+        let place = figure.place.zip(body);
+        let place = place.map(|([across, depth], body)| self.place(body, [0.0, across, depth]));
+        let row = row.place(place);
+        if figure.is_detail { row.detail() } else { row }
     }
 
     /// Returns the strain that a steady pass adds or moves, by each rule of hardening; that of the
     /// verdict first.
-    fn rates(&self, rolling: &RollingReport) -> Vec<Answer> {
+    fn rates(&self, rolled: &Rolled) -> Vec<Answer> {
         let text = |verdict: TrackVerdict| match verdict {
             TrackVerdict::Elastic => "nothing yields",
             TrackVerdict::ShakesDown => "plastic flow dies out",
@@ -171,128 +153,50 @@ impl Facts<'_> {
             TrackVerdict::Ratchets => "added by each pass, or pair of passes, for good",
             TrackVerdict::Undecided => "not known: more passes are needed",
         };
-        let bar = |rule: &RuleVerdict| match (rule.verdict, rule.rate, rule.rate_error) {
-            (TrackVerdict::ShakesDown | TrackVerdict::Elastic, ..) => {
-                Bar::none("a figure of zero has no relative error")
-            }
-            (_, Some(rate), Some(error)) if rate > 0.0 && error.is_finite() => {
-                Bar::Relative(error / rate)
-            }
-            _ => Bar::none(NO_BAR),
-        };
-        let body = rolling.body.map(AnswerBody::from);
-        let place = |depth: f64| AnswerPlace {
-            body: body.unwrap_or(AnswerBody::Both),
-            x: 0.0,
-            y: None,
-            depth,
-        };
-        let is_worst =
-            |rule: &RuleVerdict| (rule.verdict, rule.rate) == (rolling.verdict, rolling.rate);
-        let of = |rule: &RuleVerdict| {
-            let row = self.row(Name::StrainPerPass, rule.rate).bar(bar(rule));
-            let hardening = (rolling.rules.len() > 1).then_some(rule.hardening);
+        let of = |(k, rule): (usize, &Ruled)| {
+            let bar = rule.rate.zip(rule.rate_error).map(|(rate, error)| error / rate);
+            let bar = match (rule.rate, bar.filter(|bar| bar.is_finite())) {
+                (Some(0.0), _) => Bar::none("a figure of zero has no relative error"),
+                (_, Some(bar)) => Bar::Relative(bar),
+                (_, None) => Bar::none(NO_BAR),
+            };
+            let hardening = (rolled.rules.len() > 1).then_some(rule.hardening());
             let at = AnswerAt { pass: Some(rule.passes), hardening, load: None };
             let label = Name::StrainPerPass.label();
-            let label = format!("{label}{}", by_rule(rule.hardening));
-            let row = row.at(at).labelled(&label).text(text(rule.verdict));
-            if is_worst(rule) {
-                let place = rolling.rate_depth.map(place);
-                Answer { body, ..row.place(place) }
-            } else {
-                row.detail()
-            }
+            let label = format!("{label}{}", by_rule(rule.hardening()));
+            let row = self.row(Name::StrainPerPass, rule.rate).bar(bar).at(at);
+            let row = row.labelled(&label).text(text(rule.verdict()));
+            let body = rule.body.map(AnswerBody::from);
+            let of = body.unwrap_or(AnswerBody::Both);
+            let place = rule.depth.map(|depth| self.place(of, [0.0, 0.0, depth]));
+            let row = Answer { body, ..row.place(place) };
+            if k == rolled.worst { row } else { row.detail() }
         };
-        rolling.rules.iter().rev().map(of).collect()
+        rolled.rules.iter().enumerate().map(of).collect()
     }
 
-    fn of_pass(
-        &self,
-        last: &PassReport,
-        (side, of): (Side, AnswerBody),
-        body: &BodyPassReport,
-    ) -> Vec<Answer> {
-        let error = |figure: ErrorOf| {
-            let errors = &last.estimated_error.as_ref()?.bodies;
-            let PerBody { upper, lower } = errors;
-            if side == Side::Upper { upper } else { lower }.as_ref().and_then(figure)
+    fn limits(&self, rolled: &Rolled) -> Vec<Answer> {
+        let row = |name: Name, limit: Option<Limit>| {
+            let limit = limit?;
+            let place = self.place(Side::of(limit.side).into(), [0.0, 0.0, limit.depth]);
+            Some(self.row(name, limit.peak_pressure).place(Some(place)).text(name.meaning()))
         };
-        let of_stress = |stress: f64| {
-            error(|errors| errors.residual)
-                .map(|error| error * body.largest_residual() / stress.abs())
-                .filter(|error| error.is_finite())
-        };
-        let row = |name: Name, value: f64, error: Option<f64>| {
-            let bar = error.map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
-            self.row(name, value).bar(bar).of(of)
-        };
-        let stress = |name: Name, value: f64| row(name, value, of_stress(value));
-        let below = |value: f64, depth: f64, across: f64| {
-            let y = last.half_width_across.map(|_| across);
-            (value > 0.0).then_some(AnswerPlace { body: of, x: 0.0, y, depth })
-        };
-        let net = error(|errors| errors.net_strain);
-        let mut rows = vec![
-            row(Name::TrackDepth, body.groove_depth, error(|errors| errors.groove_depth))
-                .text("how far all passes have sunk the surface, on the axis"),
-            row(Name::ForwardDisplacement, body.forward, error(|errors| errors.forward))
-                .text("of the surface along the travel, by the last pass"),
-            row(Name::PassStrain, body.largest_strain, error(|errors| errors.largest_strain))
-                .place(below(
-                    body.largest_strain,
-                    body.largest_strain_depth,
-                    body.largest_strain_across,
-                ))
-                .text("accumulated, largest of all layers"),
-            row(Name::NetStrain, body.net_strain, net)
-                .place(below(body.net_strain, body.net_strain_depth, body.net_strain_across))
-                .text(if net.is_some_and(|error| error >= 1.0) {
-                    "below its error; what the pass has not taken back, largest of all layers"
-                } else {
-                    "what the pass has not taken back, largest of all layers"
-                }),
-            row(Name::MaxPlasticStrain, body.accumulated_strain, None)
-                .text("accumulated by all passes, largest of all layers"),
-            stress(Name::LeastSigmaX, body.least_sigma_x)
-                .text("along the travel, the least over depth after the last pass"),
-            stress(Name::LeastSigmaZ, body.least_sigma_z)
-                .text("across the travel, the least over depth after the last pass"),
-            stress(Name::LargestSigmaX, body.largest_sigma_x).detail(),
-            stress(Name::LargestSigmaZ, body.largest_sigma_z).detail(),
+        let [perfect, kinematic] = rolled.limits;
+        let limits = [
+            row(Name::ShakedownPressure, perfect),
+            row(Name::KinematicShakedownPressure, kinematic),
         ];
-        if last.half_width_across.is_some() {
-            let pile_up = row(Name::PileUp, body.pile_up, error(|errors| errors.pile_up));
-            let text = "how far all passes have raised the surface beside the track";
-            rows.insert(1, pile_up.text(text));
-        }
-        rows
-    }
-
-    fn limits(&self, rolling: &RollingReport) -> Vec<Answer> {
-        let place = |limit: &super::TrackLimitReport| {
-            Some(AnswerPlace { body: limit.body.into(), x: 0.0, y: None, depth: limit.depth })
-        };
-        let perfect = rolling.limits.perfect.as_ref().map(|limit| {
-            self.row(Name::ShakedownPressure, limit.peak_pressure)
-                .place(place(limit))
-                .text("Hertz's peak up to which perfectly plastic bodies shake down")
-        });
-        let kinematic = rolling.limits.kinematic.as_ref().map(|limit| {
-            self.row(Name::KinematicShakedownPressure, limit.peak_pressure)
-                .place(place(limit))
-                .text("of bodies whose backstress has no bound, on these layers")
-        });
-        let shear = rolling.limits.shear_yield_stress;
+        let shear = rolled.shear_yield_stress;
         let shear = shear.map(|shear| self.row(Name::ShearYieldStress, shear).detail());
-        let friction = self.row(Name::Friction, rolling.friction).bar(Bar::Given).detail();
-        perfect.into_iter().chain(kinematic).chain(shear).chain([friction]).collect()
+        let friction = self.row(Name::Friction, rolled.friction).bar(Bar::Given).detail();
+        limits.into_iter().flatten().chain(shear).chain([friction]).collect()
     }
 }
 
-/// Returns a strain in the digits of its error, and the error, both in per cent.
-fn strain(rate: Option<f64>, error: Option<f64>) -> String {
-    let Some(rate) = rate else { return String::new() };
-    let Some(error) = error.filter(|error| error.is_finite() && rate > 0.0) else {
+/// Returns the strain of a steady pass in the digits of its error, and the error, both in per cent.
+fn strain(rule: &Ruled) -> String {
+    let Some(rate) = rule.rate else { return String::new() };
+    let Some(error) = rule.rate_error.filter(|error| error.is_finite() && rate > 0.0) else {
         return format!("{} %", about(100.0 * rate));
     };
     let digits = ErrorBar::Relative(error / rate).digits();
