@@ -4,8 +4,8 @@ use brinell::http::openapi;
 use serde_json::Value;
 
 /// Schemas that may have numbers: the row itself, what was asked for, the mesh, the times, and the
-/// entries of lists that have one for each iteration.
-const WITH_NUMBERS: [&str; 10] = [
+/// entries of lists that have one for each part of a contact or each iteration.
+const WITH_NUMBERS: [&str; 11] = [
     "Answer",
     "AnswerAt",
     "AnswerPlace",
@@ -14,6 +14,7 @@ const WITH_NUMBERS: [&str; 10] = [
     "PrescribedApproach",
     "Mesh",
     "Timings",
+    "Patch",
     "Iteration",
     "IncrementNumber",
 ];

@@ -11,7 +11,7 @@ use crate::units::UnitConverter;
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Contact))]
 pub struct ContactReport {
     /// The connected parts of the contact, from left to right.
-    pub patches: Patches,
+    pub patches: Vec<Patch>,
     /// The candidate pairs in order of x; in three dimensions the cells of the section y = 0.
     pub nodes: ContactNodes,
     /// The cells of the section x = 0, in three dimensions.
@@ -29,23 +29,15 @@ pub struct ContactReport {
     pub maps: Option<MapsReport>,
 }
 
-/// The connected parts of a contact. The outer ends of all are interpolated to where the pressure
+/// One connected part of the contact. The outer ends of all are interpolated to where the pressure
 /// vanishes, those between two parts are loaded nodes. Of a body of revolution they are radii.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct Patches {
-    /// Left ends \[length\].
-    pub left: Vec<f64>,
-    /// Right ends \[length\].
-    pub right: Vec<f64>,
-}
-
-impl Patches {
-    /// Returns the parts `[left, right]`.
-    pub(super) fn of(parts: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        let (left, right) = parts.into_iter().map(|[left, right]| (left, right)).unzip();
-        Self { left, right }
-    }
+pub struct Patch {
+    /// Left end \[length\].
+    pub left: f64,
+    /// Right end \[length\].
+    pub right: f64,
 }
 
 /// Values at the candidate pairs.
@@ -75,9 +67,9 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
             .chain(step.field.pairs.iter().map(|pair| (pair, 1.0)))
     };
     ContactReport {
-        patches: Patches::of(
-            patches(step).map(|part| [part.left, part.right].map(|x| write.length(x))),
-        ),
+        patches: patches(step)
+            .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })
+            .collect(),
         nodes: ContactNodes {
             x: pairs().map(|(pair, sign)| write.length(sign * pair.x)).collect(),
             pressure: pairs().map(|(pair, _)| write.stress(pair.pressure)).collect(),

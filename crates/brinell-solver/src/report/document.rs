@@ -227,7 +227,7 @@ impl<T: Clone> PerBody<Option<T>> {
 }
 
 /// Stresses along a normal of the surface.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Subsurface))]
 pub struct SubsurfaceReport {
     /// x of the normal, along the arc for a pin in a hole; in three dimensions `[x, y]`

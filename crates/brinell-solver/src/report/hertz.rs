@@ -19,17 +19,13 @@ pub(super) fn line(reference: &ElasticReference) -> Hertz {
     }
 }
 
-/// Returns the limits of shakedown over friction of a job, or `None` without any.
-pub(super) fn over_friction(
-    limits: &[(f64, DepthLimit)],
-    write: UnitConverter,
-) -> Option<ShakedownMap> {
+/// Returns the limits of shakedown over friction of a job; empty without any.
+pub(super) fn over_friction(limits: &[(f64, DepthLimit)], write: UnitConverter) -> ShakedownMap {
     let of = |limit: &DepthLimit| Some(write.stress(limit.peak_pressure));
-    let map = ShakedownMap {
+    ShakedownMap {
         friction: limits.iter().map(|(friction, _)| *friction).collect(),
         perfect: limits.iter().map(|(_, limit)| of(limit)).collect(),
         perfect_depth: limits.iter().map(|(_, limit)| write.length(limit.depth)).collect(),
         ..ShakedownMap::default()
-    };
-    (!limits.is_empty()).then_some(map)
+    }
 }

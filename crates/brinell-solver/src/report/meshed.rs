@@ -14,8 +14,8 @@ use super::known::{Known, Zone};
 use super::measured::measured;
 use super::shown::{Arrays, Parts, Shown, Solved};
 use super::{
-    IncrementsReport, MeshReport, PerBody, PlasticityReport, contact, error_bars, fields, flow,
-    hardness, onset, plastic_zone, subsurface, target, validity,
+    IncrementsReport, MeshReport, PerBody, PlasticityReport, ShakedownMap, contact, error_bars,
+    fields, flow, hardness, onset, plastic_zone, subsurface, target, validity,
 };
 use crate::inputs::{SolveError, of_small_mesh, small_solves};
 use crate::job::Job;
@@ -57,7 +57,8 @@ impl<'a> Meshed<'a> {
 
 impl Shown for Meshed<'_> {
     type Field = SectionField;
-    type Memory = ();
+    /// Limits of shakedown over friction, which every load step repeats.
+    type Memory = Option<ShakedownMap>;
 
     fn job(&self) -> &Job {
         self.job
@@ -151,10 +152,18 @@ impl Shown for Meshed<'_> {
         findings
     }
 
-    fn parts(&self, (): &mut (), step: &StepSolution, findings: &[Finding]) -> Parts {
+    fn parts(
+        &self,
+        memory: &mut Self::Memory,
+        step: &StepSolution,
+        findings: &[Finding],
+    ) -> Parts {
         let (job, problem, write) = (self.job, &self.contact.problem, self.write);
         let reference = self.reference(step);
-        let limits = reference.as_ref().map(|reference| reference.limits_over_friction(problem));
+        let shakedown = reference.as_ref().map(|reference| {
+            let limits = || over_friction(&reference.limits_over_friction(problem), write);
+            memory.get_or_insert_with(limits).clone()
+        });
         let conforming = step.field.conforming;
         let flow = flow::flow(step);
         Parts {
@@ -192,7 +201,7 @@ impl Shown for Meshed<'_> {
             surfaces: flow::surfaces(step, write),
             passes: None,
             rules: Vec::new(),
-            shakedown: limits.and_then(|limits| over_friction(&limits, write)),
+            shakedown: shakedown.filter(|map| !map.friction.is_empty()),
             spacing: Some(step.field.spacing),
             measured: Measured {
                 datum: Datum::of(job, write),

@@ -41,7 +41,7 @@ pub use crate::job::{Quantity, Side};
 pub use answers::{
     Answer, AnswerAt, AnswerBody, AnswerPlace, BarKind, ErrorBar, ErrorWord, Name, table_of_names,
 };
-pub use contact::{ContactNodes, ContactReport, Patches};
+pub use contact::{ContactNodes, ContactReport, Patch};
 pub use cost::JobEstimate;
 pub use document::*;
 pub use error_bars::{ErrorEstimate, estimate_error, scales_of_floors};

@@ -74,7 +74,7 @@ fn loaded_alike(step: &HalfSpaceStep, expected: &StepReport, [ours, theirs]: [f6
     near(step.figures.peak_pressure, expected[Name::PeakPressure], 1e-2, "peak");
     near(
         step.figures.approach - ours,
-        expected.approach.unwrap() - theirs,
+        expected.approach().unwrap() - theirs,
         2e-2,
         "plastic approach",
     );

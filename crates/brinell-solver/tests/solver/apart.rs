@@ -90,7 +90,7 @@ fn a_hollow_that_is_pressed_flat() {
             }
             let step = step(&job);
             assert!(
-                step[Name::HalfWidth] == 2.0 && step.contact.patches.left.len() == 1,
+                step[Name::HalfWidth] == 2.0 && step.contact.patches.len() == 1,
                 "{analysis} {force}"
             );
             step.approach().unwrap()

@@ -409,8 +409,7 @@ fn rough_traces_cost_what_was_estimated() {
             && step[Name::HalfWidth] < 1.2 * hertz.half_width()
     );
     assert!(
-        step[Name::PeakPressure] > 2.0 * hertz.peak_pressure()
-            && step.contact.patches.left.len() > 10
+        step[Name::PeakPressure] > 2.0 * hertz.peak_pressure() && step.contact.patches.len() > 10
     );
     assert_eq!(codes(step), ["coarse_mesh"]);
     // Of points a quarter as far apart.

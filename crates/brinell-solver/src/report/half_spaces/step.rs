@@ -18,7 +18,7 @@ use crate::report::findings::{Finding, Known};
 use crate::report::known::{self, Hertz, Onset, RollerFigures, Rough, Whole, Zone};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::{
-    ContactNodes, ContactReport, IncrementsReport, MeshReport, Patches, PerBody, PlasticityReport,
+    ContactNodes, ContactReport, IncrementsReport, MeshReport, Patch, PerBody, PlasticityReport,
     SubsurfaceReport,
 };
 use crate::solver::half_spaces::{
@@ -204,9 +204,9 @@ impl<'a> HalfSpaces<'a> {
             |values: &[f64]| -> Vec<f64> { values.iter().map(|p| write.stress(*p)).collect() };
         let x: Vec<f64> = (0..map.grid.nx()).map(|i| write.length(map.grid.x(i))).collect();
         let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
-        let ends = (figures.force > 0.0).then(|| [-a, a].map(|x| write.length(x)));
+        let part = || Patch { left: write.length(-a), right: write.length(a) };
         ContactReport {
-            patches: Patches::of(ends),
+            patches: (figures.force > 0.0).then(part).into_iter().collect(),
             nodes: ContactNodes {
                 x: x.clone(),
                 force: pressure.iter().map(|pressure| write.force(pressure * cell)).collect(),

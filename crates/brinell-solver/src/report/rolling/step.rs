@@ -20,8 +20,7 @@ use crate::report::known::{Hertz, Known};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::solve_error::track_text;
 use crate::report::{
-    ContactNodes, ContactReport, LayersReport, MeshReport, Patches, PerBody, Side,
-    SubsurfaceReport,
+    ContactNodes, ContactReport, LayersReport, MeshReport, Patch, PerBody, Side, SubsurfaceReport,
 };
 use crate::solver::method::figures::{Figure, Values};
 use crate::solver::rolling::{
@@ -174,10 +173,10 @@ impl Passes<'_> {
         let (write, field) = (self.write, self.field);
         let last = &field.last;
         let touches = last.half_width() > 0.0;
-        let ends = touches.then(|| last.ends.map(|x| write.length(x)));
+        let [left, right] = last.ends.map(|x| write.length(x));
         let forces = field.pressure.iter().map(|p| write.force(p * field.cell));
         ContactReport {
-            patches: Patches::of(ends),
+            patches: touches.then_some(Patch { left, right }).into_iter().collect(),
             nodes: ContactNodes {
                 x: field.x.iter().map(|x| write.length(*x)).collect(),
                 force: forces.collect(),
