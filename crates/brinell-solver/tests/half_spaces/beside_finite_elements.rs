@@ -59,7 +59,7 @@ fn elastic_approach(upper: &Value, force: f64) -> f64 {
     let rigid = json!({"rigid": true});
     let upper = if upper.get("rigid").is_some() { &rigid } else { &steel };
     axisymmetric([upper, &steel], "deformation", &json!({"force": force})).steps[0]
-        .approach
+        .approach()
         .unwrap()
 }
 
