@@ -38,6 +38,16 @@ tagged! {
 }
 
 impl Shape {
+    /// Returns the radius of a cylinder or a ball \[mm\]; `None` for other shapes.
+    pub fn round_radius(&self) -> Option<f64> {
+        match self {
+            Self::Cylinder(Cylinder { radius }) | Self::Sphere(Sphere { radius, .. }) => {
+                Some(radius.get())
+            }
+            _ => None,
+        }
+    }
+
     /// Returns the curvatures `[k_xx, k_yy, k_xy]` of a half-space's surface in the contact plane,
     /// positive where convex \[1/mm\]; `None` for other shapes.
     pub fn curvatures(&self) -> Option<[f64; 3]> {
