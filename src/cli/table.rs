@@ -66,7 +66,7 @@ impl Page {
         self.line("");
         let mesh = &report.mesh;
         let half = if mesh.symmetric { " of one half" } else { "" };
-        let elements = if self.names.is_three_dimensional { "cells" } else { "elements" };
+        let elements = if mesh.cells.is_some() { "cells" } else { "elements" };
         self.line(&format!(
             "mesh   {} {elements}, {} equations{half}, spacing {} {}, {} solves",
             mesh.elements,

@@ -314,7 +314,8 @@ pub struct MeshReport {
     pub equations: usize,
     /// Mesh passes made, the sizing ones included.
     pub passes: usize,
-    /// Columns, rows and layers of the cells of a track, or of a half-space; absent of meshes.
+    /// Columns, rows and layers of the cells of half-spaces or of a track, 0 layers of elastic
+    /// bodies; absent of meshes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cells: Option<[usize; 3]>,
     /// Times the mesh was enlarged because the contact reached its edge.

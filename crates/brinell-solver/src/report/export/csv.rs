@@ -107,7 +107,7 @@ impl Table {
         })
     }
 
-    fn is_three_dimensional(&self) -> bool {
+    fn has_cells(&self) -> bool {
         self.directions[0] == "xx"
     }
 
@@ -117,7 +117,7 @@ impl Table {
         let (force, length, stress) =
             (symbol(self.force), symbol(Quantity::Length), symbol(Quantity::Stress));
         match self.form {
-            Export::PressureCsv if self.is_three_dimensional() => {
+            Export::PressureCsv if self.has_cells() => {
                 format!("step,x [{length}],y [{length}],pressure [{stress}],gap [{length}]\n")
             }
             Export::PressureCsv => {
@@ -141,7 +141,7 @@ impl Table {
                     if self.of_depth.is_graded { strength.as_str() } else { "" },
                     if self.of_depth.is_stressed { initial.as_str() } else { "" },
                     if self.directions[0] == "r" { "r" } else { "x" },
-                    if self.is_three_dimensional() { across.as_str() } else { "" },
+                    if self.has_cells() { across.as_str() } else { "" },
                 )
             }
             Export::IncrementsCsv => format!(
@@ -186,7 +186,7 @@ impl Table {
     pub fn rows(&self, number: usize, step: &StepReport) -> String {
         let mut text = String::new();
         match self.form {
-            Export::PressureCsv if self.is_three_dimensional() => cells(&mut text, number, step),
+            Export::PressureCsv if self.has_cells() => cells(&mut text, number, step),
             Export::PressureCsv => pressure(&mut text, number, step),
             Export::SubsurfaceCsv => self.subsurface(&mut text, number, step),
             Export::IncrementsCsv => increments(&mut text, number, step),

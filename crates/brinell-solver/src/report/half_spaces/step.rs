@@ -146,6 +146,11 @@ impl Shown for HalfSpaces<'_> {
             elements: bodies().map(|body| cells * body.layers.len()).sum(),
             equations: cells
                 + bodies().map(|body| 5 * body.equivalent_plastic_strain.len()).sum::<usize>(),
+            cells: Some([
+                cells / grid.ny(),
+                grid.ny(),
+                bodies().map(|body| body.layers.len()).max().unwrap_or(0),
+            ]),
             max_aspect_ratio: (grid.hy() / grid.hx()).max(grid.hx() / grid.hy()),
             ..MeshReport::default()
         }
