@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 use super::problem::Problem;
 use super::problem_type::ProblemType;
 use super::query::{Selection, StepPart};
-use crate::jobs::StoreError;
 
 /// Returns the problem for a step that the result does not have.
 pub(super) fn no_step(count: usize) -> Problem {

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use super::answers::{Facts, Measured, is_dented};
-use super::datum::Datum;
 use super::findings::left_unknown;
 use super::hardness::HardnessSeen;
 use super::load_approach::CurvePoint;

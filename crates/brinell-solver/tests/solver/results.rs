@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use brinell_solver::job::Job;
 use brinell_solver::report::{
-    self, AnswerBody, FieldsReport, LoadReport, Name, Report, Side, StepReport,
+    self, AnswerBody, FieldsReport, LoadReport, Name, Report, StepReport,
 };
 use brinell_solver::solver::{
     Held, Interrupt, IterationRecord, Observer, Options, SolveStatus, Unobserved,

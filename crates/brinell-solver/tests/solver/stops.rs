@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use brinell_method::Error;
 use brinell_solver::inputs::{SolveError, run};
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, Name, StepReport};
+use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::{
     IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };

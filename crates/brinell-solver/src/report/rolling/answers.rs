@@ -1,8 +1,8 @@
 //! Rows and verdict of a load that rolls.
 
 use super::document::{SolvedHardening, TrackVerdict};
-use super::known::{PassFigure, PassFigures, Rolled, Ruled};
-use crate::job::{Load, Quantity, Side};
+use super::known::{PassFigure, Rolled, Ruled};
+use crate::job::{Load, Side};
 use crate::report::answers::{Answer, AnswerAt, AnswerBody, Bar, Facts, Name};
 use crate::report::{ErrorBar, VerdictLevel};
 use crate::solver::rolling::Limit;
