@@ -62,16 +62,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     println!("{:>8} {:>10} {:>10} {:>10} {:>12}", "N/mm", "mm", "MPa", "MPa", "mm²");
     for step in &report.steps {
-        let area: f64 = [&step.plasticity.upper, &step.plasticity.lower]
-            .into_iter()
-            .flatten()
-            .map(|plasticity| plasticity.area)
-            .sum();
-        let hertz = step.hertz.as_ref().map_or(f64::NAN, |hertz| hertz.peak_pressure);
+        let zones = step.answers.iter().filter(|row| row.is(Name::PlasticArea));
+        let area: f64 = zones.filter_map(|row| row.value).sum();
+        let hertz = step.elastic(Name::PeakPressure).unwrap_or(f64::NAN);
         println!(
             "{:8.0} {:10.5} {:10.1} {:10.1} {:12.5} {:>10?}",
             step[Name::Force],
-            step.approach.unwrap_or_default(),
+            step.approach().unwrap_or_default(),
             step[Name::PeakPressure],
             hertz,
             area,

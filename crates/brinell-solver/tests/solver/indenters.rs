@@ -80,8 +80,7 @@ fn cones_of_sneddon() {
 fn the_smallest_loads_are_solved() {
     let peak = |shape: Value, force: f64| {
         step(&press("plane_strain", shape, json!({"force": force}), 20.0, Value::Null))
-            .contact
-            .peak_pressure
+            [Name::PeakPressure]
     };
     let wedge = json!({"type": "wedge", "angle": 0.8, "width": 10.0, "depth": 10.0});
     let reference = peak(wedge.clone(), 1.0);
