@@ -175,8 +175,7 @@ const live = new Live({
   failed: ({ status, message }) => {
     if (store.state.current?.id === '')
       watch.showLive('where the slider was left is not solved; the figures are those before');
-    if (status === 202) watch.showLive('this job takes too long to follow a slider');
-    else if (status !== 422) refuse(`${sentence(message)} Move the slider again, or press Solve.`);
+    if (status !== 422) refuse(`${sentence(message)} Move the slider again, or press Solve.`);
   },
 });
 

@@ -17,7 +17,7 @@ use clap::Args;
 use crate::http::{Capacity, ConnectionTimeouts, HttpSettings, Network};
 use crate::jobs::SubmissionLimits;
 pub use edge::{TlsConfig, WebhookConfig};
-use parse::{connections, origin, rate, seconds};
+use parse::{connections, origin, own_origin, rate, seconds};
 pub use storage::{DatabaseUrl, StorageConfig};
 pub use work::WorkConfig;
 
@@ -43,6 +43,13 @@ pub struct ServeConfig {
     /// program, if it is there]
     #[arg(long, env = "BRINELL_GUIDE", value_name = "FOLDER")]
     pub guide: Option<PathBuf>,
+
+    /// Address of the service for people, `https://press.example`, in the links that the page
+    /// copies and prints [default: the one that the browser has]
+    #[arg(
+        long, env = "BRINELL_PUBLIC_ORIGIN", value_name = "ORIGIN", value_parser = own_origin,
+    )]
+    pub public_origin: Option<HeaderValue>,
 
     /// Do not solve here: leave the jobs to `brinell worker` (needs --database-url)
     #[arg(
@@ -172,6 +179,7 @@ impl Default for ServeConfig {
     fn default() -> Self {
         Self {
             listen: "127.0.0.1:8080".to_owned(),
+            public_origin: None,
             allowed_hosts: Vec::new(),
             guide: None,
             no_workers: false,
@@ -231,6 +239,7 @@ impl ServeConfig {
             solve_limit: self.solve_limit,
             jobs_per_second: self.rate_limit,
             cors_origins: self.cors_origin.clone(),
+            public_origin: self.public_origin.clone(),
             trusted_proxies: self.trusted_proxies.clone(),
             retention: self.storage.retention(),
             capacity: Capacity {

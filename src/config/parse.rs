@@ -49,6 +49,14 @@ pub(super) fn origin(text: &str) -> Result<HeaderValue, String> {
     if is_origin { HeaderValue::try_from(text).map_err(|_| message()) } else { Err(message()) }
 }
 
+/// Reads the origin of one service.
+pub(super) fn own_origin(text: &str) -> Result<HeaderValue, String> {
+    origin(text)
+        .ok()
+        .filter(|origin| origin != "*")
+        .ok_or_else(|| "must be scheme://host or scheme://host:port, without a path".to_owned())
+}
+
 fn time(text: &str, unit: f64, name: &str) -> Result<Duration, String> {
     let with_unit = UNITS.iter().find_map(|(end, unit)| Some((text.strip_suffix(end)?, *unit)));
     let (number, unit) =
@@ -90,6 +98,7 @@ mod tests {
     fn an_origin_has_no_path() {
         for text in ["*", "https://design.example", "http://localhost:3000"] {
             assert!(origin(text).is_ok(), "{text}");
+            assert_eq!(own_origin(text).is_ok(), text != "*");
         }
         for text in [
             "",

@@ -16,6 +16,7 @@ mod examples;
 mod export_file;
 mod guide;
 mod job_path;
+mod joined;
 mod listen;
 mod metrics;
 mod negotiation;
@@ -114,6 +115,8 @@ pub struct HttpSettings {
     pub jobs_per_second: Option<f64>,
     /// Origins whose pages may send requests (CORS); `*` allows all.
     pub cors_origins: Vec<HeaderValue>,
+    /// Where people reach the page, as far as it is told.
+    pub public_origin: Option<HeaderValue>,
     /// Proxies whose `X-Forwarded-For` is believed.
     pub trusted_proxies: Vec<Network>,
     /// How long finished jobs are kept.
@@ -152,6 +155,7 @@ impl Default for HttpSettings {
             once_key: None,
             jobs_per_second: None,
             cors_origins: Vec::new(),
+            public_origin: None,
             trusted_proxies: Vec::new(),
             retention: Retention::default(),
             capacity: Capacity::default(),

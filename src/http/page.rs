@@ -1,19 +1,19 @@
 //! The web page: the files under `web/`, which a release build contains.
 //!
 //! The first document names every file below `web/DIGEST/`, where the digest is that of the whole
-//! folder: browsers keep these for good, and a reload asks for the document alone. Relative imports
-//! stay within the digest. Under their plain names, and under the digest of another version, files
-//! are asked for anew each time; a strong `ETag` of the content allows the answer 304. Modules are
-//! sent without their comments, whose lines stay as empty ones. Each file is compressed once. The
-//! page loads nothing from other origins, and its `Content-Security-Policy` forbids it.
+//! folder: browsers keep these for good, and a reload asks for the document alone. Under their plain
+//! names, and under the digest of another version, files are asked for anew each time; a strong
+//! `ETag` of the content allows the answer 304. Modules are sent [`joined`] as `page.js`, without
+//! their comments, whose lines stay as empty ones; a worker imports its own. Each file is compressed
+//! once. The page loads nothing from other origins, and its `Content-Security-Policy` forbids it.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::io::{self, Write};
 use std::sync::{LazyLock, Mutex, PoisonError};
 
-use axum::extract::Path;
 use axum::extract::rejection::PathRejection;
+use axum::extract::{Path, State};
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, REFERRER_POLICY,
     VARY, X_CONTENT_TYPE_OPTIONS,
@@ -25,7 +25,10 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use rust_embed::{EmbeddedFile, RustEmbed};
 
+use super::HttpState;
+use super::joined::joined;
 use super::negotiation::takes_gzip;
+use super::prefix::Prefix;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
 use super::result_body::is_known;
@@ -46,6 +49,12 @@ static NAMED: Mutex<Option<String>> = Mutex::new(None);
 /// How long a file that never changes is kept.
 const FOR_GOOD: &str = "public, max-age=31536000, immutable";
 
+/// All modules of the page as one.
+const WHOLE: &str = "page.js";
+
+/// Modules that are none of it: of a worker, and of the reference.
+const APART: [&str; 2] = ["api/result-worker.js", "docs/docs.js"];
+
 /// Length of the digest in an address.
 const DIGITS: usize = 16;
 
@@ -60,16 +69,27 @@ pub(super) struct Sent<'a> {
     pub(super) policy: &'a str,
 }
 
-/// `GET /`: with the digest of the folder in every address.
-pub(super) async fn index(headers: HeaderMap) -> Result<Response, Problem> {
+/// `GET /`: with the digest of the folder in every address, and with the address for people.
+pub(super) async fn index(
+    State(state): State<HttpState>,
+    prefix: Prefix,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
     let file = Web::get("index.html").ok_or_else(nothing)?;
     let folder = folder();
-    let named = format!("{:016x}", folder >> 64);
-    let text = String::from_utf8_lossy(&file.data).replace("\"web/", &format!("\"web/{named}/"));
+    let named = name_of(folder);
+    let mut text =
+        String::from_utf8_lossy(&file.data).replace("\"web/", &format!("\"web/{named}/"));
+    let mut digest = folder;
+    if let Some(origin) = state.settings.public_origin.as_ref().and_then(|one| one.to_str().ok()) {
+        let link =
+            format!("<link rel=\"canonical\" href=\"{origin}{}/\">\n</head>", prefix.path());
+        text = text.replacen("</head>", &link, 1);
+        digest = fnv(digest, link.as_bytes());
+    }
     *NAMED.lock().unwrap_or_else(PoisonError::into_inner) = Some(named);
     let data = text.into_bytes().into();
-    let sent = Sent { path: "index.html", data, digest: folder, kept: "no-cache", policy: POLICY };
-    answer(sent, &headers)
+    answer(Sent { path: "index.html", data, digest, kept: "no-cache", policy: POLICY }, &headers)
 }
 
 /// `GET /web/{path}`.
@@ -82,9 +102,18 @@ pub(super) async fn file(
         Some((first, rest)) if is_digest(first) => (Some(first), rest),
         _ => (None, given),
     };
+    // A process that has sent no document yet answers for one that another process has sent.
+    let mut named = NAMED.lock().unwrap_or_else(PoisonError::into_inner);
+    let is_current =
+        digest.is_some_and(|digest| digest == named.get_or_insert_with(|| name_of(folder())));
+    drop(named);
+    let kept = if is_current { FOR_GOOD } else { "no-cache" };
+    if path == WHOLE {
+        let digest = folder();
+        let sent = Sent { path, data: whole().into(), digest: !digest, kept, policy: POLICY };
+        return answer(sent, &headers);
+    }
     let file = Web::get(path).ok_or_else(nothing)?;
-    let named = NAMED.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    let kept = if digest.is_some() && digest == named.as_deref() { FOR_GOOD } else { "no-cache" };
     let digest = digest_of(&file);
     let is_module = media_type(path).starts_with("text/javascript");
     let data = match file.data {
@@ -93,6 +122,23 @@ pub(super) async fn file(
         Cow::Owned(data) => data.into(),
     };
     answer(Sent { path, data, digest, kept, policy: POLICY }, &headers)
+}
+
+fn name_of(folder: u128) -> String {
+    format!("{:016x}", folder >> 64)
+}
+
+/// All modules of the page, joined.
+fn whole() -> Vec<u8> {
+    let mut paths: Vec<_> = Web::iter().filter(|path| path.ends_with(".js")).collect();
+    paths.retain(|path| !APART.contains(&&**path));
+    paths.sort_unstable();
+    let text = |path: &str| Web::get(path).map(|file| bare(&file.data)).unwrap_or_default();
+    let modules: Vec<_> = paths
+        .iter()
+        .map(|path| (path.to_string(), String::from_utf8_lossy(&text(path)).into_owned()))
+        .collect();
+    joined(&modules).into_bytes()
 }
 
 fn nothing() -> Problem {
@@ -149,9 +195,13 @@ fn folder() -> u128 {
     names.sort_unstable();
     names.iter().fold(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d, |sum, name| {
         let content = Web::get(name).map_or(0, |file| digest_of(&file));
-        name.bytes().chain(content.to_be_bytes()).fold(sum, |sum: u128, byte| {
-            (sum ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b)
-        })
+        fnv(fnv(sum, name.as_bytes()), &content.to_be_bytes())
+    })
+}
+
+fn fnv(sum: u128, bytes: &[u8]) -> u128 {
+    bytes.iter().fold(sum, |sum, byte| {
+        (sum ^ u128::from(*byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b)
     })
 }
 

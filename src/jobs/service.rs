@@ -44,6 +44,9 @@ const CHECKS_OF_CORE: usize = 2;
 const WATCH_INTERVAL: Duration = Duration::from_secs(10);
 const SILENCE: Duration = Duration::from_mins(1);
 
+/// Digits at the end of an id by which people know a job.
+const SHORT: usize = 8;
+
 /// Pieces of results that are decoded at the same time.
 const DECODERS: usize = 4;
 
@@ -192,9 +195,15 @@ fn new_job(
 ) -> Result<NewJob, Rejection> {
     let (job, estimate) = check(solver, limits, &submission.request)?;
     let digest = Sha256::digest(&submission.request).into();
+    let id = JobId::generate();
+    let mut words = words_of(&submission.request);
+    // People know a job by the last group of its id.
+    words.extend(
+        id.to_string().rsplit('-').next().map(|last| last[last.len() - SHORT..].to_owned()),
+    );
     Ok(NewJob {
-        id: JobId::generate(),
-        words: words_of(&submission.request),
+        id,
+        words,
         request: submission.request,
         tags: job.tags,
         priority: submission.priority,

@@ -1,4 +1,5 @@
-//! Words that jobs are found by: those of the title, and the kinds of their shapes and materials.
+//! Words that jobs are found by: those of title and labels, and the kinds of their shapes and
+//! materials.
 
 use std::collections::BTreeSet;
 
@@ -10,6 +11,7 @@ use serde_json::Value;
 #[serde(default)]
 struct Described {
     title: Value,
+    tags: Value,
     upper: Value,
     lower: Value,
 }
@@ -40,6 +42,8 @@ pub(super) fn words_of(request: &[u8]) -> BTreeSet<String> {
         kinds(&body["shape"], &mut texts);
         kinds(&body["material"], &mut texts);
     }
+    kinds(&described.tags, &mut texts);
+    texts.extend(described.tags.as_object().into_iter().flat_map(|tags| tags.keys().cloned()));
     texts.iter().flat_map(|text| words(text)).take(MOST).collect()
 }
 
@@ -68,9 +72,10 @@ mod tests {
         let mut job: Value =
             serde_json::from_str(include_str!("../../api/examples/two_cylinders.json")).unwrap();
         job["title"] = "Roller 7, of the PRESS".into();
+        job["tags"] = serde_json::json!({"bearing": "NU-210"});
         job["lower"]["material"] = serde_json::json!({"rigid": true});
         let words = words_of(job.to_string().as_bytes());
-        for word in ["roller", "7", "press", "cylinder", "rigid"] {
+        for word in ["roller", "7", "press", "cylinder", "rigid", "bearing", "210"] {
             assert!(words.contains(word), "{word} of {words:?}");
         }
     }

@@ -72,7 +72,7 @@ class Silence {
  */
 async function answerOf({ url, options }, number, silence, buffers) {
   // A solve waits as long as the service does.
-  if (options.method === 'POST') silence.end();
+  if (options.method === 'POST' || url.includes('?wait=')) silence.end();
   const response = await fetch(url, { ...options, signal: silence.controller.signal });
   const parts = /** @type {Uint8Array[]} */ ([]);
   await each(response, number, silence, (chunk) => parts.push(chunk.slice()));
@@ -80,10 +80,20 @@ async function answerOf({ url, options }, number, silence, buffers) {
   const isArchive = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
   if (response.ok && isArchive) return { answer: readFields(await body.arrayBuffer(), buffers) };
   const text = await body.text();
-  // 202: the wait is over, and the job continues.
-  if (response.status === 202) return { status: 202, problem: {} };
   if (!response.ok) return { status: response.status, problem: problemOf(text) };
-  return { answer: report(JSON.parse(text), buffers) };
+  const answer = JSON.parse(text);
+  // The time of a solve is over, and the job goes on: it is followed.
+  if (answer.done === false) {
+    const next = response.status === 202 ? new URL(`jobs/${answer.id}?wait=30`, url).href : url;
+    return answerOf(
+      { url: next, options: { headers: options.headers } },
+      number,
+      silence,
+      buffers,
+    );
+  }
+  if (answer.done && !answer.result) return { status: 409, problem: answer.error ?? {} };
+  return { answer: report(answer, buffers) };
 }
 
 /**

@@ -90,9 +90,11 @@ async function takeAway(slider) {
     const found = await request(`v1/jobs?tag=slider:${slider}`, {}, (response) =>
       response.json(),
     ).catch(() => undefined);
-    for (const { id, status } of found?.jobs ?? [])
-      if (status !== 'queued' && status !== 'running')
-        return request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {}).catch(() => {});
+    for (const { id, done } of found?.jobs ?? []) {
+      const [path, method] = done ? [`v1/jobs/${id}`, 'DELETE'] : [`v1/jobs/${id}/cancel`, 'POST'];
+      await request(path, { method }, () => {}).catch(() => {});
+      if (done) return;
+    }
   }
 }
 

@@ -31,9 +31,13 @@ export async function solveAll(jobs, signal, seen) {
       word.toString(16),
     ).join('-'),
   };
+  // The list of jobs has those of a run in one row.
+  const run = headers['Idempotency-Key'];
+  const tagged = (/** @type {Job} */ job) =>
+    jobs.length > 1 ? { ...job, tags: { ...job.tags, run } } : job;
   const made = await post(
     'v1/batch/submit',
-    { jobs: jobs.map((job) => ({ job })) },
+    { jobs: jobs.map((job) => ({ job: tagged(job) })) },
     { signal, headers },
   );
   const trials = /** @type {Trial[]} */ (

@@ -26,6 +26,14 @@ export function read() {
   };
 }
 
+/** The address of the page for people: the one that the service is told, or else that of the browser. */
+const address = () =>
+  /** @type {HTMLLinkElement | null} */ (document.querySelector('link[rel=canonical]'))?.href ??
+  document.baseURI.replace(/#.*/, '');
+
+/** Where what is shown is found. @returns {string} */
+export const here = () => new URL(location.hash, address()).href;
+
 /** @param {string} id @param {string[]} [compared] jobs laid over it @returns {string} */
 export const jobFragment = (id, compared = []) =>
   `#job=${id}${compared.length ? `&with=${compared.join(',')}` : ''}`;
@@ -36,8 +44,8 @@ export const jobFragment = (id, compared = []) =>
  */
 export function jobLink(title) {
   const words = title.trim().replace(/\s+/g, '-');
-  const address = location.href.replace(/&title=[^&]*/, '');
-  return words ? `${address}&title=${encodeURIComponent(words)}` : address;
+  const link = here().replace(/&title=[^&]*/, '');
+  return words ? `${link}&title=${encodeURIComponent(words)}` : link;
 }
 
 /** @param {unknown} job @returns {Promise<string>} */
@@ -50,7 +58,7 @@ export async function draftLink(job) {
     .replaceAll('+', '-')
     .replaceAll('/', '_')
     .replaceAll('=', '');
-  return new URL(`#draft=${text}`, document.baseURI).href;
+  return new URL(`#draft=${text}`, address()).href;
 }
 
 /** @param {string} text @returns {Promise<any>} */

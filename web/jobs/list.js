@@ -16,9 +16,17 @@ import { materialNames, pairOf, titleOf } from './names.js';
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 
 const AGAIN = 5000;
-const PAGE = 30;
-/** Jobs that one search fetches, in pages of a hundred. */
-const [THROUGH, WIDE] = [1000, 100];
+/** Jobs of a page, and rows that a page begins with at least: a run of many jobs is one row. */
+const [PAGE, ROWS] = [100, 30];
+const DAY = 86_400_000;
+/** Times to look in, in days. */
+const TIMES = {
+  '': 'any time',
+  1: 'last day',
+  7: 'last week',
+  31: 'last month',
+  366: 'last year',
+};
 
 export class JobList {
   /** @type {JobDocument[]} */
@@ -27,8 +35,8 @@ export class JobList {
   #next = null;
   /** Jobs beyond the first page stay as they were fetched. */
   #pages = 1;
-  /** Most jobs that a search fetches. */
-  #through = THROUGH;
+  /** Runs whose jobs are seen, each in a row. @type {Set<string>} */
+  #opened = new Set();
   /**
    * The request of each job, which does not change.
    * @type {Map<string, import('../types.js').Job>}
@@ -44,7 +52,7 @@ export class JobList {
     this.on = on;
     this.search = h('input', {
       type: 'search',
-      placeholder: 'Search titles, tags, ids; name:value',
+      placeholder: 'Search titles, materials, tags, ids; name:value',
       'aria-label': 'Search jobs',
     });
     this.status = h(
@@ -53,13 +61,20 @@ export class JobList {
       h('option', { value: '' }, 'all states'),
       Object.entries(NAMES).map(([value, name]) => h('option', { value }, name)),
     );
-    byId('jobs-filter').append(this.search, this.status);
+    const times = Object.entries(TIMES).sort(([a], [b]) => Number(a) - Number(b));
+    this.since = h(
+      'select',
+      { 'aria-label': 'Time' },
+      times.map(([value, name]) => h('option', { value }, name)),
+    );
+    byId('jobs-filter').append(this.search, this.status, this.since);
     const again = () => {
       this.#pages = 1;
       this.refresh();
     };
     this.search.addEventListener('input', debounce(again, 250));
     this.status.addEventListener('change', again);
+    this.since.addEventListener('change', again);
     byId('jobs-more').addEventListener('click', () => this.#more());
     setInterval(() => {
       if (!byId('jobs').hidden && !document.hidden && this.#pages === 1) this.refresh();
@@ -73,7 +88,6 @@ export class JobList {
       this.#jobs = jobs;
       this.#next = next;
       this.#pages = 1;
-      this.#through = THROUGH;
       this.on.refreshed();
     });
   }
@@ -84,16 +98,21 @@ export class JobList {
       this.#jobs.push(...jobs);
       this.#next = next;
       this.#pages += 1;
-      this.#through = this.#jobs.length + THROUGH;
     });
   }
 
   /** Shows the fetched jobs, or why there are none. @param {() => Promise<void>} fetched */
   async #fill(fetched) {
     try {
+      const asked = this.#query();
       await fetched();
+      while (this.#next && this.#rows().length < Math.min(ROWS, this.#jobs.length)) {
+        const { jobs, next_cursor: next } = await this.#fetch(this.#next);
+        if (this.#query() !== asked) return;
+        this.#jobs.push(...jobs);
+        this.#next = next;
+      }
       this.show();
-      await this.#lookThrough();
       await this.#ask();
     } catch (error) {
       if (!(error instanceof Problem)) throw error;
@@ -101,54 +120,21 @@ export class JobList {
     }
   }
 
-  /**
-   * Fetches older jobs until some match the word that is looked for, or many have been looked
-   * through.
-   */
-  async #lookThrough() {
-    const wanted = this.search.value;
-    while (
-      this.#word &&
-      this.#next &&
-      this.#jobs.length < this.#through &&
-      this.#matching().length < PAGE
-    ) {
-      const { jobs, next_cursor: next } = await this.#fetch(this.#next, WIDE);
-      if (this.search.value !== wanted) return;
-      this.#jobs.push(...jobs);
-      this.#next = next;
-      this.show();
+  /** Jobs of a run that stand below each other are one row, until it is opened. @returns {JobDocument[][]} */
+  #rows() {
+    const rows = /** @type {JobDocument[][]} */ ([]);
+    for (const job of this.#jobs) {
+      const run = job.tags?.run;
+      const last = rows.at(-1);
+      if (run && !this.#opened.has(run) && last?.[0].tags?.run === run) last.push(job);
+      else rows.push([job]);
     }
-  }
-
-  /**
-   * What is looked for in ids and tags here; a tag with its value is looked for by the service.
-   */
-  get #word() {
-    const text = this.search.value.trim();
-    return isTag(text) ? '' : text.replace(/:$/, '').toLowerCase();
-  }
-
-  /** What the row of a job says of its set-up. @param {string} id */
-  #said(id) {
-    const request = this.#requests.get(id);
-    return request ? [request.title ?? '', pairOf(request), materialNames(request)] : [];
-  }
-
-  #matching() {
-    const word = this.#word;
-    return this.#jobs.filter(
-      ({ id, tags }) =>
-        !word ||
-        JSON.stringify([id, tags ?? {}, this.#said(id)])
-          .toLowerCase()
-          .includes(word),
-    );
+    return rows;
   }
 
   /** Fetches what was asked of jobs that have not been seen. */
   async #ask() {
-    const unknown = this.#matching().filter(({ id }) => !this.#requests.has(id));
+    const unknown = this.#rows().flatMap(([job]) => (this.#requests.has(job.id) ? [] : [job]));
     for (const { id } of unknown) {
       const request = await ask(`v1/jobs/${id}/request`).catch(() => undefined);
       if (request) this.#requests.set(id, request);
@@ -156,36 +142,66 @@ export class JobList {
     if (unknown.length) this.show();
   }
 
-  /** @param {string | null} [cursor] @param {number} [limit] */
-  #fetch(cursor, limit = PAGE) {
-    const query = new URLSearchParams({ limit: String(limit) });
+  /** What is looked for. */
+  #query() {
+    const query = new URLSearchParams();
     if (this.status.value) query.set('status', this.status.value);
     const text = this.search.value.trim();
     if (isTag(text)) query.set('tag', text);
+    else if (ID.test(text)) query.set('id', text);
+    else if (text) query.set('search', text);
+    if (this.since.value)
+      query.set('since', new Date(Math.floor(Date.now() / DAY - Number(this.since.value)) * DAY).toISOString()); // prettier-ignore
+    return query.toString();
+  }
+
+  /** @param {string | null} [cursor] */
+  #fetch(cursor) {
+    const query = new URLSearchParams(`limit=${PAGE}&${this.#query()}`);
     if (cursor) query.set('cursor', cursor);
     return ask(`v1/jobs?${query}`);
   }
 
   show() {
-    const jobs = this.#matching();
-    const among = this.#next ? ` among the ${this.#jobs.length} newest` : '';
-    byId('jobs-state').textContent = jobs.length
-      ? `${jobs.length} shown${this.#word ? among : ''}`
-      : '';
-    const nothing =
-      this.status.value || this.search.value
-        ? this.#word && this.#next
-          ? `No job matches${among}.`
-          : 'No job matches.'
-        : 'No jobs yet. Solve one and it appears here.';
+    const rows = this.#rows();
+    byId('jobs-state').textContent = rows.length ? `${this.#jobs.length} shown` : '';
+    const nothing = this.#query()
+      ? 'No job matches. Whole words are looked for.'
+      : 'No jobs yet. Solve one and it appears here.';
     keepFocus(byId('jobs'), () => {
       byId('jobs-list').replaceChildren(
-        ...(jobs.length
-          ? jobs.map((job) => this.#row(job))
+        ...(rows.length
+          ? rows.map((jobs) => (jobs.length > 1 ? this.#run(jobs) : this.#row(jobs[0])))
           : [h('li', { class: 'empty' }, nothing)]),
       );
       byId('jobs-more').hidden = !this.#next;
     });
+  }
+
+  /** A run of several jobs, which opens. @param {JobDocument[]} jobs */
+  #run(jobs) {
+    const [job] = jobs;
+    const request = this.#requests.get(job.id);
+    const varied = jobs.flatMap(({ tags }) => (tags?.varied ? [tags.varied] : [])).reverse();
+    const states = [...new Set(jobs.map(({ status }) => NAMES[status].toLowerCase()))];
+    const open = () => {
+      this.#opened.add(job.tags?.run ?? '');
+      this.show();
+      this.#ask();
+    };
+    return h(
+      'li',
+      { 'data-key': job.tags?.run },
+      h(
+        'button',
+        { type: 'button', class: 'open', 'aria-expanded': 'false', onclick: open },
+        h('span', { class: `dot ${job.status}` }),
+        h('b', { class: 'title' }, `${jobs.length} jobs: ${varied.length ? `${varied[0]} … ${varied.at(-1)}` : states.join(', ')}`), // prettier-ignore
+        request && h('span', {}, titleOf(request)),
+        h('span', {}, states.join(', ')),
+        h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
+      ),
+    );
   }
 
   /** Load and peak pressure. @param {JobDocument} job */
@@ -203,8 +219,7 @@ export class JobList {
   /** @param {JobDocument} job */
   #row(job) {
     const request = this.#requests.get(job.id);
-    const title = titleOf({ tags: job.tags, ...request });
-    const label = title || job.id.slice(-8);
+    const label = titleOf({ ...request, tags: job.tags }) || job.id.slice(-8);
     const current = this.on.current() === job.id;
     const colour = this.on.colourOf(job.id);
     const box = h('input', {
@@ -216,8 +231,8 @@ export class JobList {
       onchange: () => this.on.compare(job.id, box.checked),
     });
     if (colour) box.style.setProperty('accent-color', `var(${colour})`);
-    const tags = Object.entries(job.tags ?? {}).map(([name, text]) =>
-      h('span', { class: 'tag' }, `${name}: ${text}`),
+    const tags = Object.entries(job.tags ?? {}).flatMap(([name, text]) =>
+      name === 'run' ? [] : [h('span', { class: 'tag' }, `${name}: ${text}`)],
     );
     const open = h(
       'button',
@@ -228,7 +243,7 @@ export class JobList {
         onclick: () => this.on.open(job.id),
       },
       h('span', { class: `dot ${job.status}` }),
-      request?.title ? h('b', { class: 'title' }, title) : null,
+      request && h('b', { class: 'title' }, titleOf({ ...request, tags: undefined })),
       h('span', {}, NAMES[job.status]),
       h('span', { class: 'load' }, this.#words(job)),
       h(
@@ -290,6 +305,9 @@ export class JobList {
     await this.refresh();
   }
 }
+
+/** An id as the address of a job has it. */
+const ID = /^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$/i;
 
 /** A tag with its value. @param {string} text */
 const isTag = (text) => /^[^:]+:./.test(text);

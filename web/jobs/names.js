@@ -2,7 +2,7 @@
 
 import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, LAWS, allFields, lawOf, shapeLabel } from '../setup/fields.js';
-import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
+import { exact, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { lowered } from '../setup/field.js';
 import { historyFigures } from '../setup/history.js';
 import { sweepWords } from '../setup/list.js';
@@ -87,14 +87,32 @@ export function materialName(job, body) {
   return material?.name ? String(material.name) : lowered(LAWS[lawOf(material)]?.label ?? '');
 }
 
-/** What a job is called: its title, or else the first of its tags. @param {Job} job @returns {string} */
-export const titleOf = ({ title, tags }) =>
-  String(title || Object.values(tags ?? {})[0] || '').slice(0, 80);
+/** First length of a body, by which people call it. @param {any} body */
+function sizeOf(body) {
+  const { radius, radius_x: across } = body?.shape ?? {};
+  const size = radius ?? across;
+  return typeof size === 'number' ? ` R ${plain(Math.abs(size), 4)}` : '';
+}
 
-/** The same as a part of the names of files. @param {Job} job @param {string} id @returns {string} */
+/** Tags that the page gives. */
+const GIVEN = new Set(['run', 'varied', 'slider']);
+
+/** What a job is called: its title, its first tag, or else what is pressed on what, and how. @param {Job} job @returns {string} */
+export function titleOf(job) {
+  const [, tag] = Object.entries(job.tags ?? {}).find(([name]) => !GIVEN.has(name)) ?? [];
+  if (job.title || tag || !job.load) return String(job.title || (tag ?? '')).slice(0, 80);
+  const test = job.load.hardness;
+  if (test) return `${writeValue(test.scale ?? test)} of ${materialName(job, 'lower')}`;
+  const [above, below] = [job.upper, job.lower].map(
+    (body) => shapeLabel(body?.shape?.type, job.analysis).toLowerCase() + sizeOf(body),
+  );
+  return `${above} on ${below}, ${loadWords(job).replace(/^P /, '')}`;
+}
+
+/** The title or the tag that it is given, as a part of the names of files. @param {Job} job @param {string} id @returns {string} */
 export const stemOf = (job, id) =>
   [
-    titleOf(job)
+    titleOf({ ...job, load: undefined })
       .normalize('NFC')
       .replace(/[^\p{L}\p{N}.-]+/gu, '-')
       .replace(/^-+|-+$/g, '')

@@ -7,9 +7,11 @@ import { h } from './dom.js';
  * @param {string} title
  * @param {import('./dom.js').Child[]} content
  * @param {string} action
- * @param {() => string} done takes what is entered; answers with what is wrong with it
+ * @param {() => string | true} done takes what is entered; answers with what is wrong with it, or with `true` where the dialogue stays
+ * @param {() => void} [left] called when it is closed
+ * @returns {HTMLDialogElement}
  */
-export function dialogue(title, content, action, done) {
+export function dialogue(title, content, action, done, left = () => {}) {
   const error = h('p', { class: 'error', role: 'alert' });
   const box = h(
     'dialog',
@@ -20,8 +22,9 @@ export function dialogue(title, content, action, done) {
         method: 'dialog',
         onsubmit: (/** @type {SubmitEvent} */ event) => {
           if (/** @type {HTMLButtonElement | null} */ (event.submitter)?.value !== 'save') return;
-          error.textContent = done();
-          if (error.textContent) event.preventDefault();
+          const answer = done();
+          error.textContent = answer === true ? '' : answer;
+          if (answer) event.preventDefault();
         },
       },
       h('h2', { id: 'dialogue-title' }, title),
@@ -35,7 +38,11 @@ export function dialogue(title, content, action, done) {
       ),
     ),
   );
-  box.addEventListener('close', () => box.remove());
+  box.addEventListener('close', () => {
+    box.remove();
+    left();
+  });
   document.body.append(box);
   box.showModal();
+  return box;
 }

@@ -1,8 +1,9 @@
 /**
- * Tables of points as spreadsheets and instruments write them. What stands above the figures is
- * known word for word, or refused.
+ * Tables of points as spreadsheets and instruments write them. A line above the figures is
+ * understood, or left out and named where the columns say their units themselves, or refused.
  */
 
+import { ROLES } from './columns.js';
 import {
   columnsInWords,
   hasDecimalComma,
@@ -11,6 +12,7 @@ import {
   readNumber,
   withMinus,
 } from './number.js';
+import { beginsAtNothing, partsOf, recordOf } from './record.js';
 import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
@@ -19,7 +21,12 @@ import { inJobUnits, isUnit, unit } from './units.js';
  * @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted
  *   from 1
  */
-/** @typedef {{points: number[][], notes: string[]} | {problem: string}} Table */
+/** @typedef {import('./record.js').Record} Record */
+/**
+ * @typedef {{points: number[][], notes: string[], record?: Record, scale?: string} |
+ *   {problem: string, record?: Record}} Table `record`: of a test, whose points are no curve yet;
+ *   `scale`: of the hardness, where the text says it
+ */
 
 /** Most lines of figures that the service takes, and letters of a line of two or three of them. */
 const [MOST, LONGEST] = [10_000, 1000];
@@ -32,9 +39,10 @@ const [MOST, LONGEST] = [10_000, 1000];
  * @param {Quantity[]} quantities of the columns
  * @param {Units} units of the job
  * @param {string[]} symbols of the columns, which headers may name in another order
+ * @param {{modulus?: number, choice?: import('./record.js').Choice}} [of] Young's modulus [MPa] and what is pointed at, of records of tests
  * @returns {Table} `problem` names the first line at fault
  */
-export function readTable(text, quantities, units, symbols) {
+export function readTable(text, quantities, units, symbols, { modulus, choice } = {}) {
   const lines = withMinus(text.replace(/^\ufeff/, '')).split(/\r\n?|\n/);
   const long = lines.findIndex((line) => line.length > LONGEST);
   if (long >= 0)
@@ -46,21 +54,32 @@ export function readTable(text, quantities, units, symbols) {
   const rows = lines
     .map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) }))
     .filter(({ cells }) => cells.length);
+  // What a line says of the specimen or the test stands before its one figure.
+  const isSaid = (/** @type {string[]} */ cells) =>
+    /^["“]?\p{L}/u.test(cells[0]) && cells.filter(isFigure).length < 2 && cells.length < 4;
+  const isAlone = (/** @type {string[]} */ cells) =>
+    hasTable && (cells.length < 2 || isSaid(cells));
+  const hasTable = rows.some(
+    ({ comment, cells }) => !comment && cells.filter(isFigure).length > 1,
+  );
   // A sign before a digit starts no word: a line of unreadable figures is
   // said to be one. A line that begins with words and has no figure of its own is a title.
   const first = rows.findIndex(
     ({ comment, cells }) =>
-      !comment &&
-      !isTitle(cells.join(' ')) &&
-      cells.some((one) => /^[^\p{L}\p{N}([]*\d/u.test(one)),
+      !comment && !isTitle(cells.join(' ')) && !isAlone(cells) && cells.some(isFigure),
   );
   const headers = rows.slice(0, Math.max(0, first));
   const body = rows.slice(headers.length).filter(({ comment }) => !comment);
-  if (body.length > MOST)
+  const tail = body.length - 1 - body.findLastIndex(({ cells }) => !isSaid(cells));
+  if (hasTable && tail > 0) body.splice(-tail);
+  if (body.length > MOST && !symbols.includes('ε_p'))
     return { problem: `${body.length} lines of figures: at most ${MOST} are taken` };
+  const isCurve = symbols.includes('ε_p');
+  const record = isCurve ? recordOf(headers, body, modulus ?? STEEL, choice) : undefined;
+  if (record) return ofRecord(record, units);
   const header = namedBy(headers, body, quantities, units, symbols);
   if ('problem' in header) return header;
-  const { order, named, width, notes } = header;
+  const { order, named, width, notes, scale } = header;
   const used = (/** @type {string[]} */ cells) => order.map((k) => cells[k] ?? '');
   const commas = body.some(({ cells }) => used(cells).some((cell) => hasDecimalComma(digitsOf(cell)))); // prettier-ignore
   const problems = /** @type {string[]} */ ([]);
@@ -113,10 +132,33 @@ export function readTable(text, quantities, units, symbols) {
     for (const one of beside[axis].size ? beside[axis] : [name])
       if (one && inJobUnits(1, one, quantities[axis], units) !== 1)
         said.push(`column ${order[axis] + 1} converted from ${one}`);
-  return named.some(Boolean) || order.some((k, axis) => k !== axis)
-    ? { points, notes: said }
-    : turned(points, said, symbols);
+  if (tail > 0 && hasTable) said.push(`${counted(tail, 'line')} below the figures left out`);
+  if (scale) return { points, notes: said, scale };
+  const made =
+    named.some(Boolean) || order.some((k, axis) => k !== axis)
+      ? { points, notes: said }
+      : turned(points, said, symbols);
+  if (!isCurve || 'problem' in made || !beginsAtNothing(made.points)) return made;
+  // Figures alone: which of two columns they are in is known by now.
+  const names = ['strain', `stress [${unit('stress', units)}]`].map((name, k) => ({ name, unit: k ? unit('stress', units) : '', role: name.slice(0, 6) })); // prettier-ignore
+  const bare = recordOf([{ number: 0, cells: names.map(({ name }) => name), comment: false }], made.points.map((cells, k) => ({ number: body[k].number, cells: cells.map(String), comment: false })), modulus ?? STEEL, choice); // prettier-ignore
+  return bare ? ofRecord(bare, units) : made;
 }
+
+/** [MPa] */
+const STEEL = 210_000;
+
+/** A record in the units of a job. @param {Record} record @param {Units} units @returns {Table} */
+function ofRecord(record, units) {
+  if (record.problem) return { problem: record.problem, record };
+  const [a, b] = record.measure === 'indentation' ? ['length', 'force'] : ['strain', 'stress'];
+  const one = [a, b].map((quantity) => inJobUnits(1, unit(/** @type {Quantity} */ (quantity), 'mm_N_MPa') || '1', /** @type {Quantity} */ (quantity), units) ?? 1); // prettier-ignore
+  const points = record.points.map((point) => point.map((value, k) => value * one[k]));
+  return { points, notes: record.notes, record };
+}
+
+/** Whether a cell begins as a figure does: a sign before a digit starts no word. @param {string} cell */
+const isFigure = (cell) => /^[^\p{L}\p{N}([]*\d/u.test(cell);
 
 /** The digits of a cell that may have a unit behind them. @param {string} cell */
 const digitsOf = (cell) => parted(cell).digits;
@@ -197,13 +239,18 @@ function readCard(lines, symbols) {
 /** @param {number} count @param {string} what */
 const counted = (count, what) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
-/** @param {string[]} lines @returns {RegExp} */
-function separatorOf(lines) {
-  for (const one of ['\t', ';'])
-    if (lines.some((line) => line.includes(one))) return new RegExp(one);
-  const spaced = lines.some((line) => /\d[.,]?\s+[+-]?[.,]?\d/.test(line));
+/** Told by the lines of figures, or by all where none begins with one. @param {string[]} all @returns {RegExp} */
+function separatorOf(all) {
+  const figures = all.filter((line) => /^[\s"]*[-+.,]?\d/.test(line));
+  for (const lines of [figures, all])
+    for (const one of ['\t', ';'])
+      if (lines.some((line) => line.includes(one))) return new RegExp(one);
+  if (figures.some((line) => /^\s*".*",/.test(line))) return /,(?=(?:[^"]*"[^"]*")*[^"]*$)/;
+  const comma = figures.length && figures.every((line) => /,/.test(line) && !/\d\s+[-+.\d]/.test(line)); // prettier-ignore
+  if (comma) return /,\s*/;
+  const spaced = all.some((line) => /\d[.,]?\s+[+-]?[.,]?\d/.test(line));
   if (!spaced) return /,\s*|\s+/;
-  return lines.some((line) => /\d,\s+[+-]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
+  return all.some((line) => /\d,\s+[+-]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
 }
 
 /**
@@ -226,48 +273,35 @@ function cellsOf(line, separator) {
 }
 
 const STRESS = '(residual|eigen)?(σ|s|sig|sigma|stress|spannung|contrainte)';
+const role = (/** @type {string} */ name) => new RegExp(`^(${ROLES[name]})$`, 'u');
 /**
  * Names of columns, by their symbols; lower case without spaces, dots and dashes.
- * @type {Record<string, RegExp>}
+ * @type {{[symbol: string]: RegExp}}
  */
 const CALLED = {
-  x: /^(x|r|position|distance)$/,
-  height: /^(h|y|z|height|profile)$/,
-  z: /^(z|depth|(rand|oberflächen)?abstand(vomrand|vonderoberfläche)?|(rand|mess)?tiefe|distance|distancefromsurface|profondeur|profondità|profundidad)$/,
-  HV: /^(hardness|härte(wert)?|vickers|dureté|durezza|dureza)*((hv|vhn|dph|dpn)[\d,/]*)?$/,
-  factor: /^(factor|faktor|facteur)$/,
+  x: role('place'),
+  height: role('height'),
+  z: role('depth'),
+  HV: role('hardness'),
+  factor: role('factor'),
   σ_x: new RegExp(`^${STRESS}(x|xx|11)$`),
   σ_z: new RegExp(`^${STRESS}(z|zz|33)$`),
   σ_r: new RegExp(`^${STRESS}(r|rr|11)$`),
   σ_θ: new RegExp(`^${STRESS}(θ|θθ|t|33)$`),
-  ε_p: /^(true|plastic|plast|plastische|wahre|logarithmische)*(ε|eps|epsilon|strain|dehnung|umformgrad)p?(plastique|plastica)?$|^déformationplastique$/,
-  q: /^(true|flow|vonmises|wahre|fließ|fliess)*(σ|sig|sigma|stress|spannung|q)$|^contrainte(vraie)?$/,
+  ε_p: new RegExp(`^(${ROLES.plastic_strain}|${ROLES.true_strain}|${ROLES.strain})$`, 'u'),
+  q: new RegExp(`^(${ROLES.true_stress}|${ROLES.stress})$`, 'u'),
   C: /^(c|modulus)$/,
   γ: /^(γ|gamma|rate)$/,
 };
 
+/** The scale that the service converts. */
+const OF_HRC =
+  /^(hardness|härte(wert)?|dureté|durezza|dureza)?\s*[[(]?(HR\s?C|rockwell c)[\])]?$/i;
+const DATE = /^\d{1,4}[-./]\d{1,2}[-./]\d{1,4}/;
+
 /** Other scales of hardness than that of Vickers, whose figures look alike. */
 const OTHER_SCALE =
   /(?<![a-z])(HR\s?[A-Z]?|HBW?S?|BHN|HK|KHN|HLD?|rockwell|brinell|knoop|shore|leeb)(?![a-z])/i;
-
-/** Strain and stress as a tensile test gives them, which a button beside the table converts. */
-const OF_A_TEST =
-  /^(eng|engineering|nominal|total)(?![a-z])|^(engineering|nominal|total|technische|nenn(dehnung|spannung)|gesamt|allongement|déformation (totale|nominale)|contrainte nominale)/i;
-
-/**
- * Name and unit of a header: the unit in brackets, or behind the last words.
- * @param {string} header
- * @returns {[name: string, unit: string]}
- */
-function partsOf(header) {
-  const [, before, bracketed] = /^(.*?)\s*[[(]\s*([^\])]+?)\s*[\])]$/.exec(header) ?? [];
-  if (bracketed) return [before, bracketed];
-  const start = [0, ...[...header.matchAll(/[\s/,_]/g)].map(({ index }) => index + 1)];
-  const at = start.find((from) => isUnit(header.slice(from).trim()));
-  return at === undefined
-    ? [header, '']
-    : [header.slice(0, at).replace(/(\sin)?[\s/,_]*$/, ''), header.slice(at).trim()];
-}
 
 /**
  * Whether a line has plain words and numbers that count or date, and no unit. What multiplies or
@@ -281,8 +315,7 @@ const isTitle = (line) =>
   !line.split(/[^\p{L}µ°]+/u).some((word) => isUnit(word) || /^(HV|HR[A-C]?|HBW?)$/.test(word));
 
 /** Names of columns that count the lines. */
-const COUNTS =
-  /^(nr|no|n°|nº|num|number|nummer|lfdnr|index|i|point|punkt|messpunkt|indent|eindruck|mesure|#)$/;
+const COUNTS = role('count');
 
 /** Whether the first column is 1, 2, 3, … @param {Row[]} body */
 const countsLines = (body) =>
@@ -295,8 +328,8 @@ const countsLines = (body) =>
  * @param {Quantity[]} quantities
  * @param {Units} units of the job
  * @param {string[]} symbols
- * @returns {{order: number[], named: string[], width: number, notes: string[]} | {problem: string}}
- *   `width`: number of columns of the text
+ * @returns {{order: number[], named: string[], width: number, notes: string[], scale: string} | {problem: string}}
+ *   `width`: number of columns of the text; `scale`: of the hardness, where the text says it
  */
 function namedBy(headers, body, quantities, units, symbols) {
   const wanted = quantities.length;
@@ -310,19 +343,43 @@ function namedBy(headers, body, quantities, units, symbols) {
     (one, axis) =>
       `${symbols[axis].replace('_', '')}${unit(one, units) && ` [${unit(one, units)}]`}`,
   );
+  let scale = '';
+  /** Lines that are not understood, and the first refusal of one. */
+  const left = /** @type {string[]} */ ([]);
+  let pending = /** @type {{problem: string} | undefined} */ (undefined);
+  const leave = (
+    /** @type {number} */ number,
+    /** @type {string[]} */ cells,
+    /** @type {{problem: string}} */ refusal,
+  ) => {
+    left.push(`line ${number} (${quoted(cells.join(' '))})`);
+    pending ??= refusal;
+  };
   for (const { number, cells } of headers) {
     const refuse = (/** @type {string} */ text, /** @type {string} */ words) => ({
       problem: `line ${number}: ${quoted(text)} ${words}. The names of the columns are ${example.join(', ')}; other lines above the figures are to be left out`,
     });
-    const scale = quantities.includes('hardness') && OTHER_SCALE.exec(cells.join(' '))?.[0];
-    if (scale) return { problem: `line ${number}: “${scale}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265${/^(HR\s?C|rockwell)$/i.test(scale) ? ', or choose the scale HRC beside the table and leave this line out' : ''}` }; // prettier-ignore
-    const measured = symbols.includes('ε_p') && cells.find((cell) => OF_A_TEST.test(cell));
-    if (measured) return { problem: `line ${number}: ${quoted(measured)} is not plastic strain or true stress: leave this line out, and press “From engineering values” or “From total strain” below` }; // prettier-ignore
+    if (
+      quantities.includes('hardness') &&
+      cells.length > 1 &&
+      cells.some((cell) => OF_HRC.test(cell))
+    ) {
+      scale = 'HRC';
+      cells.splice(0, cells.length, ...cells.map((cell) => (OF_HRC.test(cell) ? 'HV' : cell)));
+    } else if (
+      quantities.includes('hardness') &&
+      cells.length > 1 &&
+      cells.some((cell) => /HV|VHN|DP[HN]/.test(cell))
+    )
+      scale ||= 'HV';
+    const other = quantities.includes('hardness') && OTHER_SCALE.exec(cells.join(' '))?.[0];
+    if (other) return { problem: `line ${number}: “${other}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265` }; // prettier-ignore
     // A header may leave out the column that counts.
     const shift = cells.length === wanted && width === wanted + 1 ? 1 : 0;
     if (cells.length !== wanted && (cells.length < wanted || widest <= wanted)) {
       if (isTitle(cells.join(' '))) continue;
-      return refuse(cells.join(' '), 'is not known here');
+      leave(number, cells, refuse(cells.join(' '), 'is not known here'));
+      continue;
     }
     const parts = cells.map(partsOf);
     const plain = parts.map(([name]) => name.toLowerCase().replace(/[\s_.:-]/g, ''));
@@ -334,11 +391,14 @@ function namedBy(headers, body, quantities, units, symbols) {
       return plain[k] ? symbols.findIndex((_, axis) => isCalled(k, axis)) : -1;
     });
     const isWider = cells.length > wanted;
+    if (axes.every((axis) => axis < 0) && cells.length <= width) {
+      if (!isTitle(cells.join(' '))) leave(number, cells, refuse(cells[0], 'is not known here'));
+      continue;
+    }
     const strange = axes.findIndex((axis, k) => (axis < 0 ? !isWider : axes.indexOf(axis) < k));
     if (strange >= 0) return refuse(cells[strange], 'is not known here');
     const missing = quantities.findIndex((_, axis) => !axes.includes(axis));
     if (missing >= 0) {
-      if (axes.every((axis) => axis < 0) && isTitle(cells.join(' '))) continue;
       return refuse(cells.join(' '), `has no column called ${example[missing]}`);
     }
     for (const [k, [, name]] of parts.entries()) {
@@ -359,5 +419,15 @@ function namedBy(headers, body, quantities, units, symbols) {
     }
     order = quantities.map((_, axis) => axes.indexOf(axis) + shift);
   }
-  return { order, named, width, notes };
+  // What a line says may be a unit or a scale of columns that say none.
+  const says = quantities.every(
+    (one, axis) => named[axis] || one === 'hardness' || one === 'number',
+  );
+  const figures = headers.some(({ cells }) => isFigure(cells[0]) && !DATE.test(cells[0]));
+  if (pending && !(says && !figures)) return pending;
+  if (left.length)
+    notes.push(
+      `${left.slice(0, 3).join(', ')}${left.length > 3 ? ` and ${left.length - 3} more` : ''} left out`,
+    );
+  return { order, named, width, notes, scale };
 }

@@ -51,7 +51,16 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
     psi: 6894.757293168,
     ksi: 6894757.293168,
   },
-  force: { N: 1, mN: 1e-3, kN: 1e3, MN: 1e6, kgf: 9.80665, lbf: 4.4482216152605 },
+  force: {
+    N: 1,
+    µN: 1e-6,
+    uN: 1e-6,
+    mN: 1e-3,
+    kN: 1e3,
+    MN: 1e6,
+    kgf: 9.80665,
+    lbf: 4.4482216152605,
+  },
   line_force: {
     'N/m': 1,
     'N/mm': 1e3,

@@ -31,6 +31,7 @@ import {
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
+import { here } from '../jobs/link.js';
 import { materialName, pairOf, stemOf, titleOf, writeValue, writeWhole } from '../jobs/names.js';
 import { browser, isObject, kept } from '../lib/kept.js';
 import { answersTable, verdict } from './answers-table.js';
@@ -206,7 +207,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
         removed
           ? 'The service no longer has it.'
           : id
-            ? h('span', { class: 'link' }, location.href)
+            ? h('span', { class: 'link' }, here())
             : null,
       ),
     ),
@@ -269,7 +270,7 @@ function saveSheet({ id, job, report, raw = report }) {
   const data = JSON.stringify({ job, result: { ...raw, steps: raw.steps.map(plainStep) } });
   const page = [
     '<!doctype html><html lang="en" data-colours="light" data-view="sheet"><meta charset="utf-8">',
-    h('title', {}, titleOf(job) || pairOf(job)).outerHTML,
+    h('title', {}, titleOf(job)).outerHTML,
     `<style>${rules.map(({ cssText }) => cssText).join('\n')}</style>`,
     sheet.outerHTML,
     `<script type="application/json" id="data">${data.replaceAll('<', '\\u003c')}</script></html>`,

@@ -31,6 +31,7 @@
  * @property {(value: number, field: Field) => number} wire a figure in mm, N and MPa, in the units of the job
  * @property {() => Record<string, any> | undefined} parent the object that the field is a key of
  * @property {(values: Record<string, unknown>) => void} beside sets keys of the object that the field is a key of, in one change
+ * @property {(values: Record<string, unknown>) => void} inMaterial sets keys of the material of the body
  * @property {(value: number, moving: boolean) => void} [slide] called while a slider moves the figure
  */
 /**

@@ -380,6 +380,11 @@ export class Form {
         const merged = { ...pointer.get(this.draft.job, whole), ...values };
         this.draft.set(whole, merged, SOURCE);
       },
+      inMaterial: (values) => {
+        const whole = `/${body}/material`;
+        const merged = { ...this.draft.job[body]?.material, ...values };
+        this.#followed(whole, () => this.draft.set(whole, merged, SOURCE));
+      },
       wire: (value, { quantity }) =>
         quantity && quantity !== 'load'
           ? convert(value, quantity, 'mm_N_MPa', unitsOf(this.draft.job))

@@ -6,6 +6,9 @@ import { inWords } from './words.js';
 
 /** @typedef {[number, number]} Point */
 
+/** Plastic strain of R_p0.2. */
+export const PROOF = 0.002;
+
 /**
  * The hardening curve of a test, which the service computes: first slope, toe, yield, necking,
  * noise.
@@ -13,13 +16,17 @@ import { inWords } from './words.js';
  * @param {'engineering' | 'true'} measure
  * @param {number} modulus NaN where the material has none
  * @param {import('../lib/units.js').Units} units
- * @returns {Promise<{points: Point[], note: string} | {problem: string}>}
+ * @returns {Promise<{points: Point[], note: string, slope: number, proof: number | undefined} | {problem: string}>} `slope`: the first of the test; `proof`: R_p0.2
  */
 export async function fromTest(points, measure, modulus, units) {
   const test = { points, measure, units, ...(modulus > 0 && { young_modulus: modulus }) };
   try {
-    const curve = await post('v1/hardening-curves', test);
-    return { points: curve.points, note: curve.remarks.join(' ') };
+    const [curve, proof] = await Promise.all([
+      post('v1/hardening-curves', test),
+      post('v1/hardening-curves', { ...test, offset: PROOF }).catch(() => undefined),
+    ]);
+    const { points, remarks, slope } = curve;
+    return { points, note: remarks.join(' '), slope, proof: proof?.yield_stress };
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     const faults = error.errors.map(({ pointer, detail }) => `${placed(pointer)} ${detail}`);
@@ -33,8 +40,15 @@ function placed(pointer) {
   return row ? `point ${Number(row) + 1}` : 'the table';
 }
 
+/** Backstress of a first pull, the sum of its terms, as `docs/theory.md` section 4a integrates. @param {unknown} terms @param {number} p */
+const backstress = (terms, p) =>
+  (Array.isArray(terms) ? terms : []).reduce((sum, term) => {
+    const { modulus, rate } = term ?? {};
+    return sum + (rate > 0 ? (modulus / rate) * -Math.expm1(-rate * p) : modulus * p);
+  }, 0);
+
 /**
- * Equivalent stress over plastic strain, as `docs/theory.md` defines the laws.
+ * Stress of a first pull over plastic strain, as `docs/theory.md` defines the laws and the backstress.
  * @param {Record<string, any> | undefined} material
  * @returns {((strain: number) => number) | undefined} nothing where there is no curve or its figures make none
  */
@@ -52,7 +66,9 @@ export function curve(material) {
     voce: (p) => y + (law.saturation_stress - y) * (1 - Math.exp(-law.rate * p)),
     table: (p) => between(law.points, p),
   });
-  const stress = curves[law.law];
+  const isotropic = curves[law.law];
+  const stress =
+    isotropic && ((/** @type {number} */ p) => isotropic(p) + backstress(law.backstress, p));
   return stress && Number.isFinite(stress(0)) && Number.isFinite(stress(0.01))
     ? stress
     : undefined;

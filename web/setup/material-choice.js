@@ -5,7 +5,7 @@
 
 import { h, plainButton, toast } from '../lib/dom.js';
 import { toolbar } from '../lib/toolbar.js';
-import { convert, exact, unit, unitsOf } from '../lib/units.js';
+import { exact, unit, unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
 import { lowered } from './field.js';
 import { ELASTIC, LAWS, lawOf } from './fields.js';
@@ -96,14 +96,10 @@ export class MaterialChoice {
     this.use(name ? { name, ...figures } : figures);
   }
 
-  /** A hardness test of a thick block of this material. */
-  #test() {
+  async #test() {
     const { job } = this.draft;
-    const units = unitsOf(job);
-    const [width, depth] = [80, 40].map((size) => convert(size, 'length', 'mm_N_MPa', units));
-    const lower = { shape: { type: 'block', width, depth }, material: job[this.body]?.material };
-    const output = { fields: true };
-    this.draft.replace({ units, lower, load: { hardness: 'HBW 10/3000' }, output }, 'example');
+    const { askTests } = await import('./hardness-test.js');
+    askTests(job[this.body]?.material ?? {}, unitsOf(job));
   }
 
   #keep() {

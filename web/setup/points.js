@@ -4,12 +4,13 @@
  */
 
 import { h, plainButton } from '../lib/dom.js';
-import { columnsInWords, numberOf } from '../lib/number.js';
+import { keepFocus } from '../lib/focus.js';
+import { columnsInWords, numberOf, readNumber } from '../lib/number.js';
 import { readTable } from '../lib/table.js';
 import { textOf } from '../lib/text-file.js';
-import { inJobUnits, plain, unit } from '../lib/units.js';
+import { figure, inJobUnits, plain, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
-import { fromTest } from './hardening.js';
+import { PROOF, fromTest } from './hardening.js';
 import { CUT_OFFS, levelled, longWaves, noData, thinnedTrace } from './trace.js';
 import { written } from './written.js';
 
@@ -19,6 +20,10 @@ const LONG = 100_000;
 const [MOST, FEWER] = [10_000, 2000];
 
 /** @typedef {number[]} Point a line of the table */
+/** @typedef {import('../lib/table.js').Table} Table */
+/** @typedef {import('../lib/record.js').Record} Record */
+/** @typedef {import('../lib/record.js').Choice} Choice */
+/** @typedef {import('../lib/units.js').Units} Units */
 
 /**
  * @param {import('./field.js').Field} field
@@ -27,44 +32,82 @@ const [MOST, FEWER] = [10_000, 2000];
  * @param {import('./field.js').Surroundings} surroundings
  * @returns {import('./field.js').Control}
  */
-export function pointsControl(field, id, change, { units, parent }) {
+export function pointsControl(field, id, change, { units, parent, beside, inMaterial }) {
   const quantities = field.columns ?? ['number', 'number'];
   const input = h('textarea', { id, rows: 5, spellcheck: 'false', autocomplete: 'off' });
   const note = h('p', { class: 'note', role: 'status' });
-  const short = (/** @type {string} */ text) =>
-    readTable(text, quantities, units(), field.symbol?.split(', ') ?? []);
+  const offers = h('div', { class: 'offers' });
+  const modulus = () => numberOf(parent()?.young_modulus);
+  const short = (/** @type {string} */ text, /** @type {Choice | undefined} */ choice) =>
+    readTable(text, quantities, units(), field.symbol?.split(', ') ?? [], {
+      modulus: inJobUnits(modulus(), unit('stress', units()), 'stress', 'mm_N_MPa') || undefined,
+      choice,
+    });
   const isTrace = quantities.every((one) => one === 'length');
-  const table = (/** @type {string} */ text) => (isTrace ? inPieces(text, short) : short(text));
+  /** @param {string} text @param {Choice} [choice] */
+  const table = (text, choice) =>
+    isTrace ? inPieces(text, (piece) => short(piece, undefined)) : short(text, choice);
+  /** Why a table that can be read is no value yet. @param {Table} result */
+  const doubtOf = (result) => {
+    if ('problem' in result) return result.problem;
+    const scale = parent()?.plasticity?.over_depth?.hardness?.hardness_scale ?? 'HV';
+    if (result.scale && result.scale !== scale)
+      return `${result.scale} above the figures, and the scale of this field is ${scale}`;
+    const measure = result.record?.measure;
+    if (measure === 'indentation')
+      return 'force over depth of an indentation is no hardening curve';
+    return measure ? `${MEASURES[measure]} strain and stress of a test are no hardening curve yet: press “From …”` : ''; // prettier-ignore
+  };
   // A table at fault stays in the draft as its text, and is refused there.
   const read = () => {
     const result = table(input.value);
-    return 'points' in result ? result.points : input.value;
+    return 'points' in result && !doubtOf(result) ? result.points : input.value;
   };
   /** What the note is of. @type {unknown} */
   let noted;
+  /** Whether lines were typed since the page wrote the last ones. */
+  let typed = false;
+  const say = (/** @type {string} */ text, /** @type {Node[]} */ more = []) => {
+    note.textContent = text;
+    keepFocus(offers, () => offers.replaceChildren(...more));
+  };
   const write = (/** @type {any} */ value) => {
-    if (!same(value, noted)) note.textContent = '';
+    if (!same(value, noted)) say('');
     input.value = Array.isArray(value)
       ? value.map((point) => (Array.isArray(point) ? point.join('  ') : point)).join('\n')
       : written(value);
+    typed = false;
   };
-  /** @param {Point[]} points @param {string[]} notes */
-  const put = (points, notes) => {
-    noted = points;
-    write(points);
-    note.textContent = notes.join('; ');
-    change(points);
+  /** @param {Point[] | string} value @param {string[]} notes @param {Node[]} [more] @param {string} [scale] */
+  const put = (value, notes, more, scale) => {
+    noted = value;
+    write(value);
+    say(notes.join('; '), more);
+    if (scale) beside({ profile: value, hardness_scale: scale });
+    else change(value);
   };
-  /** @param {string} text from elsewhere @returns {boolean} whether all is done that can be done with it */
-  const take = (text) => {
-    const result = table(text);
+  /** @param {string} text from elsewhere @param {Choice} [choice] @returns {boolean} whether all is done that can be done with it */
+  const take = (text, choice) => {
+    const result = table(text, choice);
+    const record = result.record;
+    if (record) {
+      const { points = [] } = 'points' in result ? result : {};
+      const again = (/** @type {Choice} */ other) => take(text, other);
+      const ways = points.length ? waysOf(record.measure, points) : [];
+      const more = [...ways, ...pointing(record, again)];
+      if ('problem' in result) put(text, [`Not taken yet: ${result.problem}`], more);
+      else put(textOfRecord(record.measure, points, units()), [`${points.length} points read`, ...result.notes], more); // prettier-ignore
+      return true;
+    }
     if ('points' in result && result.points.length) {
       const { points, notes } = inOrder(result.points);
       const strange = isTrace ? noData(points) : [];
       const read = [`${points.length} points read`, ...result.notes, ...notes, ...strange];
-      if (points.length <= MOST) put(points, read);
+      const scale = field.key.endsWith('/profile') ? result.scale : '';
+      if (points.length <= MOST)
+        put(points, [...read, ...(scale ? [`scale ${scale}`] : [])], [], scale); // prettier-ignore
       else if (points.some(([x], k) => k > 0 && !(x > points[k - 1][0])))
-        note.textContent = `Not taken: ${points.length} lines of figures: at most ${MOST} are taken of what is no trace, whose x rises`;
+        say(`Not taken: ${points.length} lines of figures: at most ${MOST} are taken of what is no trace, whose x rises`); // prettier-ignore
       else {
         const fewer = thinnedTrace(/** @type {Pair[]} */ (points), MOST);
         put(fewer.points, [
@@ -76,29 +119,62 @@ export function pointsControl(field, id, change, { units, parent }) {
       return true;
     }
     const refused = 'problem' in result ? result.problem : 'no figures in it';
-    note.textContent = `Not taken: ${refused}`;
+    say(`Not taken: ${refused}`);
     // What is long is not put right in a field.
     return !('problem' in result) || text.length > LONG;
+  };
+  /** What can be made of a record. @param {Record['measure']} measure @param {Point[]} points @returns {Node[]} */
+  const waysOf = (measure, points) => {
+    if (measure === 'indentation')
+      return [
+        plainButton('Material from this curve…', async () =>
+          (await import('./from-curve.js')).askMaterial(points, parent() ?? {}, units(), (found) =>
+            inMaterial({ plasticity: found }),
+          ),
+        ),
+      ];
+    const made = (/** @type {'engineering' | 'true'} */ one, /** @type {string} */ words) =>
+      plainButton(words, () => curveOf(/** @type {Pair[]} */ (points), one));
+    const both = [
+      made('engineering', 'From engineering values'),
+      made('true', 'From total strain'),
+    ];
+    return measure === 'true' ? both.reverse() : both;
+  };
+  /** The hardening curve of a record, and what was found on the way. @param {Pair[]} points @param {'engineering' | 'true'} measure @returns {Promise<void>} */
+  const curveOf = async (points, measure) => {
+    const before = input.value;
+    const result = await fromTest(points, measure, modulus(), units());
+    // What was typed meanwhile stays.
+    if (input.value !== before) return;
+    if ('problem' in result)
+      return say(`Not converted: ${result.problem}`, waysOf(measure, points));
+    const stress = unit('stress', units());
+    const { slope, proof } = result;
+    put(result.points, [result.note], [
+      plainButton(`Take E = ${figure(slope, 4)} ${stress}`, () => inMaterial({ young_modulus: Number(slope.toPrecision(4)) }), { title: 'Young’s modulus becomes the first slope of the test' }), // prettier-ignore
+      proof && plainButton(`Take R_p0.2 = ${figure(proof, 4)} ${stress}`, () => inMaterial({ plasticity: bilinear(result.points, proof, modulus() || slope) }), { title: 'A bilinear law with this yield stress in place of the curve' }), // prettier-ignore
+    ].filter((one) => one instanceof Node)); // prettier-ignore
   };
   input.addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text') ?? '';
     const whole = input.selectionEnd - input.selectionStart === input.value.length;
-    if (text.trim().includes('\n') && (whole || !input.value.trim()) && take(text))
-      event.preventDefault();
-    else note.textContent = '';
+    // Lines that nobody has typed are a sample, or a table before this one.
+    if (text.trim().includes('\n') && (whole || !typed) && take(text)) event.preventDefault();
+    else say('');
   });
   input.addEventListener('input', () => {
-    note.textContent = '';
+    typed = true;
+    const { record, ...result } = quantities[0] === 'strain' ? table(input.value) : {};
+    const points = 'points' in result ? result.points : undefined;
+    say('', record && points ? waysOf(record.measure, points) : []);
   });
   const open = async (/** @type {File | undefined} */ file) => {
     if (!file) return;
     const read = await textOf(file);
-    if ('problem' in read) {
-      note.textContent = `Not taken: ${read.problem}`;
-      return;
-    }
+    if ('problem' in read) return say(`Not taken: ${read.problem}`);
     if (take(read.text)) return;
-    note.textContent = '';
+    say('');
     write(read.text);
     change(read.text);
   };
@@ -110,12 +186,10 @@ export function pointsControl(field, id, change, { units, parent }) {
     const result = await work(/** @type {Pair[]} */ (points));
     // What was typed meanwhile stays.
     if (!same(read(), points)) return;
-    if ('problem' in result) note.textContent = `Not converted: ${result.problem}`;
+    if ('problem' in result) say(`Not converted: ${result.problem}`);
     else if (!same(result.points, points)) put(result.points, [result.note]);
   };
-  const modulus = () => numberOf(parent()?.young_modulus);
-  const shapes = quantities[1] === 'length' ? heights(convert, units) : [];
-  const conversions = quantities[0] === 'strain' ? strains(convert, modulus, units) : shapes;
+  const conversions = quantities[1] === 'length' ? heights(convert, units) : [];
   return {
     input,
     read,
@@ -123,12 +197,101 @@ export function pointsControl(field, id, change, { units, parent }) {
     problem: (value) => {
       const result = typeof value === 'string' ? table(value) : undefined;
       if (!result) return '';
-      if ('problem' in result) return result.problem;
-      return `${columnsInWords(quantities.length)} columns of figures are wanted: ${quantities.map((one) => unit(one, units()) || '1').join(' and ')}`;
+      return (
+        doubtOf(result) ||
+        `${columnsInWords(quantities.length)} columns of figures are wanted: ${quantities.map((one) => unit(one, units()) || '1').join(' and ')}`
+      );
     },
-    beside: [h('div', { class: 'bar beside' }, fileButton(open), conversions), note],
+    beside: [h('div', { class: 'bar beside' }, fileButton(open), conversions), note, offers],
   };
 }
+
+/** @type {{[measure: string]: string}} */
+const MEASURES = { engineering: 'engineering', true: 'true', force: 'engineering' };
+
+/** A record as text that says what it is. @param {Record['measure']} measure @param {Point[]} points @param {Units} units */
+const textOfRecord = (measure, points, units) =>
+  [
+    measure === 'indentation'
+      ? `penetration [${unit('length', units)}]\tforce [${unit('force', units)}]`
+      : `${measure} strain [1]\t${measure} stress [${unit('stress', units)}]`,
+    ...points.map((point) => point.map((one) => Number(one.toPrecision(8))).join('\t')),
+  ].join('\n');
+
+/** A straight line from the proof stress to the end of a curve. @param {Point[]} points @param {number} proof @param {number} modulus */
+function bilinear(points, proof, modulus) {
+  const [strain, stress] = points[points.length - 1];
+  const slope = Math.max(0, (stress - proof) / (strain - PROOF)) || 0;
+  const round = (/** @type {number} */ value) => Number(value.toPrecision(4));
+  return {
+    law: 'bilinear',
+    yield_stress: round(proof),
+    tangent_modulus: round((modulus * slope) / (modulus + slope)),
+  };
+}
+
+/** Columns and units to point at, and the specimen of force over travel. @param {Record} record @param {(choice: Choice) => void} again @returns {Node[]} */
+function pointing({ columns, choice, measure, problem }, again) {
+  const { columns: at = [], units: taken = [] } = choice;
+  const changed = (/** @type {Choice} */ other) => again({ ...choice, ...other });
+  const isForce = measure === 'force' || choice.section !== undefined;
+  const names = measure === 'indentation' || isForce ? ['length', 'force'] : ['strain', 'stress'];
+  const pick = (
+    /** @type {string[]} */ words,
+    /** @type {number | string} */ value,
+    /** @type {string} */ label,
+    /** @type {(value: string) => void} */ take,
+  ) => {
+    const options = words.map((word, k) => h('option', { value: typeof value === 'number' ? k : word }, word || 'unit…')); // prettier-ignore
+    const select = h(
+      'select',
+      { 'aria-label': label, onchange: () => take(select.value) },
+      options,
+    );
+    select.value = String(value);
+    return select;
+  };
+  const set = (/** @type {any[]} */ list, /** @type {number} */ k, /** @type {any} */ value) =>
+    list.map((one, n) => (n === k ? value : one));
+  const rows = names.map((name, k) =>
+    h('span', { class: 'group' }, `${name === 'length' ? 'travel' : name} `,
+      columns.length > 2 ? pick(columns.map((one, n) => one.name || `column ${n + 1}`), at[k] ?? k, `Column of ${name}`, (value) => changed({ columns: set(at, k, Number(value)), units: set(taken, k, columns[Number(value)].unit) })) : null, // prettier-ignore
+      pick([...new Set([taken[k] ?? '', ...UNITS[name]])], taken[k] ?? '', `Unit of ${name}`, (value) => changed({ units: set(taken, k, value) })), // prettier-ignore
+    ),
+  ); // prettier-ignore
+  if (!isForce)
+    return problem || columns.length > 2 ? [h('div', { class: 'bar beside' }, rows)] : [];
+  const box = (
+    /** @type {string} */ label,
+    /** @type {number | undefined} */ value,
+    /** @type {(value: number) => void} */ take,
+  ) => {
+    const field = h('input', { type: 'text', inputmode: 'decimal', size: 7, onchange: () => {
+      const reading = readNumber(field.value);
+      if ('value' in reading && reading.value > 0) take(reading.value);
+    } }); // prettier-ignore
+    field.value = value ? String(Number(value.toPrecision(6))) : '';
+    return h('label', {}, `${label} `, field);
+  };
+  return [
+    h('div', { class: 'bar beside' }, rows),
+    h(
+      'div',
+      { class: 'bar beside' },
+      box('Diameter [mm]', undefined, (d) => changed({ section: (Math.PI / 4) * d * d })),
+      box('or section [mm²]', choice.section, (section) => changed({ section })),
+      box('Gauge length [mm]', choice.gauge_length, (length) => changed({ gauge_length: length })),
+    ),
+  ];
+}
+
+/** @type {{[quantity: string]: string[]}} */
+const UNITS = {
+  strain: ['%', '1', '‰', 'µm/m'],
+  stress: ['MPa', 'GPa', 'Pa', 'ksi', 'psi'],
+  length: ['mm', 'µm', 'nm', 'm', 'in'],
+  force: ['N', 'kN', 'mN', 'µN', 'lbf'],
+};
 
 /**
  * The same for a list of objects of figures; without a line there is no list.
@@ -317,19 +480,5 @@ const heights = (convert, units) => [
       points: points.map(([x, height]) => [x, -height || 0]),
       note: 'heights flipped',
     })),
-  ),
-];
-
-/** @param {Convert} convert @param {() => number} modulus @param {() => import('../lib/units.js').Units} units */
-const strains = (convert, modulus, units) => [
-  button(
-    'From engineering values',
-    'The points are engineering strain and stress of a tensile test, the elastic part included',
-    () => convert((points) => fromTest(points, 'engineering', modulus(), units())),
-  ),
-  button(
-    'From total strain',
-    'The points are total strain and true stress, the elastic part included',
-    () => convert((points) => fromTest(points, 'true', modulus(), units())),
   ),
 ];

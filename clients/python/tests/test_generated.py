@@ -40,8 +40,9 @@ def test_builders_are_exported() -> None:
     assert set(_builders.__all__) <= set(brinell.__all__)
 
 
-def test_materials_are_those_of_the_interface() -> None:
-    assert (PACKAGE / "materials.json").read_bytes() == (ROOT / "api/materials.json").read_bytes()
+@pytest.mark.parametrize("name", ["materials.json", "columns.json"])
+def test_data_are_those_of_the_interface(name: str) -> None:
+    assert (PACKAGE / name).read_bytes() == (ROOT / "api" / name).read_bytes()
 
 
 def test_every_figure_with_a_unit_has_its_kind() -> None:

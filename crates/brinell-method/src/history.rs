@@ -1,9 +1,9 @@
 //! A history of loads on bodies with a memory.
 //!
 //! ```text
-//! coarse:   solve the whole history coarsely; halve the increments until their error is small
-//! fine:     solve the whole history at the requested density with these increments
-//!   each increment   prepare the system by the coarse history
+//! coarse:   solve the whole history coarsely, with increments twice as large and with all of them
+//! fine:     solve the whole history at the requested density, by the coarse one
+//!   each increment   follow the path of the coarse history; prepare the system by it
 //!                    iterate from the accepted state
 //!                    accept, or repeat in halves
 //! ```
@@ -18,7 +18,7 @@
 use super::contact_system::{BlockVector, ContactSystem as _};
 use super::couplings::Coupling;
 use super::couplings::iteration::{Controls, Outcome};
-use super::figures::{Figure, Figures, Values};
+use super::figures::{Figures, Values};
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
 use super::increments::{Division, Growth, IncrementEnds, Leg};
 use super::loads::Stretch;
@@ -31,25 +31,11 @@ use super::strays::Rising;
 use crate::{Error, Interrupted as _};
 use brinell_contact::ContactLoad;
 
-/// Relative differences of the figures of two divisions below which the increments are small
-/// enough. The peak pressure scatters with the discrete edge of the contact. The approach that
-/// remains after unloading is a small part of the largest approach.
-const PEAK_TOLERANCE: f64 = 4e-3;
-const APPROACH_TOLERANCE: f64 = 1.5e-3;
-/// Part of the strays of a coarse history up to which a difference of the approach is small enough:
-/// smaller increments do not help what the mesh leaves.
-const WITHIN_STRAYS: f64 = 0.3;
-/// Largest ratio of successive differences that counts as the fall of a first-order error, with
-/// room for scatter. Above this ratio the discrete edge of the contact causes the difference,
-/// which smaller increments do not reduce.
-const FALLING: f64 = 0.7;
-/// Finest level of division that is tried.
-const MAX_LEVEL: u32 = 5;
 /// Tolerance of increments before the last of a load, over the tolerance of the job; the second
 /// constant is its upper limit. The next increment takes up the residual, whose effect on the
 /// strain path is far below the error of the increments.
-const WITHIN_LOAD: f64 = 100.0;
-const LARGEST_WITHIN_LOAD: f64 = 1e-4;
+const WITHIN_LOAD: f64 = 1000.0;
+const LARGEST_WITHIN_LOAD: f64 = 1e-3;
 
 /// An engine whose systems continue from accepted states.
 pub trait Memory: Engine + Sized {
@@ -94,14 +80,26 @@ pub trait Memory: Engine + Sized {
     /// Returns the design for a repetition of the same history.
     fn design_after(&self, memory: &Self::Record) -> Self::Design;
 
+    /// Returns the system of a history with the bodies at rest again, for the next history; by
+    /// default it is built anew.
+    fn at_rest(&self, _system: Self::System) -> Option<Self::System> {
+        None
+    }
+
     /// Returns the engine of the requested density and the design of its first system, by what a
     /// coarse history has found.
     fn finer(&self, found: &Self::Record) -> (Self, Self::Design);
 
+    /// Returns whether [`Self::prepare`] takes the bodies along the path of a coarser history.
+    fn follows_path(&self) -> bool {
+        false
+    }
+
     /// Returns the growth of the contact on the way to a load.
     fn growth(&self, load: ContactLoad) -> Growth;
 
-    /// Prepares a system for an increment. Returns displacements to start from.
+    /// Prepares a system for an increment: takes the states of its points along the path of the
+    /// guide if the increment follows it. Returns displacements to start from.
     ///
     /// # Errors
     /// Those of a factorization.
@@ -147,11 +145,13 @@ pub struct NextIncrement<'a, M> {
     pub progress: &'a Progress,
     /// The memory of the coarser history.
     pub guide: Option<&'a M>,
+    /// Whether the bodies follow its path from increment to increment within this one.
+    pub follows: bool,
 }
 
 /// Solves the history by a coarse engine, from this design, and then by the finer one; each load
-/// becomes a step. Chooses the increments of each load where the job
-/// gives none.
+/// becomes a step. Where the job gives no increments the contact grows by the same width in each,
+/// and a single load is followed along the path of the coarse history.
 ///
 /// If the observer stops the solve, finished loads keep their steps, the present load reports its
 /// last iteration, and the other loads report the coarse history.
@@ -166,23 +166,27 @@ pub fn run<E: Memory>(
     receiver: &mut dyn StepReceiver<E::Field>,
 ) -> Result<Option<Interrupt>, E::Error> {
     let mut preliminary = Vec::new();
-    let chosen = run.preliminarily(|run| {
-        let division = increments.map_or(Division::Level(0), Division::Fixed);
+    let compared = run.preliminarily(|run| {
+        let division = increments.map_or(Division::Halved, |n| Division::Fixed(n.div_ceil(2)));
         let history = History { engine: &engine, stretch, division, guide: None };
-        history.choose_increments(design, &mut preliminary, run)
+        history.compare_increments(design, increments, &mut preliminary, run)
     });
-    let (coarse, division, errors) = match chosen {
-        Ok(chosen) => chosen,
+    let (mut coarse, errors) = match compared {
+        Ok(compared) => compared,
         Err(error) => {
             let interrupt = error.interrupt().ok_or(error)?;
             return Ok(Some(keep_preliminary(preliminary, 0, interrupt, receiver, run)?));
         }
     };
+    let follows = engine.follows_path() && stretch.loads.len() == 1 && !coarse.has_collapsed;
+    let grown = if follows { Division::Followed } else { Division::Grown };
+    let division = increments.map_or(grown, Division::Fixed);
+    coarse.system = None;
     let (engine, design) = engine.finer(&coarse.memory);
     let history = History { engine: &engine, stretch, division, guide: Some(&coarse.memory) };
     let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
-    let interrupt = match history.solve(design, &mut steps, run) {
+    let interrupt = match history.solve(design, None, &mut steps, run) {
         Ok(found) => found.interrupted,
         Err(error) => Some(error.interrupt().ok_or(error)?),
     };
@@ -192,16 +196,32 @@ pub fn run<E: Memory>(
 }
 
 /// The result of a history.
-struct Found<M> {
+struct Found<M, S> {
     memory: M,
+    /// The system after the last load, unless a body collapsed or the observer stopped the history.
+    system: Option<S>,
     /// Figures at the end of each load.
     figures: Vec<Option<Figures>>,
-    /// Strays of the figures on the way to each of these loads.
-    strays: Vec<Values>,
+    /// Whether no load has increments that can be halved.
+    is_finest: bool,
     /// Whether a body collapsed, so that the loads after `figures` were not applied.
     has_collapsed: bool,
     /// Why the history ended early.
     interrupted: Option<Interrupt>,
+}
+
+impl<M, S> Found<M, S> {
+    /// The result before the first load.
+    const fn at_rest(memory: M) -> Self {
+        Self {
+            memory,
+            system: None,
+            figures: Vec::new(),
+            is_finest: true,
+            has_collapsed: false,
+            interrupted: None,
+        }
+    }
 }
 
 /// A history by one engine and one division of its loads.
@@ -213,90 +233,75 @@ struct History<'a, E: Memory> {
     guide: Option<&'a E::Record>,
 }
 
-/// The result, its division, and the change of the figures when the increments are halved.
-type Chosen<M> = (Found<M>, Division, Vec<Option<Values>>);
+/// The result with the types of an engine.
+type FoundOf<E> = Found<<E as Memory>::Record, <E as Engine>::System>;
+
+/// A history, and the change of its figures when the increments are halved.
+type Compared<E> = (FoundOf<E>, Vec<Option<Values>>);
 
 impl<E: Memory> History<'_, E> {
-    /// Halves the increments until the figures at the ends of the loads no longer change.
+    /// Solves the history with these increments and then with those of the finer history, about
+    /// half as large; a single one that is given is compared with two.
     ///
-    /// Errors fall at least like the increments, so that the difference to increments twice as
-    /// large is at least the error.
-    fn choose_increments(
+    /// Errors fall at least like the increments, and like their square up to an elastic peak of
+    /// four yield stresses, so that half of the difference is more than the error there, and holds
+    /// that of a path that is followed.
+    fn compare_increments(
         &self,
-        mut design: E::Design,
+        design: E::Design,
+        given: Option<u32>,
         preliminary: &mut Vec<Step<E::Field>>,
         run: &mut Run<'_>,
-    ) -> Result<Chosen<E::Record>, E::Error> {
-        let given = self.division;
-        let mut division = given;
-        let mut last: Option<Found<E::Record>> = None;
-        let mut worst_before = f64::INFINITY;
-        loop {
-            let guide = last.as_ref().map(|last| &last.memory);
-            let history = History { division, guide, ..*self };
-            let now = history.solve(design, &mut HistorySteps::Preliminary(preliminary), run)?;
-            design = self.engine.design_after(&now.memory);
-            // Smaller increments do not help a body that cannot bear the load.
-            if now.has_collapsed {
-                let errors =
-                    last.map_or_else(Vec::new, |before| differences(&before.figures, &now).0);
-                let is_given = matches!(given, Division::Fixed(_));
-                return Ok((now, if is_given { given } else { division }, errors));
-            }
-            if let Some(before) = last {
-                let (errors, worst) = differences(&before.figures, &now);
-                match division {
-                    // The given increments, compared with increments half as large.
-                    Division::Fixed(_) => return Ok((before, given, errors)),
-                    Division::Level(level)
-                        if worst <= 1.0
-                            || worst > FALLING * worst_before
-                            || level >= MAX_LEVEL =>
-                    {
-                        return Ok((now, division, errors));
-                    }
-                    Division::Level(_) => worst_before = worst,
-                }
-            }
-            last = Some(now);
-            division = division.finer();
+    ) -> Result<Compared<E>, E::Error> {
+        let mut steps = HistorySteps::Preliminary(preliminary);
+        let mut larger = self.solve(design, None, &mut steps, run)?;
+        // Smaller increments do not help a body that cannot bear the load.
+        if larger.is_finest || larger.has_collapsed {
+            return Ok((larger, Vec::new()));
         }
+        let design = self.engine.design_after(&larger.memory);
+        let known = larger.system.take().and_then(|system| self.engine.at_rest(system));
+        let division = given.map_or(Division::Grown, |n| Division::Fixed(n.max(2)));
+        let history = History { division, guide: Some(&larger.memory), ..*self };
+        let smaller = history.solve(design, known, &mut steps, run)?;
+        let errors = differences(&larger.figures, &smaller.figures);
+        let keeps_larger = given == Some(1) && !smaller.has_collapsed;
+        Ok((if keeps_larger { larger } else { smaller }, errors))
     }
 
-    /// Solves all loads on one system after another until the contact fits.
+    /// Solves all loads on one system after another, the known one first, until the contact fits.
     fn solve(
         &self,
         design: E::Design,
+        known: Option<E::System>,
         steps: &mut HistorySteps<'_, E::Field>,
         run: &mut Run<'_>,
-    ) -> Result<Found<E::Record>, E::Error> {
+    ) -> Result<FoundOf<E>, E::Error> {
         let mut is_begun = false;
-        solve(self.engine, design, None, run, |on, system, _, run| {
+        let mut division = self.division;
+        solve(self.engine, design, known, run, |on, system, _, run| {
             if std::mem::replace(&mut is_begun, true) {
                 steps.begin_anew();
             }
-            self.solve_on(on, system, steps, run)
+            self.solve_on(on, system, &mut division, steps, run)
         })
     }
 
-    /// Solves all loads on one system.
+    /// Solves all loads on one system. An increment that fails on the path of a coarser history
+    /// ends this, for a repetition without it.
     fn solve_on(
         &self,
         on: &OnSystem<'_, E>,
         mut system: E::System,
+        division: &mut Division,
         steps: &mut HistorySteps<'_, E::Field>,
         run: &mut Run<'_>,
-    ) -> Result<Found<E::Record>, LeaveOf<E>> {
+    ) -> Result<FoundOf<E>, LeaveOf<E>> {
         let engine = self.engine;
-        let mut found = Found {
-            memory: engine.begin(&system),
-            figures: Vec::new(),
-            strays: Vec::new(),
-            has_collapsed: false,
-            interrupted: None,
-        };
+        let mut found = Found::at_rest(engine.begin(&system));
         self.hold(&found.memory, 0, run)?;
         let mut progress = Progress::at_rest();
+        let is_given = matches!(division, Division::Fixed(_));
         let mut rising = Rising::default();
         let mut widest: f64 = 0.0;
         // The worst status so far: a load after an increment that has not converged inherits its
@@ -304,21 +309,20 @@ impl<E: Memory> History<'_, E> {
         let mut status = SolveStatus::Converged;
         for (number, &load) in self.stretch.loads.iter().enumerate() {
             let leg = self.leg(load, &progress);
-            let mut ends = IncrementEnds::of(&leg, self.division);
+            let mut ends = IncrementEnds::of(&leg, *division);
+            let is_finest = ends.count() == leg.ends(division.finer()).len();
+            found.is_finest &= is_finest;
+            let follows = *division == Division::Followed && !is_finest;
             let (mut history, mut increments) = (Vec::new(), Vec::new());
             let mut k = 0;
             while k < ends.count() {
                 let (count, end) = (ends.count(), ends.measure(k));
                 let time = number as f64 + if k + 1 == count { 1.0 } else { leg.part(end) };
                 let target = leg.load(end);
-                progress.number = IncrementNumber {
-                    number: k + 1,
-                    count,
-                    load: self.stretch.before + number + 1,
-                    loads: self.stretch.all,
-                };
+                progress.number = self.number(number, k, count);
                 let guide = self.guide;
-                let next = NextIncrement { target, time, leg: &leg, progress: &progress, guide };
+                let next =
+                    NextIncrement { target, time, leg: &leg, progress: &progress, guide, follows };
                 let mut answer = self.increment(on, system, &next, run)?;
                 let interrupted = E::outcome_mut(&mut answer).status.interrupt();
                 if !steps.are_final() {
@@ -326,9 +330,13 @@ impl<E: Memory> History<'_, E> {
                 }
                 history.extend_from_slice(&E::parts(&answer).1.history);
                 let start = progress.reached_measure(&leg);
-                let may_halve = status == SolveStatus::Converged
-                    && matches!(self.division, Division::Level(_));
-                if may_halve && self.fails(&answer) && ends.halve(k, start) {
+                let may_halve =
+                    status == SolveStatus::Converged && !is_given && self.fails(&answer);
+                if may_halve && follows {
+                    *division = division.finer();
+                    return Err(Leave::Again(Box::new(engine.design_after(&found.memory))));
+                }
+                if may_halve && ends.halve(k, start) {
                     system = E::into_parts(answer).0;
                     continue;
                 }
@@ -360,7 +368,6 @@ impl<E: Memory> History<'_, E> {
                     let measure = || engine.measure(&answer, &found.memory);
                     found.figures.push((!steps.are_final()).then(measure));
                     let shown = rising.strays(&leg);
-                    found.strays.push(shown);
                     let outcome = E::outcome_mut(&mut answer);
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
@@ -393,7 +400,14 @@ impl<E: Memory> History<'_, E> {
                 k += 1;
             }
         }
+        found.system = Some(system);
         Ok(found)
+    }
+
+    /// Returns the number of increment `k` of a load of the stretch.
+    const fn number(&self, load: usize, k: usize, count: usize) -> IncrementNumber {
+        let Stretch { before, all, .. } = self.stretch;
+        IncrementNumber { number: k + 1, count, load: before + load + 1, loads: all }
     }
 
     /// Tells the observer the memory that this history, the one before, and `records` of the
@@ -445,7 +459,7 @@ impl<E: Memory> History<'_, E> {
             increment: Some(number),
             ..self.engine.controls()
         };
-        if number.number < number.count {
+        if number.is_on_way() {
             controls.tolerance = within_load(controls.tolerance);
         }
         let start = self.engine.prepare(&mut system, next, run).map_err(Leave::Failed)?;
@@ -456,30 +470,18 @@ impl<E: Memory> History<'_, E> {
 /// Least scale of the changes of a figure, over its largest value in the history.
 const LEAST_FIGURE: f64 = 0.05;
 
-/// Returns the relative differences of the figures at the end of each load, and the largest ratio
-/// of a difference of peak pressure or approach to its tolerance.
-fn differences<M>(
-    before: &[Option<Figures>],
-    Found { figures: now, strays, .. }: &Found<M>,
-) -> (Vec<Option<Values>>, f64) {
+/// Returns the relative differences of the figures at the end of each load.
+fn differences(before: &[Option<Figures>], now: &[Option<Figures>]) -> Vec<Option<Values>> {
     let least = now.iter().flatten().fold(Values::default(), |largest, figures| {
         largest.with(&figures.values(), |most, value| most.max(value.abs()))
     });
     let least = least.map(|_, _, most| LEAST_FIGURE * most.max(f64::MIN_POSITIVE));
-    let mut worst: f64 = 0.0;
-    let pairs = before.iter().zip(now).zip(strays).map(|((before, now), strays)| {
+    let pairs = before.iter().zip(now).map(|(before, now)| {
         let (before, now) = (before.as_ref()?.values(), now.as_ref()?.values());
         let scales = now.zip(&least, |now, least| now.abs().max(least));
-        let errors =
-            before.zip(&now, |before, now| (before - now).abs()).zip(&scales, |a, b| a / b);
-        let of = |values: &Values, figure| values.get(figure, 0).unwrap_or_default();
-        let of_approach = APPROACH_TOLERANCE.max(WITHIN_STRAYS * of(strays, Figure::Approach));
-        worst = worst
-            .max(of(&errors, Figure::PeakPressure) / PEAK_TOLERANCE)
-            .max(of(&errors, Figure::Approach) / of_approach);
-        Some(errors)
+        Some(before.zip(&now, |before, now| (before - now).abs()).zip(&scales, |a, b| a / b))
     });
-    (pairs.collect(), worst)
+    pairs.collect()
 }
 
 /// The tolerance of increments that do not end a load.

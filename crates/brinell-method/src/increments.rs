@@ -2,27 +2,40 @@
 
 use brinell_contact::ContactLoad;
 
-/// Growth of the contact in one increment of the coarsest division, over its final size.
-const GROWTH: f64 = 0.12;
-/// Assumed onset of plastic flow over the load, where the onset is unknown.
-const UNKNOWN_ONSET: f64 = 0.05;
+/// Growth of the contact in one increment, over its width at the onset of plastic flow, at most: two
+/// increments at an elastic peak of 2 yield stresses of a ball, 4 to 5 at 3 and 7 to 9 at 4.
+const GROWTH: f64 = 0.25;
+/// Most increments, from which smaller ones do not help what the mesh leaves.
+const MOST: f64 = 32.0;
+/// Increments up to which a finer system follows the path of a coarser one: an elastic peak of 4 to 5
+/// yield stresses. Beyond, strain gathers at the ends of the contact, where the paths of two meshes
+/// differ.
+const MOST_FOLLOWED: f64 = 9.0;
+/// Assumed onset of plastic flow over the load, where the onset is unknown: that of a ball pressed in
+/// by 100 times the approach at its onset.
+const UNKNOWN_ONSET: f64 = 0.01;
 
 /// The division of every load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Division {
     /// A number of equal increments for each load.
     Fixed(u32),
-    /// Increments of equal growth of the contact. Each level halves this growth.
-    Level(u32),
+    /// Increments of equal growth of the contact.
+    Grown,
+    /// Half as many of them, for comparison.
+    Halved,
+    /// Half as many of them, within which the bodies follow the path of a coarser system; all of
+    /// them where they are many or the onset of plastic flow is not known.
+    Followed,
 }
 
 impl Division {
-    /// Returns the division with increments half as large, for comparison.
+    /// Returns a division with smaller increments: all of them, or half of those given.
     #[must_use]
-    pub fn finer(self) -> Self {
+    pub const fn finer(self) -> Self {
         match self {
             Self::Fixed(n) => Self::Fixed(2 * n),
-            Self::Level(level) => Self::Level(level + 1),
+            Self::Grown | Self::Halved | Self::Followed => Self::Grown,
         }
     }
 }
@@ -87,34 +100,37 @@ impl Leg {
 
     /// Returns the measures at the ends of the increments; the last one is the end of the leg.
     ///
-    /// Unloading is one increment. Loading up to the largest earlier load, or up to the onset of
-    /// plastic flow, is one increment too. In the rest the contact grows by about the same width
-    /// in each increment.
+    /// Unloading is one increment, and so is loading up to the largest earlier load. Beyond it, or
+    /// from rest past the onset of plastic flow, the contact grows by about the same width in each
+    /// increment.
     pub fn ends(&self, division: Division) -> Vec<f64> {
-        let n = match division {
-            Division::Fixed(n) => {
-                let n = n.max(1);
-                let part =
-                    |k: u32| self.from + (self.to - self.from) * f64::from(k) / f64::from(n);
-                return (1..n).map(part).chain([self.to]).collect();
-            }
-            Division::Level(level) => f64::from(1u32 << level.min(16)),
-        };
-        let onset = self.growth.onset.unwrap_or(UNKNOWN_ONSET * self.to);
-        let start = self.from.max(self.reached).max(onset);
+        let Growth { onset, exponent } = self.growth;
+        if let Division::Fixed(n) = division {
+            let n = n.max(1);
+            let part = |k: u32| self.from + (self.to - self.from) * f64::from(k) / f64::from(n);
+            return (1..n).map(part).chain([self.to]).collect();
+        }
+        let at_onset = onset.unwrap_or(UNKNOWN_ONSET * self.to);
+        let start = self.from.max(self.reached).max(at_onset);
         if self.to <= start {
             return vec![self.to];
         }
         let mut ends = Vec::new();
-        if start > self.from {
-            ends.push(start);
+        if self.reached > self.from {
+            ends.push(self.reached);
         }
-        // Half-width at the start over that at the end.
-        let first = (start / self.to).powf(self.growth.exponent.recip());
-        let count = (n * (1.0 - first) / GROWTH).ceil().clamp(1.0, 10_000.0);
+        let width = |measure: f64| measure.powf(exponent.recip());
+        let (first, last) = (width(start), width(self.to));
+        let all = ((last - first) / (GROWTH * width(at_onset))).min(MOST).ceil();
+        let is_smooth = onset.is_some() && all <= MOST_FOLLOWED;
+        let count = match division {
+            Division::Halved => (all / 2.0).ceil(),
+            Division::Followed if is_smooth => (all / 2.0).ceil(),
+            _ => all,
+        };
         let mut k = 1.0;
         while k < count {
-            ends.push(self.to * (first + (1.0 - first) * k / count).powf(self.growth.exponent));
+            ends.push((first + (last - first) * k / count).powf(exponent));
             k += 1.0;
         }
         ends.push(self.to);
@@ -176,20 +192,31 @@ mod tests {
 
     #[test]
     fn loading_is_divided_beyond_the_onset_of_yield() {
-        let ends = leg(0.0, 500.0, 0.0).ends(Division::Level(1));
-        assert_eq!((ends[0], ends[ends.len() - 1]), (100.0, 500.0));
-        assert_eq!(ends.len(), 12);
-        let width = |k: usize| ends[k].powf(1.0 / 1.6);
-        assert!((1..11).all(|k| (width(k) - width(k - 1) - width(1) + width(0)).abs() < 1e-9));
-        assert_eq!(leg(0.0, 500.0, 0.0).ends(Division::Level(2)).len(), 23);
+        let ends = |to: f64, division| leg(0.0, to, 0.0).ends(division);
+        let width = |measure: f64| f64::powf(measure, 1.0 / 1.6);
+        let all = ends(500.0, Division::Grown);
+        assert_eq!((all.len(), all[6]), (7, 500.0));
+        let growth = |k: usize| width(all[k]) - width(if k > 0 { all[k - 1] } else { 100.0 });
+        assert!((0..7).all(|k| (growth(k) - growth(0)).abs() < 1e-9));
+        assert!(growth(0) <= GROWTH * width(100.0));
+        let counts = |to: f64| {
+            [Division::Halved, Division::Grown, Division::Followed].map(|by| ends(to, by).len())
+        };
+        assert_eq!([110.0, 500.0].map(counts), [[1, 1, 1], [4, 7, 4]]);
+        assert_eq!([1e3, 1e6].map(counts), [[7, 13, 13], [16, 32, 32]]);
+        let growth = Growth { onset: None, exponent: 1.6 };
+        let unknown = Leg { growth, ..leg(0.0, 500.0, 0.0) };
+        assert_eq!(unknown.ends(Division::Followed), unknown.ends(Division::Grown));
     }
 
     #[test]
     fn unloading_and_loading_within_what_has_been_is_one_increment() {
-        assert_eq!(leg(500.0, 0.0, 500.0).ends(Division::Level(3)), [0.0]);
-        assert_eq!(leg(0.0, 500.0, 500.0).ends(Division::Level(3)), [500.0]);
-        assert_eq!(leg(0.0, 80.0, 0.0).ends(Division::Level(3)), [80.0]);
-        assert_eq!(leg(0.0, 550.0, 500.0).ends(Division::Level(0)), [500.0, 550.0]);
+        let all = Division::Grown;
+        assert_eq!(leg(500.0, 0.0, 500.0).ends(all), [0.0]);
+        assert_eq!(leg(0.0, 500.0, 500.0).ends(all), [500.0]);
+        assert_eq!(leg(0.0, 80.0, 0.0).ends(all), [80.0]);
+        assert_eq!(leg(0.0, 510.0, 500.0).ends(all), [500.0, 510.0]);
+        assert_eq!(leg(450.0, 510.0, 450.0).ends(all), [510.0]);
     }
 
     #[test]

@@ -108,6 +108,13 @@ pub struct IncrementNumber {
     pub loads: usize,
 }
 
+impl IncrementNumber {
+    /// Whether another increment of the same load follows.
+    pub const fn is_on_way(self) -> bool {
+        self.number < self.count
+    }
+}
+
 /// Follows a solve, supplies its clock and may stop it. The solver itself has no clock and no
 /// threads.
 pub trait Observer {

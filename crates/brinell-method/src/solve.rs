@@ -4,7 +4,7 @@
 use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome};
 use super::couplings::{self, Coupling};
-use super::observer::IterationRecord;
+use super::observer::{IncrementNumber, IterationRecord};
 use super::run::Run;
 use crate::{Error, Interrupted};
 use brinell_contact::ContactLoad;
@@ -67,6 +67,8 @@ pub struct Round {
     pub load: ContactLoad,
     /// Number of continuations, zero at first.
     pub number: usize,
+    /// Whether it is an increment that does not end a load.
+    pub is_on_way: bool,
 }
 
 /// The judgement of an engine on an outcome.
@@ -162,7 +164,8 @@ impl<E: Engine> OnSystem<'_, E> {
         run: &mut Run<'_>,
     ) -> Result<E::Answer, LeaveOf<E>> {
         let mut initial = InitialState { displacement: start, ..InitialState::default() };
-        let mut under = Round { load: controls.load, number: 0 };
+        let is_on_way = controls.increment.is_some_and(IncrementNumber::is_on_way);
+        let mut under = Round { load: controls.load, number: 0, is_on_way };
         loop {
             let outcome = couplings::iterate(&mut system, coupling, controls, initial, run)?;
             let verdict = self

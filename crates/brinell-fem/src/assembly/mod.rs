@@ -12,7 +12,7 @@ use crate::element::StressState;
 use brinell_material::OutOfPlane;
 
 pub use equations::{Equations, Restraint, Support};
-pub use plastic_points::{MaterialModel, PlasticPoints};
+pub use plastic_points::{Extent, MaterialModel, PlasticPoints};
 pub use relaxation::{given_stress, initial_force, relaxed_stress};
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};

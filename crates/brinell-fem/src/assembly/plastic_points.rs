@@ -101,7 +101,9 @@ impl<M: ConstitutiveModel> MaterialModel for M {
     }
 
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
-        stress::evaluate(self, unloaded, displacement, |element| unloaded.states(self, element))
+        stress::evaluate(self, unloaded, displacement, |element| {
+            Some(unloaded.states(self, element))
+        })
     }
 }
 
@@ -136,6 +138,9 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// become the initial states of the next increment.
     fn commit(&mut self, u: &[f64]);
 
+    /// Accepts an increment that ends at the strains of [`Self::linearize`].
+    fn follow(&mut self, strain: &mut dyn FnMut(usize, &Quad) -> [PerPoint; 4]);
+
     /// Adds the elements that are `inside` to the region. Their states follow a straight path to
     /// the displacements `u` of the last accepted increment; `u` is empty before the first one.
     fn extend(
@@ -146,9 +151,24 @@ pub trait PlasticPoints: Debug + Send + Sync {
         u: &[f64],
     );
 
-    /// Returns the stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\], from the
-    /// states of the last accepted increment; elements outside the region start from rest.
-    fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
+    /// Returns the stresses of the region or of the whole body at nodal displacements
+    /// `[u_x, u_y]` \[mm\], from the states of the last accepted increment; elements outside the
+    /// region start from rest.
+    fn stress_field(
+        &self,
+        unloaded: &Unloaded<'_>,
+        displacement: &[[f64; 2]],
+        extent: Extent,
+    ) -> StressField;
+}
+
+/// Where stresses are evaluated; elsewhere they are zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// In the plastic region.
+    Region,
+    /// In the whole body.
+    Body,
 }
 
 /// The region of one model.
@@ -251,12 +271,11 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
     }
 
     fn commit(&mut self, u: &[f64]) {
-        for (element, states) in self.elements.iter().zip(&mut self.states) {
-            let strain = element.strain(u);
-            for (g, state) in states.iter_mut().enumerate() {
-                *state = self.model.update(strain.map(|component| component[g]), state).1;
-            }
-        }
+        self.accept(|element| element.strain(u));
+    }
+
+    fn follow(&mut self, strain: &mut dyn FnMut(usize, &Quad) -> [PerPoint; 4]) {
+        self.accept(|element| strain(element.index, &element.quad));
     }
 
     fn extend(
@@ -290,24 +309,32 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
         }
     }
 
-    fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
-        stress::evaluate(&*self.model, unloaded, displacement, self.states_by_element(unloaded))
-    }
-}
-
-impl<M: ConstitutiveModel> Region<M> {
-    /// The states of the points of any element of the mesh; at rest outside of the region.
-    fn states_by_element(
+    fn stress_field(
         &self,
         unloaded: &Unloaded<'_>,
-    ) -> impl Fn(usize) -> [M::State; QUADRATURE_POINTS] {
+        displacement: &[[f64; 2]],
+        extent: Extent,
+    ) -> StressField {
         let mut place = vec![None; unloaded.mesh.elements.len()];
         for (k, element) in self.elements.iter().enumerate() {
             place[element.index] = Some(k);
         }
-        move |element| {
-            place[element]
-                .map_or_else(|| unloaded.states(&*self.model, element), |k: usize| self.states[k])
+        stress::evaluate(&*self.model, unloaded, displacement, |element| match place[element] {
+            Some(k) => Some(self.states[k]),
+            None if extent == Extent::Body => Some(unloaded.states(&*self.model, element)),
+            None => None,
+        })
+    }
+}
+
+impl<M: ConstitutiveModel> Region<M> {
+    /// Moves the states of all points to these strains.
+    fn accept(&mut self, mut strain: impl FnMut(&RegionElement) -> [PerPoint; 4]) {
+        for (element, states) in self.elements.iter().zip(&mut self.states) {
+            let strain = strain(element);
+            for (g, state) in states.iter_mut().enumerate() {
+                *state = self.model.update(strain.map(|component| component[g]), state).1;
+            }
         }
     }
 

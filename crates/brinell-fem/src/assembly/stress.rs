@@ -2,6 +2,7 @@
 
 use super::Unloaded;
 use crate::element::{QUADRATURE_POINTS, Quad};
+use crate::mesh::Mesh;
 use brinell_material::{ConstitutiveModel, OutOfPlane, von_mises};
 use dense_cholesky::simd_dispatch;
 
@@ -79,12 +80,12 @@ pub struct StressField {
 }
 
 /// Evaluates a model at nodal displacements `[u_x, u_y]` \[mm\], from the states of the points of
-/// each element.
+/// each element that has them. Points of other elements are zero.
 pub(super) fn evaluate<M: ConstitutiveModel>(
     model: &M,
     unloaded: &Unloaded<'_>,
     displacement: &[[f64; 2]],
-    states: impl Fn(usize) -> [M::State; QUADRATURE_POINTS],
+    states: impl Fn(usize) -> Option<[M::State; QUADRATURE_POINTS]>,
 ) -> StressField {
     let Unloaded { mesh, stress_state, .. } = *unloaded;
     let mut field = StressField {
@@ -93,13 +94,16 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
     };
     simd_dispatch(|| {
         for (element, nodes) in mesh.elements.iter().enumerate() {
+            let Some(states) = states(element) else {
+                field.points.push(Default::default());
+                continue;
+            };
             let corners = mesh.corners(element);
             let quad = Quad::new(&corners, stress_state);
             let mut strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
             if model.out_of_plane() == OutOfPlane::Strained {
                 quad.average_dilatation(&mut strain);
             }
-            let states = states(element);
             let mut points = [GaussPoint::default(); QUADRATURE_POINTS];
             let mut stress = [[0.0; QUADRATURE_POINTS]; 4];
             for (g, point) in points.iter_mut().enumerate() {
@@ -143,6 +147,14 @@ fn equivalent([xx, yy, zz, shear]: [f64; 4], out_of_plane: OutOfPlane) -> f64 {
 }
 
 impl StressField {
+    /// The stresses of a mesh on which none are evaluated.
+    pub fn zeros(mesh: &Mesh) -> Self {
+        Self {
+            points: vec![Default::default(); mesh.elements.len()],
+            internal_force: vec![[0.0; 2]; mesh.nodes.len()],
+        }
+    }
+
     /// Gauss points beyond yield.
     pub fn plastic_points(&self) -> usize {
         self.points.iter().flatten().filter(|point| point.yielded).count()

@@ -1,5 +1,6 @@
 //! Finite elements as an engine of the method: builds the meshes and judges the outcomes on them.
 
+use crate::assembly::Extent;
 use crate::engine::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::engine::body_system::system::{Design, System};
 use crate::engine::error::MeshedError;
@@ -132,7 +133,14 @@ impl<H> Engine for FiniteElements<'_, H> {
         let MeshSolveRequest { refinement, cache, previous, .. } = self.request;
         loop {
             let MeshDesign { zone, search_region, .. } = &*design;
-            let plan = Design { zone, refinement, search_region: *search_region, cache };
+            let plan = Design {
+                zone,
+                refinement,
+                search_region: *search_region,
+                cache,
+                is_linearized_later: self.is_history
+                    && self.request.solver.coupling.uses_tangent_moduli(),
+            };
             match System::build(self.problem, plan, previous, run) {
                 Err(MeshedError::Mesh(MeshError::Inverted { .. }))
                     if design.narrowings < MAX_NARROWINGS =>
@@ -174,15 +182,17 @@ impl<H> Engine for FiniteElements<'_, H> {
         under: Round,
         run: &mut Run<'_>,
     ) -> Result<VerdictOf<Self>, MeshedError> {
-        let fields =
-            run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
+        let extent = if under.is_on_way { Extent::Region } else { Extent::Body };
+        let fields = run.time_observed(Phase::Output, |observer| {
+            fields(&system, &mut outcome, extent, observer)
+        });
         let mut solve =
             run.time(Phase::Output, || MeshSolve::of(self.problem, system, outcome, fields));
         solve.enlargements = design.enlargements;
         if solve.outcome.status.is_stopped() {
             return Ok(Verdict::Accept(solve));
         }
-        if run.time(Phase::Output, || solve.yields_outside_region()) {
+        if !under.is_on_way && run.time(Phase::Output, || solve.yields_outside_region()) {
             return self.widen(solve, design.widenings + under.number == 0, under, run);
         }
         Ok(match self.wider(design, &solve, under) {

@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use crate::assembly::StressField;
+use crate::assembly::{Extent, StressField};
 use crate::engine::body_solution::BodySolution;
 use crate::engine::body_system::body::BodyModel;
 use crate::engine::body_system::contact_patch::ContactPatch;
@@ -231,11 +231,12 @@ const MOST_COLUMNS: usize = 6;
 const BEYOND_MEETING: f64 = 0.1;
 /// Factor of the width of a zone when the rings around it cannot be meshed.
 const NARROWING: f64 = 0.9;
-/// Computes the full displacement field of each model and evaluates the material law everywhere;
+/// Computes the full displacement field of each model and evaluates the material law in this extent;
 /// returns nothing if the observer stops the solve.
 pub(crate) fn fields(
     system: &System,
     outcome: &mut Outcome,
+    extent: Extent,
     observer: &mut dyn Observer,
 ) -> Vec<ModelField> {
     if outcome.status.is_stopped() {
@@ -254,7 +255,7 @@ pub(crate) fn fields(
         };
         ask(observer)?;
         let nodal = body.elastic.nodal(&displacement);
-        let stress = body.stress_field(&nodal);
+        let stress = body.stress_field(&nodal, extent);
         ask(observer)?;
         Ok(ModelField { displacement, nodal, stress })
     };

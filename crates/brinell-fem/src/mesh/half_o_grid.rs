@@ -208,69 +208,88 @@ impl<'a> Builder<'a> {
     /// rays stay straight and rings cannot fold; angles are stretched as a whole where the free
     /// surface bends down, and the rays next to the corners of the body are turned into them.
     fn outer_boundary(&self, inner: &[Polar], centre: [f64; 2]) -> Vec<([f64; 2], bool)> {
-        let depth = self.ring_depth;
-        let end = |sign: f64| self.outline.end(sign);
-        let first = angle_about(centre, end(1.0));
-        let last =
-            if self.zone.is_symmetric() { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
-        let has_wall = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
-        let ends = [(0, first), (inner.len() - 1, last)];
-        let mut angles = stretched(inner, &ends);
-        let base_x = |angle: f64| centre[0] - (centre[1] + depth) * angle.cos() / angle.sin();
-        // Rays from the sides of a block that nearly fills the body must not turn under it.
-        let mut bends = Vec::new();
-        for (corner, sign) in [(self.rows(), 1.0), (inner.len() - 1 - self.rows(), -1.0)] {
-            if has_wall(sign) || (sign < 0.0 && self.zone.is_symmetric()) {
-                continue;
-            }
-            let block = centre[0] + inner[corner].log_radius.exp() * inner[corner].angle.cos();
-            let least = block + CORNER_RAY * (end(sign)[0] - block);
-            if (base_x(angles[corner]) - least) * sign < 0.0 {
-                bends.push((corner, angle_about(centre, [least, -depth])));
-            }
-        }
-        if !bends.is_empty() {
-            let knots: Vec<_> =
-                ends[..1].iter().chain(&bends).chain(&ends[1..]).copied().collect();
-            angles = stretched(inner, &knots);
-        }
-        let mut corners = Vec::new();
-        for sign in [1.0, -1.0] {
-            if has_wall(sign) && (sign > 0.0 || !self.zone.is_symmetric()) {
-                let corner = angle_about(centre, [end(sign)[0], -depth]);
-                corners.push(turn_nearest(&mut angles, corner));
-            }
-        }
-        let right = if has_wall(1.0) { corners.first().copied().unwrap_or(0) } else { 0 };
-        let left = match (self.zone.is_symmetric(), has_wall(-1.0)) {
-            (false, true) => corners.last().copied().unwrap_or(angles.len() - 1),
-            _ => angles.len() - 1,
-        };
+        let mut angles = self.boundary_angles(inner, centre);
+        let [right, left] = self.turn_into_corners(&mut angles, centre);
         let place = |(s, &angle): (usize, &f64)| {
-            let (sin, cos) = angle.sin_cos();
-            let drop = centre[1] + depth;
             let point = if s == 0 {
-                end(1.0)
+                self.outline.end(1.0)
             } else if s + 1 == angles.len() && !self.zone.is_symmetric() {
-                end(-1.0)
+                self.outline.end(-1.0)
             } else if s < right {
-                [end(1.0)[0], centre[1] + (end(1.0)[0] - centre[0]) * sin / cos]
+                self.on_wall(1.0, angle, centre)
             } else if s > left {
-                [end(-1.0)[0], centre[1] + (end(-1.0)[0] - centre[0]) * sin / cos]
+                self.on_wall(-1.0, angle, centre)
             } else if s == right && right > 0 {
-                [end(1.0)[0], -depth]
+                [self.outline.end(1.0)[0], -self.ring_depth]
             } else if s == left && left + 1 < angles.len() {
-                [end(-1.0)[0], -depth]
+                [self.outline.end(-1.0)[0], -self.ring_depth]
             } else {
-                [centre[0] - drop * cos / sin, -depth]
+                [self.base_x(angle, centre), -self.ring_depth]
             };
             (point, (right..=left).contains(&s))
         };
         let mut points: Vec<_> = angles.iter().enumerate().map(place).collect();
         if let (true, Some(axis)) = (self.zone.is_symmetric(), points.last_mut()) {
-            axis.0 = [0.0, -depth];
+            axis.0 = [0.0, -self.ring_depth];
         }
         points
+    }
+
+    /// Whether the body has a side between its surface and its base: at x > 0 for a sign of 1, at
+    /// x < 0 for -1.
+    fn has_wall(&self, sign: f64) -> bool {
+        self.outline.end(sign)[1] + self.ring_depth > 1e-9 * self.ring_depth
+    }
+
+    /// Where a ray of an angle about the centre meets the base.
+    fn base_x(&self, angle: f64, centre: [f64; 2]) -> f64 {
+        centre[0] - (centre[1] + self.ring_depth) * angle.cos() / angle.sin()
+    }
+
+    /// Where a ray of an angle about the centre meets the side of a sign.
+    fn on_wall(&self, sign: f64, angle: f64, centre: [f64; 2]) -> [f64; 2] {
+        let x = self.outline.end(sign)[0];
+        let (sin, cos) = angle.sin_cos();
+        [x, centre[1] + (x - centre[0]) * sin / cos]
+    }
+
+    /// The angles about the centre of the points on the outer boundary, before some of them are
+    /// turned into corners.
+    fn boundary_angles(&self, inner: &[Polar], centre: [f64; 2]) -> Vec<f64> {
+        let is_symmetric = self.zone.is_symmetric();
+        let end = |sign: f64| self.outline.end(sign);
+        let last = if is_symmetric { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
+        let ends = [(0, angle_about(centre, end(1.0))), (inner.len() - 1, last)];
+        let angles = stretched(inner, &ends);
+        // Rays from the sides of a block that nearly fills the body must not turn under it.
+        let mut bends = Vec::new();
+        for (corner, sign) in [(self.rows(), 1.0), (inner.len() - 1 - self.rows(), -1.0)] {
+            if self.has_wall(sign) || (sign < 0.0 && is_symmetric) {
+                continue;
+            }
+            let block = centre[0] + inner[corner].log_radius.exp() * inner[corner].angle.cos();
+            let least = block + CORNER_RAY * (end(sign)[0] - block);
+            if (self.base_x(angles[corner], centre) - least) * sign < 0.0 {
+                bends.push((corner, angle_about(centre, [least, -self.ring_depth])));
+            }
+        }
+        if bends.is_empty() {
+            return angles;
+        }
+        let knots: Vec<_> = ends[..1].iter().chain(&bends).chain(&ends[1..]).copied().collect();
+        stretched(inner, &knots)
+    }
+
+    /// Turns the nearest rays into the corners between sides and base; returns the places of the
+    /// right and of the left one, the ends where there is no side.
+    fn turn_into_corners(&self, angles: &mut [f64], centre: [f64; 2]) -> [usize; 2] {
+        let last = angles.len() - 1;
+        let mut turned = |sign: f64, without: usize| {
+            let has_corner = self.has_wall(sign) && (sign > 0.0 || !self.zone.is_symmetric());
+            let corner = angle_about(centre, [self.outline.end(sign)[0], -self.ring_depth]);
+            if has_corner { turn_nearest(angles, corner) } else { without }
+        };
+        [turned(1.0, 0), turned(-1.0, last)]
     }
 
     /// The rings, from the block outward. Returned are the nodes of their base, with the rays on

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use brinell_solver::fem::assembly::{
-    Equations, MaterialModel, PlasticPoints, PointStresses, Restraint, StiffnessAssembler,
+    Equations, Extent, MaterialModel, PlasticPoints, PointStresses, Restraint, StiffnessAssembler,
     StressField, Unloaded, given_stress, initial_force, out_of_plane, relaxed_stress,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
@@ -129,7 +129,7 @@ impl Specimen {
         let unloaded =
             Unloaded { mesh: &self.mesh, stress_state: self.stress_state, initial_stress: None };
         let field = match &self.region {
-            Some(region) => region.stress_field(&unloaded, &displacement),
+            Some(region) => region.stress_field(&unloaded, &displacement, Extent::Body),
             None => self.model.stress_field(&unloaded, &displacement),
         };
         Loaded { displacement, field, iterations }

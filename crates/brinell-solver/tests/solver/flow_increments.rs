@@ -35,12 +35,8 @@ fn an_increment_without_an_answer_is_repeated_in_smaller_ones() {
     assert!(says(step, "collapse").is_none());
     let strain = step.plasticity.upper.as_ref().unwrap().mean_equivalent_plastic_strain;
     assert!(strain < 0.5, "{strain}");
-    // 300 increments have a peak of 1049 MPa.
-    assert_within(
-        step.contact.peak_pressure,
-        1049.0,
-        step.estimated_error.unwrap().peak_pressure.unwrap(),
-    );
+    // 300 increments have a peak of 1049 MPa; six elements bound no peak on a ring near the end.
+    assert_within(step.contact.peak_pressure, 1049.0, 1e-2);
 }
 
 /// A collapse says how far increments went and how small the last one was, not that a limit load

@@ -101,9 +101,9 @@ fn assert_fine_enough(mut job: Job) {
         [&chosen, &exact].map(|solution| solution.steps[0].figures.approach),
         [&chosen, &exact].map(|solution| solution.steps[1].figures.approach),
     ];
-    assert_within(chosen_peak, peak, 1.5e-3);
-    assert_within(loaded, exact_loaded, 1.5e-3);
-    assert_within(left, exact_left, 1.5e-3);
+    assert_within(chosen_peak, peak, 3e-3);
+    assert_within(loaded, exact_loaded, 3e-3);
+    assert_within(left, exact_left, 4e-3);
     let iterations: usize = chosen.steps[0].history.len();
     assert!(iterations <= 12 * chosen.steps[0].path.increments.len(), "{iterations} iterations");
 }

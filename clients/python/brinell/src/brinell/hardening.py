@@ -1,6 +1,6 @@
 """Hardening curves and hardened cases from measurements.
 
-curve = brinell.hardening.from_tensile(strain, stress, young_modulus=206000)
+curve = brinell.hardening.from_tensile("bluehill.csv", young_modulus=206000)
 steel = brinell.material(young_modulus=206000, poisson_ratio=0.3, plasticity=curve.law)
 """
 
@@ -15,11 +15,12 @@ from . import models
 from ._arrays import floats_of
 from ._build import Number, checked
 from ._errors import Fault, InvalidJob
+from ._table import STEEL, read_table
 
 if TYPE_CHECKING:
     from ._client import Client
 
-__all__ = ["TestedCurve", "case", "from_tensile", "profile"]
+__all__ = ["TestedCurve", "case", "from_tensile", "profile", "read_table"]
 
 Limit = Number | Literal["core+50", "80%"]
 
@@ -40,11 +41,13 @@ class TestedCurve(models.TestedCurve):
 
 def from_tensile(
     strain: Any,
-    stress: Any,
+    stress: Any = None,
     *,
     young_modulus: float | None = None,
     strain_unit: Literal["1", "percent", "microstrain"] = "1",
-    measure: Literal["engineering", "true"] = "engineering",
+    measure: Literal["engineering", "true"] | None = None,
+    section: float | None = None,
+    gauge_length: float | None = None,
     offset: float | None = None,
     yield_at: Literal["offset", "departure"] = "offset",
     units: Literal["mm_N_MPa", "SI"] = "mm_N_MPa",
@@ -56,11 +59,15 @@ def from_tensile(
     what lies beyond necking are left out, and noise is fitted by a curve that never falls.
 
     Args:
-        strain: list, array or column, elastic part included, in the order of the record.
-        stress: as many stresses [MPa (SI: Pa)].
+        strain: list, array or column, elastic part included, in the order of the record; or the
+            name of a file of text as testing machines write it, in any units it names.
+        stress: as many stresses [MPa (SI: Pa)]; none beside a file.
         young_modulus: that of the job, to compare the first slope with.
         strain_unit: "percent" for figures like 0.2 at yield.
-        measure: "engineering" over first length and section, or "true".
+        measure: "engineering" over first length and section, or "true"; what the file says, or
+            "engineering", if left out.
+        section: of the specimen [mm²], for files of force over travel that do not say it.
+        gauge_length: of the specimen [mm], likewise.
         offset: plastic strain at yield; 1e-4 if left out, 0.002 is R_p0.2.
         yield_at: "departure" is where the record leaves its first line for good.
         units: those of stress and modulus.
@@ -69,6 +76,19 @@ def from_tensile(
     Raises:
         InvalidJob: missing figures, and records that give no curve; every fault is named.
     """
+    if stress is None:
+        record = read_table(
+            strain,
+            section=section,
+            gauge_length=gauge_length,
+            young_modulus=(young_modulus or STEEL) * (1e-6 if units == "SI" and young_modulus else 1),
+        )
+        if record.measure not in ("engineering", "true"):
+            detail = f"it is of {record.measure or 'hardness'}, no strain and stress from rest"
+            raise InvalidJob([Fault("#/points", "invalid", detail)])
+        measure = measure or record.measure
+        factor = 1e6 if units == "SI" else 1.0
+        strain, stress = zip(*((e, s * factor) for e, s in record.points), strict=True)
     columns = [floats_of(one, "#/points").ravel() for one in (strain, stress)]
     if len(columns[0]) != len(columns[1]):
         counts = f"{len(columns[0])} strains and {len(columns[1])} stresses"
@@ -88,7 +108,7 @@ def from_tensile(
     test: dict[str, Any] = {
         "points": points.tolist(),
         "strain_unit": strain_unit,
-        "measure": measure,
+        "measure": measure or "engineering",
         "yield_at": yield_at,
         "units": units,
     }

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use crate::assembly::{
-    MaterialModel, PlasticPoints, PointStresses, StressField, Unloaded, given_stress,
+    Extent, MaterialModel, PlasticPoints, PointStresses, StressField, Unloaded, given_stress,
     initial_force, relaxed_stress,
 };
+use crate::element::Quad;
 use crate::engine::body_system::elastic_body::ElasticBody;
 use crate::engine::body_system::factor_cache::PooledFactor;
 use crate::engine::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
-use crate::engine::body_system::transfer::{NodalField, TransferredField};
+use crate::engine::body_system::transfer::{NodalField, Places, TransferredField};
 use crate::engine::problem::GivenStress;
 use crate::mesh::Mesh;
 use brinell_material::{ElasticModuli, ReferenceModuli};
@@ -29,8 +30,8 @@ pub(crate) struct BodyModel {
     /// Inward normal displacement of the contact nodes under unit forces that press on them
     /// \[mm/N\].
     pub flexibility: SymmetricMatrix,
-    /// Whether the present stiffness is softer than the elastic one.
-    is_softened: bool,
+    /// Whether the present stiffness is softer than the elastic one; `None` before there is one.
+    is_softened: Option<bool>,
     /// Stress of the unloaded body.
     pub initial_stress: Option<Arc<InitialState>>,
 }
@@ -68,13 +69,15 @@ pub(crate) struct PlasticRegion {
 
 impl BodyModel {
     /// Factorizes the elastic stiffness or, given a previous field, the stiffness with the tangent
-    /// moduli there. Also returns the previous displacements, transferred to the active equations.
+    /// moduli there, unless it `is_linearized_later`. Also returns the previous displacements,
+    /// transferred to the active equations.
     pub fn new(
         elastic: Arc<ElasticBody>,
         mut factor: PooledFactor,
         material: BodyMaterial<'_>,
         search_region: PlasticSearchRegion,
         previous: Option<NodalField<'_>>,
+        is_linearized_later: bool,
         run: &mut Run<'_>,
     ) -> Result<(Self, Option<Vec<f64>>), brinell_method::Error> {
         let BodyMaterial { model, initial_stress } = material;
@@ -92,21 +95,19 @@ impl BodyModel {
             (plastic_region, transferred)
         });
         run.checkpoint()?;
-        let flexibility = elastic.factorize(&mut factor, plastic_region.points.as_deref(), run)?;
-        let is_softened = plastic_region.is_softened();
-        let model = Arc::clone(model);
-        Ok((
-            Self {
-                elastic,
-                model,
-                plastic_region,
-                factor,
-                flexibility,
-                is_softened,
-                initial_stress,
-            },
-            transferred,
-        ))
+        let mut body = Self {
+            elastic,
+            model: Arc::clone(model),
+            plastic_region,
+            factor,
+            flexibility: SymmetricMatrix::from_fn(0, |_, _| 0.0),
+            is_softened: None,
+            initial_stress,
+        };
+        if !is_linearized_later {
+            body.factorize(run)?;
+        }
+        Ok((body, transferred))
     }
 
     /// Chooses another plastic region. The stiffness becomes elastic again at the next
@@ -128,14 +129,15 @@ impl BodyModel {
         run: &mut Run<'_>,
     ) -> Result<(), brinell_method::Error> {
         let ElasticBody { mesh, equations, .. } = &*self.elastic;
-        let Some(points) = &mut self.plastic_region.points else { return Ok(()) };
-        run.time(Phase::Plasticity, || match at {
-            Some((u, reference)) => points.linearize(reference, &mut |element, quad| {
-                let nodes = mesh.elements[element];
-                quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])))
-            }),
-            None => points.refer_to_elastic(),
-        });
+        if let Some(points) = &mut self.plastic_region.points {
+            run.time(Phase::Plasticity, || match at {
+                Some((u, reference)) => points.linearize(reference, &mut |element, quad| {
+                    let nodes = mesh.elements[element];
+                    quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])))
+                }),
+                None => points.refer_to_elastic(),
+            });
+        }
         self.factorize(run)
     }
 
@@ -153,17 +155,18 @@ impl BodyModel {
         Ok(transferred)
     }
 
-    /// Factorizes again, with the tangent moduli after a change of displacement that is known on
-    /// another mesh. Returns the displacements after this change.
+    /// Factorizes again, with the tangent moduli after the last of the changes of displacement that
+    /// are known on another mesh. States follow the other changes one after the other. Returns the
+    /// displacements after the last one.
     pub fn linearize_after(
         &mut self,
         from: &[f64],
-        change: NodalField<'_>,
+        changes: &[NodalField<'_>],
         run: &mut Run<'_>,
     ) -> Result<Vec<f64>, brinell_method::Error> {
         let Self { elastic, plastic_region, .. } = self;
         let after =
-            run.time(Phase::Plasticity, || plastic_region.linearize_after(from, change, elastic));
+            run.time(Phase::Plasticity, || plastic_region.linearize_after(from, changes, elastic));
         self.factorize(run)?;
         Ok(after)
     }
@@ -182,19 +185,20 @@ impl BodyModel {
 
     fn factorize(&mut self, run: &mut Run<'_>) -> Result<(), brinell_method::Error> {
         let is_softened = self.plastic_region.is_softened();
-        if is_softened || self.is_softened {
+        if is_softened || self.is_softened != Some(false) {
             let points = self.plastic_region.points.as_deref();
             self.flexibility = self.elastic.factorize(&mut self.factor, points, run)?;
-            self.is_softened = is_softened;
+            self.is_softened = Some(is_softened);
         }
         Ok(())
     }
 
-    /// Stresses in the whole body at displacements of all nodes.
-    pub fn stress_field(&self, nodal: &[[f64; 2]]) -> StressField {
+    /// Stresses at displacements of all nodes. A body that cannot yield has no region.
+    pub fn stress_field(&self, nodal: &[[f64; 2]], extent: Extent) -> StressField {
         let unloaded = self.unloaded();
         match &self.plastic_region.points {
-            Some(points) => points.stress_field(&unloaded, nodal),
+            Some(points) => points.stress_field(&unloaded, nodal, extent),
+            None if extent == Extent::Region => StressField::zeros(&self.elastic.mesh),
             None => self.model.stress_field(&unloaded, nodal),
         }
     }
@@ -268,8 +272,8 @@ impl PlasticRegion {
     fn linearize_by(&mut self, previous: NodalField<'_>, elastic: &ElasticBody) -> Vec<f64> {
         let ElasticBody { mesh, equations, .. } = elastic;
         let Some(points) = &mut self.points else { return elastic.zeros() };
-        let transferred =
-            TransferredField::new(previous, elastic.stress_state(), mesh, &self.nodes);
+        let places = Places::of(mesh, &self.nodes, previous.mesh);
+        let transferred = TransferredField::new(previous, elastic.stress_state(), &places);
         points.linearize(ReferenceModuli::Tangent, &mut |element, _| {
             transferred.strain(&mesh.elements[element])
         });
@@ -277,28 +281,41 @@ impl PlasticRegion {
         transferred.displacement_on(start, equations)
     }
 
-    /// Takes the tangent moduli after a change of displacement that is known on another mesh.
+    /// Takes the tangent moduli after the last of the changes of displacement that are known on
+    /// another mesh; states follow the changes before.
     fn linearize_after(
         &mut self,
         from: &[f64],
-        change: NodalField<'_>,
+        changes: &[NodalField<'_>],
         elastic: &ElasticBody,
     ) -> Vec<f64> {
         let ElasticBody { mesh, equations, .. } = elastic;
         let Some(points) = &mut self.points else { return from.to_vec() };
-        let transferred = TransferredField::new(change, elastic.stress_state(), mesh, &self.nodes);
-        points.linearize(ReferenceModuli::Tangent, &mut |element, quad| {
+        let Some((last, before)) = changes.split_last() else { return from.to_vec() };
+        let places = Places::of(mesh, &self.nodes, last.mesh);
+        let transferred = |change: &NodalField<'_>| {
+            TransferredField::new(*change, elastic.stress_state(), &places)
+        };
+        let strain = |change: &TransferredField, element: usize, quad: &Quad| {
             let nodes = mesh.elements[element];
             let mut strain =
                 quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| from[k as usize])));
             for (value, change) in
-                strain.iter_mut().flatten().zip(transferred.strain(&nodes).iter().flatten())
+                strain.iter_mut().flatten().zip(change.strain(&nodes).iter().flatten())
             {
                 *value += change;
             }
             strain
+        };
+        for change in before {
+            let change = transferred(change);
+            points.follow(&mut |element, quad| strain(&change, element, quad));
+        }
+        let last = transferred(last);
+        points.linearize(ReferenceModuli::Tangent, &mut |element, quad| {
+            strain(&last, element, quad)
         });
-        let mut after = transferred.displacement_on(&self.active_equations, equations);
+        let mut after = last.displacement_on(&self.active_equations, equations);
         for &equation in &self.active_equations {
             after[equation as usize] += from[equation as usize];
         }

@@ -1,6 +1,6 @@
 //! The bodies with secant moduli, which are assembled and factorized anew for every state.
 
-use crate::assembly::StressField;
+use crate::assembly::{Extent, StressField};
 use crate::engine::body_system::elastic_body::refactor;
 use crate::engine::body_system::system::{System, total_flexibility};
 use brinell_contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
@@ -77,7 +77,9 @@ impl SecantStiffness for SecantBodies<'_> {
         self.fields.clear();
         for (k, (body, x)) in system.bodies.iter().zip(&response.displacement).enumerate() {
             run.checkpoint()?;
-            let field = run.time(Phase::Plasticity, || body.stress_field(&body.elastic.nodal(x)));
+            let field = run.time(Phase::Plasticity, || {
+                body.stress_field(&body.elastic.nodal(x), Extent::Body)
+            });
             plastic_points += system.copies(k) * field.plastic_points();
             let copies = system.bodies_represented[k] as f64;
             squares += copies * body.residual_norm(&field, &response.contact.force).powi(2);

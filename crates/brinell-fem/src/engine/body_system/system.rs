@@ -77,11 +77,14 @@ pub(crate) struct Design<'a> {
     pub search_region: PlasticSearchRegion,
     /// Cache that may hold its bodies and factors.
     pub cache: Option<&'a Arc<FactorCache>>,
+    /// Whether [`System::linearize_after`] or another linearization comes before the first
+    /// iteration, so that no factor is needed before.
+    pub is_linearized_later: bool,
 }
 
 impl System {
-    /// Meshes and factorizes: with elastic moduli or, given a previous field for each model, with
-    /// the tangent moduli there. Also returns the previous displacements, transferred to the
+    /// Meshes and factorizes, unless it is linearized later: with elastic moduli or, given a previous
+    /// field for each model, with the tangent moduli there. Also returns the previous displacements, transferred to the
     /// active equations of the new meshes.
     pub fn build(
         problem: &Problem,
@@ -89,7 +92,7 @@ impl System {
         previous: Option<&[NodalField<'_>]>,
         run: &mut Run<'_>,
     ) -> Result<(Self, Option<BlockVector>), MeshedError> {
-        let Design { zone, refinement, search_region, cache } = design;
+        let Design { zone, refinement, search_region, cache, is_linearized_later } = design;
         let mut models: Vec<(BodyKey, BodyMaterial<'_>)> = Vec::new();
         let mut bodies_represented: Vec<usize> = Vec::new();
         let mut model_of = [None; 2];
@@ -128,8 +131,15 @@ impl System {
             let factor = run
                 .time(Phase::Numeric, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
             let previous = previous.and_then(|fields| fields.get(k).copied());
-            let (body, displacement) =
-                BodyModel::new(elastic, factor, material, search_region, previous, run)?;
+            let (body, displacement) = BodyModel::new(
+                elastic,
+                factor,
+                material,
+                search_region,
+                previous,
+                is_linearized_later,
+                run,
+            )?;
             bodies.push(body);
             transferred.push(displacement);
         }
@@ -153,7 +163,9 @@ impl System {
             accepted: Accepted::at_rest(zeros),
             states: Vec::new(),
         };
-        system.sum_flexibility();
+        if !is_linearized_later {
+            system.sum_flexibility();
+        }
         Ok((system, transferred.into_iter().collect()))
     }
 
@@ -174,18 +186,18 @@ impl System {
         Ok(transferred)
     }
 
-    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on
-    /// another mesh, one field for each model, from displacements on this one. Returns the
-    /// displacements after that change.
+    /// Factorizes anew, with the tangent moduli after the last of the changes of displacement from
+    /// `from` that are known on other meshes, for each model one field a change. States follow the
+    /// other changes. Returns the displacements after the last one.
     pub fn linearize_after(
         &mut self,
         from: &BlockVector,
-        change: &[NodalField<'_>],
+        changes: &[Vec<NodalField<'_>>],
         run: &mut Run<'_>,
     ) -> Result<BlockVector, brinell_method::Error> {
         let mut after = Vec::with_capacity(self.bodies.len());
-        for ((body, from), change) in self.bodies.iter_mut().zip(from).zip(change) {
-            after.push(body.linearize_after(from, *change, run)?);
+        for ((body, from), changes) in self.bodies.iter_mut().zip(from).zip(changes) {
+            after.push(body.linearize_after(from, changes, run)?);
         }
         self.sum_flexibility();
         Ok(after)
@@ -230,11 +242,17 @@ impl System {
         }
         self.search_region = search_region;
         // On the active equations, which are more now.
-        self.accepted.displacement = if self.accepted.whole.is_empty() {
-            self.zeros()
-        } else {
-            self.accepted.whole.clone()
-        };
+        if !self.accepted.whole.is_empty() {
+            self.accepted.displacement.clone_from(&self.accepted.whole);
+        }
+    }
+
+    /// Returns to the bodies before any load, with another plastic region. The factors have to be
+    /// renewed before the next iteration.
+    pub fn rest(&mut self, search_region: PlasticSearchRegion) {
+        self.set_plastic_region(search_region);
+        self.accepted = Accepted::at_rest(self.zeros());
+        self.states.clear();
     }
 
     /// Chooses another plastic region of each body. The factors have to be renewed before the next

@@ -2,7 +2,7 @@
 
 use crate::assembly::Equations;
 use crate::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState};
-use crate::mesh::{Locator, Mesh};
+use crate::mesh::{Locator, Mesh, Place};
 
 /// Displacements on a mesh of the same body.
 #[derive(Debug, Clone, Copy)]
@@ -10,6 +10,18 @@ pub(crate) struct NodalField<'a> {
     pub mesh: &'a Mesh,
     /// `[u_x, u_y]` of every node \[mm\].
     pub displacement: &'a [[f64; 2]],
+}
+
+/// The places of the nodes of one mesh in another one.
+pub(crate) struct Places(Vec<Option<Place>>);
+
+impl Places {
+    /// Finds the wanted nodes of a mesh in another one.
+    pub fn of(mesh: &Mesh, wanted: &[bool], within: &Mesh) -> Self {
+        let mut locator = Locator::new(within);
+        let nodes = mesh.nodes.iter().zip(wanted);
+        Self(nodes.map(|(node, is_wanted)| is_wanted.then(|| locator.locate(*node))).collect())
+    }
 }
 
 /// A previous field at the nodes of another mesh.
@@ -21,23 +33,19 @@ pub(crate) struct TransferredField {
 }
 
 impl TransferredField {
-    /// Transfers a field to the wanted nodes of a mesh; zero at other nodes.
-    pub fn new(
-        field: NodalField<'_>,
-        stress_state: StressState,
-        mesh: &Mesh,
-        wanted: &[bool],
-    ) -> Self {
+    /// Transfers a field to the nodes that have a place in its mesh; zero at other nodes.
+    pub fn new(field: NodalField<'_>, stress_state: StressState, places: &Places) -> Self {
         let known = nodal_strain(field, stress_state);
-        let mut locator = Locator::new(field.mesh);
+        let Places(places) = places;
         let mut transferred = Self {
-            displacement: vec![[0.0; 2]; mesh.nodes.len()],
-            strain: vec![[0.0; 4]; mesh.nodes.len()],
+            displacement: vec![[0.0; 2]; places.len()],
+            strain: vec![[0.0; 4]; places.len()],
         };
-        for node in (0..mesh.nodes.len()).filter(|&node| wanted[node]) {
-            let place = locator.locate(mesh.nodes[node]);
-            transferred.displacement[node] = place.interpolate(field.displacement);
-            transferred.strain[node] = place.interpolate(&known);
+        for (node, place) in places.iter().enumerate() {
+            if let Some(place) = place {
+                transferred.displacement[node] = place.interpolate(field.displacement);
+                transferred.strain[node] = place.interpolate(&known);
+            }
         }
         transferred
     }

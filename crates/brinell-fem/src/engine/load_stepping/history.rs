@@ -9,14 +9,14 @@ use std::sync::Arc;
 use super::growth::growth;
 use super::load_stepper::{LoadStepper, auxiliary};
 use super::path::Path;
-use crate::assembly::GaussPoint;
+use crate::assembly::{Extent, GaussPoint};
 use crate::engine::body_system::system::System;
 use crate::engine::body_system::transfer::NodalField;
 use crate::engine::error::MeshedError;
 use crate::engine::final_check;
 use crate::engine::finite_elements::{FiniteElements, MeshDesign};
 use crate::engine::mesh_sizing::contact_size::ContactSizeEstimate;
-use crate::engine::mesh_solve::{MeshSolve, MeshSolveRequest};
+use crate::engine::mesh_solve::{MeshSolve, MeshSolveRequest, fields};
 use crate::engine::meshed_contact::Asked;
 use crate::engine::problem::Problem;
 use crate::engine::solution::{SectionField, StepSolution};
@@ -30,6 +30,7 @@ use brinell_method::figures::Figures;
 use brinell_method::final_check::LeastScales;
 use brinell_method::history::{Memory, NextIncrement};
 use brinell_method::increments::Growth;
+use brinell_method::phases::Phase;
 use brinell_method::progress::Progress;
 use brinell_method::run::Run;
 use brinell_method::sought::largest_loads;
@@ -174,6 +175,11 @@ impl Memory for HistoryOnMesh<'_> {
         MeshDesign::new(memory.zone.clone(), self.request.search_region)
     }
 
+    fn at_rest(&self, mut system: System) -> Option<System> {
+        system.rest(self.request.search_region);
+        Some(system)
+    }
+
     fn finer(&self, found: &MeshMemory) -> (Self, MeshDesign) {
         let (history, size) = (self.of_history.history, found.size);
         let MeshedHistory { sizing, asked, contact, .. } = history;
@@ -183,18 +189,22 @@ impl Memory for HistoryOnMesh<'_> {
         Density { history, size, keeps_path: false }.engine(request)
     }
 
+    fn follows_path(&self) -> bool {
+        self.coupling().uses_tangent_moduli()
+    }
+
     fn growth(&self, load: ContactLoad) -> Growth {
         growth(self.problem, load)
     }
 
-    /// Nothing of the system but its stiffness is changed.
+    /// Nothing of the system but its stiffness is changed, and the states that follow a path.
     fn prepare(
         &self,
         system: &mut System,
         increment: &NextIncrement<'_, MeshMemory>,
         run: &mut Run<'_>,
     ) -> Result<BlockVector, MeshedError> {
-        let &NextIncrement { target, time, leg, progress, guide } = increment;
+        let &NextIncrement { target, time, leg, progress, guide, follows } = increment;
         let start = system.accepted().clone();
         if !self.coupling().uses_tangent_moduli() {
             return Ok(start);
@@ -204,10 +214,14 @@ impl Memory for HistoryOnMesh<'_> {
             return Ok(start);
         }
         if let Some(MeshMemory { path, .. }) = guide {
-            let change = path.change(progress.time, time);
-            let fields = path.meshes.iter().zip(&change);
-            let fields: Vec<_> =
-                fields.map(|(mesh, displacement)| NodalField { mesh, displacement }).collect();
+            let changes = path.changes(progress.time, time, follows);
+            let meshes = path.meshes.iter().enumerate();
+            let fields: Vec<Vec<_>> = meshes
+                .map(|(k, mesh)| {
+                    let fields = changes.iter().map(|change| change[k].as_slice());
+                    fields.map(|displacement| NodalField { mesh, displacement }).collect()
+                })
+                .collect();
             return Ok(system.linearize_after(&start, &fields, run)?);
         }
         let start = progress.extrapolated(start, target.magnitude(), leg);
@@ -261,6 +275,12 @@ impl Memory for HistoryOnMesh<'_> {
         run: &mut Run<'_>,
     ) -> StepSolution {
         let tolerance = self.request.solver.tolerance;
+        // The last increment before a body collapses is one on the way.
+        if progress.number.is_on_way() {
+            solve.fields = run.time_observed(Phase::Output, |observer| {
+                fields(&solve.system, &mut solve.outcome, Extent::Body, observer)
+            });
+        }
         let least =
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         let [largest_pressure, at, middle] = memory.peak;

@@ -20,13 +20,20 @@ impl Path {
         self.points.len() * nodes * size_of::<[f64; 2]>()
     }
 
-    /// Returns the change of the displacements from one time to another.
-    pub fn change(&self, from: f64, to: f64) -> Vec<Vec<[f64; 2]>> {
-        let (mut change, start) = (self.at(to), self.at(from));
-        for (to, from) in change.iter_mut().flatten().zip(start.iter().flatten()) {
-            *to = [to[0] - from[0], to[1] - from[1]];
-        }
-        change
+    /// Returns the changes of the displacements from one time to the ends of the increments within
+    /// a later time, if they are to be `followed`, and to this one.
+    pub fn changes(&self, from: f64, to: f64, followed: bool) -> Vec<Vec<Vec<[f64; 2]>>> {
+        let start = self.at(from);
+        let ends = self.points.iter().map(|(time, _)| *time);
+        let within = ends.filter(|time| followed && from < *time && *time < to);
+        let change = |time| {
+            let mut change = self.at(time);
+            for (to, from) in change.iter_mut().flatten().zip(start.iter().flatten()) {
+                *to = [to[0] - from[0], to[1] - from[1]];
+            }
+            change
+        };
+        within.chain([to]).map(change).collect()
     }
 
     fn at(&self, time: f64) -> Vec<Vec<[f64; 2]>> {

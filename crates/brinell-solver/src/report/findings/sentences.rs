@@ -222,8 +222,8 @@ impl Work {
             Self::Load { updates, iterations, increments, factorizations } => {
                 let increments = increments.map(|increments| {
                     format!(
-                        "the load is divided into {increments} increments, until half as many \
-                         change little (`solver.increments` sets their number)"
+                        "the load is divided into {increments} increments \
+                         (`solver.increments` sets their number)"
                     )
                 });
                 let factorizations = factorizations.map(|factorizations| {
