@@ -8,30 +8,21 @@
 //! once. The page loads nothing from other origins, and its `Content-Security-Policy` forbids it.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
-use std::io::{self, Write};
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use axum::extract::rejection::PathRejection;
 use axum::extract::{Path, State};
-use axum::http::header::{
-    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, REFERRER_POLICY,
-    VARY, X_CONTENT_TYPE_OPTIONS,
-};
-use axum::http::{HeaderMap, HeaderName, StatusCode};
-use axum::response::{IntoResponse, Response};
+use axum::http::HeaderMap;
+use axum::response::Response;
 use bytes::Bytes;
-use flate2::Compression;
-use flate2::write::GzEncoder;
 use rust_embed::{EmbeddedFile, RustEmbed};
 
 use super::HttpState;
 use super::joined::joined;
-use super::negotiation::takes_gzip;
 use super::prefix::Prefix;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
-use super::result_body::is_known;
+use super::static_file::{Sent, answer, media_type};
 
 #[derive(RustEmbed)]
 #[folder = "web/"]
@@ -39,9 +30,6 @@ struct Web;
 
 pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; \
                                  form-action 'self'; frame-ancestors 'none'";
-
-/// Compressed files by their tags: in a debug build, files change while the program runs.
-static COMPRESSED: LazyLock<Mutex<HashMap<u128, Bytes>>> = LazyLock::new(Mutex::default);
 
 /// Digest of the folder in the last document that was sent.
 static NAMED: Mutex<Option<String>> = Mutex::new(None);
@@ -57,17 +45,6 @@ const APART: [&str; 2] = ["api/result-worker.js", "docs/docs.js"];
 
 /// Length of the digest in an address.
 const DIGITS: usize = 16;
-
-/// A file as it is sent.
-pub(super) struct Sent<'a> {
-    pub(super) path: &'a str,
-    pub(super) data: Bytes,
-    /// Identifies the bytes.
-    pub(super) digest: u128,
-    pub(super) kept: &'static str,
-    /// What the file may load and run.
-    pub(super) policy: &'a str,
-}
 
 /// `GET /`: with the digest of the folder in every address, and with the address for people.
 pub(super) async fn index(
@@ -149,42 +126,6 @@ fn is_digest(part: &str) -> bool {
     part.len() == DIGITS && part.bytes().all(|one| one.is_ascii_hexdigit())
 }
 
-pub(super) fn answer(file: Sent, headers: &HeaderMap) -> Result<Response, Problem> {
-    let gzip = takes_gzip(headers);
-    // A strong tag identifies bytes, so the compressed file has its own.
-    let tag = format!("\"{:032x}{}\"", file.digest, if gzip { "-gzip" } else { "" });
-    let common: [(HeaderName, &str); 7] = [
-        (ETAG, &tag),
-        (CACHE_CONTROL, file.kept),
-        (VARY, "accept-encoding"),
-        (CONTENT_SECURITY_POLICY, file.policy),
-        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        (REFERRER_POLICY, "no-referrer"),
-        (CONTENT_TYPE, media_type(file.path)),
-    ];
-    if is_known(&tag, headers) {
-        return Ok((StatusCode::NOT_MODIFIED, common).into_response());
-    }
-    if !gzip {
-        return Ok((common, file.data).into_response());
-    }
-    let body = compressed(&file)
-        .map_err(|error| Problem::new(ProblemType::Internal, error.to_string()))?;
-    Ok((common, [(CONTENT_ENCODING, "gzip")], body).into_response())
-}
-
-fn media_type(path: &str) -> &'static str {
-    match path.rsplit('.').next() {
-        Some("html") => "text/html; charset=utf-8",
-        Some("css") => "text/css; charset=utf-8",
-        Some("js") => "text/javascript; charset=utf-8",
-        Some("svg") => "image/svg+xml",
-        Some("png") => "image/png",
-        Some("json" | "ipynb") => "application/json",
-        _ => "text/plain; charset=utf-8",
-    }
-}
-
 fn digest_of(file: &EmbeddedFile) -> u128 {
     file.metadata.sha256_hash().first_chunk().copied().map_or(0, u128::from_be_bytes)
 }
@@ -246,18 +187,6 @@ fn has_end(text: &[u8]) -> bool {
 
 fn place_of(text: &[u8], part: &[u8]) -> Option<usize> {
     text.windows(part.len()).position(|one| one == part)
-}
-
-fn compressed(file: &Sent) -> io::Result<Bytes> {
-    let known = || COMPRESSED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(body) = known().get(&file.digest) {
-        return Ok(body.clone());
-    }
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    encoder.write_all(&file.data)?;
-    let body = Bytes::from(encoder.finish()?);
-    known().insert(file.digest, body.clone());
-    Ok(body)
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::HttpState;
-use super::openapi;
+use super::openapi::tags;
 use super::prefix::Prefix;
 use super::problem::{Problem, ProblemDocument};
 use super::request_log::JobIdExtension;
@@ -184,7 +184,7 @@ pub struct JobDocument {
     pub priority: i16,
     /// Labels.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    #[schema(schema_with = openapi::tags, required = false)]
+    #[schema(schema_with = tags, required = false)]
     pub tags: BTreeMap<String, String>,
     /// How far it has come.
     pub progress: Progress,
