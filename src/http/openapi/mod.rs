@@ -174,6 +174,11 @@ pub(super) fn job() -> RefOr<Schema> {
     named("ContactJob")
 }
 
+/// Units of figures.
+pub(super) fn units() -> RefOr<Schema> {
+    named("Units")
+}
+
 /// Labels.
 pub(super) fn tags() -> RefOr<Schema> {
     named("Tags")
