@@ -95,7 +95,8 @@ export function pointsControl(field, id, change, { units, parent, beside, inMate
       const again = (/** @type {Choice} */ other) => take(text, other);
       const ways = points.length ? waysOf(record.measure, points) : [];
       const more = [...ways, ...pointing(record, again)];
-      if ('problem' in result) put(text, [`Not taken yet: ${result.problem}`], more);
+      // Why it is not taken yet is said of the value.
+      if ('problem' in result) put(text, [], more);
       else put(textOfRecord(record.measure, points, units()), [`${points.length} points read`, ...result.notes], more); // prettier-ignore
       return true;
     }
@@ -213,7 +214,7 @@ const MEASURES = { engineering: 'engineering', true: 'true', force: 'engineering
 const textOfRecord = (measure, points, units) =>
   [
     measure === 'indentation'
-      ? `penetration [${unit('length', units)}]\tforce [${unit('force', units)}]`
+      ? `penetration depth [${unit('length', units)}]\tforce [${unit('force', units)}]`
       : `${measure} strain [1]\t${measure} stress [${unit('stress', units)}]`,
     ...points.map((point) => point.map((one) => Number(one.toPrecision(8))).join('\t')),
   ].join('\n');
