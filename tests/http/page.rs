@@ -42,7 +42,8 @@ fn the_page_is_served_whole_and_light() {
         let answer = ask(&server, path, &["Accept-Encoding: gzip"]);
         assert_eq!(answer.status, 200, "{path}");
         assert_eq!(answer.header("content-encoding"), Some("gzip"), "{path}");
-        let is_joined = path.ends_with(".js") && path != "/web/page.js";
+        let is_module = Path::new(path).extension().is_some_and(|extension| extension == "js");
+        let is_joined = is_module && path != "/web/page.js";
         weight += if is_joined { 0 } else { answer.body.len() };
     }
     assert!(weight > 100_000 && weight < PAGE_BYTES, "{weight} bytes");
