@@ -113,7 +113,7 @@ service.test(
     ]);
     assert.equal(await page.locator('#panel-figures tbody tr').count(), 3);
     await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-    await page.locator('#jobs-list .load').getByText('P 400 N/mm, peak 10').waitFor();
+    await page.locator('#jobs-list .peak').getByText('peak 10').first().waitFor();
     await page.getByLabel(new RegExp(`^Compare .*${ids[2].slice(-8)}`)).uncheck();
     assert.equal(new URL(page.url()).hash, `#job=${ids[0]}&with=${ids[1]}`);
   },
