@@ -156,7 +156,7 @@ pub struct JobDocument {
     /// Its name.
     pub id: JobId,
     /// What people call it: the title of the job, or else its description. This and the following
-    /// two are missing of jobs taken in before version 0.4.
+    /// two are missing of jobs taken in before version 0.3.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(example = "cylinder R 20 on cylinder R 20, 500 N/mm, S355")]
     pub title: Option<String>,

@@ -39,7 +39,7 @@ impl About {
         .map(|(name, value)| (name.to_owned(), value))
     }
 
-    /// Takes it out of the labels of a job; `None` of jobs taken in before version 0.4.
+    /// Takes it out of the labels of a job; `None` of jobs taken in before version 0.3.
     pub fn take(labels: &mut BTreeMap<String, String>) -> Option<Self> {
         let [title, description, units] =
             [TITLE, DESCRIPTION, UNITS].map(|name| labels.remove(name));

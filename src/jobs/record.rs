@@ -78,7 +78,7 @@ pub struct JobRecord {
     pub id: JobId,
     /// Its state.
     pub state: JobState,
-    /// What a list says of it; `None` of jobs taken in before version 0.4.
+    /// What a list says of it; `None` of jobs taken in before version 0.3.
     pub about: Option<About>,
     /// Labels.
     pub tags: BTreeMap<String, String>,
