@@ -152,8 +152,9 @@ export function pointsControl(field, id, change, { units, parent, beside, inMate
       return say(`Not converted: ${result.problem}`, waysOf(measure, points));
     const stress = unit('stress', units());
     const { slope, proof } = result;
+    const first = Number(slope.toPrecision(4));
     put(result.points, [result.note], [
-      plainButton(`Take E = ${figure(slope, 4)} ${stress}`, () => inMaterial({ young_modulus: Number(slope.toPrecision(4)) }), { title: 'Young’s modulus becomes the first slope of the test' }), // prettier-ignore
+      plainButton(`Take E = ${figure(first, 4)} ${stress}`, () => inMaterial({ young_modulus: first }), { title: 'Young’s modulus becomes the first slope of the test' }), // prettier-ignore
       proof && plainButton(`Take R_p0.2 = ${figure(proof, 4)} ${stress}`, () => inMaterial({ plasticity: bilinear(result.points, proof, modulus() || slope) }), { title: 'A bilinear law with this yield stress in place of the curve' }), // prettier-ignore
     ].filter((one) => one instanceof Node)); // prettier-ignore
   };
