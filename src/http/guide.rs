@@ -48,6 +48,11 @@ impl Guide {
         Ok(guide)
     }
 
+    /// Whether there is none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     fn take(&mut self, folder: &Path, above: &str) -> io::Result<()> {
         for entry in fs::read_dir(folder)? {
             let path = entry?.path();
@@ -106,7 +111,7 @@ pub(super) async fn file(
 }
 
 fn nothing(guide: &Guide) -> Problem {
-    let detail = if guide.0.is_empty() {
+    let detail = if guide.is_empty() {
         "this service has no guide: scripts/site.sh makes one, --guide FOLDER serves it"
     } else {
         "the guide has no such page"

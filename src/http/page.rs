@@ -5,7 +5,8 @@
 //! names, and under the digest of another version, files are asked for anew each time; a strong
 //! `ETag` of the content allows the answer 304. Modules are sent [`joined`] as `page.js`, without
 //! their comments, whose lines stay as empty ones; a worker imports its own. Each file is compressed
-//! once. The page loads nothing from other origins, and its `Content-Security-Policy` forbids it.
+//! once. The page loads nothing from other origins, and its `Content-Security-Policy` forbids it;
+//! charts become pictures by way of a `data:` address.
 
 use std::borrow::Cow;
 use std::sync::{Mutex, PoisonError};
@@ -28,8 +29,8 @@ use super::static_file::{Sent, answer, media_type};
 #[folder = "web/"]
 struct Web;
 
-pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; \
-                                 form-action 'self'; frame-ancestors 'none'";
+pub(super) const POLICY: &str = "default-src 'self'; img-src 'self' data:; object-src 'none'; \
+                                 base-uri 'none'; form-action 'self'; frame-ancestors 'none'";
 
 /// Digest of the folder in the last document that was sent.
 static NAMED: Mutex<Option<String>> = Mutex::new(None);
@@ -43,10 +44,15 @@ const WHOLE: &str = "page.js";
 /// Modules that are none of it: of a worker, and of the reference.
 const APART: [&str; 2] = ["api/result-worker.js", "docs/docs.js"];
 
+/// The link to the interface, and that to the guide, which stands behind it where there is one.
+const API: &str = r#"<a class="button" href="docs/">API</a>"#;
+const GUIDE: &str = r#"<a class="button" href="guide/">Guide</a>"#;
+
 /// Length of the digest in an address.
 const DIGITS: usize = 16;
 
-/// `GET /`: with the digest of the folder in every address, and with the address for people.
+/// `GET /`: with the digest of the folder in every address, with the address for people and with a
+/// link to the guide, where there are such.
 pub(super) async fn index(
     State(state): State<HttpState>,
     prefix: Prefix,
@@ -57,13 +63,15 @@ pub(super) async fn index(
     let named = name_of(folder);
     let mut text =
         String::from_utf8_lossy(&file.data).replace("\"web/", &format!("\"web/{named}/"));
-    let mut digest = folder;
     if let Some(origin) = state.settings.public_origin.as_ref().and_then(|one| one.to_str().ok()) {
         let link =
             format!("<link rel=\"canonical\" href=\"{origin}{}/\">\n</head>", prefix.path());
         text = text.replacen("</head>", &link, 1);
-        digest = fnv(digest, link.as_bytes());
     }
+    if !state.guide.is_empty() {
+        text = text.replacen(API, &format!("{API}\n    {GUIDE}"), 1);
+    }
+    let digest = fnv(folder, text.as_bytes());
     *NAMED.lock().unwrap_or_else(PoisonError::into_inner) = Some(named);
     let data = text.into_bytes().into();
     answer(Sent { path: "index.html", data, digest, kept: "no-cache", policy: POLICY }, &headers)

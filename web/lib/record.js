@@ -100,7 +100,7 @@ function roleOf(name, unit) {
 }
 
 /** Columns as the lines above the figures name them. @param {Row[]} headers @returns {Column[]} */
-export function columnsOf(headers) {
+function columnsOf(headers) {
   const isTaken = (/** @type {string[]} */ cells) =>
     cells.length > 1 && !/^[-+]?[.,\d]/.test(cells[1]);
   const named = headers.findLast(
@@ -121,7 +121,7 @@ export function columnsOf(headers) {
  * Figures of the specimen, `Diameter (mm);10.00`, `Diameter;10.00;mm`, `Diameter: 10 mm`.
  * @param {Row[]} headers @returns {{[fact: string]: number}} in mm and mm²
  */
-export function factsOf(headers) {
+function factsOf(headers) {
   const facts = /** @type {{[fact: string]: number}} */ ({});
   for (const { cells } of headers) {
     const [whole, figure, behind] = cells.length > 1 ? cells : cells[0].split(/[:=]\s*/);
@@ -149,7 +149,7 @@ export const beginsAtNothing = (points) =>
  * hundredth of it.
  * @param {number[][]} points [?, MPa] @param {number} modulus [MPa] @returns {string} nothing where neither is
  */
-export function strainUnit(points, modulus) {
+function strainUnit(points, modulus) {
   const most = Math.max(...points.map(([, stress]) => stress));
   const first = points.filter(([strain, stress], k) => k > 0 && strain > 0 && stress > 0 && stress < 0.5 * most); // prettier-ignore
   const slopes = first.map(([strain, stress]) => stress / strain).sort((a, b) => a - b);

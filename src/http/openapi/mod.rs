@@ -163,6 +163,29 @@ fn link_jobs(document: &mut Value) {
     }
 }
 
+<<<<<<< HEAD
+=======
+/// A schema of this document, for types that are declared elsewhere.
+pub(super) fn named(name: &str) -> RefOr<Schema> {
+    RefOr::Ref(Ref::from_schema_name(name))
+}
+
+/// A job.
+pub(super) fn job() -> RefOr<Schema> {
+    named("ContactJob")
+}
+
+/// Units of figures.
+pub(super) fn units() -> RefOr<Schema> {
+    named("Units")
+}
+
+/// Labels.
+pub(super) fn tags() -> RefOr<Schema> {
+    named("Tags")
+}
+
+>>>>>>> page2
 /// Schema of an extensible enumeration: plain text, so that generated clients accept future
 /// values.
 fn open_set(description: &str, words: &[&str]) -> Value {

@@ -28,14 +28,24 @@ _ROLES = {name: re.compile(text) for name, text in _WORDS["roles"].items()}
 _FACTS = {name: re.compile(text) for name, text in _WORDS["facts"].items()}
 _STRESSES = {
     **dict.fromkeys(["MPa", "N/mm²"], 1.0),
-    **{"Pa": 1e-6, "kPa": 1e-3, "GPa": 1e3, "bar": 0.1, "kN/mm²": 1e3},
-    **{"psi": 6894.757293168e-6, "ksi": 6.894757293168, "kgf/mm²": 9.80665},
+    "Pa": 1e-6,
+    "kPa": 1e-3,
+    "GPa": 1e3,
+    "bar": 0.1,
+    "kN/mm²": 1e3,
+    "psi": 6894.757293168e-6,
+    "ksi": 6.894757293168,
+    "kgf/mm²": 9.80665,
 }
 _FORCES = {"N": 1.0, "µN": 1e-6, "uN": 1e-6, "mN": 1e-3, "kN": 1e3, "MN": 1e6, "kgf": 9.80665}
 _FORCES["lbf"] = 4.4482216152605
 _STRAINS = {
     **dict.fromkeys(["1", "-", "m/m", "mm/mm", "in/in"], 1.0),
-    **{"%": 1e-2, "‰": 1e-3, "µm/m": 1e-6, "µε": 1e-6, "µstrain": 1e-6},
+    "%": 1e-2,
+    "‰": 1e-3,
+    "µm/m": 1e-6,
+    "µε": 1e-6,
+    "µstrain": 1e-6,
 }
 _KINDS = {"strain": _STRAINS, "stress": _STRESSES, "force": _FORCES, "length": LENGTHS}
 _OF = {
@@ -366,7 +376,8 @@ def _profile(
     at = [deep[0], hard[0]]
     unit = columns[at[0]].unit
     if not unit:
-        stray = [" ".join(cells) for cells in headers if any(map(_is_unit, " ".join(cells).split()))]
+        lines = [" ".join(cells) for cells in headers]
+        stray = [line for line in lines if any(map(_is_unit, line.split()))]
         if stray:
             raise _refuse("missing", f"“{stray[0]}” may be the unit of the depths: name it there")
     factor = _one(unit or "mm", "length") or 1.0
