@@ -24,7 +24,7 @@ use brinell_solver::job::schema::schemas as schema_of_jobs;
 use brinell_solver::report;
 use brinell_solver::solver::SolveStatus;
 use reference::BASE;
-pub(super) use reference::{job, named, tags};
+pub(super) use reference::{job, named, tags, units};
 
 /// The document, as JSON.
 pub(super) fn text() -> &'static str {
@@ -163,29 +163,6 @@ fn link_jobs(document: &mut Value) {
     }
 }
 
-<<<<<<< HEAD
-=======
-/// A schema of this document, for types that are declared elsewhere.
-pub(super) fn named(name: &str) -> RefOr<Schema> {
-    RefOr::Ref(Ref::from_schema_name(name))
-}
-
-/// A job.
-pub(super) fn job() -> RefOr<Schema> {
-    named("ContactJob")
-}
-
-/// Units of figures.
-pub(super) fn units() -> RefOr<Schema> {
-    named("Units")
-}
-
-/// Labels.
-pub(super) fn tags() -> RefOr<Schema> {
-    named("Tags")
-}
-
->>>>>>> page2
 /// Schema of an extensible enumeration: plain text, so that generated clients accept future
 /// values.
 fn open_set(description: &str, words: &[&str]) -> Value {

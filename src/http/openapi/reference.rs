@@ -16,6 +16,11 @@ pub(in crate::http) fn job() -> RefOr<Schema> {
     named("ContactJob")
 }
 
+/// Units of figures.
+pub(in crate::http) fn units() -> RefOr<Schema> {
+    named("Units")
+}
+
 /// Labels.
 pub(in crate::http) fn tags() -> RefOr<Schema> {
     named("Tags")
