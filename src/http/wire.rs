@@ -11,7 +11,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::HttpState;
-use super::openapi::tags;
+use super::openapi::{tags, units};
 use super::prefix::Prefix;
 use super::problem::{Problem, ProblemDocument};
 use super::request_log::JobIdExtension;
@@ -165,7 +165,7 @@ pub struct JobDocument {
     pub description: Option<String>,
     /// Units of its figures.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(schema_with = openapi::units, required = false)]
+    #[schema(schema_with = units, required = false)]
     pub units: Option<Units>,
     /// Where it stands.
     pub status: JobState,

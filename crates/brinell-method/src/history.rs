@@ -301,9 +301,9 @@ impl<E: Memory> History<'_, E> {
     /// Solves the history with these increments and then with those of the finer history, about
     /// half as large; a single one that is given is compared with two.
     ///
-    /// Errors fall at least like the increments, and like their square up to an elastic peak of
-    /// four yield stresses, so that half of the difference is more than the error there, and holds
-    /// that of a path that is followed.
+    /// Errors fall at least like the increments, so that the difference is at least the error of all
+    /// increments. Up to an elastic peak of four yield stresses they fall like the square: there it
+    /// also holds the error of a path that is followed with half of them.
     fn compare_increments(
         &self,
         design: E::Design,
