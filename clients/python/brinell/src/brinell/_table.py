@@ -23,7 +23,9 @@ from ._surface import _text_of
 
 Measure: TypeAlias = Literal["engineering", "true", "plastic", "indentation"]
 
-_WORDS = json.loads(files(__package__).joinpath("columns.json").read_text("utf-8"))
+_WORDS: dict[str, dict[str, str]] = json.loads(
+    files(__package__).joinpath("columns.json").read_text("utf-8")
+)
 _ROLES = {name: re.compile(text) for name, text in _WORDS["roles"].items()}
 _FACTS = {name: re.compile(text) for name, text in _WORDS["facts"].items()}
 _STRESSES = {
