@@ -9,7 +9,10 @@ import { hasDecimalComma, parted, quoted, readNumber } from './number.js';
 import { inJobUnits, isUnit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
-/** @typedef {import('./table.js').Row} Row */
+/**
+ * @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted
+ *   from 1
+ */
 /** @typedef {{name: string, unit: string, role: string}} Column */
 /**
  * @typedef {object} Choice what is pointed at where the names do not tell, or tell something else
@@ -200,6 +203,9 @@ export function recordOf(headers, body, modulus, choice = {}) {
   }
   const less = body.length - rows.length;
   if (less) record.notes.push(`${less} line${less > 1 ? 's' : ''} without a figure in these columns left out`); // prettier-ignore
+  // Without a word of what they are, figures that begin at yield are a hardening curve.
+  const isSure = choice.columns || columns.some(({ role }) => role.startsWith('engineering'));
+  if (!isForce && !isSure && !beginsAtNothing(record.points)) return undefined;
   if (kinds[0] === 'strain' && !(units[0] && units[1])) {
     const one = inJobUnits(1, units[1] || 'MPa', 'stress', 'mm_N_MPa') ?? NaN;
     const told = strainUnit(record.points.map(([e, s]) => [e, s * one]), modulus); // prettier-ignore
@@ -225,9 +231,7 @@ export function recordOf(headers, body, modulus, choice = {}) {
     for (const point of record.points) point[axis] = Number((point[axis] * one).toPrecision(12));
     record.notes.push(`${['along', 'up'][axis]}: ${quoted(name)}${units[axis] ? ` in ${units[axis]}` : ''}`); // prettier-ignore
   }
-  // Without a word of what they are, figures that begin at yield are a hardening curve.
-  const isSure = choice.columns || columns.some(({ role }) => role.startsWith('engineering'));
-  if (!isForce) return isSure || beginsAtNothing(record.points) ? record : undefined;
+  if (!isForce) return record;
   const facts = factsOf(headers);
   const { section = facts.section, gauge_length: length = facts.gauge_length } = choice;
   const reach = Math.max(...record.points.map(([travel]) => Math.abs(travel)));

@@ -46,8 +46,8 @@ def curve(client: brinell.Client, forces: Any, theory: Any = None) -> Any:
 def test_a_curve_without_noise_gives_the_material_back(client: brinell.Client) -> None:
     measured = curve(client, np.geomspace(60, 1000, 4))
     found = brinell.identify(measured, indented(300, 0.1), FREE, client=client)
-    # The increments of flow theory scatter with the parameters.
-    assert found.values == pytest.approx(TRUTH, rel=0.02)
+    # The number of increments follows the parameters, and errors of increments with it.
+    assert found.values == pytest.approx(TRUTH, rel=0.04)
     assert found.sweeps <= 15
     assert found.covers(found.values)
     assert not found.covers({"yield_stress": 300, "exponent": 0.1})
