@@ -308,10 +308,16 @@ def _read(
     full = [row for row in body if all(k < len(row) and row[k] for k in at)]
     points = [[_float(row[k], commas) for k in at] for row in full]
     notes = [f"{len(points)} points read"]
-    if pair and pair[0] == "plastic" and max(strain for strain, _ in points) <= 1:
+    is_force = bool(pair and pair[2] == ["force"])
+    is_sure = any(one.role.startswith("engineering") for one in columns)
+    begins_at_nothing = points[0][1] < _BEGINS * max(stress for _, stress in points)
+    # Without a word of what they are, figures that begin at yield are a hardening curve.
+    is_plastic = bool(pair and pair[0] == "plastic") or not (
+        is_force or is_sure or begins_at_nothing
+    )
+    if is_plastic and max(strain for strain, _ in points) <= 1:
         # Plastic strain is a share, as the law has it.
         units[0] = units[0] or "1"
-    is_force = bool(pair and pair[2] == ["force"])
     if not is_force and not (units[0] and units[1]):
         one = _one(units[1] or "MPa", "stress") or math.nan
         told = _strain_unit([[e, s * one] for e, s in points], modulus)
@@ -328,12 +334,8 @@ def _read(
             point[axis] *= factor
     if is_force:
         return _of_force(points, pair, section, gauge_length, _facts(headers, commas), notes)
-    begins = points[0][1] < _BEGINS * max(stress for _, stress in points)
-    if pair and pair[0] == "plastic":
-        return Record(points, "plastic", notes=notes)
-    is_sure = any(one.role.startswith("engineering") for one in columns)
     measure: Measure = "true" if pair and pair[0] == "true" else "engineering"
-    return Record(points, measure if is_sure or begins else "plastic", notes=notes)
+    return Record(points, "plastic" if is_plastic else measure, notes=notes)
 
 
 def _of_force(
