@@ -117,9 +117,9 @@ fn a_model_with_a_state_is_solved_as_it_is() {
     for (trial, own) in trial.steps.iter().zip(&own.steps) {
         assert_eq!(trial.status, SolveStatus::Converged);
         assert_eq!(trial.path.increments.len(), 2);
-        assert_within(trial.figures.approach, own.figures.approach, 1e-8);
+        assert_within(trial.figures.approach, own.figures.approach, 1e-7);
     }
-    assert_within(trial.steps[0].figures.peak_pressure, own.steps[0].figures.peak_pressure, 1e-8);
+    assert_within(trial.steps[0].figures.peak_pressure, own.steps[0].figures.peak_pressure, 1e-7);
     // A dent stays.
     assert!(trial.steps[1].figures.approach > 1e-3, "{}", trial.steps[1].figures.approach);
 }
