@@ -111,7 +111,7 @@ fn assert_fine_enough(mut job: Job) {
             assert_within(peak, exact_peak, within(bar, 3e-3));
         }
         let bar = bars.and_then(|bars| bars.approach);
-        assert_within(approach, exact_approach, within(bar, if is_loaded { 3e-3 } else { 4e-3 }));
+        assert_within(approach, exact_approach, within(bar, 3e-3));
     }
 }
 
