@@ -42,6 +42,7 @@
 //! | module | what it is for |
 //! |---|---|
 //! | [`report`] | what a caller reads: figures, error bars, warnings; [`report::run`] is the way in |
+//! | [`fatigue`] | utilization of meshed bodies by criteria of high-cycle fatigue |
 //! | [`inputs`] | from a job to two bodies, their loads and settings |
 //! | [`solver`] | finite elements and half-spaces as engines of `brinell-method`: sizes, factors, final fields |
 //! | [`contact`] | solvers of the contact conditions and the check that all have to pass |
@@ -54,6 +55,7 @@
 //! only.
 
 pub use brinell_fem as fem;
+pub mod fatigue;
 pub mod inputs;
 pub mod job;
 pub mod report;
