@@ -243,6 +243,7 @@
  * @property {Callback} [callback]
  * @property {boolean} cancel_requested
  * @property {string} created_at
+ * @property {string} [description]
  * @property {boolean} done
  * @property {Problem} [error]
  * @property {string | null} expires_at
@@ -257,6 +258,8 @@
  * @property {string | null} started_at
  * @property {JobState} status
  * @property {Tags} [tags]
+ * @property {string} [title]
+ * @property {Units} [units]
  *
  * @typedef {string} JobId
  *

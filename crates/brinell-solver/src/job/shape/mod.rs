@@ -27,6 +27,7 @@ pub use quadric::{Curved, Flat, Sphere};
 pub use roller::{Roller, RollerProfile};
 pub use wedge::{Cone, Wedge};
 
+use super::Analysis;
 use super::fields::tagged;
 
 tagged! {
@@ -38,6 +39,15 @@ tagged! {
 }
 
 impl Shape {
+    /// Returns the name of the shape in an analysis: a cylinder of revolution is a sphere.
+    pub fn label(&self, analysis: Analysis) -> &'static str {
+        match (analysis, self) {
+            (Analysis::Axisymmetric, Self::Cylinder(_)) => "Sphere",
+            (Analysis::Axisymmetric, Self::Hole(_)) => "Socket",
+            _ => self.table().label,
+        }
+    }
+
     /// Returns the curvatures `[k_xx, k_yy, k_xy]` of a half-space's surface in the contact plane,
     /// positive where convex \[1/mm\]; `None` for other shapes.
     pub fn curvatures(&self) -> Option<[f64; 3]> {
