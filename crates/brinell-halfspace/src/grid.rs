@@ -158,6 +158,18 @@ impl Layers {
         0.5 * (self.faces[layer + 1] + self.faces[layer])
     }
 
+    /// The surface, and middle and lower face of each layer \[mm\].
+    pub fn faces_and_middles(&self) -> Vec<f64> {
+        let below = |layer: usize| [self.middle(layer), self.faces[layer + 1]];
+        std::iter::once(0.0).chain((0..self.len()).flat_map(below)).collect()
+    }
+
+    /// The layer at a depth \[mm\], of two that meet there the lower one; the last one below all.
+    pub fn at(&self, depth: f64) -> usize {
+        let above = self.faces.partition_point(|face| *face <= depth);
+        above.saturating_sub(1).min(self.len() - 1)
+    }
+
     /// Layers merged in groups of `count`, the last group possibly smaller.
     #[must_use]
     pub fn merged(&self, count: usize) -> Self {

@@ -10,6 +10,7 @@
 //! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and
 //!   what its [`PlasticLaw`] answers;
 //! - [`EllipticContact`] is Hertz;
+//! - [`Passing`] is a pressure that passes over a body, [`Fatigue`] whether the body endures it;
 //! - [`track`]: contacts that roll and slide, along a [`mod@line`] or over a [`raceway`];
 //! - [`engine`]: half-spaces and tracks as engines of `brinell-method`.
 //!
@@ -19,12 +20,14 @@ mod body;
 mod eigenstrain_stress;
 mod elasticity;
 pub mod engine;
+mod fatigue;
 mod grid;
 mod half_space;
 mod hertz;
 mod images;
 pub mod line;
 mod offsets;
+mod passing;
 mod pressure_stress;
 pub mod raceway;
 mod sliding;
@@ -38,9 +41,11 @@ mod waves;
 
 pub use body::{PlasticLaw, YieldingBody};
 pub use elasticity::{Elasticity, ElasticityError};
+pub use fatigue::{Fatigue, Largest, Utilization};
 pub use grid::{GridError, Layers, SurfaceGrid};
 pub use half_space::{HalfSpace, HalfSpaceWork};
 pub use hertz::EllipticContact;
+pub use passing::{Level, Passing};
 pub use sliding::{SlidingContact, SlidingLimit};
 pub use stop::{Stop, Stopped};
 pub use surface::SurfaceFlexibility;

@@ -6,14 +6,10 @@
 //! the norm of von Mises. A backstress without bound may put the ball anywhere: the track of a body
 //! that hardens kinematically shakes down while the path fits into a ball of radius σ_y.
 //!
-//! Stresses are sums over cells of constant pressure ([`pressure_stress`](crate::pressure_stress),
-//! [`traction_stress`](crate::traction_stress)), of a line over strips ([`track`](crate::track)).
+//! Stresses are sums over cells of Hertz's pressure ([`passing`](crate::passing)).
 
-use std::f64::consts::PI;
-
-use crate::line::strip;
+use crate::passing::Passing;
 use crate::tensors::{self, COMPONENTS, DEVIATOR_COMPONENTS};
-use crate::{pressure_stress, traction_stress};
 use brinell_material::smallest_ball;
 
 /// Cells over a semi-axis, those along the travel near the surface, where friction makes σxx steep at
@@ -23,15 +19,11 @@ const FINE_CELLS: usize = 48;
 const STRIPS: usize = 80;
 /// A depth over the shorter semi-axis from which cells are coarse.
 const COARSE_FROM: f64 = 0.05;
-/// Reach of the paths on both sides, over the semi-axis along the travel.
-const REACH: usize = 2;
 /// Depths over the shorter semi-axis.
 const DEPTHS: [f64; 26] = [
     0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75,
     0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.1, 2.5,
 ];
-/// A depth over a cell at which stress is that of the surface.
-const SURFACE: f64 = 1e-6;
 
 /// The elastic contact and the body that it rolls over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,103 +86,32 @@ impl SlidingContact {
     }
 
     fn paths(&self) -> Vec<Path> {
-        self.across.map_or_else(
-            || DEPTHS.iter().map(|depth| self.of_line(depth * self.along)).collect(),
-            |across| {
-                let shorter = self.along.min(across);
-                DEPTHS.iter().flat_map(|depth| self.of_ellipse(depth * shorter, across)).collect()
-            },
-        )
+        let at = |depth: &f64| -> Vec<Path> {
+            let shorter = self.along.min(self.across.unwrap_or(self.along));
+            let depth = depth * shorter;
+            let Some(passing) = self.passing(depth) else { return Vec::new() };
+            let level = passing.at(depth);
+            let points = |row: usize| {
+                level.path(row).iter().map(|both| both.each_ref().map(isometric)).collect()
+            };
+            passing.rows().map(|(row, _)| Path { depth, points: points(row) }).collect()
+        };
+        DEPTHS.iter().flat_map(at).collect()
     }
 
-    /// The path of a depth under a line.
-    fn of_line(&self, depth: f64) -> Path {
-        let h = self.along / STRIPS as f64;
-        let pressure = |strip: usize| {
-            let x = (strip as f64 + 0.5) / STRIPS as f64 - 1.0;
-            (1.0 - x * x).sqrt()
-        };
-        let z = depth.max(SURFACE * h);
-        let at = |i: usize| {
-            let mut sum = [[0.0; COMPONENTS]; 2];
-            for strip in 0..2 * STRIPS {
-                // Both are counted from the edge of what is looked at.
-                let x = (i as f64 - (strip + (REACH - 1) * STRIPS) as f64) * h;
-                for (sum, [xx, zz, xz]) in sum.iter_mut().zip(strip::at(x, z, h)) {
-                    let stress = [xx, self.poisson * (xx + zz), zz, 0.0, xz, 0.0];
-                    add(sum, pressure(strip), stress);
-                }
+    /// Hertz's pressure of peak 1 in cells that resolve a depth.
+    fn passing(&self, depth: f64) -> Option<Passing> {
+        let Self { along, across, poisson } = *self;
+        let passing = match across {
+            None => Passing::hertz_line(along, STRIPS, poisson),
+            Some(across) => {
+                let fine = depth < COARSE_FROM * along.min(across);
+                let cells = [if fine { FINE_CELLS } else { CELLS }, CELLS];
+                Passing::hertz_ellipse([along, across], cells, poisson)
             }
-            sum.map(|stress| isometric(&stress))
         };
-        Path { depth, points: with_far((0..2 * REACH * STRIPS).map(at)) }
+        passing.map(Passing::sliding)
     }
-
-    /// The paths of a depth under an ellipse, at y > 0.
-    fn of_ellipse(&self, depth: f64, across: f64) -> Vec<Path> {
-        let along = if depth < COARSE_FROM * self.along.min(across) { FINE_CELLS } else { CELLS };
-        let (hx, hy) = (self.along / along as f64, across / CELLS as f64);
-        let z = depth.max(SURFACE * hx.min(hy));
-        // Corners, from that of the least difference on.
-        let (nx, ny) = (2 * (REACH + 1) * along, 3 * CELLS);
-        let place = |k: usize, least: usize, h: f64| (k as f64 - least as f64 - 0.5) * h;
-        let least = [(REACH + 1) * along - 1, CELLS - 1];
-        let corners: Vec<[[f64; COMPONENTS]; 2]> = (0..=nx)
-            .flat_map(|i| (0..=ny).map(move |j| (i, j)))
-            .map(|(i, j)| {
-                let (x, y) = (place(i, least[0], hx), place(j, least[1], hy));
-                [
-                    pressure_stress::corner(x, y, z, self.poisson),
-                    traction_stress::corner(x, y, z, self.poisson),
-                ]
-            })
-            .collect();
-        let cell = |i: usize, j: usize| -> [[f64; COMPONENTS]; 2] {
-            let at = |i: usize, j: usize| &corners[i * (ny + 1) + j];
-            let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1));
-            std::array::from_fn(|n| {
-                std::array::from_fn(|k| (a[n][k] - b[n][k] - c[n][k] + d[n][k]) / (2.0 * PI))
-            })
-        };
-        let cells: Vec<_> = (0..nx).flat_map(|i| (0..ny).map(move |j| cell(i, j))).collect();
-        let square = |k: usize, cells: usize| ((k as f64 + 0.5) / cells as f64 - 1.0).powi(2);
-        let loads: Vec<(usize, usize, f64)> = (0..2 * along)
-            .flat_map(|i| (0..2 * CELLS).map(move |j| (i, j)))
-            .map(|(i, j)| (i, j, 1.0 - square(i, along) - square(j, CELLS)))
-            .filter(|(.., rest)| *rest > 0.0)
-            .map(|(i, j, rest)| (i, j, rest.sqrt()))
-            .collect();
-        // The cells carry the force of the ellipse.
-        let carried: f64 = loads.iter().map(|(.., p)| p).sum();
-        let scale = 2.0 / 3.0 * PI * (along * CELLS) as f64 / carried;
-        let at = |i: usize, row: usize| {
-            let mut sum = [[0.0; COMPONENTS]; 2];
-            for (column, across, p) in &loads {
-                // Rows are those at y > 0; the surface is even in y.
-                let [dx, dy] = [i + 2 * along - 1 - column, row + 2 * CELLS - 1 - across];
-                for (sum, stress) in sum.iter_mut().zip(cells[dx * ny + dy]) {
-                    add(sum, scale * p, stress);
-                }
-            }
-            sum.map(|stress| isometric(&stress))
-        };
-        let of_row = |row: usize| Path {
-            depth,
-            points: with_far((0..2 * REACH * along).map(|i| at(i, row))),
-        };
-        (0..CELLS).map(of_row).collect()
-    }
-}
-
-fn add(sum: &mut [f64; COMPONENTS], factor: f64, stress: [f64; COMPONENTS]) {
-    for (sum, value) in sum.iter_mut().zip(stress) {
-        *sum += factor * value;
-    }
-}
-
-/// The points of a path, with the one far from the load.
-fn with_far(points: impl Iterator<Item = [Isometric; 2]>) -> Vec<[Isometric; 2]> {
-    [[[0.0; DEVIATOR_COMPONENTS]; 2]].into_iter().chain(points).collect()
 }
 
 /// A stress `xx yy zz xy xz yz` as numbers whose sum of squares is that of von Mises's stress.

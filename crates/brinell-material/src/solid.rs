@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::analytical::ElasticConstants;
+use crate::fatigue::FatigueStrength;
 use crate::{BackstressTerm, ElasticModuli, HardeningLaw, InitialStressProfile, StrengthProfile};
 
 /// An isotropic material, elastic or with a hardening law.
@@ -13,6 +14,7 @@ pub struct Solid {
     backstress: Vec<BackstressTerm>,
     strength: Option<StrengthProfile>,
     initial_stress: InitialStressProfile,
+    fatigue: Option<FatigueStrength>,
 }
 
 impl Solid {
@@ -24,6 +26,7 @@ impl Solid {
             backstress: Vec::new(),
             strength: None,
             initial_stress: InitialStressProfile::default(),
+            fatigue: None,
         }
     }
 
@@ -50,6 +53,12 @@ impl Solid {
     #[must_use]
     pub fn with_initial_stress(self, initial_stress: InitialStressProfile) -> Self {
         Self { initial_stress, ..self }
+    }
+
+    /// Returns the material with limits of its fatigue.
+    #[must_use]
+    pub fn with_fatigue(self, fatigue: FatigueStrength) -> Self {
+        Self { fatigue: Some(fatigue), ..self }
     }
 
     /// Returns a pressure over the least nominal yield stress of solids; `None` without one, or
@@ -102,6 +111,11 @@ impl Solid {
         &self.initial_stress
     }
 
+    /// Returns the limits of its fatigue; `None` where they are not known.
+    pub const fn fatigue(&self) -> Option<&FatigueStrength> {
+        self.fatigue.as_ref()
+    }
+
     /// Returns the material without its hardening law, with elastic constants and initial stress.
     #[must_use]
     pub fn without_plasticity(&self) -> Self {
@@ -109,10 +123,10 @@ impl Solid {
     }
 }
 
-/// Materials are equal if no stress tells them apart.
+/// Materials are equal if neither stress nor life tells them apart.
 impl PartialEq for Solid {
     fn eq(&self, other: &Self) -> bool {
-        let Self { elastic, hardening_law, backstress, strength, initial_stress } = self;
+        let Self { elastic, hardening_law, backstress, strength, initial_stress, fatigue } = self;
         let laws_are_alike = match (hardening_law, &other.hardening_law) {
             (Some(one), Some(two)) => one.is_like(&**two),
             (one, two) => one.is_none() && two.is_none(),
@@ -122,6 +136,7 @@ impl PartialEq for Solid {
             && *backstress == other.backstress
             && *strength == other.strength
             && *initial_stress == other.initial_stress
+            && *fatigue == other.fatigue
     }
 }
 

@@ -43,6 +43,7 @@
 //! |---|---|
 //! | [`description`] | a job in a line |
 //! | [`report`] | what a caller reads: figures, error bars, warnings; [`report::run`] is the way in |
+//! | [`fatigue`] | utilization of meshed bodies by criteria of high-cycle fatigue |
 //! | [`inputs`] | from a job to two bodies, their loads and settings |
 //! | [`solver`] | finite elements and half-spaces as engines of `brinell-method`: sizes, factors, final fields |
 //! | [`contact`] | solvers of the contact conditions and the check that all have to pass |
@@ -56,6 +57,7 @@
 
 pub use brinell_fem as fem;
 pub mod description;
+pub mod fatigue;
 pub mod inputs;
 pub mod job;
 pub mod report;

@@ -8,8 +8,8 @@ use serde::ser::{SerializeMap, Serializer};
 use super::fields::{Field, InUnits, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::{
-    BackstressTerm, Domain, FaultCode, FieldError, Hardening, InitialStress, OverDepth,
-    PoissonRatio, PositiveF64, Units,
+    BackstressTerm, Domain, FatigueLimits, FaultCode, FieldError, Hardening, InitialStress,
+    OverDepth, PoissonRatio, PositiveF64, Units,
 };
 use crate::analytical::ElasticConstants;
 use crate::material::{ElasticModuli, HardeningLaw, InitialStressProfile, Solid, StrengthProfile};
@@ -54,11 +54,19 @@ pub struct Deformable {
     backstress: Vec<BackstressTerm>,
     over_depth: Option<OverDepth>,
     initial_stress: Vec<InitialStress>,
+    fatigue: Option<FatigueLimits>,
 }
 
 impl Deformable {
-    const KEYS: &[&str] =
-        &["name", "young_modulus", "poisson_ratio", "plasticity", InitialStress::KEY, "rigid"];
+    const KEYS: &[&str] = &[
+        "name",
+        "young_modulus",
+        "poisson_ratio",
+        "plasticity",
+        InitialStress::KEY,
+        FatigueLimits::KEY,
+        "rigid",
+    ];
 
     /// Builds the material if the curve is valid with the constants: `E_t < E` (bilinear), an
     /// exponent in range (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
@@ -75,6 +83,7 @@ impl Deformable {
                 backstress: Vec::new(),
                 over_depth: None,
                 initial_stress: Vec::new(),
+                fatigue: None,
             });
         }
         for fault in &mut faults {
@@ -167,6 +176,25 @@ impl Deformable {
         Err(faults)
     }
 
+    /// Returns the limits of fatigue; `None` if the job gives none.
+    pub const fn fatigue(&self) -> Option<FatigueLimits> {
+        self.fatigue
+    }
+
+    /// Returns the material with limits of fatigue.
+    ///
+    /// # Errors
+    /// Limits from a hardness that the material does not have, with a pointer relative to the
+    /// material.
+    pub fn with_fatigue(mut self, fatigue: FatigueLimits) -> Result<Self, Vec<FieldError>> {
+        if let Some(mut fault) = fatigue.fault(self.over_depth()) {
+            fault.pointer.insert_str(0, &format!("/{}", FatigueLimits::KEY));
+            return Err(vec![fault]);
+        }
+        self.fatigue = Some(fatigue);
+        Ok(self)
+    }
+
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
         object.only(Self::KEYS);
         let mut known = Known::default();
@@ -186,12 +214,18 @@ impl Deformable {
         });
         let initial_stress =
             object.or(InitialStress::KEY, Vec::new(), |c| InitialStress::read_all(c, units));
+        let fatigue =
+            object.or(FatigueLimits::KEY, None, |c| FatigueLimits::read(c, units).map(Some));
         let (law, terms, over_depth) = plasticity?;
         let mut material = object.checked(Self::new(elastic?, law))?.with_backstress(terms);
         if let Some(over_depth) = over_depth {
             material = material.with_over_depth(over_depth);
         }
-        object.checked(material.with_initial_stress(initial_stress?))
+        let material = object.checked(material.with_initial_stress(initial_stress?))?;
+        match fatigue? {
+            Some(fatigue) => object.checked(material.with_fatigue(fatigue)),
+            None => Some(material),
+        }
     }
 }
 
@@ -211,6 +245,11 @@ impl From<&Deformable> for Solid {
     fn from(material: &Deformable) -> Self {
         let elastic = Self::new(material.elastic.into())
             .with_initial_stress(material.initial_stress_profile());
+        let fatigue = material.fatigue.and_then(|limits| limits.strength(material.over_depth()));
+        let elastic = match fatigue {
+            Some(fatigue) => elastic.with_fatigue(fatigue),
+            None => elastic,
+        };
         let Some(law) = material.hardening_law() else { return elastic };
         let backstress = material.backstress.iter().map(Into::into).collect();
         let solid = elastic.with_hardening(law).with_backstress(backstress);
@@ -290,6 +329,9 @@ impl Serialize for InUnits<'_, Material> {
                     let rows: Vec<_> =
                         deformable.initial_stress.iter().map(|row| InUnits(row, self.1)).collect();
                     map.serialize_entry(InitialStress::KEY, &rows)?;
+                }
+                if let Some(fatigue) = &deformable.fatigue {
+                    map.serialize_entry(FatigueLimits::KEY, &InUnits(fatigue, self.1))?;
                 }
             }
         }

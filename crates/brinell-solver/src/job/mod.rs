@@ -15,6 +15,7 @@ pub mod body;
 pub mod contact_job;
 pub mod domain;
 pub mod error;
+pub mod fatigue;
 pub mod fields;
 pub mod hardening;
 pub mod hardness;
@@ -51,6 +52,7 @@ pub use brinell_method::words::{Quantity, Side};
 pub use contact_job::Job;
 pub use domain::Domain;
 pub use error::{FaultCode, FieldError, JobError};
+pub use fatigue::{FatigueLimits, GivenLimits};
 pub use fields::{Field, FieldTable};
 pub use hardening::{
     BackstressTerm, Bilinear, Hardening, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,

@@ -185,12 +185,10 @@ impl OverDepth {
     pub fn profile(&self, yield_stress: f64) -> StrengthProfile {
         let from_hardness =
             |[z, hardness]: [f64; 2]| [z, yield_of_hardness(hardness) / yield_stress];
-        let points = match self {
-            Self::Factors(points) => points.clone(),
-            Self::Hardness(hardness) => hardness.in_vickers().map(from_hardness).collect(),
-            Self::Case(case) => case.sampled().map(from_hardness).collect(),
-        };
-        StrengthProfile::new(points)
+        StrengthProfile::new(match (self, self.vickers()) {
+            (Self::Factors(points), _) => points.clone(),
+            (_, hardness) => hardness.into_iter().flatten().map(from_hardness).collect(),
+        })
     }
 
     /// Returns the hardnesses that the job gives \[HV\]; none if it gives factors.
@@ -199,6 +197,15 @@ impl OverDepth {
             Self::Factors(_) => Vec::new(),
             Self::Hardness(hardness) => hardness.in_vickers().map(|[_, value]| value).collect(),
             Self::Case(case) => case.in_vickers()[..2].to_vec(),
+        }
+    }
+
+    /// Returns points `[depth, HV]` \[mm, HV\]; `None` if the job gives factors.
+    pub fn vickers(&self) -> Option<Vec<[f64; 2]>> {
+        match self {
+            Self::Factors(_) => None,
+            Self::Hardness(hardness) => Some(hardness.in_vickers().collect()),
+            Self::Case(case) => Some(case.sampled().collect()),
         }
     }
 

@@ -10,10 +10,11 @@ use super::fields::{Example, Field, FieldKind, FieldTable, NumberKind, Record, w
 use super::tensile::{StrainUnit, TensileTest, TestMeasure, YieldPlace};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Domain, Elastic,
-    FarSupport, HardenedCase, Hardening, HardeningRule, HardnessProfile, HardnessScale,
-    HardnessTest, InitialStress, Interpolation, Job, Load, MeshSettings, Method, Named,
-    OutputSettings, OverDepth, PositiveF64, RollerProfile, Rolling, Shape, SolverSettings,
-    Surface, Sweep, TargetFigure, TestScale, Theory, Units, Until, name, tags, target,
+    FarSupport, FatigueLimits, GivenLimits, HardenedCase, Hardening, HardeningRule,
+    HardnessProfile, HardnessScale, HardnessTest, InitialStress, Interpolation, Job, Load,
+    MeshSettings, Method, Named, OutputSettings, OverDepth, PositiveF64, RollerProfile, Rolling,
+    Shape, SolverSettings, Surface, Sweep, TargetFigure, TestScale, Theory, Units, Until, name,
+    tags, target,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g.
@@ -389,7 +390,7 @@ impl Schemas<'_> {
         let absent = elastic
             .iter()
             .map(|entry| entry.key)
-            .chain(["plasticity", InitialStress::KEY])
+            .chain(["plasticity", InitialStress::KEY, FatigueLimits::KEY])
             .collect::<Vec<_>>();
         elastic.push(Entry {
             key: "plasticity",
@@ -412,8 +413,23 @@ impl Schemas<'_> {
             }),
             required: false,
         });
+        elastic.push(Entry {
+            key: FatigueLimits::KEY,
+            schema: or_null(
+                self.named("FatigueLimits"),
+                "Limits of high-cycle fatigue; without them nothing is said of it.",
+            ),
+            required: false,
+        });
         elastic.push(called());
         elastic.push(never("rigid"));
+        let mut given: Vec<_> =
+            GivenLimits::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
+        let limits = given.iter().map(|entry| entry.key).collect::<Vec<_>>();
+        given.push(never(FatigueLimits::FROM_HARDNESS));
+        let is_true =
+            Entry { key: FatigueLimits::FROM_HARDNESS, schema: yes.clone(), required: true };
+        let of_hardness = [is_true].into_iter().chain(limits.into_iter().map(never)).collect();
         let rows = InitialStress::TABLE.fields.iter().map(|field| self.entry(field, None));
         let mut rigid = vec![Entry { key: "rigid", schema: yes, required: true }, called()];
         rigid.extend(absent.into_iter().map(never));
@@ -425,6 +441,21 @@ impl Schemas<'_> {
             ),
             ("Rigid", object("A body that does not deform.", rigid)),
             (InitialStress::TABLE.name, object(InitialStress::TABLE.description, rows.collect())),
+            (
+                "FatigueLimits",
+                self.one_of(
+                    "Limits of high-cycle fatigue.",
+                    &[GivenLimits::TABLE.name, "FatigueOfHardness"],
+                ),
+            ),
+            (GivenLimits::TABLE.name, object(GivenLimits::TABLE.description, given)),
+            (
+                "FatigueOfHardness",
+                object(
+                    "Limits from the hardness over depth by f_w = 1.6 HV up to 400 HV, t_w = f_w/√3.",
+                    of_hardness,
+                ),
+            ),
         ]
     }
 

@@ -62,10 +62,7 @@ impl PassErrors {
         (h, columns): (f64, usize),
     ) -> Self {
         let [floor, floor_of_first] = [FLOOR, FLOOR_OF_FIRST].map(|floor| floor / columns as f64);
-        let error = |of: &dyn Fn(&Pass) -> f64| {
-            let track = (of(coarse) - of(long)).abs();
-            OF_COLUMNS * (of(fine) - of(coarse)).abs() + track + floor * of(fine).abs()
-        };
+        let error = |of: &dyn Fn(&Pass) -> f64| error_of([fine, coarse, long].map(of), columns);
         let of_contact = |of: &dyn Fn(&Pass) -> f64| OF_COLUMNS * (of(fine) - of(coarse)).abs();
         let of_body = |side: usize| {
             fine.bodies[side].as_ref()?;
@@ -104,6 +101,13 @@ impl PassErrors {
             bodies: [of_body(0), of_body(1)],
         }
     }
+}
+
+/// The error of a figure on all columns, from its values on half of them, on tracks of one and of
+/// two lengths.
+pub(super) fn error_of([fine, coarse, long]: [f64; 3], columns: usize) -> f64 {
+    let floor = FLOOR / columns as f64;
+    OF_COLUMNS * (fine - coarse).abs() + (coarse - long).abs() + floor * fine.abs()
 }
 
 /// Smallest and largest residual stress of a body along the travel and across it \[MPa\].

@@ -10,6 +10,7 @@ mod engine;
 mod error;
 mod errors;
 mod estimate;
+mod fatigue;
 mod limits;
 mod memory;
 mod pass;

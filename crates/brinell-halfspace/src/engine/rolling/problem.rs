@@ -1,7 +1,7 @@
 //! The input of a contact that rolls.
 
 use crate::track::{DEEPEST, Frame as _, LENGTH_OF_ELLIPSE, LENGTH_OF_LINE, TrackFault};
-use crate::{EllipticContact, Layers};
+use crate::{EllipticContact, Layers, Passing};
 use brinell_material::{StreamLaw, TrackFrame};
 
 use super::error::TrackError;
@@ -228,6 +228,17 @@ impl RollingProblem {
             Elastic::Line(hertz) => hertz.peak_pressure(),
             Elastic::Ellipse(hertz) => hertz.peak_pressure,
         }
+    }
+
+    /// The pressure of elastic bodies, which passes over a body with this Poisson's ratio.
+    pub(super) fn hertz(&self, poisson: f64) -> Option<Passing> {
+        let (cells, semi_axes) = (self.columns, self.semi_axes());
+        let passing = if self.is_line() {
+            Passing::hertz_line(semi_axes[0], cells, poisson)
+        } else {
+            Passing::hertz_ellipse(semi_axes, [cells; 2], poisson)
+        };
+        passing.map(|passing| passing.times(self.elastic_peak()))
     }
 
     /// The contact of elastic bodies.

@@ -1,5 +1,6 @@
 //! Solves the passes of a load: first on half the columns, then on all of them.
 
+use crate::Fatigue;
 use crate::engine::watch::watched;
 use crate::line::LineSpace;
 use crate::raceway::RacewaySpace;
@@ -9,6 +10,7 @@ use super::design::TrackDesign;
 use super::engine::TrackEngine;
 use super::error::TrackError;
 use super::errors::PassErrors;
+use super::fatigue::{Passed, SurfacePressure, fatigue};
 use super::pass::Pass;
 use super::problem::{HardeningRules, Limit, RollingProblem};
 use super::step::{KinematicPasses, TrackField, TrackStep};
@@ -82,15 +84,19 @@ fn step_on<O: Operators<D, R>, const D: usize, const R: usize>(
     };
     let pairs = coarse.passes.iter().zip(&long.passes).map(|(coarse, long)| [coarse, long]);
     let errors = errors(problem, &fine, pairs);
+    let verdicts_of_fine = verdicts(problem, &fine.passes);
+    let sequences = [&fine, &coarse, &long];
+    let (fatigue, stopped) = fatigue_after(problem, &verdicts_of_fine, sequences, run);
     let mut last = fine.last.ok_or(TrackError::NoTrack)?;
     let after = [&coarse.last, &long.last, &kinematic.as_ref().map(|of| of.last.clone())];
     let interrupt = after.iter().find_map(|last| last.as_ref()?.status.interrupt());
-    if let Some(interrupt) = interrupt {
+    if let Some(interrupt) = interrupt.or(stopped) {
         last.status = interrupt.into();
     }
     let field = TrackField {
         errors,
-        verdicts: verdicts(problem, &fine.passes),
+        verdicts: verdicts_of_fine,
+        fatigue,
         coarse_verdicts: verdicts(problem, &coarse.passes),
         kinematic,
         limits: [problem.perfect_limit(), fine.kinematic],
@@ -155,13 +161,18 @@ fn kinematic<O: Operators<D, R>, const D: usize, const R: usize>(
     let fine = fine.or_else(|error| stopped_beside(given, error))?;
     let coarse = beside::<O, D, R>(problem, &fine, 1.0, run)?;
     let errors = errors(problem, &fine, coarse.passes.iter().map(|pass| [pass; 2]));
+    let verdicts = verdicts(problem, &fine.passes);
+    let sequences = [&fine, &coarse, &coarse];
+    let (fatigue, stopped) = fatigue_after(problem, &verdicts, sequences, run);
     let mut last = fine.last.ok_or(TrackError::NoTrack)?;
-    if let Some(stopped) = coarse.last.filter(|last| last.status.is_stopped()) {
-        last.status = stopped.status;
+    let stopped_beside = coarse.last.and_then(|last| last.status.interrupt());
+    if let Some(interrupt) = stopped_beside.or(stopped) {
+        last.status = interrupt.into();
     }
     Ok(KinematicPasses {
         errors: errors.into_iter().next_back().flatten(),
-        verdicts: verdicts(problem, &fine.passes),
+        verdicts,
+        fatigue,
         last,
         passes: fine.passes,
     })
@@ -180,6 +191,25 @@ fn errors<'a>(
         .collect()
 }
 
+/// The fatigue of both bodies after the last pass of the first sequence, with errors where the
+/// others have as many passes; none where the observer stops it.
+fn fatigue_after(
+    problem: &RollingProblem,
+    verdicts: &[Option<SteadyState>; 2],
+    [fine, coarse, long]: [&Sequence; 3],
+    run: &mut Run<'_>,
+) -> ([Option<Fatigue>; 2], Option<Interrupt>) {
+    let is_asked = problem.materials.iter().flatten().any(|material| material.fatigue().is_some());
+    let Some(last) = fine.passed().filter(|_| is_asked && !long.is_stopped()) else {
+        return ([None, None], None);
+    };
+    let as_many = |of: &&Sequence| of.passes.len() == fine.passes.len();
+    let passed = |of| Some(of).filter(as_many).and_then(Sequence::passed);
+    let beside = passed(coarse).zip(passed(long)).map(|(coarse, long)| [coarse, long]);
+    let found = watched(run, Phase::Output, |stop| fatigue(problem, verdicts, last, beside, stop));
+    found.map_or_else(|error| ([None, None], error.interrupt()), |found| (found, None))
+}
+
 /// Passes on one track.
 #[derive(Default)]
 struct Sequence {
@@ -192,6 +222,8 @@ struct Sequence {
     grid: [usize; 3],
     pressure: Vec<f64>,
     gap: Vec<f64>,
+    /// Of the last pass that has converged.
+    under: Option<SurfacePressure>,
     history: Vec<IterationRecord>,
     /// Length of the track over the semi-axis along the travel.
     length: f64,
@@ -199,6 +231,11 @@ struct Sequence {
 }
 
 impl Sequence {
+    /// The last pass that has converged.
+    fn passed(&self) -> Option<Passed<'_>> {
+        Some(Passed { pass: self.passes.last()?, under: self.under.as_ref()? })
+    }
+
     fn is_stopped(&self) -> bool {
         self.last.as_ref().is_some_and(|last| last.status.is_stopped())
     }
@@ -250,13 +287,19 @@ fn sequence<O: Operators<D, R>, const D: usize, const R: usize>(
                 Err(leave) => return done.stopped_by(leave),
             };
             let contact = &answer.outcome.state.response.contact;
-            done.pressure = answer.track.grid.along(&answer.track.pressure(&contact.force));
+            let pressure = answer.track.pressure(&contact.force);
+            done.pressure = answer.track.grid.along(&pressure);
             done.gap = answer.track.grid.along(&contact.gap);
             let (pass, next, history) = answer.pass(engine, &done.passes);
             done.history = history;
             let is_converged = pass.status == SolveStatus::Converged;
             if is_converged {
                 done.passes.push(pass.clone());
+                done.under = next.design.lay().ok().map(|(grid, layers)| SurfacePressure {
+                    grid,
+                    layers,
+                    pressure,
+                });
             }
             done.last = Some(pass);
             start = Some(next.accepted.clone());

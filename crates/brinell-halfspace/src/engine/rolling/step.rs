@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use crate::Fatigue;
 use crate::track::SteadyState;
 
 use super::errors::PassErrors;
@@ -29,6 +30,9 @@ pub struct TrackField {
     pub verdicts: [Option<SteadyState>; 2],
     /// Verdict by as many passes on half the columns.
     pub coarse_verdicts: [Option<SteadyState>; 2],
+    /// Fatigue of each body after the last pass; `None` of a body without limits, or not known to
+    /// have shaken down.
+    pub fatigue: [Option<Fatigue>; 2],
     /// The same load on bodies that harden kinematically, where both rules are asked for and
     /// differ.
     pub kinematic: Option<KinematicPasses>,
@@ -60,6 +64,8 @@ pub struct KinematicPasses {
     pub errors: Option<PassErrors>,
     /// Verdict on each body; `None` for one that cannot yield.
     pub verdicts: [Option<SteadyState>; 2],
+    /// Fatigue of each body after the last pass, as of [`TrackField`].
+    pub fatigue: [Option<Fatigue>; 2],
 }
 
 impl TrackField {

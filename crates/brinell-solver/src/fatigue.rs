@@ -1,0 +1,119 @@
+//! Fatigue under a contact of meshed bodies, as if its pressure passed over half-spaces.
+//!
+//! Loads that roll have it in their field
+//! ([`TrackField::fatigue`](crate::solver::rolling::TrackField::fatigue)), half-spaces by a function
+//! of theirs ([`HalfSpaceField::fatigue`](crate::solver::half_spaces::HalfSpaceField::fatigue)).
+
+use brinell_halfspace::{Fatigue, Passing, Stop, Stopped, SurfaceGrid};
+
+use crate::fem::element::StressState;
+use crate::material::Solid;
+use crate::material::fatigue::{FatigueStrength, hydrostatic};
+use crate::solver::{ElasticReference, Problem, StepSolution};
+
+/// Strips over half the width of a line, and cells over the radius of a circle.
+const STRIPS: usize = 40;
+const CELLS: usize = 20;
+/// Depths of the curves over the half-width: 3 half-widths in steps of 0.05.
+const DEPTHS: usize = 60;
+const STEP: f64 = 0.05;
+
+/// The fatigue of a body (0 for the upper one) under one elastic pass of the pressure of a load
+/// step; `None` of a body that is rigid or without limits, without contact, for a pin in a hole
+/// and where a sharp corner carries pressure.
+///
+/// The body counts as a half-plane, under a contact of revolution as a half-space. The stress that
+/// stands still is the initial stress alone: what yield leaves in a meshed body is known after
+/// unloading only.
+///
+/// # Errors
+/// [`Stopped`].
+pub fn of_section(
+    step: &StepSolution,
+    problem: &Problem,
+    side: usize,
+    stop: &mut Stop<'_>,
+) -> Result<Option<Fatigue>, Stopped> {
+    let field = &step.field;
+    let Some(material) = &problem.bodies[side].material else { return Ok(None) };
+    let is_left_out = field.conforming.is_some() || !field.loaded_corners.is_empty();
+    let strength = material.fatigue().filter(|_| !is_left_out);
+    let passing = passing(step, material);
+    let Some((strength, (passing, half_width))) = strength.zip(passing) else { return Ok(None) };
+    let profile = material.initial_stress();
+    let initial = |depth: f64, _: f64| {
+        let [along, across] = profile.at(depth);
+        hydrostatic(&[along, across, 0.0, 0.0, 0.0, 0.0])
+    };
+    let depths = || (0..=DEPTHS).map(|k| STEP * k as f64 * half_width).collect::<Vec<_>>();
+    let found = Fatigue::of(&passing, 0.0, strength, depths(), initial, stop)?;
+    let Some(elastic) = elastic(step, problem, (material, strength), depths(), stop)? else {
+        return Ok(Some(found));
+    };
+    Ok(Some(found.beside(&elastic)))
+}
+
+/// The fatigue under Hertz's contact of the same force.
+fn elastic(
+    step: &StepSolution,
+    problem: &Problem,
+    (material, strength): (&Solid, &FatigueStrength),
+    depths: Vec<f64>,
+    stop: &mut Stop<'_>,
+) -> Result<Option<Fatigue>, Stopped> {
+    let Some(hertz) = ElasticReference::of(problem, step.figures.force) else { return Ok(None) };
+    let state = step.field.stress_state;
+    let passing = if state == StressState::Axisymmetric {
+        let poisson = material.elastic().poisson_ratio;
+        Passing::hertz_ellipse([hertz.half_width; 2], [CELLS; 2], poisson)
+    } else {
+        Passing::hertz_line(hertz.half_width, STRIPS, out_of_plane(state, material))
+    };
+    let Some(passing) = passing.map(|passing| passing.times(hertz.peak_pressure)) else {
+        return Ok(None);
+    };
+    Fatigue::of(&passing, 0.0, strength, depths, |_, _| 0.0, stop).map(Some)
+}
+
+/// The pressure of a load step in cells that carry its force, with half its width \[mm\].
+fn passing(step: &StepSolution, material: &Solid) -> Option<(Passing, f64)> {
+    let field = &step.field;
+    let half_width = field.patch.filter(|_| step.figures.force > 0.0)?.half_width();
+    let at = |x: f64| {
+        let x = if field.symmetric { x.abs() } else { field.middle + x };
+        pressure_at(step, x)
+    };
+    let passing = if field.stress_state == StressState::Axisymmetric {
+        let side = half_width / CELLS as f64;
+        let grid = SurfaceGrid::new(2 * CELLS, 2 * CELLS, side, side).ok()?;
+        let pressure =
+            grid.sample(|x, y| if x.hypot(y) < half_width { at(x.hypot(y)) } else { 0.0 });
+        Passing::area(&pressure, &grid, material.elastic().poisson_ratio)?
+    } else {
+        let h = half_width / STRIPS as f64;
+        let place = |k: usize| (k as f64 + 0.5) * h - half_width;
+        let pressure: Vec<f64> = (0..2 * STRIPS).map(|k| at(place(k))).collect();
+        Passing::line(&pressure, h, out_of_plane(field.stress_state, material))?
+    };
+    Some((passing.carrying(step.figures.force), half_width))
+}
+
+/// The pressure at an abscissa, straight between the pairs \[MPa\].
+fn pressure_at(step: &StepSolution, x: f64) -> f64 {
+    let pairs = &step.field.pairs;
+    let right = pairs.partition_point(|pair| pair.x <= x);
+    let neighbours = (right.checked_sub(1).and_then(|left| pairs.get(left)), pairs.get(right));
+    match neighbours {
+        (Some(left), Some(right)) => {
+            let part = (x - left.x) / (right.x - left.x);
+            left.pressure + part * (right.pressure - left.pressure)
+        }
+        (Some(only), None) | (None, Some(only)) => only.pressure,
+        (None, None) => 0.0,
+    }
+}
+
+/// The stress out of the section over the sum of both in it.
+fn out_of_plane(state: StressState, material: &Solid) -> f64 {
+    if state == StressState::PlaneStress { 0.0 } else { material.elastic().poisson_ratio }
+}
