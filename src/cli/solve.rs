@@ -83,6 +83,8 @@ enum ResultFormat {
     HardnessCsv,
     /// Passes of a load that rolls
     PassesCsv,
+    /// Utilization over depth by criteria of fatigue
+    FatigueCsv,
     /// Surfaces of all steps, the dent among them
     SurfaceCsv,
     /// Mesh, displacements and stresses, for ParaView
@@ -110,6 +112,7 @@ impl ResultFormat {
             Self::IncrementsCsv => Some(Export::IncrementsCsv),
             Self::HardnessCsv => Some(Export::HardnessCsv),
             Self::PassesCsv => Some(Export::PassesCsv),
+            Self::FatigueCsv => Some(Export::FatigueCsv),
             Self::SurfaceCsv => Some(Export::SurfaceCsv),
             Self::Vtu => Some(Export::FieldVtu),
             Self::Vtr => Some(Export::FieldVtr),

@@ -46,6 +46,7 @@ fn unavailable(error: &ExportError) -> Problem {
         | ExportError::NoFlow
         | ExportError::Rolling
         | ExportError::NotRolling
+        | ExportError::NoFatigue
         | ExportError::NoHardness
         | ExportError::NoCurve => ProblemType::NotInResult,
         ExportError::Drawing(_) | ExportError::Fields(_) => ProblemType::Internal,

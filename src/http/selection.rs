@@ -80,6 +80,7 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
         for profiles in PROFILES {
             remove(step, profiles);
         }
+        remove(step, "fatigue");
     }
     if drops(StepPart::Fields) {
         remove(step, "fields");

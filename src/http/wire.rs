@@ -72,6 +72,9 @@ pub struct Links {
     /// The passes of a load that rolls.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub passes_csv: Option<String>,
+    /// Utilization over depth by criteria of fatigue; where a body has limits of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fatigue_csv: Option<String>,
     /// The surfaces of both bodies after every load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface_csv: Option<String>,
@@ -119,6 +122,7 @@ impl Links {
             hardness_csv: of_flow("hardness.csv")
                 .filter(|_| has(|job| job.load.hardness().is_some())),
             passes_csv: with_result("passes.csv").filter(|_| has(rolls)),
+            fatigue_csv: with_result("fatigue.csv").filter(|_| has(Job::has_fatigue)),
             surface_csv: of_flow("surface.csv"),
             surface_svg: of_flow("surface.svg"),
             load_approach_svg: with_result("load_approach.svg")

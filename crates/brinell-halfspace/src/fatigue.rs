@@ -43,9 +43,9 @@ pub struct Utilization {
     pub without_rest: f64,
     /// Estimated error of the largest; `None` where it is not known.
     pub error: Option<f64>,
-    /// Range of the life over that of the elastic contact of the same force in a body without
-    /// residual and initial stress; `None` where there is no such contact.
-    pub relative_life: Option<[f64; 2]>,
+    /// The largest under the elastic contact of the same force in a body without residual and
+    /// initial stress; `None` where there is no such contact.
+    pub elastic: Option<f64>,
 }
 
 /// A utilization and its place.
@@ -64,6 +64,11 @@ impl Utilization {
     /// they help.
     pub fn of_rest(&self) -> f64 {
         self.largest.value - self.without_rest
+    }
+
+    /// Range of the life over that of the elastic contact, over the exponents in use.
+    pub fn relative_life(&self) -> Option<[f64; 2]> {
+        relative_life(self.largest.value / self.elastic?).filter(|life| life[1].is_finite())
     }
 }
 
@@ -113,15 +118,13 @@ impl Fatigue {
         Ok(Self { depths, criteria })
     }
 
-    /// The same with its life over that of an elastic contact of the same force.
+    /// The same beside an elastic contact of the same force.
     #[must_use]
     pub fn beside(mut self, elastic: &Self) -> Self {
         for (criterion, elastic) in self.criteria.iter_mut().zip(&elastic.criteria) {
-            let Some((criterion, elastic)) = criterion.as_mut().zip(elastic.as_ref()) else {
-                continue;
-            };
-            let ratio = criterion.largest.value / elastic.without_rest;
-            criterion.relative_life = relative_life(ratio).filter(|life| life[1].is_finite());
+            if let Some(criterion) = criterion {
+                criterion.elastic = elastic.as_ref().map(|elastic| elastic.without_rest);
+            }
         }
         self
     }
@@ -140,7 +143,7 @@ impl Utilization {
             largest: Largest { value, depth: 0.0, across: 0.0 },
             without_rest: value,
             error: None,
-            relative_life: None,
+            elastic: None,
         }
     }
 

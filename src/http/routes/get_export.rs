@@ -51,6 +51,9 @@ fn operation(form: Export) -> Operation {
         Export::HardnessCsv => {
             ("Load-displacement curve of a hardness test, as a table", Some("not-in-result"))
         }
+        Export::FatigueCsv => {
+            ("Utilization over depth by criteria of fatigue, as a table", Some("not-in-result"))
+        }
         Export::PassesCsv => ("Passes of a load that rolls, as a table", Some("not-in-result")),
         Export::SurfaceCsv => {
             ("Surfaces of all steps, the dent among them, as a table", Some("not-in-result"))

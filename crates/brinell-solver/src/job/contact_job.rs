@@ -8,9 +8,9 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::fields::{InUnits, read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
 use super::{
-    Analysis, Body, Domain, FaultCode, FieldError, HardnessTest, JobError, Load, Material,
-    MeshSettings, Method, Named as _, OutputSettings, SolverSettings, Theory, Units, hardness,
-    name, tags,
+    Analysis, Body, Domain, FatigueLimits, FaultCode, FieldError, HardnessTest, JobError, Load,
+    Material, MeshSettings, Method, Named as _, OutputSettings, Side, SolverSettings, Theory,
+    Units, hardness, name, tags,
 };
 
 /// A complete, valid job. All figures are in N–mm–MPa; [`Job::units`] are the units of the wire
@@ -89,6 +89,20 @@ impl Job {
         self.solver.theory == Theory::Flow
             && self.load != Load::Onset
             && (self.has_plasticity() || self.load.is_history())
+    }
+
+    /// Whether a body has limits of fatigue.
+    pub fn has_fatigue(&self) -> bool {
+        Side::BOTH.into_iter().any(|side| self.fatigue(side).is_some())
+    }
+
+    /// The limits of fatigue of a body.
+    pub fn fatigue(&self, side: Side) -> Option<FatigueLimits> {
+        let body = if side == Side::Upper { &self.upper } else { &self.lower };
+        match &body.material {
+            Material::Deformable(material) => material.fatigue(),
+            Material::Rigid => None,
+        }
     }
 
     fn solvable(document: &Node) -> Result<Self, JobError> {

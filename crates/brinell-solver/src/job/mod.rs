@@ -52,7 +52,7 @@ pub use brinell_method::words::{Quantity, Side};
 pub use contact_job::Job;
 pub use domain::Domain;
 pub use error::{FaultCode, FieldError, JobError};
-pub use fatigue::{FatigueLimits, GivenLimits};
+pub use fatigue::{BENDING_OF_HARDNESS, FatigueLimits, GivenLimits};
 pub use fields::{Field, FieldTable};
 pub use hardening::{
     BackstressTerm, Bilinear, Hardening, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,

@@ -13,8 +13,9 @@ use serde::{Deserialize, Serialize};
 
 use super::answers::{AnswerBody, Name};
 use super::{
-    Answer, ContactReport, FieldsReport, IncrementsReport, LayersReport, LoadApproach,
-    PassesReport, RuleVerdict, ShakedownMap, Side, SurfaceReport, ValidityNote, Verdict,
+    Answer, ContactReport, FatigueReport, FieldsReport, IncrementsReport, LayersReport,
+    LoadApproach, PassesReport, RuleVerdict, ShakedownMap, Side, SurfaceReport, ValidityNote,
+    Verdict,
 };
 use crate::solver::{IterationRecord, SolveStatus};
 
@@ -84,6 +85,10 @@ pub struct StepReport {
     /// The same below the largest pressure; absent where that is in the middle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub subsurface_below_peak: Option<PerBody<Option<SubsurfaceReport>>>,
+    /// Utilization over depth by criteria of high-cycle fatigue, of a load that rolls after its last
+    /// pass; absent without limits of fatigue, `null` of a body without, and where it is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fatigue: Option<PerBody<Option<FatigueReport>>>,
     /// Plastic zone of each body; `null` for a rigid one.
     pub plasticity: PerBody<Option<PlasticityReport>>,
     /// Hertz's peak pressures that the contact bears over the friction as it rolls, where strength

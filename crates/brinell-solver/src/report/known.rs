@@ -2,6 +2,7 @@
 //! the step fills them; the document has rows alone.
 
 use super::error_bars::ErrorEstimate;
+use super::fatigue::BodyFatigue;
 use super::rolling::Rolled;
 use crate::contact::ContactLoad;
 use crate::solver::method::figures::Figures;
@@ -29,6 +30,8 @@ pub(super) struct Known {
     pub bars: Option<ErrorEstimate>,
     pub whole: Option<Whole>,
     pub rolled: Option<Rolled>,
+    /// Of bodies with limits; that of a static load is filled in with its arrays.
+    pub fatigue: Vec<BodyFatigue>,
     /// Whether the strength of a body varies over its depth.
     pub is_graded: bool,
 }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use brinell_halfspace::Stop;
+
 use super::answers::Measured;
 use super::cost::{
     FIELD_COPIES, JobEstimate, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
@@ -15,8 +17,9 @@ use super::measured::measured;
 use super::shown::{Arrays, Parts, Shown, Solved};
 use super::{
     IncrementsReport, MeshReport, PerBody, PlasticityReport, ShakedownMap, contact, error_bars,
-    fields, flow, hardness, onset, plastic_zone, subsurface, target, validity,
+    fatigue, fields, flow, hardness, onset, plastic_zone, subsurface, target, validity,
 };
+use crate::fatigue::of_section;
 use crate::inputs::{SolveError, of_small_mesh, small_solves};
 use crate::job::Job;
 use crate::solver::method::figures::Figure;
@@ -134,6 +137,20 @@ impl Shown for Meshed<'_> {
             covers[1] = covers[0];
         }
         arrays.covers = covers;
+        if step.figures.force > 0.0 {
+            let field = &step.field;
+            let refused = if field.conforming.is_some() {
+                "a pin in its hole does not lie in a plane"
+            } else if !field.loaded_corners.is_empty() {
+                "a sharp corner carries pressure"
+            } else {
+                "the contact has no width"
+            };
+            let of = |side: usize, stop: &mut Stop<'_>| {
+                of_section(step, &self.contact.problem, side, stop)
+            };
+            arrays.fatigue = fatigue::of_pressed(self.job, refused, observer, of)?;
+        }
         if self.job.output.fields {
             arrays.fields = Some(fields::fields(step, write, observer)?);
         }
@@ -188,6 +205,7 @@ impl Shown for Meshed<'_> {
                 bars: error_bars::estimate(job, step, findings),
                 whole: None,
                 rolled: None,
+                fatigue: Vec::new(),
                 is_graded: step
                     .field
                     .bodies

@@ -7,6 +7,7 @@ mod datum;
 mod document;
 mod error_bars;
 pub mod export;
+mod fatigue;
 mod field_arrays;
 mod fields;
 mod figure_names;
@@ -45,6 +46,7 @@ pub use contact::{ContactNodes, ContactReport, Patch};
 pub use cost::JobEstimate;
 pub use document::*;
 pub use error_bars::{ErrorEstimate, estimate_error, scales_of_floors};
+pub use fatigue::{FatigueCriterion, FatigueReport};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, encode_fields,
     encode_layers,

@@ -3,6 +3,7 @@
 
 use super::answers::Measured;
 use super::cost::JobEstimate;
+use super::fatigue::BodyFatigue;
 use super::findings::Finding;
 use super::hardness::Seen;
 use super::known::Known;
@@ -36,6 +37,8 @@ pub(super) struct Arrays {
     pub plasticity: PerBody<Option<PlasticityReport>>,
     /// Depth at which the plastic zone of each body begins, where an outline tells it \[mm\].
     pub covers: [Option<f64>; 2],
+    /// The fatigue of bodies with limits under a static load.
+    pub fatigue: Vec<BodyFatigue>,
     pub fields: Option<PerBody<Option<FieldsReport>>>,
     pub layers: Option<PerBody<Option<LayersReport>>>,
 }

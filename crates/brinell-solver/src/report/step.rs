@@ -8,7 +8,9 @@ use super::hardness::HardnessSeen;
 use super::load_approach::CurvePoint;
 use super::shown::{Arrays, Parts, Shown, Solved};
 use super::target::TargetSeen;
-use super::{LoadReport, MeshReport, Report, StepReport, Timings, load_approach, validity};
+use super::{
+    LoadReport, MeshReport, Report, StepReport, Timings, fatigue, load_approach, validity,
+};
 use crate::contact::ContactLoad;
 use crate::inputs::SolveError;
 use crate::job::{Named as _, Quantity};
@@ -116,6 +118,7 @@ impl<'a, E: Shown> StepWriter<'a, E> {
                 zone.cover = zone.cover.or(cover);
             }
         }
+        known.fatigue.extend(arrays.fatigue);
         let force = step.figures.force;
         let is_dented = is_dented(self.seen.dented_under, force);
         let measured = Measured { is_dented, ..measured };
@@ -148,6 +151,7 @@ impl<'a, E: Shown> StepWriter<'a, E> {
             passes: parts.passes,
             rules: parts.rules,
             validity: validity::remarks(&findings, write),
+            fatigue: fatigue::curves(&known.fatigue, write),
             fields: arrays.fields,
             layers: arrays.layers,
             history: step.history.iter().map(|record| in_units(record, write)).collect(),

@@ -34,12 +34,22 @@ pub struct Verdict {
 pub enum Mark {
     /// Nothing yields, or plastic flow ends.
     Good,
-    /// A body yields, or is left dented.
+    /// A body yields, is left dented, or does not endure by all criteria of fatigue.
     Attention,
     /// There is no answer, or the bodies do not bear the load.
     Bad,
     /// Nothing tells.
     Unknown,
+}
+
+impl Mark {
+    /// Returns the mark of bodies that do not endure by all criteria of fatigue.
+    const fn beside_fatigue(self) -> Self {
+        match self {
+            Self::Good | Self::Unknown => Self::Attention,
+            Self::Attention | Self::Bad => self,
+        }
+    }
 }
 
 /// The state of the bodies under a load.
@@ -108,12 +118,17 @@ impl Facts<'_> {
     /// Returns the verdict on a step with these rows.
     pub(super) fn verdict(&self, rows: &[Answer]) -> Verdict {
         let (level, text) = self.judged(rows);
+        let (mark, text) = match self.endures(rows) {
+            Some((true, endures)) => (level.mark(), format!("{text} {endures}")),
+            Some((false, endures)) => (level.mark().beside_fatigue(), format!("{text} {endures}")),
+            None => (level.mark(), text),
+        };
         let shown = || rows.iter().filter(|row| !row.detail && row.value.is_some());
         let placed = |name: &Name| shown().find(|row| row.is(*name) && row.place.is_some());
         let figure = DECIDING.iter().find_map(placed).or_else(|| shown().next());
         Verdict {
             level,
-            mark: level.mark(),
+            mark,
             text,
             figure: figure.map(|row| row.name.clone()),
             body: figure.and_then(|row| row.body),

@@ -3,6 +3,7 @@
 
 mod bodies;
 mod contact;
+mod fatigue;
 mod names;
 mod row;
 mod strength;
@@ -319,6 +320,7 @@ impl Facts<'_> {
             rows.extend(self.surfaces(Name::SurfaceDepth));
             rows.extend(self.work());
         }
+        rows.extend(self.fatigue());
         rows.extend(self.of_bodies());
         rows.extend(self.of_place());
         rows

@@ -146,6 +146,14 @@ names! {
     CoreUtilization "Core utilization" Ratio None
         "largest von Mises stress over the yield stress below a hardened case";
     PlasticDepth "Plastic depth" Length None "depth down to which there is plastic strain";
+    FatigueUtilization "Fatigue" Ratio Mesh
+        "shear stress of a criterion of high-cycle fatigue over the fatigue limit in torsion, largest \
+         of all depths";
+    RelativeLife "Relative life" Number None
+        "passes until fatigue over those of elastic bodies without residual stress under the force: \
+         a power of both shear stresses, for exponents from 9 to 10.3";
+    FatigueOfResidualStress "Fatigue by residual stress" Ratio None
+        "part of residual and initial stress in the utilization, below zero where it helps";
     ShakedownPressure "Shakedown pressure" Stress Exact
         "Hertz's peak up to which perfectly plastic bodies shake down; `place` is the depth that \
          decides";

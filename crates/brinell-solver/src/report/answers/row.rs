@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::names::{BarKind, Name};
 use crate::job::{Named as _, Quantity, Side};
-use crate::report::SolvedHardening;
+use crate::report::{FatigueCriterion, SolvedHardening};
 use crate::units::about;
 
 /// One figure, made to be shown.
@@ -19,7 +19,7 @@ pub struct Answer {
     /// contact.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub body: Option<AnswerBody>,
-    /// Of which pass, rule of hardening or load it is; absent of the step as it ends.
+    /// Of which pass, rule of hardening, criterion or load it is; absent of the step as it ends.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<AnswerAt>,
     /// The figure in `unit`; `null` where it is not known, and `text` says why.
@@ -121,6 +121,9 @@ pub struct AnswerAt {
     /// The rule of hardening, where two were solved.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hardening: Option<SolvedHardening>,
+    /// The criterion of fatigue.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub criterion: Option<FatigueCriterion>,
     /// The load, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<usize>,

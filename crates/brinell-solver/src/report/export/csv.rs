@@ -8,8 +8,8 @@ use strum::VariantArray as _;
 use super::{Export, ExportError};
 use crate::job::{Analysis, Job, Named, Quantity, Units};
 use crate::report::{
-    Answer, AnswerBody, Course, Name, PassesReport, Report, SolvedHardening, StepReport,
-    SubsurfaceReport,
+    Answer, AnswerAt, AnswerBody, Course, FatigueCriterion, FatigueReport, Name, PassesReport,
+    PerBody, Report, SolvedHardening, StepReport, SubsurfaceReport,
 };
 
 /// A table of all load steps, written one by one.
@@ -34,13 +34,15 @@ struct Column {
     name: String,
     body: Option<AnswerBody>,
     hardening: Option<SolvedHardening>,
+    criterion: Option<FatigueCriterion>,
     quantity: Quantity,
 }
 
 impl Column {
     fn of(row: &Answer) -> Self {
-        let hardening = row.at.and_then(|at| at.hardening);
-        Self { name: row.name.clone(), body: row.body, hardening, quantity: row.quantity }
+        let AnswerAt { hardening, criterion, .. } = row.at.unwrap_or_default();
+        let (name, body, quantity) = (row.name.clone(), row.body, row.quantity);
+        Self { name, body, hardening, criterion, quantity }
     }
 
     fn heading(&self, unit: &str) -> String {
@@ -50,7 +52,8 @@ impl Column {
             Some(AnswerBody::Both) | None => "",
         };
         let rule = self.hardening.map(|rule| format!("_{}", rule.name())).unwrap_or_default();
-        format!("{body}{}{rule}{}", self.name, in_brackets(unit))
+        let criterion = self.criterion.map(|of| format!("_{}", of.name())).unwrap_or_default();
+        format!("{body}{}{criterion}{rule}{}", self.name, in_brackets(unit))
     }
 }
 
@@ -72,7 +75,7 @@ impl Table {
     ///
     /// # Errors
     /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`], [`ExportError::Rolling`],
-    /// [`ExportError::NotRolling`] or [`ExportError::NoHardness`] if the first load step has no
+    /// [`ExportError::NotRolling`], [`ExportError::NoFatigue`] or [`ExportError::NoHardness`] if the first load step has no
     /// rows.
     pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
         match form {
@@ -85,6 +88,7 @@ impl Table {
             Export::HardnessCsv if job.load.hardness().is_none() || first.increments.is_none() => {
                 return Err(ExportError::NoHardness);
             }
+            Export::FatigueCsv if first.fatigue.is_none() => return Err(ExportError::NoFatigue),
             Export::PassesCsv if first.passes.is_none() => return Err(ExportError::NotRolling),
             _ => {}
         }
@@ -153,6 +157,10 @@ impl Table {
                  [{stress}]\n"
             ),
             Export::PassesCsv => self.heading_of_passes(),
+            Export::FatigueCsv => {
+                let names = FatigueCriterion::VARIANTS.iter().map(|of| format!(",{}", of.name()));
+                format!("step,body,depth [{length}]{}\n", names.collect::<String>())
+            }
             Export::SurfaceCsv => format!("step,body,x [{length}],height [{length}]\n"),
             _ => {
                 let column = |column: &Column| {
@@ -192,6 +200,7 @@ impl Table {
             Export::IncrementsCsv => increments(&mut text, number, step),
             Export::HardnessCsv => hardness(&mut text, number, step),
             Export::PassesCsv => self.passes(&mut text, number, step),
+            Export::FatigueCsv => fatigue(&mut text, number, step),
             Export::SurfaceCsv => surfaces(&mut text, number, step),
             _ => self.summary(&mut text, number, step),
         }
@@ -252,6 +261,7 @@ fn columns(first: &StepReport) -> Vec<Column> {
                 name: name.name().to_owned(),
                 body,
                 hardening: None,
+                criterion: None,
                 quantity: name.quantity(),
             }));
         }
@@ -310,6 +320,24 @@ fn cells(text: &mut String, number: usize, step: &StepReport) {
         let values = section.pressure.iter().zip(&section.gap);
         for (y, (pressure, gap)) in section.y.iter().zip(values) {
             row(0.0, *y, *pressure, *gap);
+        }
+    }
+}
+
+/// Writes `step, body, depth` and the utilization by each criterion.
+fn fatigue(text: &mut String, number: usize, step: &StepReport) {
+    let Some(PerBody { upper, lower }) = &step.fatigue else { return };
+    for (name, body) in [("upper", upper), ("lower", lower)] {
+        let Some(FatigueReport { depth, dang_van, crossland, orthogonal_shear }) = body else {
+            continue;
+        };
+        for (k, depth) in depth.iter().enumerate() {
+            let _ = write!(text, "{number},{name},{depth}");
+            for column in [dang_van, crossland, orthogonal_shear] {
+                let value = column.as_ref().and_then(|column| column.get(k));
+                let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
+            }
+            text.push('\n');
         }
     }
 }

@@ -37,6 +37,12 @@ pub enum ExportError {
     /// The load does not roll.
     #[error("the result has no passes; its load is {{\"rolling\": {{\"force\": 2000}}}}")]
     NotRolling,
+    /// No body has limits of fatigue.
+    #[error(
+        "the result has no fatigue; its materials have no \"fatigue\": {{\"torsion\": 480, \
+         \"bending\": 800}}"
+    )]
+    NoFatigue,
     /// The job is no hardness test.
     #[error("the result is of no hardness test; its load is {{\"hardness\": \"HBW 10/3000\"}}")]
     NoHardness,

@@ -17,6 +17,8 @@ pub enum Export {
     HardnessCsv,
     /// Passes of a load that rolls.
     PassesCsv,
+    /// Utilization over depth by criteria of fatigue.
+    FatigueCsv,
     /// Surfaces of all load steps with dent and pile-up.
     SurfaceCsv,
     /// Fields of both bodies.
@@ -36,13 +38,14 @@ pub enum Export {
 
 impl Export {
     /// All forms.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::SummaryCsv,
         Self::PressureCsv,
         Self::SubsurfaceCsv,
         Self::IncrementsCsv,
         Self::HardnessCsv,
         Self::PassesCsv,
+        Self::FatigueCsv,
         Self::SurfaceCsv,
         Self::FieldVtu,
         Self::FieldVtr,
@@ -61,6 +64,7 @@ impl Export {
             Self::IncrementsCsv => "increments.csv",
             Self::HardnessCsv => "hardness.csv",
             Self::PassesCsv => "passes.csv",
+            Self::FatigueCsv => "fatigue.csv",
             Self::SurfaceCsv => "surface.csv",
             Self::FieldVtu => "field.vtu",
             Self::FieldVtr => "field.vtr",
@@ -92,6 +96,7 @@ impl Export {
                 | Self::IncrementsCsv
                 | Self::HardnessCsv
                 | Self::PassesCsv
+                | Self::FatigueCsv
                 | Self::SurfaceCsv
         )
     }
@@ -120,6 +125,7 @@ impl Export {
             | Self::IncrementsCsv
             | Self::HardnessCsv
             | Self::PassesCsv
+            | Self::FatigueCsv
             | Self::SurfaceCsv
             | Self::LoadApproachSvg
             | Self::SurfaceSvg => {}

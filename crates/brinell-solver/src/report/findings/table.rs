@@ -8,7 +8,8 @@ use super::kinds::{
 use super::sentences::{
     MORE_ELEMENTS, coarse_case, collapse, few, onset_unknown, rounded_tip, stopped,
 };
-use crate::job::{Named as _, NoData, TestScale, YIELD_OVER_HARDNESS};
+use crate::job::{BENDING_OF_HARDNESS, Named as _, NoData, TestScale, YIELD_OVER_HARDNESS};
+use crate::material::fatigue::FatigueStrength;
 use crate::report::figure_names::name_of;
 use crate::report::rolling::TrackVerdict;
 use crate::report::surface_stress::UncertainStress;
@@ -561,6 +562,38 @@ findings! {
                 "On half the columns something else becomes of the track ({}): the load lies near \
                  a limit, and the verdict may be wrong.",
                 coarse.name().replace('_', " ")
+            );
+
+    /// A body has limits of fatigue.
+    Fatigue { rolls: bool, is_meshed: bool } => "fatigue", Takes::Nothing,
+    row Theory
+        "a body has limits of fatigue"
+        "the criteria are those of high-cycle fatigue below the surface. The path is one elastic \
+         pass of the pressure over a half-space, of a load that rolls after its last pass; residual \
+         stress of the yield of meshed bodies is not in it",
+    |_| format!(
+                "Fatigue is that of {} over half-spaces{}. Damage that starts at the surface, \
+                 lubricant and inclusions are not in it, and residual compression helps less than \
+                 Dang Van's criterion says.",
+                if *rolls {
+                    "one more pass, which is elastic,"
+                } else {
+                    "one elastic pass of this pressure, along x,"
+                },
+                if *is_meshed { ", without the residual stress of yield" } else { "" },
+            );
+
+    /// Limits of fatigue follow from the hardness.
+    FatigueByHardness => "fatigue_by_hardness", Takes::Nothing,
+    row Theory
+        "limits of fatigue follow from hardness"
+        "1.6 HV in bending is a regression over steels of up to 400 HV that scatters by 0.1 HV; \
+         harder steels, which inclusions decide on, have the limit of 400 HV",
+    |_| format!(
+                "The fatigue limits follow from the hardness by {BENDING_OF_HARDNESS}, in MPa; the \
+                 regression scatters by 0.1 HV, and harder steels have the limit of {} HV, since \
+                 inclusions decide on them.",
+                FatigueStrength::HARDEST
             );
 
     /// The friction of a load that rolls slides over the whole contact.

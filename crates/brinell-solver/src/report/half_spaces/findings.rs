@@ -4,6 +4,7 @@ use super::spots;
 use crate::inputs::along_axes;
 use crate::job::{Body, Deformable, Job, Material, MeshSettings, Roller};
 use crate::material::Solid;
+use crate::report::fatigue;
 use crate::report::findings::{
     CasePlace, Deformation, Finding, FinerBy, Known, OnsetUnknown, Unconverged, Wide, Work,
     guesses, left_unknown,
@@ -83,6 +84,7 @@ pub(super) fn findings(
     }
     findings.extend(bilinear_curve(job, strain));
     findings.extend(by_hardness(job));
+    findings.extend(fatigue::remarks(job));
     let coarsest = bodies()
         .filter_map(|(side, body)| coarsest(deformable([&job.upper, &job.lower][side])?, body));
     if let Some((ratio, depth)) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {

@@ -1,5 +1,7 @@
 //! Steps of half-spaces as a report shows them.
 
+use brinell_halfspace::Stop;
+
 use super::document::{MapsReport, PressureQuantiles, RollerReport, SectionReport};
 use super::estimate::estimate;
 use super::findings::{findings, largest_strain};
@@ -14,6 +16,7 @@ use crate::job::{Deformable, Job, Load, Material, Quantity};
 use crate::report::cost::JobEstimate;
 use crate::report::error_bars::BESIDE;
 use crate::report::error_bars::ErrorEstimate;
+use crate::report::fatigue;
 use crate::report::findings::{Finding, Known};
 use crate::report::known::{self, Hertz, Onset, RollerFigures, Rough, Whole, Zone};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
@@ -69,14 +72,26 @@ impl Shown for HalfSpaces<'_> {
         Ok(Solved { phases, passes: grids, interrupted, sensitivity })
     }
 
-    fn arrays(&self, step: &HalfSpaceStep, _: &mut dyn Observer) -> Result<Arrays, Interrupt> {
-        let bodies = &step.field.bodies;
+    fn arrays(
+        &self,
+        step: &HalfSpaceStep,
+        observer: &mut dyn Observer,
+    ) -> Result<Arrays, Interrupt> {
+        let (field, bodies) = (&step.field, &step.field.bodies);
+        let of = |side: usize, stop: &mut Stop<'_>| field.fatigue(&self.problem, side, stop);
+        let fatigue = if step.figures.force > 0.0 {
+            let refused = "the contact of single asperities is not resolved";
+            fatigue::of_pressed(self.job, refused, observer, of)?
+        } else {
+            Vec::new()
+        };
         let [subsurface, below_peak] = self.subsurface(step);
         Ok(Arrays {
             subsurface,
             below_peak,
             plasticity: PerBody::of(bodies, |_, _| PlasticityReport::default()),
             covers: [None; 2],
+            fatigue,
             fields: None,
             layers: (self.job.output.fields)
                 .then(|| PerBody::of(bodies, |body, _| layers(body, self.write))),
@@ -113,6 +128,7 @@ impl Shown for HalfSpaces<'_> {
                 bars: self.estimated_error(step, stiffness, known),
                 whole: self.whole(step),
                 rolled: None,
+                fatigue: Vec::new(),
                 is_graded: problem
                     .materials
                     .iter()

@@ -119,6 +119,7 @@ impl Facts<'_> {
             let figures = &last.bodies[side.member()];
             rows.extend(figures.iter().map(|figure| self.of_pass(figure, Some(of)).of(of)));
         }
+        rows.extend(self.fatigue());
         rows.extend(last.works.iter().map(|figure| self.of_pass(figure, None)));
         rows.extend(self.plastic_depths());
         rows.extend(self.limits(rolled));
@@ -161,7 +162,7 @@ impl Facts<'_> {
                 (_, None) => Bar::none(NO_BAR),
             };
             let hardening = (rolled.rules.len() > 1).then_some(rule.hardening());
-            let at = AnswerAt { pass: Some(rule.passes), hardening, load: None };
+            let at = AnswerAt { pass: Some(rule.passes), hardening, ..AnswerAt::default() };
             let label = Name::StrainPerPass.label();
             let label = format!("{label}{}", by_rule(rule.hardening()));
             let row = self.row(Name::StrainPerPass, rule.rate).bar(bar).at(at);

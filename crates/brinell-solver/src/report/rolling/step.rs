@@ -1,5 +1,6 @@
 //! The step of a load that rolls as a report shows it.
 
+use brinell_halfspace::Fatigue;
 use brinell_halfspace::track::SteadyState;
 
 use super::cost::cost;
@@ -14,6 +15,7 @@ use crate::report::answers::Measured;
 use crate::report::cost::JobEstimate;
 use crate::report::datum::Datum;
 use crate::report::error_bars::ErrorEstimate;
+use crate::report::fatigue::BodyFatigue;
 use crate::report::findings::Finding;
 use crate::report::hertz::line;
 use crate::report::known::{Hertz, Known};
@@ -32,6 +34,9 @@ use crate::units::UnitConverter;
 
 /// Difference below which two frictions are one.
 const SAME_FRICTION: f64 = 1e-9;
+
+/// What a rule of hardening says of both bodies.
+type Answered<'a> = (&'a [Option<Fatigue>; 2], &'a [Option<SteadyState>; 2]);
 
 /// A load that rolls.
 pub(in crate::report) struct Track<'a> {
@@ -110,6 +115,7 @@ impl Shown for Track<'_> {
                 bars: shown.estimated_error(),
                 whole: None,
                 rolled: Some(shown.rolled()),
+                fatigue: shown.fatigue(),
                 is_graded: false,
             },
             contact: shown.contact(),
@@ -293,6 +299,32 @@ impl Passes<'_> {
         report
     }
 
+    /// Returns the fatigue of bodies with limits, by each rule.
+    fn fatigue(&self) -> Vec<BodyFatigue> {
+        let (field, rolled) = (self.field, self.rolled());
+        let as_given = (&field.fatigue, &field.verdicts);
+        let other = field.kinematic.as_ref().map(|other| (&other.fatigue, &other.verdicts));
+        let is_one = rolled.is_shared;
+        let sides = || Side::BOTH.into_iter().skip(usize::from(is_one));
+        let has_limits = |side: &Side| {
+            let material = self.problem.materials[side.member()].as_ref();
+            material.is_some_and(|material| material.fatigue().is_some())
+        };
+        let rules = [as_given].into_iter().chain(other).zip(&rolled.rules).enumerate();
+        let of_rule = |(k, ((found, verdicts), rule)): (usize, (Answered<'_>, &Ruled))| {
+            let of = |side: Side| BodyFatigue {
+                side,
+                is_of_both: is_one,
+                found: found[side.member()].clone().ok_or(refused(verdicts[side.member()])),
+                rule: (rolled.rules.len() > 1).then_some(rule.hardening()),
+                is_of_verdict: k == rolled.worst,
+                pass: Some(rule.passes),
+            };
+            sides().filter(has_limits).map(of).collect::<Vec<_>>()
+        };
+        rules.flat_map(of_rule).collect()
+    }
+
     /// Returns the verdicts by the rules of hardening that were solved.
     fn rules(&self) -> Vec<Ruled> {
         let field = self.field;
@@ -449,5 +481,20 @@ impl Passes<'_> {
             sigma_xz: whole(4),
             sigma_yz: whole(5),
         })
+    }
+}
+
+/// Returns why a body with this verdict has no utilization.
+const fn refused(verdict: Option<SteadyState>) -> &'static str {
+    match verdict {
+        Some(SteadyState::ClosedCycle { .. } | SteadyState::Ratchets { .. }) => {
+            "the body flows in each pass: no criterion of high-cycle fatigue holds"
+        }
+        Some(SteadyState::Undecided { .. }) => {
+            "the passes do not tell whether the body shakes down"
+        }
+        None | Some(SteadyState::Elastic | SteadyState::ShakesDown { .. }) => {
+            "no pass has converged"
+        }
     }
 }
