@@ -21,6 +21,7 @@ mod default_theory;
 mod error_bars;
 mod exports;
 mod factor_cache;
+mod fatigue;
 mod flow_increments;
 mod flow_references;
 mod flow_theory;

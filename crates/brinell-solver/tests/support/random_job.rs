@@ -522,7 +522,7 @@ const LENGTHS: [&str; 18] = [
     "spacing_y",
     "heights",
 ];
-const STRESSES: [&str; 7] = [
+const STRESSES: [&str; 11] = [
     "young_modulus",
     "yield_stress",
     "tangent_modulus",
@@ -530,6 +530,10 @@ const STRESSES: [&str; 7] = [
     "reference_stress",
     "saturation_stress",
     "modulus",
+    "torsion",
+    "bending",
+    "sigma_x",
+    "sigma_z",
 ];
 
 /// Writes a job in metres, pascals and newtons.
