@@ -238,6 +238,7 @@ fn what_the_result_lacks_is_named() {
     assert_eq!(write(Export::FieldVtr, None), Err(ExportError::NoLayers));
     assert_eq!(write(Export::SubsurfaceCsv, None), Err(ExportError::NoSubsurface));
     assert_eq!(write(Export::DepthSvg, None), Err(ExportError::NoSubsurface));
+    assert_eq!(write(Export::FatigueCsv, None), Err(ExportError::NoFatigue));
     assert_eq!(write(Export::PressureSvg, Some(1)), Err(ExportError::NoStep(1)));
     let needed = |form: Export| {
         let mut job = job.clone();
@@ -250,6 +251,7 @@ fn what_the_result_lacks_is_named() {
             (false, false),
             (false, false),
             (false, true),
+            (false, false),
             (false, false),
             (false, false),
             (false, false),

@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-use brinell_solver::job::{Job, JobError, Side};
+use brinell_solver::job::{Job, JobError};
+use brinell_solver::report::export::Export;
 use brinell_solver::report::{
-    Answer, AnswerBody, ErrorBar, Export, FatigueCriterion, Mark, Name, Report, StepReport, run,
+    Answer, AnswerBody, ErrorBar, FatigueCriterion, Mark, Name, Report, StepReport, run,
 };
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
