@@ -118,7 +118,8 @@ impl Facts<'_> {
     /// Returns the verdict on a step with these rows.
     pub(super) fn verdict(&self, rows: &[Answer]) -> Verdict {
         let (level, text) = self.judged(rows);
-        let (mark, text) = match self.endures(rows) {
+        let is_answer = !matches!(level, VerdictLevel::NotConverged | VerdictLevel::Collapse);
+        let (mark, text) = match self.endures(rows).filter(|_| is_answer) {
             Some((true, endures)) => (level.mark(), format!("{text} {endures}")),
             Some((false, endures)) => (level.mark().beside_fatigue(), format!("{text} {endures}")),
             None => (level.mark(), text),

@@ -142,10 +142,10 @@ fn assert_unknown(job: &Value, reason: &str) {
 #[test]
 fn refusals_say_why() {
     let mut punch = line(&steel(&limits()), &json!({"force": 100}));
-    punch["upper"]["shape"] = json!({"type": "punch", "width": 2});
+    punch["upper"]["shape"] = json!({"type": "punch", "width": 2, "depth": 10});
     assert_unknown(&punch, "a sharp corner carries pressure");
     let mut material = steel(&limits());
-    material["plasticity"] = json!({"law": "bilinear", "yield_stress": 200, "tangent_modulus": 0});
+    material["plasticity"] = json!({"law": "bilinear", "yield_stress": 400, "tangent_modulus": 0});
     let load = json!({"rolling": {"force": force(), "passes": 2}});
     let mut track = line(&material, &load);
     track["solver"] = json!({"theory": "flow"});
