@@ -175,12 +175,12 @@ fn static_job(number: usize) -> Value {
     let torsion = between(360.0, 500.0, 0.732_051);
     let mut material = steel(&json!({"torsion": torsion, "bending": 700}));
     // First yield is at 1.8 times the yield stress of a line and at 1.6 times that of a circle.
-    if number % 4 != 0 {
+    if !number.is_multiple_of(4) {
         let yield_stress = peak / between(1.0, 2.4, 0.236_068);
         material["plasticity"] =
             json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 10_000});
     }
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         let stress = between(-200.0, 100.0, 0.302_776);
         material["initial_stress"] = json!([{"depth": 0, "sigma_x": stress, "sigma_z": stress}]);
     }
