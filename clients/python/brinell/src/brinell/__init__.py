@@ -55,7 +55,6 @@ from ._errors import (
     Unauthorized,
     Unavailable,
 )
-from ._fatigue import Fatigue
 from ._fields import BodyFields, Fields
 from ._find import Found
 from ._grid import over_grid
@@ -86,7 +85,6 @@ __all__ = [
     "BrinellError",
     "Client",
     "Event",
-    "Fatigue",
     "Fault",
     "Fields",
     "Found",

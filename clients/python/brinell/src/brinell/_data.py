@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import BrinellError, ServiceError
-from ._fatigue import Fatigue
 from ._fields import Fields
 from ._plain import need
 from ._rolling import Rolling
@@ -187,11 +186,6 @@ class ResultData:
     def rolling(self) -> Rolling | None:
         """The passes of a load that rolls; None of all other loads."""
         return self.last.rolling
-
-    @property
-    def fatigue(self) -> Fatigue | None:
-        """Whether the bodies endure; None without limits of fatigue."""
-        return self.last.fatigue
 
     @property
     def target(self) -> dict[str, Any]:

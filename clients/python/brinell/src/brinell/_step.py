@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._fatigue import Fatigue
 from ._fields import Array
 from ._plain import need
 from ._rolling import Rolling
@@ -229,11 +228,6 @@ class Step:
         """The passes of a load that rolls; None of all other loads."""
         data = self.data.get("rolling")
         return Rolling(data) if data else None
-
-    @property
-    def fatigue(self) -> Fatigue | None:
-        """Whether the bodies endure; None without limits of fatigue."""
-        return Fatigue(self.data) if self.data.get("fatigue") else None
 
     @property
     def remarks(self) -> list[Remark]:
