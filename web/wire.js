@@ -22,6 +22,7 @@
  * @property {number | null} value
  *
  * @typedef {object} AnswerAt
+ * @property {FatigueCriterion} [criterion]
  * @property {SolvedHardening} [hardening]
  * @property {number} [load]
  * @property {number} [pass]
@@ -85,6 +86,18 @@
  * @property {number} bytes
  * @property {number} equations
  * @property {number} result_bytes
+ *
+ * @typedef {object} Fatigue
+ * @property {(number)[] | null} crossland
+ * @property {(number)[] | null} dang_van
+ * @property {(number)[]} depth
+ * @property {(number)[] | null} orthogonal_shear
+ *
+ * @typedef {'dang_van' | 'crossland' | 'orthogonal_shear'} FatigueCriterion
+ *
+ * @typedef {object} FatigueOfBodies
+ * @property {Fatigue | null} lower
+ * @property {Fatigue | null} upper
  *
  * @typedef {object} Fault
  * @property {string} code
@@ -190,6 +203,7 @@
  * @property {string} [cancel]
  * @property {string} [depth_svg]
  * @property {string} events
+ * @property {string} [fatigue_csv]
  * @property {string} [field_vtr]
  * @property {string} [field_vtu]
  * @property {string} [hardness_csv]
@@ -314,6 +328,7 @@
  * @typedef {object} Step
  * @property {(Answer)[]} answers
  * @property {Contact} contact
+ * @property {FatigueOfBodies} [fatigue]
  * @property {FieldsOfBodies} [fields]
  * @property {(Iteration)[]} history
  * @property {Increments} [increments]
