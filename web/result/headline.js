@@ -20,7 +20,7 @@ import {
   verdictOf,
 } from './answers.js';
 import { answersTable, swatch, verdict } from './answers-table.js';
-import { beside, endedEarly } from './loads.js';
+import { beside, endedEarly, remarksOf } from './loads.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('./answers.js').Answer} Answer */
@@ -147,7 +147,7 @@ function remarks(sides) {
     ? h('li', { 'data-code': 'ended_early' }, h('b', {}, 'Ended early'), ` ${ended}`)
     : null;
   const all = sides.flatMap(({ one, at, label }) =>
-    one.report.steps[at].validity.map((remark) => ({
+    remarksOf(one.report, at).map((remark) => ({
       ...remark,
       of: sides.length > 1 ? label : '',
     })),

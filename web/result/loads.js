@@ -104,3 +104,12 @@ export function beside(shown, at) {
     };
   });
 }
+
+/**
+ * What to keep in mind of a step: of its hardness number, and of all else.
+ * @param {Report} report @param {number} at
+ */
+export const remarksOf = (report, at) => [
+  ...(report.hardness?.remarks ?? []),
+  ...report.steps[at].validity,
+];

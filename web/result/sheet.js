@@ -47,7 +47,7 @@ import { differencesTable } from './differences.js';
 import { save } from './downloads.js';
 import { figuresTable, tableElements } from './figures.js';
 import { sentencesOf } from './headline.js';
-import { asked, beside, endedEarly } from './loads.js';
+import { asked, beside, endedEarly, remarksOf } from './loads.js';
 
 /** @typedef {import('../shown.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
@@ -102,7 +102,7 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       others.length > 0 && h('li', {}, `Beside each other in the charts: ${others.join('; ')}.`),
       h('li', {}, `Approach: ${step.approach === null ? '' : 'from '}${step.approach_datum}.`),
       sides.flatMap(({ one, at, label: name }) =>
-        one.report.steps[at].validity.map(({ message }) =>
+        remarksOf(one.report, at).map(({ message }) =>
           h(
             'li',
             {},

@@ -75,9 +75,12 @@ function row(scale, { id, report, problem, done }, close) {
   });
   const cells = found
     ? [
-        found.number === null
-          ? 'none: it has not yielded'
-          : `${figure(found.number, 4)}${found.number_error ? ` ± ${figure(found.number_error, 2)}` : ''}`,
+        [
+          found.number === null
+            ? 'none: it has not yielded'
+            : `${figure(found.number, 4)}${found.number_error ? ` ± ${figure(found.number_error, 2)}` : ''}`,
+          ...found.remarks.map(({ message }) => h('p', { class: 'quiet' }, inWords(message))),
+        ],
         figure(found.diameter, 4),
       ]
     : [done ? inWords(problem ?? 'no result') : 'runs…', ''];
