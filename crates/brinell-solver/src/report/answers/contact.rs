@@ -102,7 +102,12 @@ impl Facts<'_> {
         let given = self.given_force().filter(|_| self.known.status == SolveStatus::Converged);
         let force = given.unwrap_or(self.known.figures.force);
         let row = self.meshed(Name::Force, force, (Figure::Force, 0));
-        if given.is_some() { row.bar(Bar::Given) } else { row }
+        match self.job.load {
+            // The job has it as `force_found`, with the bar of the search.
+            Load::Target(_) => row.detail(),
+            _ if given.is_some() => row.bar(Bar::Given),
+            _ => row,
+        }
     }
 
     pub fn of_contact(&self) -> Vec<Answer> {
@@ -179,7 +184,7 @@ impl Facts<'_> {
         };
         let row = row.text(format!("along the arc, {}° to each side", about(angle)));
         let angle = self.meshed(Name::HalfAngle, angle, (Figure::HalfWidth, 0));
-        vec![row.of_width(self.touches()), angle.detail()]
+        [row, angle].map(|row| row.of_width(self.touches())).to_vec()
     }
 
     fn mean_pressure(&self) -> Answer {
