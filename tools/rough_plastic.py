@@ -74,25 +74,26 @@ def main(program, n, seeds, theory="deformation"):
                 program, n, seed, theory, {"force": pressure * area}
             )
             for step in result["steps"]:
-                whole = step["three_dimensional"]
-                rough, errors = whole["surface"], step["estimated_error"] or {}
-                zone, strain = step["plasticity"]["lower"], None
-                if whole["estimated_error"]:
-                    of_body = whole["estimated_error"]["bodies"]["lower"]
-                    strain = of_body["max_equivalent_plastic_strain"]
-                bar = lambda error: "-" if error is None else f"{100 * error:.1f}%"
+                # A figure is of the contact, or of the one body that yields.
+                rows = {row["name"]: row for row in step["answers"]}
+                value = lambda name: rows[name]["value"] if name in rows else 0.0
+
+                def bar(name):
+                    error = rows.get(name, {}).get("error")
+                    return f"{100 * error:.1f}%" if isinstance(error, float) else "-"
+
                 print(
                     seed,
                     step["status"],
                     len(step["history"]),
-                    f"{100 * rough['contact_ratio']:.2f}%",
-                    f"{100 * rough['plastic_part']:.0f}%",
-                    f"{step['contact']['peak_pressure']:.0f}",
-                    bar(errors.get("peak_pressure")),
-                    f"{1e3 * step['approach']:.4f}",
-                    bar(errors.get("approach")),
-                    f"{100 * zone['max_equivalent_plastic_strain']:.2f}%",
-                    bar(strain),
+                    f"{100 * value('contact_ratio'):.2f}%",
+                    f"{100 * value('yielded_part'):.0f}%",
+                    f"{value('peak_pressure'):.0f}",
+                    bar("peak_pressure"),
+                    f"{1e3 * value('approach'):.4f}",
+                    bar("approach"),
+                    f"{100 * value('max_plastic_strain'):.2f}%",
+                    bar("max_plastic_strain"),
                     f"{seconds:.1f}",
                     f"{memory:.0f}",
                     flush=True,

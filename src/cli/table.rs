@@ -1,7 +1,6 @@
 //! A report as plain text for a person, at most 80 columns wide.
 
 mod bodies;
-mod hardness;
 mod history;
 mod number;
 mod passes;
@@ -12,11 +11,9 @@ mod text;
 use std::fmt::Write;
 
 use super::style::Style;
-use brinell_solver::job::fields::NumberKind;
-use brinell_solver::job::{Job, Load, Quantity, Target, TargetFigure, measure_of};
+use brinell_solver::job::{Job, Load, Quantity};
 use brinell_solver::report::{
-    Answer, FlowReport, LoadReport, PlasticityReport, Report, StepReport, TargetReport, Timings,
-    VerdictLevel,
+    Answer, ErrorBar, LoadReport, Mark, Name, Report, StepReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -45,15 +42,10 @@ impl Page {
         let theory = report.theory.as_deref();
         let theory = theory.map_or_else(String::new, |theory| format!(" · {theory} theory"));
         self.line(&format!("{title} · {analysis}{theory} · {}", report.units));
-        if let Some(target) = &report.target {
-            self.target(job, target);
-            self.line("");
-        }
-        if let Some(hardness) = &report.hardness {
-            let Names { length, stress, .. } = self.names;
-            self.text.push_str(&hardness::hardness(hardness, length, stress, self.style));
-            for note in &hardness.remarks {
-                self.line(&wrapped("note   ", &words(&note.message), " "));
+        if !report.answers.is_empty() {
+            self.rows(&report.answers);
+            for note in &report.validity {
+                self.remark(&note.message);
             }
             self.line("");
         }
@@ -74,7 +66,7 @@ impl Page {
         self.line("");
         let mesh = &report.mesh;
         let half = if mesh.symmetric { " of one half" } else { "" };
-        let elements = if self.names.is_three_dimensional { "cells" } else { "elements" };
+        let elements = if mesh.cells.is_some() { "cells" } else { "elements" };
         self.line(&format!(
             "mesh   {} {elements}, {} equations{half}, spacing {} {}, {} solves",
             mesh.elements,
@@ -102,27 +94,6 @@ impl Page {
         self.line(&self.style.dim("--step N shows one load as a whole"));
     }
 
-    /// The force that the job asked for by what it does.
-    fn target(&mut self, job: &Job, target: &TargetReport) {
-        let Load::Target(Target { figure, .. }) = &job.load else { return };
-        let unit = match measure_of(*figure) {
-            NumberKind::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
-            NumberKind::Pure(_) => String::new(),
-        };
-        let when = match figure {
-            TargetFigure::PermanentApproach | TargetFigure::DentDepth => {
-                "when this force is taken away"
-            }
-            _ => "under this force",
-        };
-        let force =
-            self.style.bold(&format!("{} {}", significant(target.force, 7), self.names.force));
-        let name = target.figure.replace('_', " ");
-        let reached = significant(target.reached, 5);
-        self.line(&format!("force for a {name} of {}{unit}: {force}", target.wanted));
-        self.line(&self.style.dim(&format!("it is {reached}{unit} {when}")));
-    }
-
     fn step(&mut self, step: &StepReport) {
         let load = match step.load {
             LoadReport::Force(force) => {
@@ -142,39 +113,26 @@ impl Page {
         };
         self.line(&format!("{load} · {status}"));
         self.line("");
-        if let Some(verdict) = &step.verdict {
-            let text = wrapped("", &words(&verdict.text), " ");
-            let text = match verdict.level {
-                VerdictLevel::NotConverged | VerdictLevel::Collapse | VerdictLevel::Ratchets => {
-                    style.red(&text)
-                }
-                VerdictLevel::AboveShakedownLimit
-                | VerdictLevel::ClosedCycle
-                | VerdictLevel::Yields
-                | VerdictLevel::Dented => style.yellow(&text),
-                VerdictLevel::Elastic | VerdictLevel::ShakesDown => style.green(&text),
-                VerdictLevel::NotKnown | VerdictLevel::NoContact => text,
-            };
-            self.line(&text);
-            self.line("");
-        }
-        self.answers(step);
+        let verdict = &step.verdict;
+        let text = wrapped("", &words(&verdict.text), " ");
+        let text = match verdict.mark {
+            Mark::Bad => style.red(&text),
+            Mark::Attention => style.yellow(&text),
+            Mark::Good => style.green(&text),
+            Mark::Unknown => text,
+        };
+        self.line(&text);
+        self.line("");
+        self.rows(&step.answers);
         let picture = plot::pressure(step, self.names, style);
         if !picture.is_empty() {
             self.line("");
             self.text.push_str(&picture);
         }
         self.line("");
-        if step.rolling.is_none() {
-            self.plastic_zone("upper", step.plasticity.upper.as_ref());
-            self.plastic_zone("lower", step.plasticity.lower.as_ref());
-        }
-        if let Some(flow) = &step.flow {
-            self.flow(flow);
-        }
-        if let Some(rolling) = &step.rolling {
+        if let Some(passes) = &step.passes {
             let Names { length, stress, .. } = self.names;
-            self.text.push_str(&passes::passes(&rolling.passes, length, stress, style));
+            self.text.push_str(&passes::passes(passes, length, stress, style));
             self.line("");
         }
         for note in &step.validity {
@@ -197,37 +155,27 @@ impl Page {
         self.line(&text.replacen("note ", &label, 1));
     }
 
-    /// Writes the answers, each with its elastic reference or its place, and its error bar. A
-    /// force that is sought stands under its own name alone.
-    fn answers(&mut self, step: &StepReport) {
-        let is_force = |name: &str| matches!(name, "force_found" | "first_yield_force");
-        let is_sought = step.answers.iter().any(|answer| is_force(&answer.name));
-        if step.answers.iter().any(|answer| answer.elastic.is_some()) {
+    /// Writes the rows that answer the job, each with its elastic reference or its place, and its
+    /// error bar; how many more there are, and from where the approach is counted.
+    fn rows(&mut self, rows: &[Answer]) {
+        let shown = || rows.iter().filter(|row| !row.detail);
+        if shown().any(|row| row.elastic.is_some()) {
             let head = format!("{:34}{:>12}{:>11}{:>8}", "", "this contact", "Hertz", "ratio");
             self.line(&self.style.dim(&head));
         }
-        for answer in &step.answers {
-            if !is_sought || answer.name != "force" {
-                self.answer(answer);
-            }
+        for row in shown() {
+            self.answer(row);
         }
-        if let Some(whole) = &step.three_dimensional
-            && whole.orientation != 0.0
-        {
-            let angle = significant(whole.orientation, 4);
-            self.line(&format!(
-                "the x of these figures is the x of the job turned by {angle}° towards its y"
-            ));
+        let approach = rows.iter().find(|row| row.is(Name::Approach) && !row.text.is_empty());
+        if let Some(approach) = approach.filter(|row| !self.said.contains(&row.text)) {
+            let text = wrapped("approach: ", &words(&approach.text), " ");
+            self.line(&self.style.dim(&text));
+            self.said.push(approach.text.clone());
         }
-        if let Some(angle) = step.contact.half_angle.filter(|angle| *angle > 0.0) {
-            self.line(&format!(
-                "it touches over {}° to each side, along the arc",
-                significant(angle, 3)
-            ));
-        }
-        if !self.said.contains(&step.approach_datum) {
-            self.line(&self.style.dim(&wrapped("approach: ", &words(&step.approach_datum), " ")));
-            self.said.push(step.approach_datum.clone());
+        let more = rows.len() - shown().count();
+        if more > 0 {
+            let rows = if more == 1 { "row" } else { "rows" };
+            self.line(&self.style.dim(&format!("{more} more {rows}: --format json")));
         }
     }
 
@@ -245,8 +193,6 @@ impl Page {
         {
             first.make_ascii_lowercase();
         }
-        // A prescribed figure has no error.
-        let error = answer.error.filter(|error| *error > 0.0);
         let limit = |value: f64| format!("{} {unit}", significant(factor * value, 3));
         let bound = match (answer.at_least, answer.at_most) {
             (Some(least), Some(most)) => {
@@ -256,9 +202,10 @@ impl Page {
             (None, Some(most)) => format!("  ≤ {}", limit(most)),
             (None, None) => String::new(),
         };
-        let bound = bound.trim_end().to_owned();
-        let error =
-            error.map_or(bound, |error| format!("  ± {} %", significant(100.0 * error, 2)));
+        let error = match answer.error {
+            ErrorBar::Relative(error) => format!("  ± {} %", significant(100.0 * error, 2)),
+            ErrorBar::Word(_) => bound.trim_end().to_owned(),
+        };
         let beside = match (answer.elastic, answer.value, &answer.place) {
             (Some(elastic), value, _) => {
                 let ratio = value.filter(|_| elastic > 0.0);
@@ -289,59 +236,6 @@ impl Page {
             self.line(&format!("{name}{value}"));
             self.line(&format!("{:>WIDTH$}", beside.trim()));
         }
-    }
-
-    fn plastic_zone(&mut self, name: &str, zone: Option<&PlasticityReport>) {
-        let text = match zone {
-            None => "rigid".to_owned(),
-            Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
-            Some(zone) => self.yielded(zone),
-        };
-        self.line(&wrapped(&format!("{name}  "), &words(&text), " "));
-    }
-
-    /// How much has yielded, and where most; a strain without a limit has no place.
-    fn yielded(&self, zone: &PlasticityReport) -> String {
-        let length = self.names.length;
-        let size = zone.volume.map_or_else(
-            || format!("{} {length}²", significant(zone.area, 3)),
-            |volume| format!("{} {length}³", significant(volume, 3)),
-        );
-        let Some(strain) = zone.max_equivalent_plastic_strain else {
-            let mean = significant(100.0 * zone.mean_equivalent_plastic_strain, 3);
-            return format!("plastic zone {size}; mean strain {mean} %");
-        };
-        let [strain, x, depth] =
-            [100.0 * strain, zone.position, zone.depth].map(|figure| significant(figure, 3));
-        let place = match zone.position_y {
-            Some(y) => format!("x {x}, y {}", significant(y, 3)),
-            None => format!("{} {x}", self.names.abscissa()),
-        };
-        format!("plastic zone {size}; strain up to {strain} % at {place}, depth {depth} {length}")
-    }
-
-    /// Writes which surfaces yielded in reverse, and the work.
-    fn flow(&mut self, flow: &FlowReport) {
-        let surfaces = &flow.surfaces;
-        for (name, surface) in [("upper", &surfaces.upper), ("lower", &surfaces.lower)] {
-            if surface.as_ref().is_some_and(|surface| surface.yielded_in_reverse) {
-                self.line(&format!("{name}  yielded in reverse"));
-            }
-        }
-        let energy = &flow.energy;
-        let stored = if energy.stored > 0.0 {
-            format!(", stored by backstress {}", significant(energy.stored, 3))
-        } else {
-            String::new()
-        };
-        let text = format!(
-            "{} {}: elastic {}, dissipated {}{stored}",
-            significant(energy.work, 4),
-            self.names.work,
-            significant(energy.elastic, 3),
-            significant(energy.dissipated, 3),
-        );
-        self.line(&wrapped("work   ", &words(&text), " "));
     }
 
     fn line(&mut self, text: &str) {

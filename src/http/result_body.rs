@@ -18,7 +18,7 @@ use super::problem::Problem;
 use super::problem_type::ProblemType;
 use super::query::Selection;
 use super::request_log::JobIdExtension;
-use super::selection::{edit, edit_report, no_step};
+use super::selection::{edit, no_step};
 use super::wire::JobDocument;
 use super::written_body;
 use crate::jobs::{
@@ -61,7 +61,7 @@ impl SentResult {
 
     /// Hundreds of megabytes of fields are not compressed for each reader; there is a binary form.
     fn is_compressed(&self, headers: &HeaderMap) -> bool {
-        takes_gzip(headers) && !self.has_fields() && self.head.around_steps().is_some()
+        takes_gzip(headers) && !self.has_fields()
     }
 
     /// Returns the requested steps.
@@ -84,9 +84,7 @@ impl SentResult {
             (CACHE_CONTROL, "private, no-cache"),
             (VARY, "accept, accept-encoding"),
         ];
-        if self.head.around_steps().is_some() {
-            self.steps()?;
-        }
+        self.steps()?;
         if is_known(&tag, headers) {
             return Ok((StatusCode::NOT_MODIFIED, common).into_response());
         }
@@ -115,9 +113,7 @@ impl SentResult {
         headers: &HeaderMap,
     ) -> Result<Response, Problem> {
         let about = (Extension(JobIdExtension(self.id)), Extension(CodingChosen));
-        let Some((begin, end)) = self.head.around_steps() else {
-            return Ok((about, join([&before, &self.whole().await?, &behind])).into_response());
-        };
+        let (begin, end) = self.head.around_steps().ok_or_else(|| no_step(0))?;
         let steps = self.steps()?;
         let around = [join([&before, &begin]), join([&end, &behind])];
         let (turn, is_compressed) =
@@ -144,16 +140,7 @@ impl SentResult {
         [before, behind]: Around,
         sender: &Sender<Bytes>,
     ) -> Result<Result<(), Problem>, StoreError> {
-        let Some((begin, end)) = self.head.around_steps() else {
-            let whole = self.whole().await.map(|report| join([&before, &report, &behind]));
-            return match whole {
-                Ok(text) => {
-                    sent(sender, text).await;
-                    Ok(Ok(()))
-                }
-                Err(problem) => Ok(Err(problem)),
-            };
-        };
+        let Some((begin, end)) = self.head.around_steps() else { return Ok(Err(no_step(0))) };
         match self.steps() {
             Ok(steps) => self
                 .plain([join([&before, &begin]), join([&end, &behind])], steps, sender)
@@ -161,19 +148,6 @@ impl SentResult {
                 .map(Ok),
             Err(problem) => Ok(Err(problem)),
         }
-    }
-
-    /// Sends a report of version 1, which is stored as a whole.
-    async fn whole(&self) -> Result<Bytes, Problem> {
-        let (report, selection) = (self.head.report.clone(), self.selection.clone());
-        if selection == Selection::default() {
-            return Ok(report);
-        }
-        self.state
-            .jobs
-            .decoders
-            .run(self.caller.key(), move || edit_report(&report, &selection))
-            .await
     }
 
     async fn compressed(
@@ -299,7 +273,13 @@ pub(super) fn no_result(record: &JobRecord) -> Problem {
     } else {
         ProblemType::JobUnfinished
     };
-    let problem = Problem::new(kind, format!("the job is {}", record.state));
+    let problem = if record.has_report {
+        let detail = "an older version of the program has solved the job, and its result has another \
+                      form: solve the job again";
+        Problem::new(kind, detail)
+    } else {
+        Problem::new(kind, format!("the job is {}", record.state))
+    };
     match &record.failure {
         Some(failure) => Problem::new(kind, format!("the job failed: {}", failure.detail))
             .with_errors(failure.errors.clone()),

@@ -6,26 +6,11 @@ use serde_json::{Value, json};
 use super::problem::Problem;
 use super::problem_type::ProblemType;
 use super::query::{Selection, StepPart};
-use crate::jobs::StoreError;
 
 /// Returns the problem for a step that the result does not have.
 pub(super) fn no_step(count: usize) -> Problem {
     let steps = if count == 1 { "step" } else { "steps" };
     Problem::new(ProblemType::StepNotFound, format!("the result has {count} {steps}"))
-}
-
-/// Keeps the requested parts of a report that contains its steps.
-pub(super) fn edit_report(report: &[u8], selection: &Selection) -> Result<Bytes, Problem> {
-    let mut report: Value = serde_json::from_slice(report).map_err(StoreError::damaged)?;
-    let mut steps = report["steps"].as_array_mut().map(std::mem::take).unwrap_or_default();
-    if let Some(step) = selection.step {
-        steps = vec![steps.get(step).cloned().ok_or_else(|| no_step(steps.len()))?];
-    }
-    for step in &mut steps {
-        edit_step(step, selection);
-    }
-    report["steps"] = Value::Array(steps);
-    Ok(serde_json::to_vec(&report).map_err(StoreError::unavailable)?.into())
 }
 
 /// Keeps none of the large parts of a report.
@@ -101,9 +86,9 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
         remove(step, "layers");
     }
     if drops(StepPart::Maps)
-        && let Some(half_spaces) = step.get_mut("three_dimensional")
+        && let Some(contact) = step.get_mut("contact")
     {
-        remove(half_spaces, "maps");
+        remove(contact, "maps");
     }
 }
 
@@ -129,7 +114,7 @@ fn thin(body: &mut Value, most: usize) {
     kept.extend(even);
     kept.sort_unstable();
     for list in body.as_object_mut().into_iter().flat_map(|lists| lists.values_mut()) {
-        if let Some(values) = list.as_array() {
+        if let Some(values) = list.as_array().filter(|values| values.len() == count) {
             *list = kept.iter().filter_map(|index| values.get(*index).cloned()).collect();
         }
     }

@@ -81,11 +81,7 @@ impl JobService {
         };
         let (job, mut report) = self.decoders.run(key, read).await?;
         let exported = |form| Exported { jobs: Arc::clone(self), id, key, form };
-        let Some(last) = steps.checked_sub(1) else {
-            // A report of version 1 contains its steps.
-            let written = self.decoders.run(key, move || form.write(&job, &report, step)).await?;
-            return Ok(exported(ExportForm::Pieces(Box::new(once(written)))));
-        };
+        let last = steps.checked_sub(1).ok_or(ExportError::NoStep(0))?;
         let wanted = step.unwrap_or(last);
         if wanted > last {
             return Err(ExportError::NoStep(wanted).into());
@@ -97,10 +93,8 @@ impl JobService {
         Ok(exported(if form.is_table() {
             let steps = step.map_or(0..steps, |step| step..step + 1);
             ExportForm::Table(Table::new(form, &job, &shown)?, steps)
-        } else if let Some(half_spaces) =
-            shown.three_dimensional.as_mut().filter(|_| form == Export::FieldVtu)
-        {
-            let maps = half_spaces.maps.take().ok_or(ExportError::NoFields)?;
+        } else if form == Export::FieldVtu && shown.contact.section.is_some() {
+            let maps = shown.contact.maps.take().ok_or(ExportError::NoFields)?;
             ExportForm::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
         } else if form == Export::FieldVtu {
             let fields = self.fields(id, wanted).await?;
@@ -111,7 +105,7 @@ impl JobService {
                 VtuFile::new(
                     &report,
                     [wanted, steps],
-                    shown.approach.unwrap_or_default(),
+                    shown.approach().unwrap_or_default(),
                     fields.layout(),
                 )?,
                 fields,
@@ -145,7 +139,9 @@ impl Exported {
             }
             ExportForm::Table(table, steps) => {
                 out.add(&table.header()).await;
+                let table = Arc::new(table);
                 for number in steps {
+                    let table = Arc::clone(&table);
                     let text = jobs.store.step(id, number).await?;
                     let rows = move || {
                         let step = read_step(&text.text().map_err(StoreError::damaged)?)?;

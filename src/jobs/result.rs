@@ -5,8 +5,9 @@ use bytes::Bytes;
 use super::{Deflated, EncodeError, encode};
 use brinell_solver::report::{StepReport, encode_fields, encode_layers};
 
-/// Where the steps of a report stand in its JSON.
+/// Where the steps of a report stand in its JSON, and its rows behind them.
 const STEPS: &str = "\"steps\":[]";
+const ROWS: &str = ",\"answers\":";
 
 /// The result of one step.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -68,8 +69,7 @@ pub struct FieldsPart {
 /// A result without its steps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ResultHead {
-    /// The report with an empty list of steps (JSON); of jobs of the first version, the whole
-    /// report.
+    /// The report with an empty list of steps (JSON).
     pub report: Bytes,
     /// Number of steps that are stored apart.
     pub steps: usize,
@@ -80,8 +80,14 @@ pub struct ResultHead {
 }
 
 impl ResultHead {
-    /// Returns the JSON before and behind the steps; `None` for a report of version 1, which
-    /// contains its steps.
+    /// Returns whether the figures of the report are rows. Those of programs before 0.3.0 are not.
+    pub fn has_rows(&self) -> bool {
+        let around = self.around_steps();
+        around.is_some_and(|(_, behind)| behind[1..].starts_with(ROWS.as_bytes()))
+    }
+
+    /// Returns the JSON before and behind the steps; `None` of the first version, whose reports
+    /// contain their steps.
     pub fn around_steps(&self) -> Option<(Bytes, Bytes)> {
         // The JSON before the steps contains no text of a client that could be mistaken for the
         // marker.

@@ -425,9 +425,10 @@ impl JobService {
         self.notifier.subscribe(id)
     }
 
-    /// The result without its steps, if there is one.
+    /// The result without its steps, if there is one. Results of older programs have another form
+    /// and count as none: their jobs are solved again.
     pub async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
-        self.store.result(id).await
+        Ok(self.store.result(id).await?.filter(ResultHead::has_rows))
     }
 
     /// Opens the fields of a step (counted from 0) in double precision; `None` if the job did not

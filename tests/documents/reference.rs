@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::process::Command;
 
-use brinell_solver::report::validity_tables;
+use brinell_solver::report::{table_of_names, validity_tables};
 use serde_json::{Map, Value};
 
 use crate::{path, read};
@@ -24,7 +24,9 @@ fn the_job() {
 fn the_result() {
     let document = document();
     let of_the_job = reachable(&document, "ContactJob", &BTreeSet::new()).into_iter().collect();
-    hold("result.md", &schema_page(&document, "The result", "Report", &of_the_job));
+    let page = schema_page(&document, "The result", "Report", &of_the_job);
+    let rows = table_of_names();
+    hold("result.md", &format!("{page}\n## Rows\n\nThe names in `answers`.\n\n{rows}"));
 }
 
 #[test]

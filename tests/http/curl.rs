@@ -117,3 +117,15 @@ pub fn parse(mut text: &[u8]) -> Option<Answer> {
         });
     }
 }
+
+/// The first row of a name in the answers of a step.
+pub fn row<'a>(step: &'a serde_json::Value, name: &str) -> &'a serde_json::Value {
+    let rows = step["answers"].as_array().unwrap();
+    rows.iter().find(|row| row["name"] == name).unwrap_or_else(|| panic!("no {name} in {rows:?}"))
+}
+
+/// The value of that row.
+#[track_caller]
+pub fn value(step: &serde_json::Value, name: &str) -> f64 {
+    row(step, name)["value"].as_f64().unwrap()
+}

@@ -72,12 +72,14 @@ fn the_parts_that_are_not_wanted_stay_behind() {
     let query = "/result?step=3&fields=fields,contact&subsurface_points=5";
     let part = solved.get(query, &[]);
     let (step, expected) = (&part.json()["steps"][0], &whole["steps"][2]);
-    for kept in ["contact", "fields", "load", "approach", "hertz"] {
+    for kept in ["contact", "fields", "load", "answers", "shakedown"] {
         assert_eq!(step[kept], expected[kept], "{kept}");
     }
     assert!(step.get("subsurface").is_none() && step["history"] == json!([]));
     assert_eq!(step["plasticity"]["upper"]["outline"], json!([]));
-    assert_eq!(step["plasticity"]["upper"]["depth"], expected["plasticity"]["upper"]["depth"]);
+    assert!(
+        expected["plasticity"]["upper"]["outline"].as_array().is_some_and(|zone| !zone.is_empty())
+    );
 
     let thin = solved.get("/result?fields=subsurface&subsurface_points=5", &[]);
     let compressed =
@@ -102,10 +104,7 @@ fn the_parts_that_are_not_wanted_stay_behind() {
     assert!(summary.body.len() < solved.get("/result", &[]).body.len() / 5);
     let waited = solved.get("?wait=0&fields=summary", &[]).json();
     assert_eq!(waited["result"], summary.json());
-    assert_eq!(
-        waited["result"]["steps"][2]["contact"]["peak_pressure"],
-        expected["contact"]["peak_pressure"]
-    );
+    assert_eq!(waited["result"]["steps"][2]["answers"], expected["answers"]);
     assert_eq!(waited["result"]["steps"][2]["contact"]["nodes"]["pressure"], json!([]));
     solved.get("?wait=0&fields=figures", &[]).problem(400, "invalid-query");
 

@@ -4,6 +4,7 @@
 mod form;
 mod generated;
 mod job;
+mod rows;
 #[path = "../support/schema.rs"]
 mod schema;
 mod types;

@@ -1,24 +1,13 @@
 //! The scalar figures of a contact. A figure is one row of the table `figures!` here: its
-//! identifier, its quantity, its home in a result (a `member` of its own, or an `answer` alone,
-//! which needs nothing else to be shown) and its type. The row makes its member of [`Figures`], its
-//! name in the enumeration [`Figure`], and its place in every list of values, differences and error
-//! bars.
+//! identifier, its quantity and its type. The row makes its member of [`Figures`], its name in the
+//! enumeration [`Figure`], and its place in every list of values, differences and error bars.
 
 use crate::words::Quantity;
 
-macro_rules! home {
-    (member) => {
-        true
-    };
-    (answer) => {
-        false
-    };
-}
-
 macro_rules! figures {
     (
-        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_quantity:ident $contact_home:ident $contact_type:ty,)* }
-        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_quantity:ident $body_home:ident $body_type:ty,)* }
+        contact { $($(#[$contact_doc:meta])* $contact:ident $Contact:ident $contact_quantity:ident $contact_type:ty,)* }
+        body { $($(#[$body_doc:meta])* $body:ident $Body:ident $body_quantity:ident $body_type:ty,)* }
     ) => {
         /// A scalar figure of the contact, or of one body.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,15 +29,6 @@ macro_rules! figures {
                 match self {
                     $(Self::$Contact => stringify!($contact),)*
                     $(Self::$Body => stringify!($body),)*
-                }
-            }
-
-            /// Returns whether a result has a member of its own for the figure. Other figures are
-            /// answers only.
-            pub const fn has_member(self) -> bool {
-                match self {
-                    $(Self::$Contact => home!($contact_home),)*
-                    $(Self::$Body => home!($body_home),)*
                 }
             }
 
@@ -93,40 +73,40 @@ macro_rules! figures {
 figures! {
     contact {
         /// Largest contact pressure \[MPa\].
-        peak_pressure PeakPressure Stress member f64,
+        peak_pressure PeakPressure Stress f64,
         /// Contact pressure in the middle of the contact; of a roller the largest across its middle,
         /// none of heights \[MPa\].
-        middle_pressure MiddlePressure Stress member Option<f64>,
+        middle_pressure MiddlePressure Stress Option<f64>,
         /// Half-width; in three dimensions the semi-axis along x \[mm\].
-        half_width HalfWidth Length member f64,
+        half_width HalfWidth Length f64,
         /// Semi-axis along y; only in three dimensions \[mm\].
-        semi_axis_y SemiAxisY Length member Option<f64>,
+        semi_axis_y SemiAxisY Length Option<f64>,
         /// Area of the contact; only in three dimensions \[mm²\].
-        contact_area ContactArea Area member Option<f64>,
+        contact_area ContactArea Area Option<f64>,
         /// Area of the contact over that of the surface; only of heights \[1\].
-        contact_ratio ContactRatio Ratio member Option<f64>,
+        contact_ratio ContactRatio Ratio Option<f64>,
         /// Approach \[mm\].
-        approach Approach Length member f64,
+        approach Approach Length f64,
         /// Contact force, of both sides of the axis \[N/mm, or N\].
-        force Force Force member f64,
+        force Force Force f64,
     }
     body {
         /// Largest equivalent plastic strain at a point \[1\].
-        max_plastic_strain MaxPlasticStrain Strain member f64,
+        max_plastic_strain MaxPlasticStrain Strain f64,
         /// Mean equivalent plastic strain over the plastic area \[1\].
-        mean_plastic_strain MeanPlasticStrain Strain member Option<f64>,
+        mean_plastic_strain MeanPlasticStrain Strain Option<f64>,
         /// Area of the section that has yielded \[mm²\].
-        plastic_area PlasticArea Area member Option<f64>,
+        plastic_area PlasticArea Area Option<f64>,
         /// Depth down to which there is plastic strain; `None` without plastic strain \[mm\].
-        plastic_depth PlasticDepth Length answer Option<f64>,
+        plastic_depth PlasticDepth Length Option<f64>,
         /// Depth of the deepest point of the surface below the undeformed one \[mm\].
-        dent Dent Length member f64,
+        dent Dent Length f64,
         /// Height of the highest point of the surface above the undeformed one \[mm\].
-        pile_up PileUp Length member f64,
+        pile_up PileUp Length f64,
         /// Least stress along the surface on the normal below the middle of the contact \[MPa\].
-        least_stress LeastStress Stress member Option<f64>,
+        least_stress LeastStress Stress Option<f64>,
         /// Largest von Mises stress over the strength there, that of the surface being 1 \[MPa\].
-        largest_von_mises LargestVonMises Stress member Option<f64>,
+        largest_von_mises LargestVonMises Stress Option<f64>,
     }
 }
 

@@ -41,6 +41,8 @@ pub enum Quantity {
     Length,
     /// An area.
     Area,
+    /// A volume.
+    Volume,
     /// A stress.
     Stress,
     /// A force.
@@ -63,4 +65,6 @@ pub enum Quantity {
     Number,
     /// An angle \[mrad\].
     Angle,
+    /// An angle \[degrees\].
+    Degrees,
 }

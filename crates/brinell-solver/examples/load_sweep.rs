@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
 use brinell_solver::report;
+use brinell_solver::report::Name;
 use brinell_solver::solver::{Interrupt, IterationRecord, Observer};
 use serde_json::json;
 
@@ -61,17 +62,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     println!("{:>8} {:>10} {:>10} {:>10} {:>12}", "N/mm", "mm", "MPa", "MPa", "mm²");
     for step in &report.steps {
-        let area: f64 = [&step.plasticity.upper, &step.plasticity.lower]
-            .into_iter()
-            .flatten()
-            .map(|plasticity| plasticity.area)
-            .sum();
-        let hertz = step.hertz.as_ref().map_or(f64::NAN, |hertz| hertz.peak_pressure);
+        let zones = step.answers.iter().filter(|row| row.is(Name::PlasticArea));
+        let area: f64 = zones.filter_map(|row| row.value).sum();
+        let hertz = step.elastic(Name::PeakPressure).unwrap_or(f64::NAN);
         println!(
             "{:8.0} {:10.5} {:10.1} {:10.1} {:12.5} {:>10?}",
-            step.contact.force,
-            step.approach.unwrap_or_default(),
-            step.contact.peak_pressure,
+            step[Name::Force],
+            step.approach().unwrap_or_default(),
+            step[Name::PeakPressure],
             hertz,
             area,
             step.status

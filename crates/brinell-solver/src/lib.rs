@@ -22,7 +22,7 @@
 //!
 //! # Example
 //! ```
-//! use brinell_solver::{job::Job, report, solver::Unobserved};
+//! use brinell_solver::{job::Job, report::{self, Name}, solver::Unobserved};
 //!
 //! let body = r#"{"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 210000,
 //!     "poisson_ratio": 0.3,
@@ -31,7 +31,7 @@
 //!     r#"{{"analysis": "plane_strain", "upper": {body}, "lower": {body}, "load": {{"force": 612.6106}}}}"#
 //! );
 //! let report = report::run(&Job::from_json(job.as_bytes())?, &mut Unobserved)?;
-//! let peak_pressure = report.steps[0].contact.peak_pressure; // MPa; Hertz's elastic answer is 1500
+//! let peak_pressure = report.steps[0][Name::PeakPressure]; // MPa; Hertz finds 1500, elastic
 //! assert!((peak_pressure - 1150.4).abs() < 1.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

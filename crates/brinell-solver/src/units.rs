@@ -107,7 +107,8 @@ pub(crate) fn about(value: f64) -> String {
     to_digits(value, 3)
 }
 
-fn to_digits(value: f64, digits: usize) -> String {
+/// Returns a figure to a number of digits, for sentences.
+pub(crate) fn to_digits(value: f64, digits: usize) -> String {
     let digits = format!("{value:.*e}", digits - 1);
     match digits.parse::<f64>() {
         Ok(plain) if plain == 0.0 || (1e-3..1e7).contains(&plain.abs()) => plain.to_string(),

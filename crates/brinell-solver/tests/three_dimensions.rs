@@ -7,7 +7,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use brinell_solver::job::Job;
 use brinell_solver::report::export::Export;
-use brinell_solver::report::{self, Report, StepReport};
+use brinell_solver::report::{self, Name, Report, Side, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
@@ -56,7 +56,7 @@ fn assert_near(found: f64, expected: f64, tolerance: f64) {
 }
 
 fn pressed(step: &StepReport) -> f64 {
-    let maps = step.three_dimensional.as_ref().unwrap().maps.as_ref().unwrap();
+    let maps = step.contact.maps.as_ref().unwrap();
     let cell = (maps.x[1] - maps.x[0]) * (maps.y[1] - maps.y[0]);
     cell * maps.pressure.iter().sum::<f64>()
 }
@@ -66,11 +66,10 @@ fn a_turned_body_has_the_same_contact_at_another_angle() {
     let straight = solve(&ellipsoid(0.0, None, &json!({"force": 100})));
     let turned = solve(&ellipsoid(30.0, None, &json!({"force": 100})));
     let [straight, turned] = [&straight.steps[0], &turned.steps[0]];
-    let angles =
-        [straight, turned].map(|step| step.three_dimensional.as_ref().unwrap().orientation);
+    let angles = [straight, turned].map(|step| step[Name::Orientation]);
     assert!(angles[0].abs() < 1e-9 && (angles[1] - 30.0).abs() < 1e-9, "{angles:?}");
-    assert_near(turned.contact.peak_pressure, straight.contact.peak_pressure, 1e-9);
-    assert_near(turned.approach.unwrap(), straight.approach.unwrap(), 1e-9);
+    assert_near(turned[Name::PeakPressure], straight[Name::PeakPressure], 1e-9);
+    assert_near(turned[Name::Approach], straight[Name::Approach], 1e-9);
 }
 
 #[test]
@@ -91,11 +90,11 @@ fn figures_are_in_the_units_of_the_job() {
     let report = solve(&metres);
     let other = &report.steps[0];
     assert_near(pressed(other), 100.0, 1e-9);
-    assert_near(other.contact.peak_pressure, 1e6 * one.contact.peak_pressure, 1e-9);
-    assert_near(other.contact_stiffness.unwrap(), 1e3 * one.contact_stiffness.unwrap(), 1e-9);
-    let [ours, theirs] = [whole, other].map(|step| step.three_dimensional.as_ref().unwrap());
-    assert_near(theirs.area, 1e-6 * ours.area, 1e-9);
-    assert_near(theirs.b, 1e-3 * ours.b, 1e-9);
+    assert_near(other[Name::PeakPressure], 1e6 * one[Name::PeakPressure], 1e-9);
+    let stiffness = Name::ContactStiffness;
+    assert_near(other[stiffness], 1e3 * one[stiffness], 1e-9);
+    assert_near(other[Name::ContactArea], 1e-6 * whole[Name::ContactArea], 1e-9);
+    assert_near(other[Name::SemiAxisB], 1e-3 * whole[Name::SemiAxisB], 1e-9);
 }
 
 /// On few cells the stiffness of bodies that yield is the difference of jobs of their own. Below
@@ -109,16 +108,17 @@ fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
         solve(&job).steps.remove(0)
     };
     let [less, here, more] = [285.0, 300.0, 315.0].map(at);
-    let slope = (more.contact.force - less.contact.force)
-        / (more.approach.unwrap() - less.approach.unwrap());
-    assert_eq!(less.contact_stiffness, None);
-    assert_near(here.contact_stiffness.unwrap(), slope, 1e-9);
+    let slope =
+        (more[Name::Force] - less[Name::Force]) / (more[Name::Approach] - less[Name::Approach]);
+    let stiffness = |step: &StepReport| step.value(Name::ContactStiffness);
+    assert_eq!(stiffness(&less), None);
+    assert_near(stiffness(&here).unwrap(), slope, 1e-9);
     let mut job =
         ellipsoid(0.0, Some(500.0), &json!({"history": [{"force": 300}, {"force": 200}]}));
     job["solver"] = json!({"theory": "flow"});
     let steps = solve(&job).steps;
-    let unloading = steps[1].flow.as_ref().unwrap().unloading_stiffness;
-    assert_eq!((steps[0].contact_stiffness, steps[1].contact_stiffness), (None, Some(unloading)));
+    let unloading = steps[1][Name::UnloadingStiffness];
+    assert_eq!((stiffness(&steps[0]), stiffness(&steps[1])), (None, Some(unloading)));
 }
 
 /// Of Hertz's contact the work is 2/5 P α, all of it elastic.
@@ -128,14 +128,12 @@ fn a_history_of_elastic_bodies_keeps_its_work() {
         ellipsoid(0.0, Some(5000.0), &json!({"history": [{"force": 100}, {"force": 0}]}));
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
-    let [loaded, unloaded] = [0, 1].map(|k| report.steps[k].flow.as_ref().unwrap());
-    let expected = 0.4 * 100.0 * report.steps[0].approach.unwrap();
-    assert_near(loaded.energy.work, expected, 5e-3);
-    assert_near(loaded.energy.elastic, expected, 5e-3);
-    assert!(unloaded.energy.work.abs() < 5e-3 * expected, "{:?}", unloaded.energy);
-    assert!(
-        unloaded.surfaces.lower.as_ref().unwrap().depth < 1e-6 * report.steps[0].approach.unwrap()
-    );
+    let [loaded, unloaded] = [0, 1].map(|k| &report.steps[k]);
+    let expected = 0.4 * 100.0 * loaded[Name::Approach];
+    assert_near(loaded[Name::Work], expected, 5e-3);
+    assert_near(loaded[Name::ElasticEnergy], expected, 5e-3);
+    assert!(unloaded[Name::Work].abs() < 5e-3 * expected, "{}", unloaded[Name::Work]);
+    assert!(unloaded.body(Name::DentDepth, Side::Lower) < Some(1e-6 * loaded[Name::Approach]));
     assert!(report.load_approach.is_some());
 }
 
@@ -149,25 +147,22 @@ fn an_ellipsoid_leaves_a_dent() {
     let report = solve(&job);
     assert_eq!(report.status, SolveStatus::Converged);
     let [loaded, unloaded] = [&report.steps[0], &report.steps[1]];
-    let error = loaded.estimated_error.unwrap();
-    assert_near(loaded.contact.peak_pressure, 1174.5, error.peak_pressure.unwrap().min(0.04));
-    assert_near(loaded.approach.unwrap(), 3.805e-3, error.approach.unwrap().min(0.01));
-    let whole = unloaded.three_dimensional.as_ref().unwrap();
-    let errors = whole.estimated_error.as_ref().unwrap().bodies.lower.unwrap();
-    let surface = unloaded.flow.as_ref().unwrap().surfaces.lower.clone().unwrap();
-    assert_near(surface.depth, 1.008e-3, errors.depth.unwrap().min(0.08));
-    assert!(surface.pile_up > 0.05e-3 && !surface.yielded_in_reverse, "{surface:?}");
+    let bar = |step: &StepReport, name: Name| step.bar(name).unwrap();
+    let peak = bar(loaded, Name::PeakPressure).min(0.04);
+    assert_near(loaded[Name::PeakPressure], 1174.5, peak);
+    assert_near(loaded[Name::Approach], 3.805e-3, bar(loaded, Name::Approach).min(0.01));
+    let dent = bar(unloaded, Name::DentDepth).min(0.08);
+    assert_near(unloaded[Name::DentDepth], 1.008e-3, dent);
+    assert!(unloaded[Name::PileUp] > 0.05e-3, "{}", unloaded[Name::PileUp]);
+    assert!(unloaded.row(Name::ReversePlasticStrain).is_none());
     let profile = unloaded.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
     let least = profile.sigma_xx.as_ref().unwrap().iter().skip(1).copied().fold(0.0, f64::min);
     assert_near(least, -230.5, 0.1);
-    let energy = unloaded.flow.as_ref().unwrap().energy;
-    assert!(
-        energy.dissipated > 0.0 && energy.elastic > 0.0 && energy.elastic < energy.work,
-        "{energy:?}"
-    );
-    let zone = unloaded.plasticity.lower.as_ref().unwrap();
-    assert!(zone.volume.unwrap() > 0.0 && zone.area > 0.0);
-    assert!(unloaded.contact.force.abs() < 1e-12);
+    let [lost, elastic, work] =
+        [Name::DissipatedWork, Name::ElasticEnergy, Name::Work].map(|name| unloaded[name]);
+    assert!(lost > 0.0 && elastic > 0.0 && elastic < work, "{lost} {elastic} {work}");
+    assert!(unloaded[Name::PlasticVolume] > 0.0 && unloaded[Name::PlasticArea] > 0.0);
+    assert!(unloaded[Name::Force].abs() < 1e-12);
 }
 
 /// Numbers of an array of a VTK file.
@@ -228,23 +223,12 @@ fn assert_sound(job: &Value, report: &Report) {
     let text = serde_json::to_string(report).unwrap();
     assert!(!text.contains("NaN"), "{job}");
     for step in &report.steps {
-        let whole = step.three_dimensional.as_ref().unwrap();
-        let figures = [
-            step.approach.unwrap(),
-            step.contact.peak_pressure,
-            step.contact.force,
-            whole.a,
-            whole.b,
-        ];
-        assert!(figures.iter().all(|figure| figure.is_finite()), "{job}");
-        assert!(
-            whole.b >= 0.9 * whole.a && whole.largest_cell_pressure >= 0.0,
-            "{job}: {whole:?}"
-        );
-        if step.contact.force > 0.0 && step.status == SolveStatus::Converged {
-            let hertz = step.hertz.as_ref().unwrap();
-            assert!(step.contact.peak_pressure < 1.08 * hertz.peak_pressure, "{job}");
-            assert!(whole.a > 0.8 * hertz.half_width, "{job}");
+        let [a, b] = [step[Name::SemiAxisA], step[Name::SemiAxisB]];
+        assert!(b >= 0.9 * a && step[Name::LargestCellPressure] >= 0.0, "{job}: {a} {b}");
+        if step[Name::Force] > 0.0 && step.status == SolveStatus::Converged {
+            let hertz = |name: Name| step.elastic(name).unwrap();
+            assert!(step[Name::PeakPressure] < 1.08 * hertz(Name::PeakPressure), "{job}");
+            assert!(a > 0.8 * hertz(Name::SemiAxisA), "{job}");
         }
     }
 }
@@ -271,40 +255,21 @@ fn random_contacts_in_three_dimensions_are_sound() {
 
 /// Name, value and estimated error of the figures of a step that have one.
 fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
-    let (Some(errors), Some(whole)) = (step.estimated_error, &step.three_dimensional) else {
-        return Vec::new();
-    };
-    let ellipse = whole.estimated_error.as_ref().unwrap();
-    let mut found = vec![
-        ("peak pressure", step.contact.peak_pressure, errors.peak_pressure.unwrap()),
-        ("a", whole.a, errors.half_width.unwrap()),
-        ("b", whole.b, ellipse.b.unwrap()),
-        ("area", whole.area, ellipse.area),
-        ("approach", step.approach.unwrap(), errors.approach.unwrap()),
+    let named = [
+        ("peak pressure", Name::PeakPressure),
+        ("a", Name::SemiAxisA),
+        ("b", Name::SemiAxisB),
+        ("area", Name::ContactArea),
+        ("approach", Name::Approach),
+        ("approach", Name::PermanentApproach),
+        ("plastic strain", Name::MaxPlasticStrain),
+        ("dent", Name::DentDepth),
+        ("pile-up", Name::PileUp),
+        ("residual stress", Name::LeastStress),
     ];
-    let zone = step.plasticity.lower.as_ref().filter(|zone| zone.yielded);
-    if let (Some(zone), Some(errors)) = (zone, ellipse.bodies.lower) {
-        let strain = zone.max_equivalent_plastic_strain;
-        found.extend(strain.map(|strain| {
-            ("plastic strain", strain, errors.max_equivalent_plastic_strain.unwrap())
-        }));
-        if let Some(surface) = step.flow.as_ref().and_then(|flow| flow.surfaces.lower.as_ref()) {
-            // Under load the surface has an elastic deflection too.
-            if step.contact.force <= 0.0 {
-                found.push(("dent", surface.depth, errors.depth.unwrap()));
-                found.push(("pile-up", surface.pile_up, errors.pile_up.unwrap()));
-            }
-        }
-        let profile = step.subsurface_below_peak.as_ref().or(step.subsurface.as_ref());
-        let profile = profile.and_then(|bodies| bodies.lower.as_ref());
-        if let (Some(profile), Some(error)) = (profile, errors.least_stress) {
-            let stresses = [&profile.sigma_xx, &profile.sigma_yy].into_iter().flatten();
-            let least =
-                stresses.flat_map(|stress| stress.iter().skip(1)).copied().fold(0.0, f64::min);
-            found.push(("residual stress", least, error));
-        }
-    }
-    found
+    let row =
+        |(word, name): (&'static str, Name)| Some((word, step.value(name)?, step.bar(name)?));
+    named.into_iter().filter_map(row).collect()
 }
 
 /// Estimated errors of random jobs beside what twice the cells change.
@@ -336,12 +301,12 @@ fn estimated_errors_cover_what_finer_grids_change() {
                 let Some(truth) = truth.get(name).filter(|_| value != 0.0) else { continue };
                 let change = (truth / value - 1.0).abs();
                 if change > error {
-                    let place = coarse.contact.peak_position / coarse.contact.half_width;
+                    let place = coarse.peak_position() / coarse[Name::SemiAxisA];
                     println!(
                         "{seed}, {cells} cells, {:?}, {} increments, peak at {place:.2}: {name} \
                          {value} changes by {change:.4}, bar {error:.4}",
                         coarse.load,
-                        coarse.flow.as_ref().map_or(0, |flow| flow.increments.force.len()),
+                        coarse.increments.as_ref().map_or(0, |ends| ends.force.len()),
                     );
                 }
                 all.entry(name).or_default().push([change, error]);

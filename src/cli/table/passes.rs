@@ -2,14 +2,15 @@
 
 use super::number::significant;
 use crate::cli::style::Style;
-use brinell_solver::report::{BodyPassReport, PassReport, PerBody};
+use brinell_solver::job::Named as _;
+use brinell_solver::report::{Name, PassesReport};
 
 /// Longest table that is shown whole, and how much of a longer one is shown at each end.
 const WHOLE: usize = 14;
 const ENDS: usize = 6;
 
 /// The passes, with the figures of the body that yields more.
-pub(super) fn passes(passes: &[PassReport], length: &str, stress: &str, style: Style) -> String {
+pub(super) fn passes(passes: &PassesReport, length: &str, stress: &str, style: Style) -> String {
     let mut text = style.dim(&format!(
         "{:>4} {:>5} {:>10} {:>10} {:>11} {:>11} {:>9} {:>10}\n",
         "pass",
@@ -19,36 +20,43 @@ pub(super) fn passes(passes: &[PassReport], length: &str, stress: &str, style: S
         format!("forward {length}"),
         format!("track {length}"),
         format!("peak {stress}"),
-        "loss"
+        "resistance"
     ));
-    let left_out = if passes.len() > WHOLE { passes.len() - 2 * ENDS } else { 0 };
-    for (index, pass) in passes.iter().enumerate() {
+    let count = passes.number.len();
+    let left_out = if count > WHOLE { count - 2 * ENDS } else { 0 };
+    for index in 0..count {
         if left_out > 0 && index == ENDS {
             text.push_str(&style.dim(&format!("   … {left_out} more\n")));
         }
         if left_out == 0 || index < ENDS || index >= ENDS + left_out {
-            text.push_str(&row(pass));
+            text.push_str(&row(passes, index));
         }
     }
     text
 }
 
-fn row(pass: &PassReport) -> String {
-    let PerBody { upper, lower } = &pass.bodies;
-    let bodies = [lower, upper].into_iter().flatten();
-    let strained = bodies.reduce(|a, b| if b.largest_strain > a.largest_strain { b } else { a });
-    let figure = |of: fn(&BodyPassReport) -> f64| {
-        strained.map_or_else(|| "—".to_owned(), |body| significant(of(body), 4))
+fn row(passes: &PassesReport, index: usize) -> String {
+    let of_contact = |name: Name| passes.contact.get(name.name())?.value.get(index).copied();
+    let strain = Name::PassStrain.name();
+    let most = |side: usize| {
+        let columns = [&passes.lower, &passes.upper][side];
+        Some((columns.get(strain)?.value.get(index).copied()?, columns))
+    };
+    let strained = [most(0), most(1)].into_iter().flatten();
+    let strained = strained.reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let of_body = |name: Name| strained?.1.get(name.name())?.value.get(index).copied();
+    let shown = |value: Option<f64>, factor: f64, digits: i32| {
+        value.map_or_else(|| "—".to_owned(), |value| significant(factor * value, digits))
     };
     format!(
         "{:>4} {:>5} {:>10} {:>10} {:>11} {:>11} {:>9} {:>10}\n",
-        pass.number,
-        pass.iterations,
-        figure(|body| 100.0 * body.largest_strain),
-        figure(|body| 100.0 * body.net_strain),
-        figure(|body| body.forward),
-        figure(|body| body.groove_depth),
-        significant(pass.peak_pressure, 5),
-        significant(pass.loss, 3),
+        passes.number[index],
+        passes.iterations.get(index).copied().unwrap_or_default(),
+        shown(of_body(Name::PassStrain), 100.0, 4),
+        shown(of_body(Name::NetStrain), 100.0, 4),
+        shown(of_body(Name::ForwardDisplacement), 1.0, 4),
+        shown(of_body(Name::TrackDepth), 1.0, 4),
+        shown(of_contact(Name::PeakPressure), 1.0, 5),
+        shown(of_contact(Name::RollingResistance), 1.0, 3),
     )
 }

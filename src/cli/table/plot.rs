@@ -7,7 +7,7 @@ use std::fmt::Write;
 use super::number::{round_up, short};
 use super::text::{Names, WIDTH};
 use crate::cli::style::Style;
-use brinell_solver::report::StepReport;
+use brinell_solver::report::{Name, StepReport};
 
 /// Size of the picture in characters; each is 2 × 4 dots.
 const COLUMNS: usize = 64;
@@ -44,10 +44,10 @@ struct Ellipse {
 /// The pictures of a step with their axes, one below the other; empty when there is nothing to
 /// draw.
 pub(super) fn pressure(step: &StepReport, names: Names, style: Style) -> String {
-    let hertz = step
-        .hertz
-        .as_ref()
-        .map(|hertz| Ellipse { half_width: hertz.half_width, peak_pressure: hertz.peak_pressure });
+    let elastic = |name: Name| step.row(name).and_then(|row| row.elastic);
+    let shorter = elastic(Name::HalfWidth).or(elastic(Name::SemiAxisA));
+    let hertz = shorter.zip(elastic(Name::PeakPressure));
+    let hertz = hertz.map(|(half_width, peak_pressure)| Ellipse { half_width, peak_pressure });
     let nodes = &step.contact.nodes;
     let mut sections = vec![Section {
         x: &nodes.x,
@@ -55,11 +55,10 @@ pub(super) fn pressure(step: &StepReport, names: Names, style: Style) -> String 
         hertz,
         abscissa: names.abscissa(),
     }];
-    if let Some(whole) = &step.three_dimensional {
-        let longer = whole.hertz.map(|ellipse| ellipse.b);
-        let hertz = hertz.zip(longer).filter(|_| whole.roller.is_none());
+    if let Some(section) = &step.contact.section {
+        let longer = elastic(Name::SemiAxisB).filter(|_| step.contact.along.is_none());
+        let hertz = hertz.zip(longer);
         let hertz = hertz.map(|(hertz, half_width)| Ellipse { half_width, ..hertz });
-        let section = &whole.section;
         sections.push(Section {
             x: &section.y,
             pressure: &section.pressure,
@@ -67,7 +66,8 @@ pub(super) fn pressure(step: &StepReport, names: Names, style: Style) -> String 
             abscissa: "y",
         });
     }
-    let peak = step.contact.peak_pressure.max(hertz.map_or(0.0, |hertz| hertz.peak_pressure));
+    let pressures = nodes.pressure.iter().copied();
+    let peak = pressures.chain(hertz.map(|hertz| hertz.peak_pressure)).fold(0.0, f64::max);
     let pictures: Vec<String> = sections
         .iter()
         .map(|section| picture(section, peak, names, style))

@@ -3,7 +3,7 @@
 use super::number::significant;
 use super::text::Names;
 use crate::cli::style::Style;
-use brinell_solver::report::{LoadReport, StepReport};
+use brinell_solver::report::{Name, StepReport};
 use brinell_solver::solver::SolveStatus;
 
 /// Most loads that are shown one below the other, each as a whole.
@@ -31,11 +31,6 @@ pub(super) fn sweep(steps: &[StepReport], names: Names, style: Style) -> String 
 fn row(number: usize, step: &StepReport, style: Style) -> String {
     let shown =
         |figure: Option<f64>| figure.map_or_else(|| "—".to_owned(), |it| significant(it, 5));
-    let approach = match step.load {
-        LoadReport::Approach(approach) => Some(approach),
-        LoadReport::Force(_) => step.approach,
-    };
-    let contact = &step.contact;
     let status = match step.status {
         SolveStatus::Converged => String::new(),
         SolveStatus::NotConverged => style.red("  NOT CONVERGED"),
@@ -44,10 +39,10 @@ fn row(number: usize, step: &StepReport, style: Style) -> String {
     };
     format!(
         "{number:>4} {:>13} {:>12} {:>10} {:>13} {:>8}{status}\n",
-        shown(Some(contact.force)),
-        shown(approach),
-        shown(Some(contact.peak_pressure)),
-        shown(Some(contact.half_width)),
-        shown(step.max_plastic_strain().map(|strain| 100.0 * strain)),
+        shown(step.value(Name::Force)),
+        shown(step.value(Name::Approach)),
+        shown(step.value(Name::PeakPressure)),
+        shown(step.value(Name::HalfWidth).or(step.value(Name::SemiAxisA))),
+        shown(step.value(Name::MaxPlasticStrain).map(|strain| 100.0 * strain)),
     )
 }

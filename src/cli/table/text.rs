@@ -12,21 +12,16 @@ pub(super) struct Names {
     pub length: &'static str,
     pub stress: &'static str,
     pub force: &'static str,
-    pub work: &'static str,
     pub is_round: bool,
-    pub is_three_dimensional: bool,
 }
 
 impl Names {
     pub fn of(job: &Job) -> Self {
         let is_round = job.analysis == Analysis::Axisymmetric;
-        let is_three_dimensional = job.analysis == Analysis::ThreeDimensional;
         let force = job.analysis.force().quantity();
-        let work =
-            if force == Quantity::LineForce { Quantity::LineEnergy } else { Quantity::Energy };
-        let [length, stress, force, work] = [Quantity::Length, Quantity::Stress, force, work]
-            .map(|quantity| job.units.symbol(quantity));
-        Self { length, stress, force, work, is_round, is_three_dimensional }
+        let [length, stress, force] =
+            [Quantity::Length, Quantity::Stress, force].map(|quantity| job.units.symbol(quantity));
+        Self { length, stress, force, is_round }
     }
 
     /// Places along the surface.

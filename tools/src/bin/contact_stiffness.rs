@@ -13,7 +13,7 @@ mod random_job;
 use std::collections::BTreeMap;
 
 use brinell_solver::job::Job;
-use brinell_solver::report;
+use brinell_solver::report::{self, Name};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use random_job::Random;
 use serde_json::{Value, json};
@@ -74,20 +74,20 @@ fn compare(job: &Value) -> Option<Compared> {
         report.steps.into_iter().last()
     };
     let step = solve(1.0)?;
-    let bar = step.estimated_error?.contact_stiffness?;
+    let bar = step.bar(Name::ContactStiffness)?;
     let mut slopes = [0.0; 3];
     for (slope, by) in slopes.iter_mut().zip(STEPS) {
-        *slope = 2.0 * by * force / (solve(1.0 + by)?.approach? - solve(1.0 - by)?.approach?);
+        *slope =
+            2.0 * by * force / (solve(1.0 + by)?.approach()? - solve(1.0 - by)?.approach()?);
     }
-    let bodies = [&step.plasticity.upper, &step.plasticity.lower];
-    let strains =
-        bodies.into_iter().flatten().map(|body| body.max_equivalent_plastic_strain.unwrap_or(1.0));
-    let plastic = strains.fold(0.0, f64::max);
+    // A strain without a limit has no value.
+    let strains = step.answers.iter().filter(|row| row.is(Name::MaxPlasticStrain));
+    let plastic = strains.map(|row| row.value.unwrap_or(1.0)).fold(0.0, f64::max);
     let theory = if job["solver"]["theory"] == "flow" { "flow" } else { "deformation" };
     let analysis = job["analysis"].as_str().unwrap_or("plane_strain").replace('_', " ");
     let kind = if plastic > 0.0 { format!("{analysis}, {theory}") } else { "elastic".to_owned() };
     let codes = step.validity.iter().map(|note| note.code.clone()).collect();
-    Some(Compared { kind, stiffness: step.contact_stiffness?, bar, slopes, codes })
+    Some(Compared { kind, stiffness: step.value(Name::ContactStiffness)?, bar, slopes, codes })
 }
 
 fn main() {

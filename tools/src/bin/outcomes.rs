@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 use brinell_solver::inputs::run;
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, StepReport};
+use brinell_solver::report::{self, Name, Side, StepReport};
 use brinell_solver::solver::{Interrupt, Observer, SolveStatus};
 use serde_json::{Value, json};
 
@@ -131,21 +131,20 @@ fn up_and_back(asked: &Value) -> String {
     if flow.status != SolveStatus::Converged {
         return format!("**{:?}, {:?}**", up.status, back.status);
     }
-    let increments = up.flow.as_ref().map_or(0, |flow| flow.increments.force.len());
-    let dents = back.flow.as_ref().and_then(|flow| flow.surfaces.upper.as_ref());
-    let strain =
-        up.plasticity.upper.as_ref().map_or(0.0, |zone| zone.mean_equivalent_plastic_strain);
-    let approach = |step: &StepReport| step.approach.unwrap_or(f64::NAN);
+    let increments = up.increments.as_ref().map_or(0, |ends| ends.force.len());
+    let reversed = back.of_body(Name::ReversePlasticStrain, Side::Upper);
+    let strain = up.body(Name::MeanPlasticStrain, Side::Upper).unwrap_or(0.0);
+    let approach = |step: &StepReport| step.approach().unwrap_or(f64::NAN);
     let differs = |a: f64, b: f64| 100.0 * (a / b - 1.0);
     format!(
         "{increments} | {} | {} | {:+.1} % | {:+.1} % | {:.1} % | {:.2} % | {}",
         up.history.len(),
         back.history.len(),
-        differs(other.contact.peak_pressure, up.contact.peak_pressure),
+        differs(other[Name::PeakPressure], up[Name::PeakPressure]),
         differs(approach(other), approach(up)),
         100.0 * approach(back) / approach(up),
         100.0 * strain,
-        if dents.is_some_and(|dent| dent.yielded_in_reverse) { "yes" } else { "no" },
+        if reversed.is_some() { "yes" } else { "no" },
     )
 }
 

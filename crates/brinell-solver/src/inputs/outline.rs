@@ -1,12 +1,12 @@
 //! The outlines of the shapes of a job.
 
 use crate::fem::mesh::{FarBoundary, Outline};
-use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape};
+use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape, Sphere};
 
 /// Outline of a shape.
 pub fn outline_of(shape: &Shape) -> Outline {
     match shape {
-        Shape::Cylinder(Cylinder { radius }) => {
+        Shape::Cylinder(Cylinder { radius }) | Shape::Sphere(Sphere { radius, .. }) => {
             Outline::arc(radius.get().recip(), radius.get(), radius.get())
         }
         Shape::Block(Block { width, depth }) => Outline::arc(0.0, 0.5 * width.get(), depth.get()),
@@ -51,7 +51,7 @@ pub fn outline_of(shape: &Shape) -> Outline {
             power.depth().get(),
         ),
         // The section along x of a half-space, which no analysis meshes.
-        Shape::Sphere(_) | Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_) => {
+        Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_) => {
             let [curvature, ..] = shape.curvatures().unwrap_or_default();
             Outline::arc(curvature, curvature.abs().recip(), f64::INFINITY)
         }
@@ -62,9 +62,8 @@ pub fn outline_of(shape: &Shape) -> Outline {
 pub(crate) fn outlines_of(shapes: [&Shape; 2]) -> [Outline; 2] {
     let outlines = shapes.map(outline_of);
     let radius = |shape: &Shape| match shape {
-        Shape::Cylinder(cylinder) => Some(cylinder.radius.get()),
         Shape::Hole(hole) => Some(-hole.radius().get()),
-        _ => None,
+        shape => shape.round_radius(),
     };
     let held = shapes.into_iter().find_map(|shape| match shape {
         Shape::Hole(hole) => Some(match hole.edge() {
@@ -78,5 +77,28 @@ pub(crate) fn outlines_of(shapes: [&Shape; 2]) -> [Outline; 2] {
             Outline::as_pin_and_hole(outlines, [upper, lower], held)
         }
         _ => outlines,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_sphere_has_the_outline_of_the_cylinder_that_turns_to_it() {
+        let [sphere, cylinder] = ["sphere", "cylinder"].map(|word| {
+            let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+            let job = json!({
+                "analysis": "axisymmetric",
+                "upper": {"shape": {"type": word, "radius": 10}, "material": steel},
+                "lower": {"shape": {"type": "hole", "radius": 10.1, "outer_radius": 40},
+                    "material": steel},
+                "load": {"force": 100},
+            });
+            let job = crate::job::Job::from_value(&job).unwrap();
+            outlines_of([&job.upper.shape, &job.lower.shape])
+        });
+        assert_eq!(sphere, cylinder);
     }
 }

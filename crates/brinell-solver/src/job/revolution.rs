@@ -2,6 +2,7 @@
 
 use super::{
     Analysis, Coupling, FieldError, InitialStress, Job, Material, OuterEdge, Profile, Shape,
+    Sphere,
 };
 
 impl Job {
@@ -26,6 +27,11 @@ impl Job {
                     let detail =
                         "a square plate is no body of revolution; give `outer_radius` instead";
                     faults.push(FieldError::new(format!("/{side}/shape/width"), detail));
+                    None
+                }
+                Shape::Sphere(Sphere { rotation: Some(_), .. }) => {
+                    let detail = "belongs to the analysis \"three_dimensional\"";
+                    faults.push(FieldError::new(format!("/{side}/shape/rotation"), detail));
                     None
                 }
                 _ => None,
@@ -72,15 +78,16 @@ impl Job {
         let mut faults = Vec::new();
         for (k, (side, shape)) in sides.into_iter().enumerate() {
             let ((other, opposite), Shape::Hole(hole)) = (sides[1 - k], shape) else { continue };
-            match opposite {
-                Shape::Cylinder(cylinder) if cylinder.radius.get() < hole.radius().get() => {}
-                Shape::Cylinder(_) => {
+            match opposite.round_radius() {
+                Some(radius) if radius < hole.radius().get() => {}
+                Some(_) => {
                     let detail = "must be greater than the radius of the cylinder in the hole: \
                                   contact without clearance is not solved";
                     faults.push(FieldError::new(format!("/{side}/shape/radius"), detail));
                 }
-                _ => {
-                    let detail = "the body in a \"hole\" is a \"cylinder\", in axisymmetry a ball";
+                None => {
+                    let detail =
+                        "the body in a \"hole\" is a \"cylinder\", in axisymmetry a \"sphere\"";
                     faults.push(FieldError::new(format!("/{other}/shape/type"), detail));
                 }
             }

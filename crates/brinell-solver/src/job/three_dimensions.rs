@@ -61,9 +61,13 @@ impl Job {
     /// Refuses sections of bodies in three dimensions, and half-spaces in all other analyses.
     fn faults_of_shapes_of(&self, is_three_dimensional: bool) -> Vec<FieldError> {
         let sides = [("upper", &self.upper), ("lower", &self.lower)];
-        let misplaced = sides
-            .into_iter()
-            .filter(|(_, body)| body.shape.curvatures().is_some() != is_three_dimensional);
+        let is_ball_of_revolution = |shape: &Shape| {
+            self.analysis == Analysis::Axisymmetric && matches!(shape, Shape::Sphere(_))
+        };
+        let misplaced = sides.into_iter().filter(|(_, body)| {
+            body.shape.curvatures().is_some() != is_three_dimensional
+                && !is_ball_of_revolution(&body.shape)
+        });
         misplaced
             .map(|(side, body)| {
                 let word = body.shape.table().word;
@@ -72,6 +76,10 @@ impl Job {
                         "\"{word}\" is a section of a body; in three dimensions take \
                              \"sphere\", \"curved\", \"roller\" or \"flat\""
                     )
+                } else if matches!(body.shape, Shape::Sphere(_)) {
+                    "\"sphere\" needs the analysis \"axisymmetric\" or \"three_dimensional\"; \
+                     the plane body is a \"cylinder\""
+                        .to_owned()
                 } else {
                     format!("\"{word}\" needs the analysis \"three_dimensional\"")
                 };
@@ -313,6 +321,21 @@ mod tests {
                 && found[0].contains("1024"),
             "{found:?}"
         );
+    }
+
+    #[test]
+    fn a_ball_is_a_sphere_in_revolution_too() {
+        let ball = json!({"type": "sphere", "radius": 10});
+        let mut on_block = job(&ball, &json!({"type": "block", "width": 50, "depth": 50}));
+        on_block["analysis"] = json!("axisymmetric");
+        assert!(faults(&on_block).is_empty(), "{:?}", faults(&on_block));
+        let read = Job::from_value(&on_block).unwrap();
+        assert_eq!(serde_json::to_value(&read).unwrap()["upper"]["shape"]["type"], "sphere");
+        on_block["upper"]["shape"]["rotation"] = json!(30);
+        assert_eq!(pointers(&on_block), ["/upper/shape/rotation"]);
+        on_block["upper"]["shape"] = ball;
+        on_block["analysis"] = json!("plane_strain");
+        assert_eq!(pointers(&on_block), ["/upper/shape/type"]);
     }
 
     #[test]

@@ -31,6 +31,8 @@ impl Units {
             (Quantity::Length, Self::Si) => "m",
             (Quantity::Area, Self::MmNMpa) => "mm²",
             (Quantity::Area, Self::Si) => "m²",
+            (Quantity::Volume, Self::MmNMpa) => "mm³",
+            (Quantity::Volume, Self::Si) => "m³",
             (Quantity::Stress, Self::MmNMpa) => "MPa",
             (Quantity::Stress, Self::Si) => "Pa",
             (Quantity::Force | Quantity::LineEnergy, _) => "N",
@@ -41,6 +43,7 @@ impl Units {
             (Quantity::Energy, Self::MmNMpa) => "N mm",
             (Quantity::Energy, Self::Si) => "N m",
             (Quantity::Angle, _) => "mrad",
+            (Quantity::Degrees, _) => "°",
             (Quantity::Strain | Quantity::Ratio | Quantity::Number, _) => "",
         }
     }
@@ -70,10 +73,12 @@ impl Units {
                 | Quantity::Strain
                 | Quantity::Ratio
                 | Quantity::Number
-                | Quantity::Angle,
+                | Quantity::Angle
+                | Quantity::Degrees,
             ) => (1.0, 1.0),
             (Self::Si, Quantity::Length | Quantity::Energy) => (1e3, 1.0),
             (Self::Si, Quantity::Area) => (1e6, 1.0),
+            (Self::Si, Quantity::Volume) => (1e9, 1.0),
             (Self::Si, Quantity::LineForce | Quantity::Stiffness) => (1.0, 1e3),
             (Self::Si, Quantity::Stress | Quantity::LineStiffness) => (1.0, 1e6),
         }

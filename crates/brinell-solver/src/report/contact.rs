@@ -2,39 +2,31 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::{MapsReport, PressureQuantiles, RollerReport, SectionReport};
 use crate::solver::{ContactPatch, StepSolution};
 use crate::units::UnitConverter;
 
-/// Contact pressure and its resultants, both sides of the axis.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// The contact over the surface.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Contact))]
 pub struct ContactReport {
-    /// Sum of the nodal forces along the approach \[force >= 0\].
-    pub force: f64,
-    /// Half of the distance between the ends of the pressure, along the arc for a pin in a hole
-    /// \[length >= 0\].
-    pub half_width: f64,
-    /// Angle over which a pin touches its hole to each side of the middle; only of these
-    /// \[degrees >= 0\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub half_angle: Option<f64>,
-    /// Largest pressure \[stress >= 0\].
-    pub peak_pressure: f64,
-    /// x of the largest pressure; where nothing touches, of the largest that the history had
-    /// \[length\].
-    pub peak_position: f64,
-    /// Pressure in the middle of the contact; of a roller the largest across its middle, `null` of
-    /// heights \[stress >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub middle_pressure: Option<f64>,
-    /// Force over width, or over the area of the contact circle; of a pin in a hole over those
-    /// across the approach \[stress >= 0\].
-    pub mean_pressure: f64,
     /// The connected parts of the contact, from left to right.
     pub patches: Vec<Patch>,
-    /// The candidate pairs in order of x.
+    /// The candidate pairs in order of x; in three dimensions the cells of the section y = 0.
     pub nodes: ContactNodes,
+    /// The cells of the section x = 0, in three dimensions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section: Option<SectionReport>,
+    /// The rows of cells along a roller.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub along: Option<RollerReport>,
+    /// How the pressure of heights is spread.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quantiles: Option<PressureQuantiles>,
+    /// Pressure, gap and dent of all cells, in three dimensions; absent unless `output.fields`
+    /// asks for them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub maps: Option<MapsReport>,
 }
 
 /// One connected part of the contact. The outer ends of all are interpolated to where the pressure
@@ -49,7 +41,7 @@ pub struct Patch {
 }
 
 /// Values at the candidate pairs.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ContactNodes {
     /// Tangential position, along the arc for a pin in a hole \[length\].
@@ -75,16 +67,6 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
             .chain(step.field.pairs.iter().map(|pair| (pair, 1.0)))
     };
     ContactReport {
-        force: write.force(step.figures.force),
-        half_width: write.length(step.figures.half_width),
-        half_angle: step
-            .field
-            .conforming
-            .map(|pair| pair.angle(step.figures.half_width).to_degrees()),
-        peak_pressure: write.stress(step.figures.peak_pressure),
-        peak_position: write.length(step.field.peak_position),
-        middle_pressure: step.figures.middle_pressure.map(|pressure| write.stress(pressure)),
-        mean_pressure: write.stress(step.field.mean_pressure(&step.figures)),
         patches: patches(step)
             .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })
             .collect(),
@@ -94,12 +76,13 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
             force: pairs().map(|(pair, _)| write.force(pair.force)).collect(),
             gap: pairs().map(|(pair, _)| write.length(pair.gap)).collect(),
         },
+        ..ContactReport::default()
     }
 }
 
 /// Returns the parts of the contact with their interpolated ends. A plane half model has each part
 /// and its mirror image.
-fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
+pub(super) fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
     let mut parts = step.field.parts.clone();
     if let (Some(part), Some(whole)) = (parts.last_mut(), step.field.patch) {
         part.right = whole.right;

@@ -1,6 +1,6 @@
 //! Between what an approach is measured.
 
-use crate::job::{Block, Body, Cylinder, Job, Material, Shape, Side};
+use crate::job::{Block, Body, Cylinder, Job, Material, Shape, Side, Sphere};
 use crate::units::UnitConverter;
 
 /// Between what an approach is measured.
@@ -56,11 +56,15 @@ fn place(side: Side, body: &Body, in_hole: bool, write: UnitConverter) -> String
     };
     match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
-        (_, Shape::Cylinder(_)) if in_hole => format!("the mean displacement of the {side} body"),
-        (_, Shape::Cylinder(Cylinder { radius })) => format!(
-            "the diametral plane of the {side} body, {} from the contact",
-            write.exact_length(radius.get())
-        ),
+        (_, Shape::Cylinder(_) | Shape::Sphere(_)) if in_hole => {
+            format!("the mean displacement of the {side} body")
+        }
+        (_, Shape::Cylinder(Cylinder { radius }) | Shape::Sphere(Sphere { radius, .. })) => {
+            format!(
+                "the diametral plane of the {side} body, {} from the contact",
+                write.exact_length(radius.get())
+            )
+        }
         (_, Shape::Block(Block { depth, .. })) => base(depth.get()),
         (_, Shape::Hole(hole)) => format!(
             "the outer edge of the {side} body, {} from the hole",
@@ -74,7 +78,7 @@ fn place(side: Side, body: &Body, in_hole: bool, write: UnitConverter) -> String
         (_, Shape::Parabola(parabola)) => base(parabola.depth().get()),
         (_, Shape::Ellipse(ellipse)) => base(ellipse.semi_axis_y.get()),
         (_, Shape::Power(power)) => base(power.depth().get()),
-        (_, Shape::Sphere(_) | Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_)) => {
+        (_, Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_)) => {
             format!("the far {side} body")
         }
     }

@@ -6,14 +6,15 @@
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
+use std::ops::Index;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::answers::{AnswerBody, Name};
 use super::{
-    Answer, ContactReport, ErrorEstimate, FieldsReport, FlowReport, HardnessReport, LayersReport,
-    LoadApproach, RollingReport, ShakedownLimit, TargetReport, ThreeDimensionalReport,
-    ValidityNote, Verdict, YieldOnsetReport,
+    Answer, ContactReport, FieldsReport, IncrementsReport, LayersReport, LoadApproach,
+    PassesReport, RuleVerdict, ShakedownMap, Side, SurfaceReport, ValidityNote, Verdict,
 };
 use crate::solver::{IterationRecord, SolveStatus};
 
@@ -33,15 +34,16 @@ pub struct Report {
     pub status: SolveStatus,
     /// One entry for each load.
     pub steps: Vec<StepReport>,
+    /// The figures that follow from more than one load: of a hardness test, and the sensitivity of
+    /// a target.
+    #[serde(default)]
+    pub answers: Vec<Answer>,
     /// The load–approach curve of a sweep.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_approach: Option<LoadApproach>,
-    /// The force that was asked for by what it does; only of a job with `load.target`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub target: Option<TargetReport>,
-    /// The hardness that a test finds; only of a job with `load.hardness`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub hardness: Option<HardnessReport>,
+    /// What to keep in mind about figures that follow from more than one load.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub validity: Vec<ValidityNote>,
     /// The mesh of the last step.
     pub mesh: MeshReport,
     /// Where the time went.
@@ -61,32 +63,19 @@ pub struct StepReport {
     pub load: LoadReport,
     /// How this step ended.
     pub status: SolveStatus,
-    /// The state of the bodies in one sentence; absent of results of 0.2.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub verdict: Option<Verdict>,
-    /// The figures that answer the job, in the order in which it asks for them; empty of results
-    /// of 0.2 and of a step that was stopped.
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
+    /// The state of the bodies in one sentence.
+    pub verdict: Verdict,
+    /// The figures of the step: those that answer the job, in the order in which it asks for them,
+    /// and behind them details. Empty of a step that was stopped.
     pub answers: Vec<Answer>,
-    /// Approach α of the supports; `null` of a line contact that rolls, which has none
-    /// \[length\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub approach: Option<f64>,
-    /// Between which two boundaries α is counted.
-    pub approach_datum: String,
-    /// Contact pressure and its resultants.
+    /// The contact over the surface.
     pub contact: ContactReport,
-    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the
-    /// plastic flow that it brings; 0 where nothing touches. `null` where bodies yield as the load
-    /// rises and `output.contact_stiffness` does not ask for it, where the answer did not
-    /// converge, and where bodies flow at a constant stress in plane stress \[stiffness\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub contact_stiffness: Option<f64>,
-    /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
+    /// The increments of this load, under flow theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub flow: Option<FlowReport>,
+    pub increments: Option<IncrementsReport>,
+    /// The surface of each body near the contact, under flow theory.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surfaces: Option<PerBody<Option<SurfaceReport>>>,
     /// Stresses over depth on the axis, or below the middle of the contact where there is none; of
     /// a load that rolls what its last pass has left, the same all along the track. Absent when
     /// not asked for, and where the step was stopped.
@@ -97,19 +86,18 @@ pub struct StepReport {
     pub subsurface_below_peak: Option<PerBody<Option<SubsurfaceReport>>>,
     /// Plastic zone of each body; `null` for a rigid one.
     pub plasticity: PerBody<Option<PlasticityReport>>,
-    /// The closed-form elastic contact of the same bodies, where there is one.
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub hertz: Option<HertzReport>,
-    /// The onset of yield, of a job with `"load": {"onset": true}`; `null` of other jobs, and
-    /// where the remark `onset_unknown` says why.
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub yield_onset: Option<YieldOnsetReport>,
+    /// Hertz's peak pressures that the contact bears over the friction as it rolls, where strength
+    /// and shapes have closed forms.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shakedown: Option<ShakedownMap>,
+    /// The passes of a load that rolls.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passes: Option<PassesReport>,
+    /// The verdicts on a track by each rule of hardening that was solved.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rules: Vec<RuleVerdict>,
     /// What to keep in mind about this answer.
     pub validity: Vec<ValidityNote>,
-    /// Estimated relative discretization errors, where two meshes allow them.
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub estimated_error: Option<ErrorEstimate>,
     /// Mesh and nodal fields; absent unless asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fields: Option<PerBody<Option<FieldsReport>>>,
@@ -117,12 +105,6 @@ pub struct StepReport {
     /// mesh; absent unless `output.fields` asks for them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layers: Option<PerBody<Option<LayersReport>>>,
-    /// What only a contact in three dimensions has; absent in other analyses.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub three_dimensional: Option<ThreeDimensionalReport>,
-    /// Passes of a load that rolls, and what becomes of the track; absent of all other loads.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub rolling: Option<RollingReport>,
     /// Every outer iteration.
     pub history: Vec<IterationRecord>,
 }
@@ -138,25 +120,59 @@ impl StepReport {
         })
     }
 
-    /// Returns the largest equivalent plastic strain of both bodies, of a load that rolls that of
-    /// all passes, or `None` if the strain of a body has no limit on finer meshes.
-    pub fn max_plastic_strain(&self) -> Option<f64> {
-        if let Some(rolling) = &self.rolling {
-            let last = rolling.passes.last();
-            let bodies =
-                last.into_iter().flat_map(|last| [&last.bodies.upper, &last.bodies.lower]);
-            let strains = bodies.flatten().map(|body| body.accumulated_strain);
-            return Some(strains.fold(0.0, f64::max));
-        }
-        let zones = [&self.plasticity.upper, &self.plasticity.lower].into_iter().flatten();
-        zones
-            .map(|zone| zone.max_equivalent_plastic_strain)
-            .try_fold(0.0, |most, strain| Some(f64::max(most, strain?)))
+    /// Returns the first row of a name: that which answers the job, of bodies the one that decides.
+    pub fn row(&self, name: Name) -> Option<&Answer> {
+        self.answers.iter().find(|row| row.is(name))
     }
 
-    /// Returns x of a profile \[length\].
-    pub fn place_of(&self, profile: &SubsurfaceReport) -> f64 {
-        profile.position.unwrap_or(self.contact.peak_position)
+    /// Returns the value of the first row of a name, in its unit.
+    pub fn value(&self, name: Name) -> Option<f64> {
+        self.row(name)?.value
+    }
+
+    /// Returns the bound of the relative error of the first row of a name.
+    pub fn bar(&self, name: Name) -> Option<f64> {
+        self.row(name)?.error.bound()
+    }
+
+    /// Returns Hertz's figure beside the first row of a name.
+    pub fn elastic(&self, name: Name) -> Option<f64> {
+        self.row(name)?.elastic
+    }
+
+    /// Returns the approach, without force the permanent one.
+    pub fn approach(&self) -> Option<f64> {
+        self.value(Name::Approach).or_else(|| self.value(Name::PermanentApproach))
+    }
+
+    /// Returns x of the largest pressure.
+    pub fn peak_position(&self) -> f64 {
+        let place = self.row(Name::PeakPressure).and_then(|row| row.place);
+        place.map_or(0.0, |place| place.x)
+    }
+
+    /// Returns the value of a figure of a body.
+    pub fn body(&self, name: Name, side: Side) -> Option<f64> {
+        self.of_body(name, side)?.value
+    }
+
+    /// Returns the row of a body.
+    pub fn of_body(&self, name: Name, side: Side) -> Option<&Answer> {
+        let bodies = [Some(AnswerBody::from(side)), Some(AnswerBody::Both)];
+        self.answers.iter().find(|row| row.is(name) && bodies.contains(&row.body))
+    }
+}
+
+impl Index<Name> for StepReport {
+    type Output = f64;
+
+    /// Returns the value of the first row of a name.
+    ///
+    /// # Panics
+    /// If the step has no such row, or its value is not known.
+    fn index(&self, name: Name) -> &f64 {
+        let value = self.row(name).and_then(|row| row.value.as_ref());
+        value.unwrap_or_else(|| panic!("the step has no {}", name.label()))
     }
 }
 
@@ -211,13 +227,12 @@ impl<T: Clone> PerBody<Option<T>> {
 }
 
 /// Stresses along a normal of the surface.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Subsurface))]
 pub struct SubsurfaceReport {
-    /// x of the normal, along the arc for a pin in a hole. Results of 0.2 do not have it: their
-    /// normal is at `contact.peak_position` \[length\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub position: Option<f64>,
+    /// x of the normal, along the arc for a pin in a hole; in three dimensions `[x, y]`
+    /// \[length\].
+    pub position: Vec<f64>,
     /// Depth below the surface, from 0 \[length\].
     pub depth: Vec<f64>,
     /// Tangential stress; radial in axisymmetry \[stress\].
@@ -248,12 +263,9 @@ pub struct SubsurfaceReport {
     /// Out-of-plane stress before the load \[stress\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_sigma_z: Option<Vec<f64>>,
-    /// y of the normal; of this and the following only in three dimensions, where `sigma_x` is
-    /// `sigma_xx`, the normal stress `sigma_y` is `sigma_zz`, and `sigma_z` is `sigma_yy`
-    /// \[length\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub position_y: Option<f64>,
-    /// Stress along x, the shorter semi-axis of the contact \[stress\].
+    /// Stress along x, the shorter semi-axis of the contact. This and the following only in three
+    /// dimensions, where `sigma_x` is `sigma_xx`, the normal stress `sigma_y` is `sigma_zz`, and
+    /// `sigma_z` is `sigma_yy` \[stress\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sigma_xx: Option<Vec<f64>>,
     /// Stress along y, the longer semi-axis \[stress\].
@@ -273,75 +285,15 @@ pub struct SubsurfaceReport {
     pub sigma_yz: Option<Vec<f64>>,
 }
 
-/// Extent of plastic flow in one body.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// The plastic zone of one body.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = PlasticZone))]
 pub struct PlasticityReport {
-    /// Whether any Gauss point is beyond yield.
-    pub yielded: bool,
-    /// Largest equivalent plastic strain at a Gauss point; `null` of a material that does not
-    /// harden, where it has no limit on smaller and smaller elements \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub max_equivalent_plastic_strain: Option<f64>,
-    /// Mean equivalent plastic strain over the area of the section that has yielded \[1
-    /// >= 0\].
-    #[serde(default)]
-    pub mean_equivalent_plastic_strain: f64,
-    /// x of that point \[length\].
-    pub position: f64,
-    /// Depth of that point \[length\].
-    pub depth: f64,
-    /// Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss
-    /// points \[area >= 0\].
-    pub area: f64,
-    /// Whether the plastic zone includes a part of the free surface.
-    pub reached_surface: bool,
-    /// Outline of the plastic zone: closed polygons of points `[x, depth]`, the first one not
-    /// repeated, both sides of the axis. Depth is counted downward from the plane in which the
-    /// bodies first touch, into the material of either body. Counter-clockwise in the axes `(x,
-    /// depth)`; holes clockwise \[length\].
+    /// Outline of the plastic zone in the section x–y: closed polygons of points `[x, depth]`, the
+    /// first one not repeated, both sides of the axis; none in three dimensions. Depth is counted
+    /// downward from the plane in which the bodies first touch, into the material of either body.
+    /// Counter-clockwise in the axes `(x, depth)`; holes clockwise \[length\].
     pub outline: Vec<Vec<[f64; 2]>>,
-    /// y of the point with the largest plastic strain; of this and the next only in three
-    /// dimensions, where there is no outline and `area` is that of the cells beside y = 0
-    /// \[length\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub position_y: Option<f64>,
-    /// Volume of the cells that have yielded \[volume >= 0\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub volume: Option<f64>,
-}
-
-/// Hertz's elastic contact under the same force.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Hertz))]
-pub struct HertzReport {
-    /// Half-width a \[length >= 0\].
-    pub half_width: f64,
-    /// Peak pressure \[stress >= 0\].
-    pub peak_pressure: f64,
-    /// Force at which the first body begins to yield; `null` if none can \[force >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub yield_onset_force: Option<f64>,
-    /// Depth at which it does \[length >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub yield_onset_depth: Option<f64>,
-    /// Elastic peak pressure up to which the contact shakes down when it rolls freely, by the
-    /// orthogonal shear stress over depth: where strength is the same everywhere, 4 k of a line in
-    /// plane strain. In three dimensions it rolls along its shorter semi-axis, and this is an
-    /// upper bound: 4.68 k of a circle. `null` without yield, in plane stress and in axisymmetry
-    /// \[stress >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub shakedown_pressure: Option<f64>,
-    /// Depth that decides on it \[length >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub shakedown_depth: Option<f64>,
-    /// The same limit of a line contact in plane strain with friction, which slides over the whole
-    /// contact: of both bodies the lower, for either sense of the friction. Empty of all other
-    /// contacts, and where `shakedown_pressure` is `null`.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub shakedown_over_friction: Vec<ShakedownLimit>,
 }
 
 /// The mesh that was solved on.
@@ -362,6 +314,10 @@ pub struct MeshReport {
     pub equations: usize,
     /// Mesh passes made, the sizing ones included.
     pub passes: usize,
+    /// Columns, rows and layers of the cells of half-spaces or of a track, 0 layers of elastic
+    /// bodies; absent of meshes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cells: Option<[usize; 3]>,
     /// Times the mesh was enlarged because the contact reached its edge.
     pub enlargements: usize,
     /// Smallest ratio of Jacobian determinants within one element; 1 is a parallelogram \[1\].
@@ -381,6 +337,7 @@ impl Default for MeshReport {
             elements: 0,
             equations: 0,
             passes: 0,
+            cells: None,
             enlargements: 0,
             min_jacobian_ratio: 1.0,
             max_aspect_ratio: 1.0,

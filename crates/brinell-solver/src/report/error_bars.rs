@@ -19,11 +19,10 @@
 //! `docs/validity.md` has the same table. `docs/notes/error_bars.md` counts how often the bars
 //! held.
 
-use serde::{Deserialize, Serialize};
-
 use super::findings::{Finding, Known, left_unknown};
+use super::known::ErrorEstimate;
 use super::surface_stress::UncertainStress;
-use super::{PerBody, validity};
+use super::validity;
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::inputs::meshed_contact;
@@ -45,70 +44,6 @@ pub(super) const BESIDE: f64 = 2.5;
 /// Exponent of the force in the growth of plastic strain well beyond the onset of yield.
 const STRAIN_WITH_FORCE: f64 = 1.5;
 
-/// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases
-/// and say nothing about the theory: for that see `validity`, which also says why a bound is
-/// `null`.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct ErrorEstimate {
-    /// Of the peak pressure \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub peak_pressure: Option<f64>,
-    /// Of the pressure in the middle of the contact \[1 >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub middle_pressure: Option<f64>,
-    /// Of the half-width \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub half_width: Option<f64>,
-    /// Of the approach; 0 where it is prescribed \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub approach: Option<f64>,
-    /// Of the contact force; 0 where it is prescribed \[1 >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub force: Option<f64>,
-    /// Of the contact stiffness, where there is one \[1 >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub contact_stiffness: Option<f64>,
-    /// Of figures of each body; absent in three dimensions, which have their own.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub bodies: Option<PerBody<Option<BodyErrors>>>,
-}
-
-/// Estimated relative errors of figures of one body; 0 of a figure that is 0.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct BodyErrors {
-    /// Of the largest plastic strain \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub max_equivalent_plastic_strain: Option<f64>,
-    /// Of the mean plastic strain \[1 >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub mean_equivalent_plastic_strain: Option<f64>,
-    /// Of the plastic area \[1 >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub area: Option<f64>,
-    /// Of the depth by which the surface is lowered, in three dimensions by plastic strain alone
-    /// \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub depth: Option<f64>,
-    /// Of the height by which it is raised \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub pile_up: Option<f64>,
-    /// Of the least stress along the surface below the middle of the contact, in three dimensions
-    /// below the largest pressure; without load that is the residual stress \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub least_stress: Option<f64>,
-    /// Of the largest von Mises stress there over the yield stress \[1 >= 0\].
-    #[serde(default)]
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub utilization: Option<f64>,
-}
-
 /// Returns the error bars of a load step. Returns `None` without an answer or without a coarser
 /// mesh, and where a finding takes the estimate away. Single figures have no bar where a finding
 /// takes it away.
@@ -127,13 +62,13 @@ pub(super) fn estimate(
             match step
                 .search
                 .force_error
-                .filter(|_| of_target(target.figure, &bars, false).is_some())
+                .filter(|_| of_target(target.figure, &bars, step).is_some())
             {
                 Some(error) => bars.with_force_error(error, Some(target.figure)),
                 None => bars.without_force(target.figure),
             }
         }
-        (ContactLoad::Force(_), _) => ErrorEstimate { force: Some(0.0), ..bars },
+        (ContactLoad::Force(_), _) => bars.with(Figure::Force, Some(0.0)),
     })
 }
 
@@ -159,7 +94,6 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
         return None;
     }
     let bars = Bars::of(step)?;
-    let of_contact = |figure: Figure| known.bar(figure, 0, bars.of_figure(figure, 0));
     let is_approach_given = matches!(step.load, ContactLoad::Approach(_));
     let uncertain = |side: usize| {
         findings.iter().find_map(|finding| match finding {
@@ -167,23 +101,16 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
             _ => None,
         })
     };
-    let of_body = |side: usize| {
-        step.field.bodies[side].as_ref()?;
-        let of = |figure: Figure| known.bar(figure, side, bars.of_figure(figure, side));
-        let at_surface = |figure: Figure, beyond: fn(&UncertainStress, f64) -> f64| {
-            let found = bars.found.get(figure, side)?;
-            let added = uncertain(side).map_or(0.0, |stress| beyond(stress, found) / found.abs());
-            of(figure).map(|bar| bar + added).filter(|bar| bar.is_finite())
+    // The stress at the surface may be beyond what the elements show.
+    let at_surface = |figure: Figure, side: usize, bar: f64| {
+        let beyond = match figure {
+            Figure::LeastStress => UncertainStress::below,
+            Figure::LargestVonMises => UncertainStress::above,
+            _ => return Some(bar),
         };
-        Some(BodyErrors {
-            max_equivalent_plastic_strain: of(Figure::MaxPlasticStrain),
-            mean_equivalent_plastic_strain: of(Figure::MeanPlasticStrain),
-            area: of(Figure::PlasticArea),
-            depth: of(Figure::Dent),
-            pile_up: of(Figure::PileUp),
-            least_stress: at_surface(Figure::LeastStress, UncertainStress::below),
-            utilization: at_surface(Figure::LargestVonMises, UncertainStress::above),
-        })
+        let found = bars.found.get(figure, side)?;
+        let added = uncertain(side).map_or(0.0, |stress| beyond(stress, found) / found.abs());
+        Some(bar + added).filter(|bar| bar.is_finite())
     };
     // Of a tip the peak in the middle is without bound.
     let is_peak_in_middle =
@@ -194,94 +121,99 @@ pub(super) fn under_its_force(step: &StepSolution, findings: &[Finding]) -> Opti
     let of_end = if is_edge_left_out { 0.5 * bars.size } else { 0.0 };
     // The stiffness is known where the contact size is.
     let stiffness = step.contact_stiffness.filter(|_| known.has(Figure::HalfWidth, 0));
-    Some(ErrorEstimate {
-        peak_pressure: of_contact(Figure::PeakPressure),
-        middle_pressure: of_contact(Figure::MiddlePressure)
-            .filter(|_| known.has(Figure::PeakPressure, 0) || !is_peak_in_middle)
-            .map(|bar| bar + of_end),
-        half_width: of_contact(Figure::HalfWidth),
-        approach: if is_approach_given { Some(0.0) } else { of_contact(Figure::Approach) },
-        force: of_contact(Figure::Force),
-        contact_stiffness: stiffness.map(|_| stiffness_bar(step, bars.size)),
-        bodies: Some(PerBody { upper: of_body(0), lower: of_body(1) }),
-    })
+    let mut figures = Values::default();
+    for figure in Figure::ALL.iter().copied().filter(|figure| HAVE_BARS.contains(figure)) {
+        for side in
+            (0..2).filter(|side| !figure.is_of_body() || step.field.bodies[*side].is_some())
+        {
+            let bar = known.bar(figure, side, bars.of_figure(figure, side));
+            figures.set(figure, side, bar.and_then(|bar| at_surface(figure, side, bar)));
+        }
+    }
+    let middle = figures.get(Figure::MiddlePressure, 0);
+    let middle = middle.filter(|_| known.has(Figure::PeakPressure, 0) || !is_peak_in_middle);
+    figures.set(Figure::MiddlePressure, 0, middle.map(|bar| bar + of_end));
+    if is_approach_given {
+        figures.set(Figure::Approach, 0, 0.0);
+    }
+    let contact_stiffness = stiffness.map(|_| stiffness_bar(step, bars.size));
+    Some(ErrorEstimate { figures, contact_stiffness })
 }
 
 impl ErrorEstimate {
     /// Returns the bar of a figure, of a body that of one side.
-    pub fn of_figure(&self, figure: Figure, side: usize) -> Option<f64> {
-        let body = self.bodies.and_then(|bodies| [bodies.upper, bodies.lower][side]);
-        match figure {
-            Figure::PeakPressure => self.peak_pressure,
-            Figure::MiddlePressure => self.middle_pressure,
-            Figure::HalfWidth => self.half_width,
-            Figure::Approach => self.approach,
-            Figure::Force => self.force,
-            Figure::MaxPlasticStrain => body?.max_equivalent_plastic_strain,
-            Figure::MeanPlasticStrain => body?.mean_equivalent_plastic_strain,
-            Figure::PlasticArea => body?.area,
-            Figure::Dent => body?.depth,
-            Figure::PileUp => body?.pile_up,
-            Figure::LeastStress => body?.least_stress,
-            Figure::LargestVonMises => body?.utilization,
-            Figure::SemiAxisY
-            | Figure::ContactArea
-            | Figure::ContactRatio
-            | Figure::PlasticDepth => None,
-        }
+    pub const fn of_figure(&self, figure: Figure, side: usize) -> Option<f64> {
+        self.figures.get(figure, side)
+    }
+
+    /// Returns these bars with another one of a figure of the contact.
+    fn with(mut self, figure: Figure, bar: Option<f64>) -> Self {
+        self.figures.set(figure, 0, bar);
+        self
     }
 
     /// Takes the bars of the figures that depend on a force whose error is unknown: of all but the
     /// target.
     fn without_force(self, target: TargetFigure) -> Self {
-        let of = |is_target: bool, bar: Option<f64>| bar.filter(|_| is_target);
-        let body = |errors: BodyErrors| BodyErrors {
-            max_equivalent_plastic_strain: of(
-                target == TargetFigure::MaxPlasticStrain,
-                errors.max_equivalent_plastic_strain,
-            ),
-            depth: of(target == TargetFigure::DentDepth, errors.depth),
-            ..BodyErrors::default()
-        };
-        Self {
-            peak_pressure: of(target == TargetFigure::PeakPressure, self.peak_pressure),
-            half_width: of(target == TargetFigure::HalfWidth, self.half_width),
-            bodies: self.bodies.map(|PerBody { upper, lower }| PerBody {
-                upper: upper.map(body),
-                lower: lower.map(body),
-            }),
-            ..Self::default()
+        let mut figures = Values::default();
+        if let Some(figure) = figure_of(target) {
+            for side in 0..2 {
+                figures.set(figure, side, self.of_figure(figure, side));
+            }
         }
+        Self { figures, contact_stiffness: None }
     }
 
     /// Adds the relative error of a force that the solver has searched for. The error widens the
     /// bars of all figures that depend on the force, except the figure of the `target`.
-    fn with_force_error(mut self, error: f64, target: Option<TargetFigure>) -> Self {
-        let wider = |bar: &mut Option<f64>, exponent: f64| {
-            *bar = bar.map(|bar| bar + exponent * error);
+    fn with_force_error(self, error: f64, target: Option<TargetFigure>) -> Self {
+        let kept = match target {
+            Some(TargetFigure::PeakPressure) => Some(Figure::PeakPressure),
+            Some(TargetFigure::HalfWidth) => Some(Figure::HalfWidth),
+            _ => None,
         };
-        self.force = Some(error);
-        wider(&mut self.approach, 1.0);
-        if target != Some(TargetFigure::PeakPressure) {
-            wider(&mut self.peak_pressure, WITH_FORCE);
-        }
-        if target != Some(TargetFigure::HalfWidth) {
-            wider(&mut self.half_width, WITH_FORCE);
-        }
-        wider(&mut self.middle_pressure, WITH_FORCE);
-        wider(&mut self.contact_stiffness, WITH_FORCE);
-        if let Some(bodies) = &mut self.bodies {
-            for body in [&mut bodies.upper, &mut bodies.lower].into_iter().flatten() {
-                wider(&mut body.max_equivalent_plastic_strain, STRAIN_WITH_FORCE);
-                wider(&mut body.mean_equivalent_plastic_strain, STRAIN_WITH_FORCE);
-                wider(&mut body.area, 1.0);
-                wider(&mut body.depth, 1.0);
-                wider(&mut body.pile_up, 1.0);
-                wider(&mut body.least_stress, WITH_FORCE);
-                wider(&mut body.utilization, WITH_FORCE);
-            }
-        }
-        self
+        let wider = |figure: Figure, _, bar: f64| {
+            if kept == Some(figure) { bar } else { bar + with_force(figure) * error }
+        };
+        let contact_stiffness = self.contact_stiffness.map(|bar| bar + WITH_FORCE * error);
+        Self { figures: self.figures.map(wider), contact_stiffness }
+            .with(Figure::Force, Some(error))
+    }
+}
+
+/// Figures that have bars of two meshes.
+const HAVE_BARS: [Figure; 12] = [
+    Figure::PeakPressure,
+    Figure::MiddlePressure,
+    Figure::HalfWidth,
+    Figure::Approach,
+    Figure::Force,
+    Figure::MaxPlasticStrain,
+    Figure::MeanPlasticStrain,
+    Figure::PlasticArea,
+    Figure::Dent,
+    Figure::PileUp,
+    Figure::LeastStress,
+    Figure::LargestVonMises,
+];
+
+/// Returns the largest exponent of the force in a figure.
+const fn with_force(figure: Figure) -> f64 {
+    match figure {
+        Figure::MaxPlasticStrain | Figure::MeanPlasticStrain => STRAIN_WITH_FORCE,
+        Figure::Approach | Figure::PlasticArea | Figure::Dent | Figure::PileUp => 1.0,
+        _ => WITH_FORCE,
+    }
+}
+
+/// Returns the figure whose bar is that of a target.
+const fn figure_of(target: TargetFigure) -> Option<Figure> {
+    match target {
+        TargetFigure::PeakPressure => Some(Figure::PeakPressure),
+        TargetFigure::HalfWidth => Some(Figure::HalfWidth),
+        TargetFigure::DentDepth => Some(Figure::Dent),
+        TargetFigure::MaxPlasticStrain => Some(Figure::MaxPlasticStrain),
+        TargetFigure::MeanPressure | TargetFigure::PermanentApproach => None,
     }
 }
 
@@ -302,24 +234,25 @@ fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
 pub(super) fn of_target(
     figure: TargetFigure,
     bars: &ErrorEstimate,
-    of_revolution: bool,
+    step: &StepSolution,
 ) -> Option<f64> {
-    let of_bodies = |bar: fn(&BodyErrors) -> Option<f64>| {
-        let PerBody { upper, lower } = bars.bodies?;
-        [upper, lower]
-            .iter()
-            .flatten()
-            .try_fold(0.0, |most, body| Some(f64::max(most, bar(body)?)))
-    };
+    let of_revolution = step.field.stress_state == StressState::Axisymmetric;
+    let sides = step.field.bodies.each_ref().map(Option::is_some);
+    let of = |figure: Figure| bars.of_figure(figure, 0);
     match figure {
-        TargetFigure::PeakPressure => bars.peak_pressure,
-        TargetFigure::HalfWidth => bars.half_width,
+        TargetFigure::PeakPressure => of(Figure::PeakPressure),
+        TargetFigure::HalfWidth => of(Figure::HalfWidth),
         TargetFigure::MeanPressure => {
-            bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar)
+            of(Figure::HalfWidth).map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar)
         }
-        TargetFigure::PermanentApproach => bars.approach,
-        TargetFigure::DentDepth => of_bodies(|body| body.depth),
-        TargetFigure::MaxPlasticStrain => of_bodies(|body| body.max_equivalent_plastic_strain),
+        TargetFigure::PermanentApproach => of(Figure::Approach),
+        TargetFigure::DentDepth | TargetFigure::MaxPlasticStrain => {
+            let figure = figure_of(figure)?;
+            let deformable = sides.iter().enumerate().filter(|(_, is)| **is);
+            deformable
+                .map(|(side, _)| bars.of_figure(figure, side))
+                .try_fold(0.0, |most, bar| Some(f64::max(most, bar?)))
+        }
     }
 }
 

@@ -6,7 +6,6 @@ use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
 use crate::job::{Job, Load, Material, OverDepth};
 use crate::material::HardeningLaw;
-use crate::solver::method::figures::Values;
 use crate::solver::{
     BodySolution, ElasticReference, Problem, StepSolution, elastic_utilization,
     highest_utilization,
@@ -24,7 +23,6 @@ pub(super) fn measured(
     let at_rest = Measured {
         effective_radius: radius.filter(|radius| radius.is_finite() && *radius > 0.0),
         points: "integration points",
-        figures: if step.status.is_stopped() { Values::default() } else { step.figures.values() },
         ..Measured::default()
     };
     if step.status.is_stopped() {
@@ -55,6 +53,7 @@ pub(super) fn measured(
         reference.and_then(|reference| reference.yield_onset_force)
     };
     Measured {
+        is_of_field: closed.is_none(),
         utilization: utilization
             .filter(|_| !is_unknown)
             .map(|(value, [x, depth], side)| Largest { value, side, place: [x, 0.0, depth] }),

@@ -1,5 +1,7 @@
 //! Jobs between meshed bodies, in a plane or of revolution.
 
+use std::sync::Arc;
+
 use super::answers::Measured;
 use super::cost::{
     FIELD_COPIES, JobEstimate, REPORTED_INCREMENT_BYTES, SOLVER_BYTES, STEP_BYTES, increments_of,
@@ -8,14 +10,16 @@ use super::cost::{
 use super::datum::Datum;
 use super::findings::Finding;
 use super::hertz::{line, over_friction};
+use super::known::{Known, Zone};
 use super::measured::measured;
 use super::shown::{Arrays, Parts, Shown, Solved};
 use super::{
-    MeshReport, PerBody, PlasticityReport, ShakedownLimit, contact, error_bars, fields, flow,
-    hardness, onset, plastic_zone, subsurface, target, validity,
+    IncrementsReport, MeshReport, PerBody, PlasticityReport, ShakedownMap, contact, error_bars,
+    fields, flow, hardness, onset, plastic_zone, subsurface, target, validity,
 };
 use crate::inputs::{SolveError, of_small_mesh, small_solves};
 use crate::job::Job;
+use crate::solver::method::figures::Figure;
 use crate::solver::method::observer::ask;
 use crate::solver::{
     self, BodySolution, ElasticReference, Interrupt, MeshedContact, Observer, Options,
@@ -54,7 +58,7 @@ impl<'a> Meshed<'a> {
 impl Shown for Meshed<'_> {
     type Field = SectionField;
     /// Limits of shakedown over friction, which every load step repeats.
-    type Memory = Option<Vec<ShakedownLimit>>;
+    type Memory = Option<ShakedownMap>;
 
     fn job(&self) -> &Job {
         self.job
@@ -113,10 +117,23 @@ impl Shown for Meshed<'_> {
             arrays.subsurface = Some(at(step.field.middle)?);
             arrays.below_peak = below_peak.transpose()?;
         }
-        arrays.plasticity = PerBody::try_of(bodies, |body, _| {
+        let mut covers = [None; 2];
+        arrays.plasticity = PerBody::try_of(bodies, |body, side| {
             ask(observer)?;
-            Ok(plasticity_report(body, step.field.symmetric, write))
+            let zone = plastic_zone::outline(body, step.field.symmetric);
+            covers[side] = zone.cover();
+            let written = |polygon: &Vec<[f64; 2]>| {
+                polygon.iter().map(|point| point.map(|x| write.length(x))).collect()
+            };
+            Ok(PlasticityReport { outline: zone.outline.iter().map(written).collect() })
         })?;
+        // Bodies that share one solution share its zone.
+        if let [Some(upper), Some(lower)] = bodies
+            && Arc::ptr_eq(upper, lower)
+        {
+            covers[1] = covers[0];
+        }
+        arrays.covers = covers;
         if self.job.output.fields {
             arrays.fields = Some(fields::fields(step, write, observer)?);
         }
@@ -128,7 +145,10 @@ impl Shown for Meshed<'_> {
         let problem = &self.contact.problem;
         let mut findings = validity::findings(self.job, problem, step, reference.as_ref());
         let bars = error_bars::estimate(self.job, step, &findings);
-        findings.extend(validity::small_approach(step, bars.and_then(|bars| bars.approach)));
+        findings.extend(validity::small_approach(
+            step,
+            bars.and_then(|bars| bars.of_figure(Figure::Approach, 0)),
+        ));
         findings
     }
 
@@ -140,20 +160,49 @@ impl Shown for Meshed<'_> {
     ) -> Parts {
         let (job, problem, write) = (self.job, &self.contact.problem, self.write);
         let reference = self.reference(step);
-        let hertz = reference.as_ref().map(|reference| {
+        let shakedown = reference.as_ref().map(|reference| {
             let limits = || over_friction(&reference.limits_over_friction(problem), write);
-            line(reference, memory.get_or_insert_with(limits), write)
+            memory.get_or_insert_with(limits).clone()
         });
+        let conforming = step.field.conforming;
+        let flow = flow::flow(step);
         Parts {
+            known: Known {
+                load: step.load,
+                status: step.status,
+                figures: step.figures,
+                peak_place: [step.field.peak_position, 0.0],
+                mean_pressure: step.field.mean_pressure(&step.figures),
+                half_angle: conforming
+                    .map(|pair| pair.angle(step.figures.half_width).to_degrees()),
+                parts: contact::patches(step).count(),
+                stiffness: step.contact_stiffness,
+                flow,
+                zones: step
+                    .field
+                    .bodies
+                    .each_ref()
+                    .map(|body| body.as_ref().map(|body| zone(body, step.field.symmetric))),
+                hertz: reference.as_ref().map(line),
+                onset: onset::onset((job, problem), step, findings),
+                bars: error_bars::estimate(job, step, findings),
+                whole: None,
+                rolled: None,
+                is_graded: step
+                    .field
+                    .bodies
+                    .iter()
+                    .flatten()
+                    .any(|body| body.model.varies_in_strength()),
+            },
             contact: contact::report(step, write),
-            stiffness: step.contact_stiffness,
+            increments: (step.path.energy)
+                .map(|_| IncrementsReport::of(&step.path.increments, write)),
+            surfaces: flow::surfaces(step, write),
+            passes: None,
+            rules: Vec::new(),
+            shakedown: shakedown.filter(|map| !map.friction.is_empty()),
             spacing: Some(step.field.spacing),
-            flow: flow::flow(step, write),
-            hertz,
-            yield_onset: onset::onset((job, problem), step, findings, write),
-            bars: error_bars::estimate(job, step, findings),
-            three_dimensional: None,
-            rolling: None,
             measured: Measured {
                 datum: Datum::of(job, write),
                 ..measured(job, problem, step, reference.as_ref(), findings)
@@ -181,11 +230,8 @@ impl Shown for Meshed<'_> {
     }
 }
 
-fn plasticity_report(
-    solution: &BodySolution,
-    symmetric: bool,
-    write: UnitConverter,
-) -> PlasticityReport {
+/// Returns the plastic zone of a body, but for the depth at which it begins.
+fn zone(solution: &BodySolution, symmetric: bool) -> Zone {
     let points = || solution.stress.points.iter().flatten();
     let (mut highest, mut position) = (0.0, [0.0; 2]);
     for point in points() {
@@ -194,19 +240,13 @@ fn plasticity_report(
         }
     }
     let [place, depth] = solution.mesh.frame.place(position);
-    let zone = plastic_zone::outline(solution, symmetric);
-    let written =
-        |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
-    PlasticityReport {
+    Zone {
         yielded: points().any(has_yielded),
-        max_equivalent_plastic_strain: solution.bounded_plastic_strain(),
-        mean_equivalent_plastic_strain: solution.mean_plastic_strain(),
-        position: write.length(place),
-        depth: write.length(depth),
-        area: write.area(solution.plastic_area(symmetric)),
-        reached_surface: zone.reached_surface,
-        outline: zone.outline.iter().map(written).collect(),
-        position_y: None,
+        largest: solution.bounded_plastic_strain(),
+        mean: solution.mean_plastic_strain(),
+        place: [place, 0.0, depth],
+        area: solution.plastic_area(symmetric),
         volume: None,
+        cover: None,
     }
 }

@@ -15,6 +15,7 @@ mod flow;
 mod half_spaces;
 mod hardness;
 mod hertz;
+mod known;
 mod layer_fields;
 mod load_approach;
 mod measured;
@@ -37,11 +38,13 @@ mod validity;
 mod verdict;
 
 pub use crate::job::{Quantity, Side};
-pub use answers::{Answer, AnswerBody, AnswerPlace};
+pub use answers::{
+    Answer, AnswerAt, AnswerBody, AnswerPlace, BarKind, ErrorBar, ErrorWord, Name, table_of_names,
+};
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use cost::JobEstimate;
 pub use document::*;
-pub use error_bars::{BodyErrors, ErrorEstimate, estimate_error, scales_of_floors};
+pub use error_bars::{estimate_error, scales_of_floors};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, encode_fields,
     encode_layers,
@@ -49,22 +52,17 @@ pub use field_arrays::{
 pub use fields::FieldsReport;
 pub use figure_names::name_of;
 pub use findings::{validity_codes, validity_tables};
-pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
+pub use flow::{IncrementsReport, SurfaceReport};
 pub use half_spaces::{
-    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
-    SectionReport, ThreeDimensionalReport, unknown_figures,
+    MapsReport, PressureQuantiles, RollerReport, SectionReport, unknown_figures,
 };
-pub use hardness::{HardnessReport, OliverPharrReport};
+pub use known::ErrorEstimate;
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;
-pub use onset::YieldOnsetReport;
 pub use rolling::{
-    BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
-    RollingReport, RuleVerdict, ShakedownLimit, SolvedHardening, TrackLimitReport,
-    TrackLimitsReport, TrackVerdict,
+    Course, PassesReport, RuleVerdict, ShakedownMap, SolvedHardening, TrackVerdict,
 };
 pub use run::{preflight, run, run_each, run_with};
 pub use run_error::RunError;
-pub use target::TargetReport;
 pub use validity::ValidityNote;
-pub use verdict::{Verdict, VerdictLevel};
+pub use verdict::{Mark, Verdict, VerdictLevel};

@@ -1,34 +1,13 @@
 //! The onset of yield: position and force.
 
-use serde::{Deserialize, Serialize};
-
 use super::findings::{Finding, OnsetUnknown};
+use super::known::Onset;
 use super::mesh_effects::{peak_is_next_to_end, peak_is_unbounded};
 use crate::contact::ContactLoad;
-use crate::job::{Job, Load, Shape, Side};
+use crate::job::{Job, Load, Shape};
 use crate::solver::{
     EDGE_UTILIZATION, Problem, StepSolution, at_narrow_edge, highest_utilization,
 };
-use crate::units::UnitConverter;
-
-/// The onset of yield, found numerically for the job's own shapes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = YieldOnset))]
-pub struct YieldOnsetReport {
-    /// Force P_Y \[force >= 0\].
-    pub force: f64,
-    /// Approach under it \[length\].
-    pub approach: f64,
-    /// Peak pressure under it \[stress >= 0\].
-    pub peak_pressure: f64,
-    /// Which body yields first; of two alike, the lower one.
-    pub body: Side,
-    /// x of the middle of the first element to yield; a symmetric contact has its mirror image as
-    /// well \[length\].
-    pub position: f64,
-    /// Depth of that middle \[length\].
-    pub depth: f64,
-}
 
 /// Largest relative error at which the closed form gives the onset at a rounded edge.
 const KNOWN: f64 = 0.15;
@@ -78,8 +57,7 @@ pub(super) fn onset(
     (job, problem): (&Job, &Problem),
     step: &StepSolution,
     findings: &[Finding],
-    write: UnitConverter,
-) -> Option<YieldOnsetReport> {
+) -> Option<Onset> {
     let is_unknown =
         findings.iter().any(|finding| matches!(finding, Finding::OnsetUnknown { .. }));
     if job.load != Load::Onset || is_unknown {
@@ -98,12 +76,5 @@ pub(super) fn onset(
         Some(edge) => edge.elastic.peak_pressure(),
         None => step.figures.peak_pressure,
     };
-    Some(YieldOnsetReport {
-        force: write.force(force),
-        approach: write.length(step.figures.approach),
-        peak_pressure: write.stress(peak_pressure),
-        body: if first.body == 0 { Side::Upper } else { Side::Lower },
-        position: write.length(x),
-        depth: write.length(depth),
-    })
+    Some(Onset { force, peak_pressure, side: first.body, position: x, depth })
 }

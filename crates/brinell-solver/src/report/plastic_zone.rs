@@ -40,6 +40,15 @@ pub(super) struct PlasticZone {
     pub reached_surface: bool,
 }
 
+impl PlasticZone {
+    /// Returns the depth at which the region begins \[mm\].
+    pub fn cover(&self) -> Option<f64> {
+        let depths = self.outline.iter().flatten().map(|point| point[1]);
+        let drawn = depths.reduce(f64::min).map(|depth| depth.max(0.0));
+        if self.reached_surface { Some(0.0) } else { drawn }
+    }
+}
+
 /// A corner of the outline: a node (twice), or the two nodes of an edge with a zero between them;
 /// and whether the corner is a mirror image.
 type Corner = (u32, u32, bool);

@@ -5,10 +5,10 @@ use super::answers::Measured;
 use super::cost::JobEstimate;
 use super::findings::Finding;
 use super::hardness::Seen;
+use super::known::Known;
 use super::{
-    ContactReport, ErrorEstimate, FieldsReport, FlowReport, HertzReport, LayersReport, MeshReport,
-    PerBody, PlasticityReport, RollingReport, SubsurfaceReport, ThreeDimensionalReport,
-    YieldOnsetReport,
+    ContactReport, FieldsReport, IncrementsReport, LayersReport, MeshReport, PassesReport,
+    PerBody, PlasticityReport, RuleVerdict, ShakedownMap, SubsurfaceReport, SurfaceReport,
 };
 use crate::inputs::SolveError;
 use crate::job::Job;
@@ -34,6 +34,8 @@ pub(super) struct Arrays {
     /// Below a peak pressure off the middle.
     pub below_peak: Option<PerBody<Option<SubsurfaceReport>>>,
     pub plasticity: PerBody<Option<PlasticityReport>>,
+    /// Depth at which the plastic zone of each body begins, where an outline tells it \[mm\].
+    pub covers: [Option<f64>; 2],
     pub fields: Option<PerBody<Option<FieldsReport>>>,
     pub layers: Option<PerBody<Option<LayersReport>>>,
 }
@@ -41,18 +43,16 @@ pub(super) struct Arrays {
 /// What else only the engine knows of a step: members of the report in the units of the job, and
 /// figures in N–mm–MPa.
 pub(super) struct Parts {
+    pub known: Known,
     pub contact: ContactReport,
-    /// dP/dα, where it is known.
-    pub stiffness: Option<f64>,
+    pub increments: Option<IncrementsReport>,
+    pub surfaces: Option<PerBody<Option<SurfaceReport>>>,
+    pub passes: Option<PassesReport>,
+    pub rules: Vec<RuleVerdict>,
+    pub shakedown: Option<ShakedownMap>,
     /// Size of the elements or cells under the contact; `None` of steps that are no points of a
     /// load–approach curve \[mm\].
     pub spacing: Option<f64>,
-    pub flow: Option<FlowReport>,
-    pub hertz: Option<HertzReport>,
-    pub yield_onset: Option<YieldOnsetReport>,
-    pub bars: Option<ErrorEstimate>,
-    pub three_dimensional: Option<ThreeDimensionalReport>,
-    pub rolling: Option<RollingReport>,
     /// Figures of which answers and verdict are made, but for what earlier loads have left.
     pub measured: Measured,
     /// The figure that a target asks for, and its relative error.

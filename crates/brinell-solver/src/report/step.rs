@@ -2,8 +2,7 @@
 
 use std::time::Duration;
 
-use super::answers::{Measured, is_dented};
-use super::datum::Datum;
+use super::answers::{Facts, Measured, is_dented};
 use super::findings::left_unknown;
 use super::hardness::HardnessSeen;
 use super::load_approach::CurvePoint;
@@ -110,45 +109,50 @@ impl<'a, E: Shown> StepWriter<'a, E> {
             let enlargements = self.seen.mesh.enlargements + step.enlargements;
             self.seen.mesh = MeshReport { enlargements, ..engine.mesh(&step) };
         }
-        let Parts { contact, stiffness, flow, hertz, yield_onset, bars, .. } = parts;
-        let Parts { three_dimensional, rolling, measured, indentation, .. } = parts;
+        let Parts { mut known, measured, indentation, .. } = parts;
         self.seen.hardness.see(indentation);
-        let (force, approach) = (step.figures.force, step.figures.approach);
+        for (zone, cover) in known.zones.iter_mut().zip(arrays.covers) {
+            if let Some(zone) = zone {
+                zone.cover = zone.cover.or(cover);
+            }
+        }
+        let force = step.figures.force;
         let is_dented = is_dented(self.seen.dented_under, force);
         let measured = Measured { is_dented, ..measured };
-        let report = StepReport {
-            verdict: None,
-            answers: Vec::new(),
+        let has_yielded = known.zones.iter().flatten().any(|zone| zone.yielded);
+        if known.flow.is_some()
+            && job.load.is_history()
+            && has_yielded
+            && !step.status.is_stopped()
+        {
+            self.seen.dented_under = self.seen.dented_under.max(force);
+        }
+        let facts = Facts { job, known: &known, measured: &measured, findings: &findings, write };
+        let answers = facts.rows();
+        let verdict = facts.verdict(&answers);
+        let verdict = self.seen.hardness.before(verdict, job, write);
+        StepReport {
             load: match step.load {
                 ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
                 ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),
             },
             status: step.status,
-            approach: (measured.datum != Datum::None).then(|| write.length(approach)),
-            approach_datum: measured.datum.to_string(),
-            contact,
-            contact_stiffness: stiffness.map(|slope| write.stiffness(slope)),
-            flow,
+            verdict,
+            answers,
+            contact: parts.contact,
+            increments: parts.increments,
+            surfaces: parts.surfaces,
             subsurface: arrays.subsurface,
             subsurface_below_peak: arrays.below_peak,
             plasticity: arrays.plasticity,
-            hertz,
-            yield_onset,
+            shakedown: parts.shakedown,
+            passes: parts.passes,
+            rules: parts.rules,
             validity: validity::remarks(&findings, write),
-            estimated_error: bars,
             fields: arrays.fields,
             layers: arrays.layers,
-            three_dimensional,
-            rolling,
             history: step.history.iter().map(|record| in_units(record, write)).collect(),
-        };
-        let zones = [&report.plasticity.upper, &report.plasticity.lower];
-        let has_yielded = zones.into_iter().flatten().any(|zone| zone.yielded);
-        if report.flow.is_some() && job.load.is_history() && has_yielded {
-            self.seen.dented_under = self.seen.dented_under.max(force);
         }
-        let report = report.answered(job, &measured, &findings, write);
-        report.with_hardness(job, &self.seen.hardness, write)
     }
 
     /// Returns the report without its load steps.
@@ -158,15 +162,17 @@ impl<'a, E: Shown> StepWriter<'a, E> {
         let interrupted = solved.interrupted.map(SolveStatus::from);
         let status =
             interrupted.map_or(seen.status, |interrupted| worse(seen.status, interrupted));
+        let of_target = seen.target.rows(job, solved.sensitivity, write);
+        let answers = seen.hardness.rows(job, write).into_iter().chain(of_target).collect();
         Report {
             units: job.units.name().to_owned(),
             analysis: job.analysis.name().to_owned(),
             theory: job.theory().map(|theory| theory.name().to_owned()),
             status: status.unwrap_or(SolveStatus::Cancelled),
             steps: Vec::new(),
+            answers,
             load_approach: load_approach::of_job(job, seen.curve, write),
-            target: seen.target.finish(job, solved.sensitivity, write),
-            hardness: seen.hardness.finish(job, write),
+            validity: seen.hardness.remarks(job, write),
             mesh: MeshReport { passes: solved.passes, ..seen.mesh },
             timings_ms: timings(&solved.phases, elapsed, time),
             tags: job.tags.clone(),
@@ -185,7 +191,12 @@ impl<M> Seen<M> {
         }
         if let Some(spacing) = parts.spacing.filter(|_| step.status == SolveStatus::Converged) {
             let (end, increments) = ([approach, force, half_width], &step.path.increments);
-            self.curve.extend(load_approach::points(increments, end, spacing, parts.stiffness));
+            self.curve.extend(load_approach::points(
+                increments,
+                end,
+                spacing,
+                parts.known.stiffness,
+            ));
         }
     }
 }

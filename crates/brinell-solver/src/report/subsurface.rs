@@ -27,28 +27,8 @@ pub(super) fn profile(
     let line = body.normal_line(x);
     let place = |node: u32| mesh.frame.place(mesh.nodes[node as usize]);
     let surface = line.first().map_or(0.0, |&node| place(node)[1]);
-    let mut report = SubsurfaceReport {
-        position: Some(write.length(x)),
-        depth: Vec::new(),
-        sigma_x: Vec::new(),
-        sigma_y: Vec::new(),
-        sigma_z: Vec::new(),
-        tau_max: Vec::new(),
-        von_mises: Vec::new(),
-        equivalent_plastic_strain: Vec::new(),
-        yield_stress: None,
-        utilization: None,
-        initial_sigma_x: None,
-        initial_sigma_y: None,
-        initial_sigma_z: None,
-        position_y: None,
-        sigma_xx: None,
-        sigma_yy: None,
-        sigma_zz: None,
-        sigma_xy: None,
-        sigma_xz: None,
-        sigma_yz: None,
-    };
+    let mut report =
+        SubsurfaceReport { position: vec![write.length(x)], ..SubsurfaceReport::default() };
     let at_rest = body.at_rest();
     let mut recovery_at_rest = at_rest
         .as_ref()

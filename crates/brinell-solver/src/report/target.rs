@@ -1,39 +1,16 @@
 //! The force under which a figure of the contact has the target value of a job.
 
-use serde::{Deserialize, Serialize};
-
+use super::answers::{Answer, Bar, Name};
 use super::error_bars;
 use super::findings::Finding;
 use super::solve_error::limit_text;
-use crate::fem::element::StressState;
-use crate::job::{Job, Load, Named as _, Target, label_of};
+use crate::job::{Job, Load, Quantity, Target, label_of};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 use crate::units::UnitConverter;
 
 /// Largest solved force over the force of the largest figure, above which the message says that
 /// the figure no longer rises. At smaller ratios both forces read alike in the message.
 const RISING: f64 = 1.001;
-
-/// The force under which a figure of the contact has the value that a job asked for.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = TargetResult))]
-pub struct TargetReport {
-    /// Which figure: `permanent_approach`, `dent_depth`, `peak_pressure`, `mean_pressure`,
-    /// `half_width` or `max_plastic_strain`.
-    pub figure: String,
-    /// The value that it was to have \[length, stress or 1\].
-    pub wanted: f64,
-    /// The value that it has under the force \[length, stress or 1\].
-    pub reached: f64,
-    /// The force \[force >= 0\].
-    pub force: f64,
-    /// Relative change of the figure over the relative change of the force \[1\].
-    pub sensitivity: f64,
-    /// Estimated bound of the relative error of the force: what the figure is off by, and what the
-    /// mesh may have done to it. `null` where there is no estimate for the figure \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub relative_error: Option<f64>,
-}
 
 /// Findings of the load steps of a job on its target.
 #[derive(Debug, Default)]
@@ -51,25 +28,30 @@ impl TargetSeen {
         (self.reached, self.figure_error) = (reached, figure_error);
     }
 
-    /// Returns the report, or `None` for a job without a target or without a solution.
-    pub fn finish(
-        self,
-        job: &Job,
-        sensitivity: Option<f64>,
-        write: UnitConverter,
-    ) -> Option<TargetReport> {
-        let Load::Target(target) = &job.load else { return None };
-        let Target { figure, value } = *target;
-        let (force, sensitivity) = (self.force?, sensitivity?);
+    /// Returns the rows of the force that was found; none of a job without a target or without a
+    /// solution. The error of the force is what the figure is off by, and what the mesh may have
+    /// done to it.
+    pub fn rows(&self, job: &Job, sensitivity: Option<f64>, write: UnitConverter) -> Vec<Answer> {
+        let Load::Target(Target { figure, value }) = job.load else { return Vec::new() };
+        let Some((force, sensitivity)) = self.force.zip(sensitivity) else { return Vec::new() };
         let missed = (self.reached / value.get() - 1.0).abs();
-        Some(TargetReport {
-            figure: figure.name().to_owned(),
-            wanted: write.of_target(figure, value.get()),
-            reached: write.of_target(figure, self.reached),
-            force: write.force(force),
-            sensitivity,
-            relative_error: self.figure_error.map(|error| (error + missed) / sensitivity),
-        })
+        let bar = self.figure_error.map(|error| (error + missed) / sensitivity);
+        let none = || Bar::none(format!("the {} has no bound", label_of(figure)));
+        let text = format!(
+            "for a {} of {}; it is {}",
+            label_of(figure),
+            write.target_text(figure, value.get()),
+            write.target_text(figure, self.reached)
+        );
+        let row = |name: Name, quantity: Quantity, core: f64| {
+            let value = Some(write.of(quantity, core));
+            Answer::new(name, quantity, job.units.symbol(quantity), value)
+        };
+        let quantity = job.analysis.force().quantity();
+        let found = row(Name::ForceFound, quantity, force);
+        let found = found.bar(bar.map_or_else(none, Bar::Relative)).text(text);
+        let sensitivity = row(Name::ForceSensitivity, Quantity::Number, sensitivity);
+        vec![found, sensitivity.text(Name::ForceSensitivity.meaning()).detail()]
     }
 }
 
@@ -80,9 +62,8 @@ pub(super) fn of_section(
     findings: &[Finding],
 ) -> Option<(f64, Option<f64>)> {
     let Load::Target(target) = &job.load else { return None };
-    let of_revolution = step.field.stress_state == StressState::Axisymmetric;
     let bars = error_bars::under_its_force(step, findings);
-    let error = bars.and_then(|bars| error_bars::of_target(target.figure, &bars, of_revolution));
+    let error = bars.and_then(|bars| error_bars::of_target(target.figure, &bars, step));
     Some((target_figure(step, target.figure), error))
 }
 

@@ -410,10 +410,9 @@ impl<'a> Unfinished<'a> {
 
 /// Returns whether a cylinder or ball lies in a groove.
 pub(super) fn lies_in_groove(job: &Job) -> bool {
-    matches!(
-        (&job.upper.shape, &job.lower.shape),
-        (Shape::Cylinder(_), Shape::Groove(_)) | (Shape::Groove(_), Shape::Cylinder(_))
-    )
+    let shapes = [&job.upper.shape, &job.lower.shape];
+    shapes.iter().any(|shape| shape.round_radius().is_some())
+        && shapes.iter().any(|shape| matches!(shape, Shape::Groove(_)))
 }
 
 #[cfg(test)]

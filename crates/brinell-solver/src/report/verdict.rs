@@ -3,20 +3,43 @@
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray};
 
-use super::answers::{AnswerBody, Facts};
+use super::answers::{Answer, AnswerBody, ErrorBar, Facts, Name};
 use super::findings::Finding;
 use crate::job::{Load, Named, Quantity};
 use crate::solver::SolveStatus;
-use crate::units::{about, rounded};
+use crate::units::{about, rounded, to_digits};
 
-/// The verdict on a load step.
+/// The verdict on a load step, made of its rows.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Verdict {
     /// The state of the bodies.
     pub level: VerdictLevel,
+    /// How the state is marked.
+    pub mark: Mark,
     /// One sentence for a person.
     pub text: String,
+    /// Name of the row that decides, and at whose `place` pictures open; `null` without an answer.
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub figure: Option<String>,
+    /// `body` of that row.
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub body: Option<AnswerBody>,
+}
+
+/// The mark of a verdict.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Mark {
+    /// Nothing yields, or plastic flow ends.
+    Good,
+    /// A body yields, or is left dented.
+    Attention,
+    /// There is no answer, or the bodies do not bear the load.
+    Bad,
+    /// Nothing tells.
+    Unknown,
 }
 
 /// The state of the bodies under a load.
@@ -55,20 +78,70 @@ pub enum VerdictLevel {
 
 impl Named for VerdictLevel {}
 
+impl VerdictLevel {
+    const fn mark(self) -> Mark {
+        match self {
+            Self::NotConverged | Self::Collapse | Self::Ratchets => Mark::Bad,
+            Self::AboveShakedownLimit | Self::ClosedCycle | Self::Yields | Self::Dented => {
+                Mark::Attention
+            }
+            Self::Elastic | Self::ShakesDown => Mark::Good,
+            Self::NotKnown | Self::NoContact => Mark::Unknown,
+        }
+    }
+}
+
+/// Rows that decide, the first of which a step has.
+const DECIDING: [Name; 9] = [
+    Name::StrainPerPass,
+    Name::MaxPlasticStrain,
+    Name::MeanPlasticStrain,
+    Name::PassStrain,
+    Name::FirstYieldForce,
+    Name::CoreUtilization,
+    Name::Utilization,
+    Name::ContactRatio,
+    Name::PeakPressure,
+];
+
 impl Facts<'_> {
-    /// Returns the verdict.
-    pub(super) fn verdict(&self) -> Verdict {
-        let (level, text) = self.judged();
-        Verdict { level, text }
+    /// Returns the verdict on a step with these rows.
+    pub(super) fn verdict(&self, rows: &[Answer]) -> Verdict {
+        let (level, text) = self.judged(rows);
+        let shown = || rows.iter().filter(|row| !row.detail && row.value.is_some());
+        let placed = |name: &Name| shown().find(|row| row.is(*name) && row.place.is_some());
+        let figure = DECIDING.iter().find_map(placed).or_else(|| shown().next());
+        Verdict {
+            level,
+            mark: level.mark(),
+            text,
+            figure: figure.map(|row| row.name.clone()),
+            body: figure.and_then(|row| row.body),
+        }
     }
 
-    fn judged(&self) -> (VerdictLevel, String) {
+    /// Returns the value of a row with its unit, in the digits that its bar carries.
+    fn said(&self, row: &Answer) -> String {
+        let value = row.value.unwrap_or_default();
+        let (factor, unit) = match row.quantity {
+            Quantity::Strain | Quantity::Ratio => (100.0, "%"),
+            _ => (1.0, row.unit.as_str()),
+        };
+        let (value, digits, at_most) = match row.at_most.filter(|_| row.at_least.is_none()) {
+            Some(most) => (most, UNBOUNDED_DIGITS, "at most "),
+            None => (value, row.error.digits(value), ""),
+        };
+        let value = to_digits(factor * value, digits);
+        format!("{at_most}{value} {unit}").trim_end().to_owned()
+    }
+
+    fn judged(&self, rows: &[Answer]) -> (VerdictLevel, String) {
         let has = |is: fn(&Finding) -> bool| self.findings.iter().any(is);
         if has(|finding| matches!(finding, Finding::Collapse { .. })) {
             let text = "The bodies do not bear this load with small strains.";
             return (VerdictLevel::Collapse, text.to_owned());
         }
-        match self.step.status {
+        match self.known.status {
             SolveStatus::Converged => {}
             SolveStatus::NotConverged => {
                 let text = "No answer: this load has not converged.";
@@ -79,22 +152,22 @@ impl Facts<'_> {
                 return (VerdictLevel::NotConverged, text.to_owned());
             }
         }
-        if let Some(rolling) = &self.step.rolling {
-            return self.track_verdict(rolling);
+        if let Some(rolled) = &self.known.rolled {
+            return self.track_verdict(rolled);
         }
         let has_yielded = self.has_yielded();
         if !self.touches() {
             return if has_yielded {
-                (VerdictLevel::Dented, self.dented())
+                (VerdictLevel::Dented, self.dented(rows))
             } else {
                 (VerdictLevel::NoContact, "The bodies do not touch, and none has yielded.".into())
             };
         }
         if self.is_rough() {
-            return self.rough(has_yielded);
+            return self.rough_verdict(has_yielded, rows);
         }
         if has_yielded {
-            return self.yields();
+            return self.yields(rows);
         }
         if !self.can_yield() {
             let text = "No yield stress is given: elastic by assumption.";
@@ -114,64 +187,63 @@ impl Facts<'_> {
             return (VerdictLevel::NotKnown, text.to_owned());
         }
         let is_sought = self.job.load == Load::Onset;
-        match self.first_yield().filter(|first| !is_sought && self.step.contact.force > *first) {
+        match self.first_yield().filter(|first| !is_sought && self.known.figures.force > *first) {
             Some(first) => {
-                let first = self.with_unit(rounded, self.force_quantity(), first);
+                let first = self.write.force_text(first);
                 let text = format!(
                     "About at first yield: nothing yields on this mesh, and closed forms give \
                      first yield at {first}."
                 );
                 (VerdictLevel::NotKnown, text)
             }
-            None => (VerdictLevel::Elastic, self.elastic()),
+            None => (VerdictLevel::Elastic, self.elastic(rows)),
         }
     }
 
     /// Returns the force of first yield, which laws without a yield point have none of.
     pub fn first_yield(&self) -> Option<f64> {
-        let force = self.measured.first_yield.filter(|_| !self.flows_from_the_first());
-        force.map(|force| self.write.force(force))
+        self.measured.first_yield.filter(|_| !self.flows_from_the_first())
     }
 
-    fn elastic(&self) -> String {
-        if let Some(first) = self.first_yield() {
+    fn elastic(&self, rows: &[Answer]) -> String {
+        let row = |name: Name| rows.iter().find(|row| row.is(name) && row.value.is_some());
+        if let Some(first) = row(Name::FirstYieldForce) {
+            let force = self.said(first);
             if self.job.load == Load::Onset {
-                let force = self.with_unit(rounded, self.force_quantity(), first);
                 return format!("First yield: a body begins to yield under this force, {force}.");
             }
-            return format!(
-                "Elastic: this force is {} % of that of first yield, {}.",
-                about(100.0 * self.step.contact.force / first),
-                self.with_unit(rounded, self.force_quantity(), first)
-            );
+            let force_now = self.write.force(self.known.figures.force);
+            let part = first.value.map_or(0.0, |first| force_now / first);
+            let part = to_digits(100.0 * part, first.error.digits(part).min(3));
+            return format!("Elastic: this force is {part} % of that of first yield, {force}.");
         }
-        match &self.measured.utilization {
+        match row(Name::Utilization) {
             Some(used) => format!(
-                "Elastic: the largest von Mises stress is {} % of the yield stress.",
-                about(100.0 * used.value)
+                "Elastic: the largest von Mises stress is {} of the yield stress.",
+                self.said(used)
             ),
             None => "Elastic: no body yields.".to_owned(),
         }
     }
 
-    fn yields(&self) -> (VerdictLevel, String) {
+    fn yields(&self, rows: &[Answer]) -> (VerdictLevel, String) {
         let mut parts: Vec<String> = Vec::new();
         if let Some(first) = self.first_yield().filter(|_| !self.measured.is_dented) {
-            let ratio = self.step.contact.force / first;
+            let ratio = self.known.figures.force / first;
             let by = if ratio < 1.0 { " of closed forms" } else { "" };
             parts.push(format!(
                 "{} times first yield{by} at {}",
                 about(ratio),
-                self.with_unit(rounded, self.force_quantity(), first)
+                self.write.force_text(first)
             ));
         }
-        parts.extend(self.strained());
-        let above = self.shakedown().filter(|(peak, limit)| peak > limit);
-        parts.extend(above.map(|(peak, limit)| {
+        parts.extend(self.strained(rows));
+        let above = self.shakedown().filter(|[peak, limit, _]| peak > limit);
+        parts.extend(above.map(|[peak, limit, _]| {
             format!(
                 "above the shakedown limit of a perfectly plastic body (Hertz's peak {} > {})",
-                rounded(peak),
-                self.with_unit(rounded, Quantity::Stress, limit)
+                rounded(self.write.stress(peak)),
+                self.write.stress_text(limit)
             )
         }));
         let level =
@@ -190,71 +262,53 @@ impl Facts<'_> {
     }
 
     /// Returns the largest plastic strain and its depth, or the mean of a strain without limit.
-    fn strained(&self) -> Option<String> {
-        let (body, zone) = self.most_strained()?;
-        let body = match body {
-            AnswerBody::Upper => " in the upper body",
-            AnswerBody::Lower => " in the lower body",
-            AnswerBody::Both => "",
-        };
-        Some(match zone.max_equivalent_plastic_strain {
-            Some(strain) => format!(
-                "largest plastic strain {} %, {} deep{body}",
-                about(100.0 * strain),
-                self.with_unit(about, Quantity::Length, zone.depth)
-            ),
-            None => format!(
-                "mean plastic strain {} %{body}",
-                about(100.0 * zone.mean_equivalent_plastic_strain)
-            ),
-        })
+    fn strained(&self, rows: &[Answer]) -> Option<String> {
+        let row = |name: Name| rows.iter().find(|row| row.is(name) && !row.detail);
+        let body = |row: &Answer| row.body.map_or("", AnswerBody::in_words);
+        if let Some(most) = row(Name::MaxPlasticStrain) {
+            let depth = most.place.map_or(0.0, |place| place.depth);
+            return Some(format!(
+                "largest plastic strain {}, {} deep{}",
+                self.said(most),
+                self.with_unit(about, Quantity::Length, depth),
+                body(most)
+            ));
+        }
+        let mean = row(Name::MeanPlasticStrain)?;
+        Some(format!("mean plastic strain {}{}", self.said(mean), body(mean)))
     }
 
-    fn dented(&self) -> String {
-        let surfaces = self.step.flow.as_ref().map(|flow| &flow.surfaces);
-        let depths = surfaces.map(|surfaces| {
-            let depth = |surface: &Option<super::SurfaceReport>| {
-                surface.as_ref().map_or(0.0, |surface| surface.depth)
-            };
-            [depth(&surfaces.upper), depth(&surfaces.lower)]
-        });
-        let [upper, lower] = depths.unwrap_or_default();
-        let length = |depth: f64| self.with_unit(about, Quantity::Length, depth);
-        let dent = match (upper > 0.0, lower > 0.0) {
-            (true, true) if self.is_alike() => {
-                format!("The load has left a dent of {} in both bodies", length(lower))
+    fn dented(&self, rows: &[Answer]) -> String {
+        let dents: Vec<_> = rows
+            .iter()
+            .filter(|row| row.is(Name::DentDepth) && row.value > Some(0.0))
+            .map(|row| (self.said(row), row.body))
+            .collect();
+        let dent = match &dents[..] {
+            [] => "The load has left plastic strain and no dent".to_owned(),
+            [(depth, Some(AnswerBody::Both))] => {
+                format!("The load has left a dent of {depth} in both bodies")
             }
-            (true, true) => format!(
-                "The load has left dents of {} in the upper and {} in the lower body",
-                length(upper),
-                length(lower)
+            [(depth, body)] => {
+                let body = body.map_or("", AnswerBody::in_words);
+                format!("The load has left a dent of {depth}{body}")
+            }
+            [(upper, _), (lower, _), ..] => format!(
+                "The load has left dents of {upper} in the upper and {lower} in the lower body"
             ),
-            (true, false) => {
-                format!("The load has left a dent of {} in the upper body", length(upper))
-            }
-            (false, true) => {
-                format!("The load has left a dent of {} in the lower body", length(lower))
-            }
-            (false, false) => "The load has left plastic strain and no dent".to_owned(),
         };
-        let tension = self.measured.tension.as_ref().filter(|most| most.value > 0.0);
-        let tension = tension.map(|most| {
-            let stress = self.write.stress(most.value);
-            format!(", with tension up to {}", self.with_unit(about, Quantity::Stress, stress))
-        });
-        let strain = self.strained().map(|strain| format!("; {strain}"));
+        let tension = rows.iter().find(|row| row.is(Name::ResidualTension));
+        let tension = tension.map(|most| format!(", with tension up to {}", self.said(most)));
+        let strain = self.strained(rows).map(|strain| format!("; {strain}"));
         format!("{dent}{}{}.", tension.unwrap_or_default(), strain.unwrap_or_default())
     }
 
-    fn rough(&self, has_yielded: bool) -> (VerdictLevel, String) {
-        let whole = self.step.three_dimensional.as_ref();
-        let Some(rough) = whole.and_then(|whole| whole.surface.as_ref()) else {
-            return self.yields();
-        };
+    fn rough_verdict(&self, has_yielded: bool, rows: &[Answer]) -> (VerdictLevel, String) {
+        let Some(rough) = self.rough() else { return self.yields(rows) };
         let touches = format!(
             "{} % of the area of the heights touches under a nominal pressure of {}",
             about(100.0 * rough.contact_ratio),
-            self.with_unit(about, Quantity::Stress, rough.nominal_pressure)
+            self.write.stress_about(rough.nominal_pressure)
         );
         if self.measured.inside_rim.is_some_and(|(pressure, _)| pressure <= 0.0) {
             return (
@@ -262,7 +316,7 @@ impl Facts<'_> {
                 format!("{touches}, all of it at the rim: what yields is not known."),
             );
         }
-        match rough.plastic_part {
+        match rough.yielded_part {
             Some(part) if has_yielded => (
                 VerdictLevel::Yields,
                 format!("{touches}; below {} % of that area a body yields.", about(100.0 * part)),
@@ -273,5 +327,38 @@ impl Facts<'_> {
                 format!("{touches}; no yield stress is given: elastic by assumption."),
             ),
         }
+    }
+}
+
+/// Digits of a figure that nothing bounds, and the most of any.
+const UNBOUNDED_DIGITS: usize = 2;
+const MOST_DIGITS: usize = 5;
+
+impl ErrorBar {
+    /// Returns the number of digits of a value that are known: the last is the first of its error.
+    pub(super) fn digits(self, value: f64) -> usize {
+        let Some(error) = self.bound() else { return UNBOUNDED_DIGITS };
+        let mut digits = 1;
+        let mut unit = 10f64.powf(value.abs().log10().floor());
+        while digits < MOST_DIGITS && error * value.abs() < unit {
+            (digits, unit) = (digits + 1, 0.1 * unit);
+        }
+        digits
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::answers::ErrorWord;
+    use super::*;
+
+    #[test]
+    fn the_last_digit_is_that_of_the_error() {
+        for (value, error, digits) in
+            [(0.278, 0.37, 1), (1.45, 0.11, 2), (9.5, 0.02, 2), (1150.4, 0.0086, 3), (3.0, 0.0, 5)]
+        {
+            assert_eq!(ErrorBar::Relative(error).digits(value), digits, "{value} {error}");
+        }
+        assert_eq!(ErrorBar::Word(ErrorWord::NotBounded).digits(3.0), 2);
     }
 }

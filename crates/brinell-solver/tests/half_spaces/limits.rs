@@ -2,6 +2,7 @@
 
 use brinell_solver::job::Job;
 use brinell_solver::report;
+use brinell_solver::report::Name;
 use serde_json::json;
 
 use super::*;
@@ -26,7 +27,7 @@ fn plane_peak(line_load: f64, theory: &str) -> f64 {
     });
     let report = report::run(&Job::from_value(&job).unwrap(), &mut Unobserved).unwrap();
     assert_eq!(report.status, SolveStatus::Converged);
-    report.steps[0].contact.peak_pressure
+    report.steps[0][Name::PeakPressure]
 }
 
 /// In the middle of a long ellipse bodies are in plane strain, under the line load that is there:

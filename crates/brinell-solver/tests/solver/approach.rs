@@ -73,7 +73,7 @@ fn a_layer_on_a_rigid_base() {
             let expected = unit * (2.0 * (2.0 * depth / a).ln() + exact);
             assert_approach(step, expected);
             // The closed form without the base's reaction.
-            assert_within(step.approach.unwrap(), layer_approach(force, STEEL, depth, a), 0.08);
+            assert_within(step.approach().unwrap(), layer_approach(force, STEEL, depth, a), 0.08);
         }
     }
 }

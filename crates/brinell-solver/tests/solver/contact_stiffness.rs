@@ -1,7 +1,7 @@
 //! `contact_stiffness` against differences of the approach between loads that are jobs of their
 //! own.
 
-use brinell_solver::report::StepReport;
+use brinell_solver::report::{Name, StepReport};
 use serde_json::{Value, json};
 
 use crate::problems::{assert_within, report};
@@ -22,16 +22,16 @@ fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
         report(&job).steps.pop().unwrap()
     };
     let (below, here, above) = (at(1.0 - by), at(1.0), at(1.0 + by));
-    let slope = (above.contact.force - below.contact.force)
-        / (above.approach.unwrap() - below.approach.unwrap());
+    let slope = (above[Name::Force] - below[Name::Force])
+        / (above.approach().unwrap() - below.approach().unwrap());
     (here, slope)
 }
 
 fn agrees(job: &Value, by: f64, bound: f64) {
     let (step, slope) = step_and_slope(job, by);
-    let error = step.contact_stiffness.unwrap() / slope - 1.0;
+    let error = step[Name::ContactStiffness] / slope - 1.0;
     assert!(error.abs() < bound, "{job}: {error:+.4}");
-    let bar = step.estimated_error.unwrap().contact_stiffness.unwrap();
+    let bar = step.bar(Name::ContactStiffness).unwrap();
     assert!(bar >= error.abs() && bar <= 0.05, "{job}: {error:+.4}, bar {bar}");
 }
 
@@ -100,12 +100,13 @@ fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
         let mut job = pair(analysis, &law(10_000.0), &json!({"force": force}));
         job["mesh"] = json!({"elements_per_half_width": 5});
         let (step, slope) = step_and_slope(&job, 0.05);
-        assert_within(step.contact_stiffness.unwrap(), slope, 1e-9);
+        assert_within(step[Name::ContactStiffness], slope, 1e-9);
         let silent = report(&job).steps.remove(0);
-        assert_eq!((silent.contact_stiffness, silent.approach), (None, step.approach));
+        assert!(silent.row(Name::ContactStiffness).is_none());
+        assert_eq!(silent.approach(), step.approach());
         job["upper"]["material"]["plasticity"]["tangent_modulus"] = json!(0);
         job["output"] = json!({"contact_stiffness": true});
-        let perfect = report(&job).steps.remove(0).contact_stiffness;
+        let perfect = report(&job).steps.remove(0).value(Name::ContactStiffness);
         assert_eq!(perfect.is_none(), analysis == "plane_stress", "{analysis} {perfect:?}");
     }
 }
@@ -128,11 +129,11 @@ fn a_history_is_as_stiff_as_histories_that_differ_in_their_last_load() {
         report(&job).steps.pop().unwrap()
     };
     let (less, more) = (after(500.0), after(1.05 * 510.0));
-    let slope = (more.contact.force - less.contact.force)
-        / (more.approach.unwrap() - less.approach.unwrap());
-    assert_within(steps[2].contact_stiffness.unwrap(), slope, 1e-9);
-    assert_eq!(steps[1].contact_stiffness, Some(0.0));
-    assert!(steps[0].contact_stiffness.unwrap() > 0.0);
+    let slope = (more[Name::Force] - less[Name::Force])
+        / (more.approach().unwrap() - less.approach().unwrap());
+    assert_within(steps[2][Name::ContactStiffness], slope, 1e-9);
+    assert!(steps[1].row(Name::ContactStiffness).is_none());
+    assert!(steps[0][Name::ContactStiffness] > 0.0);
 }
 
 /// Elastic cylinders, against loads on meshes that grow with the contact.
@@ -140,7 +141,7 @@ fn a_history_is_as_stiff_as_histories_that_differ_in_their_last_load() {
 fn elastic_bodies_always_have_their_stiffness() {
     let (step, slope) =
         step_and_slope(&pair("plane_strain", &Value::Null, &json!({"force": 100})), 0.05);
-    assert_within(step.contact_stiffness.unwrap(), slope, 1.5e-3);
+    assert_within(step[Name::ContactStiffness], slope, 1.5e-3);
 }
 
 /// A rigid punch of 3 mm with rounded edges on a block.
@@ -160,7 +161,7 @@ fn a_contact_that_ends_on_a_narrow_edge_does_not_grow() {
         rounded_punch("plane_stress", 0.101, &Value::Null, 16.8),
     ] {
         let (step, slope) = step_and_slope(&job, 0.01);
-        assert_within(step.contact_stiffness.unwrap(), slope, 0.005);
+        assert_within(step[Name::ContactStiffness], slope, 0.005);
     }
 }
 
@@ -184,8 +185,8 @@ fn a_history_below_its_largest_load_is_as_stiff_as_its_elastic_bodies() {
         // The mesh is that of the largest load, on which the contact has to grow by more than an
         // element to tell its slope.
         let (step, slope) = step_and_slope(&job, 0.1);
-        assert_within(step.contact_stiffness.unwrap(), slope, 0.01);
-        let bar = step.estimated_error.unwrap().contact_stiffness.unwrap();
+        assert_within(step[Name::ContactStiffness], slope, 0.01);
+        let bar = step.bar(Name::ContactStiffness).unwrap();
         assert!((0.005..0.02).contains(&bar), "{bar}");
     }
 }

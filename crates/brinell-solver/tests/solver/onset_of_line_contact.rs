@@ -7,6 +7,7 @@
 //! % of p0; at 350 MPa it is 0.27 %, and belongs into the reference.
 
 use brinell_solver::analytical::{HertzLine, Stress};
+use brinell_solver::report::Name;
 use brinell_solver::solver::SolveStatus;
 use serde_json::json;
 
@@ -25,7 +26,7 @@ fn onset(yield_stress: f64) -> HertzLine {
         json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"onset": true}});
     let report = report(&job);
     assert_eq!(report.status, SolveStatus::Converged);
-    HertzLine::new(report.steps[0].contact.force, 0.5 * RADIUS, MODULUS)
+    HertzLine::new(report.steps[0][Name::Force], 0.5 * RADIUS, MODULUS)
 }
 
 /// Highest von Mises stress on the axis of a disc, half-plane and tension together.

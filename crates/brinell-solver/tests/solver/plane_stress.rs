@@ -7,6 +7,7 @@ use brinell_solver::analytical::HertzLine;
 use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
 use brinell_solver::job::{Bilinear, Hardening, NonNegativeF64};
+use brinell_solver::report::Name;
 use brinell_solver::solver::SolveStatus;
 use serde_json::Value;
 
@@ -127,6 +128,6 @@ fn equal_discs_have_hertz_pressure() {
         assert_eq!(step.status, SolveStatus::Converged);
         let hertz = HertzLine::new(force, 10.0, 0.5 * YOUNG);
         assert_peak(step, hertz.peak_pressure());
-        assert!((step.contact.half_width - hertz.half_width()).abs() < report.mesh.spacing);
+        assert!((step[Name::HalfWidth] - hertz.half_width()).abs() < report.mesh.spacing);
     }
 }

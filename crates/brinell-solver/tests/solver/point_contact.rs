@@ -11,7 +11,7 @@
 //! H. Hertz (1882); K. L. Johnson, *Contact Mechanics* (1985), section 4.2.
 
 use brinell_solver::analytical::{HertzPoint, YieldOnset};
-use brinell_solver::report::Report;
+use brinell_solver::report::{Name, Report};
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
@@ -40,7 +40,7 @@ fn equal_spheres_have_hertz_pressure_and_approach() {
         assert_eq!(step.history.len(), 1, "an elastic contact needs one iteration");
         assert_peak(step, hertz.peak_pressure());
         assert_approach(step, hertz.approach());
-        assert!((step.contact.half_width - hertz.contact_radius()).abs() < report.mesh.spacing);
+        assert!((step[Name::HalfWidth] - hertz.contact_radius()).abs() < report.mesh.spacing);
         let total: f64 = step.contact.nodes.force.iter().sum();
         assert_within(total, hertz.force(), 1e-9);
     }
@@ -60,7 +60,7 @@ fn a_sphere_on_a_block_has_hertz_pressure() {
     assert_eq!(step.status, SolveStatus::Converged);
     assert_peak(step, hertz.peak_pressure());
     // The block is no half-space.
-    assert_within(step.approach.unwrap(), hertz.approach(), 2e-3);
+    assert_within(step.approach().unwrap(), hertz.approach(), 2e-3);
 }
 
 /// Stresses on the axis, down to three contact radii, within 1 % of the peak pressure.
@@ -102,7 +102,7 @@ fn onset(yield_stress: f64, elements: u32) -> (HertzPoint, Report) {
         "mesh": {"elements_per_half_width": elements}});
     let report = report(&job);
     assert_eq!(report.status, SolveStatus::Converged);
-    (HertzPoint::new(report.steps[0].contact.force, 5.0, MODULUS), report)
+    (HertzPoint::new(report.steps[0][Name::Force], 5.0, MODULUS), report)
 }
 
 /// σ_y 100 MPa, so that a/R is 0.001; p0/σ_y within 0.5 %.

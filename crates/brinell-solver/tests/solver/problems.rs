@@ -2,7 +2,7 @@
 
 use brinell_solver::inputs;
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, Report, StepReport};
+use brinell_solver::report::{self, Name, Report, StepReport};
 use brinell_solver::solver::{Options, Solution, Unobserved};
 use serde_json::{Value, json};
 
@@ -98,20 +98,20 @@ fn assert_in_bar(value: f64, expected: f64, bar: Option<f64>) {
 /// Asserts that the peak pressure is the expected one within its error bar.
 #[track_caller]
 pub fn assert_peak(step: &StepReport, expected: f64) {
-    let bar = step.estimated_error.and_then(|bars| bars.peak_pressure);
-    assert_in_bar(step.contact.peak_pressure, expected, bar);
+    let bar = step.bar(Name::PeakPressure);
+    assert_in_bar(step[Name::PeakPressure], expected, bar);
 }
 
 /// Asserts that the half-width is the expected one within its error bar.
 #[track_caller]
 pub fn assert_width(step: &StepReport, expected: f64) {
-    let bar = step.estimated_error.and_then(|bars| bars.half_width);
-    assert_in_bar(step.contact.half_width, expected, bar);
+    let bar = step.bar(Name::HalfWidth);
+    assert_in_bar(step[Name::HalfWidth], expected, bar);
 }
 
 /// Asserts that the approach is the expected one within its error bar.
 #[track_caller]
 pub fn assert_approach(step: &StepReport, expected: f64) {
-    let bar = step.estimated_error.and_then(|bars| bars.approach);
-    assert_in_bar(step.approach.unwrap(), expected, bar);
+    let bar = step.bar(Name::Approach);
+    assert_in_bar(step.approach().unwrap(), expected, bar);
 }

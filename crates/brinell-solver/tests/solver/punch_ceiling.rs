@@ -6,6 +6,7 @@
 //! stays small beside its bodies is still some 10 % below.
 
 use brinell_solver::analytical::{prandtl_mean_pressure, shear_yield_von_mises};
+use brinell_solver::report::Name;
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
@@ -27,7 +28,7 @@ fn the_mean_pressure_stays_below_prandtls() {
     let report = report(&job);
     let ceiling = prandtl_mean_pressure(shear_yield_von_mises(YIELD));
     let mean: Vec<f64> =
-        report.steps.iter().map(|step| step.contact.mean_pressure / ceiling).collect();
+        report.steps.iter().map(|step| step[Name::MeanPressure] / ceiling).collect();
     for (step, mean) in report.steps.iter().zip(&mean) {
         assert_eq!(step.status, SolveStatus::Converged);
         assert!(*mean < 1.0, "{mean} of the ceiling");

@@ -1,14 +1,12 @@
 //! Balls and ellipses that roll, as jobs: figures of the prototype, symmetries, refusals.
 
-use brinell_solver::job::{Job, JobError};
+use brinell_solver::job::{Job, JobError, Side};
 use brinell_solver::report::export::{Export, ExportError};
-use brinell_solver::report::{
-    BodyPassReport, Report, RollingReport, StepReport, TrackVerdict, preflight, run,
-};
+use brinell_solver::report::{Name, Report, StepReport, TrackVerdict, preflight, run};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
-use super::rolling::Dice;
+use super::rolling::{Dice, body, of_body, of_contact, passes, reason, verdict};
 
 const YOUNG: f64 = 210_000.0;
 
@@ -47,14 +45,6 @@ fn step(job: &Value) -> StepReport {
     report(job).steps.remove(0)
 }
 
-fn rolling(step: &StepReport) -> &RollingReport {
-    step.rolling.as_ref().unwrap()
-}
-
-fn body(step: &StepReport, pass: usize) -> BodyPassReport {
-    rolling(step).passes[pass - 1].bodies.lower.unwrap()
-}
-
 #[track_caller]
 fn near(found: f64, expected: f64, relative: f64) {
     assert!((found / expected - 1.0).abs() < relative, "{found} for {expected}");
@@ -67,20 +57,22 @@ fn a_ball_rolls_a_groove() {
     let step = step(&ball(10_500.0, &json!({"passes": 3})));
     assert_eq!(step.status, SolveStatus::Converged);
     for (pass, groove) in [(1, 0.4069), (2, 0.4194), (3, 0.4239)] {
-        near(body(&step, pass).groove_depth, 1e-3 * 0.983 * groove, 0.005);
+        near(body(&step, pass, Name::TrackDepth), 1e-3 * 0.983 * groove, 0.005);
     }
     // The prototype, whose join flowed: 8.61e-3, -350.3 and -267.8.
-    near(body(&step, 1).largest_strain, 8.52e-3, 0.01);
-    near(body(&step, 1).least_sigma_x, -353.6, 0.005);
-    near(body(&step, 1).least_sigma_z, -267.8, 0.005);
-    near(step.approach.unwrap(), 1.636e-3, 0.003);
-    let found = rolling(&step);
-    assert_eq!(found.verdict, TrackVerdict::Undecided);
-    let first = found.passes[0].plastic_work;
-    for pass in &found.passes {
-        assert!(pass.energy_gap * pass.plastic_work < 0.03 * first, "{pass:?}");
+    near(body(&step, 1, Name::PassStrain), 8.52e-3, 0.01);
+    near(body(&step, 1, Name::LeastSigmaX), -353.6, 0.005);
+    near(body(&step, 1, Name::LeastSigmaZ), -267.8, 0.005);
+    near(step[Name::Approach], 1.636e-3, 0.003);
+    assert_eq!(verdict(&step).0, TrackVerdict::Undecided);
+    let [works, gaps] =
+        [Name::PassWork, Name::EnergyGap].map(|name| &of_contact(&step, name).value);
+    for (work, gap) in works.iter().zip(gaps) {
+        assert!(gap * work < 0.03 * works[0], "{works:?} {gaps:?}");
     }
-    near(found.passes[0].loss, found.passes[0].rolling_force / step.contact.force, 1e-9);
+    let [loss, force] =
+        [Name::RollingResistance, Name::RollingForce].map(|name| of_contact(&step, name).value[0]);
+    near(loss, force / step[Name::Force], 1e-9);
 }
 
 /// A ball whose track the job turns round is the same ball, and units change no figure.
@@ -95,10 +87,10 @@ fn units_of_the_job_are_those_of_the_passes() {
     job["lower"]["material"]["plasticity"]["tangent_modulus"] = json!(1.05e10);
     let job = Job::from_value(&job).unwrap();
     let two = run(&job, &mut Unobserved).unwrap().steps.remove(0);
-    near(two.contact.force, one.contact.force, 1e-12);
-    near(body(&two, 1).groove_depth, 1e-3 * body(&one, 1).groove_depth, 1e-9);
-    near(body(&two, 1).least_sigma_x, 1e6 * body(&one, 1).least_sigma_x, 1e-9);
-    let found = [&one, &two].map(|step| rolling(step).passes[0].plastic_work);
+    near(two[Name::Force], one[Name::Force], 1e-12);
+    near(body(&two, 1, Name::TrackDepth), 1e-3 * body(&one, 1, Name::TrackDepth), 1e-9);
+    near(body(&two, 1, Name::LeastSigmaX), 1e6 * body(&one, 1, Name::LeastSigmaX), 1e-9);
+    let found = [&one, &two].map(|step| of_contact(step, Name::PassWork).value[0]);
     near(found[1], found[0], 1e-9);
     let written = serde_json::to_value(&job).unwrap();
     near(written["load"]["rolling"]["force"].as_f64().unwrap(), 20.0, 1e-12);
@@ -107,21 +99,21 @@ fn units_of_the_job_are_those_of_the_passes() {
 #[test]
 fn below_yield_nothing_changes() {
     let step = step(&ball(0.0, &json!({"force": 2.0, "passes": 5, "until": "verdict"})));
-    assert_eq!(rolling(&step).verdict, TrackVerdict::Elastic);
-    assert_eq!(rolling(&step).passes.len(), 1);
-    assert!(body(&step, 1).groove_depth.abs() < 1e-12);
-    assert!(rolling(&step).passes[0].loss.abs() < 1e-9);
-    let hertz = step.hertz.as_ref().unwrap();
-    near(step.contact.peak_pressure, hertz.peak_pressure, 0.01);
+    assert_eq!(verdict(&step).0, TrackVerdict::Elastic);
+    assert_eq!(passes(&step).number, [1]);
+    assert!(body(&step, 1, Name::TrackDepth).abs() < 1e-12);
+    assert!(step[Name::RollingResistance].abs() < 1e-9);
+    near(step[Name::PeakPressure], step.elastic(Name::PeakPressure).unwrap(), 0.01);
     // 4.675 k of a circle.
-    near(hertz.shakedown_pressure.unwrap(), 4.675 * 500.0 / 3f64.sqrt(), 1e-3);
+    near(step[Name::ShakedownPressure], 4.675 * 500.0 / 3f64.sqrt(), 1e-3);
 }
 
 /// Friction of both signs shears the track to both sides, and drives or brakes the surface.
 #[test]
 fn friction_has_a_sense() {
     let forward = |friction: f64| {
-        body(&step(&ball(10_500.0, &json!({"force": 30.0, "friction": friction}))), 1).forward
+        let step = step(&ball(10_500.0, &json!({"force": 30.0, "friction": friction})));
+        body(&step, 1, Name::ForwardDisplacement)
     };
     let [driven, free, braked] = [-0.2, 0.0, 0.2].map(forward);
     assert!(driven < free && free < braked && braked > 0.0, "{driven} {free} {braked}");
@@ -133,16 +125,16 @@ fn equal_bodies_have_equal_grooves() {
     let mut job = ball(10_500.0, &json!({"force": 30.0}));
     job["upper"]["material"] = steel(10_500.0);
     let found = step(&job);
-    let pass = &rolling(&found).passes[0];
-    let [upper, lower] = [pass.bodies.upper.unwrap(), pass.bodies.lower.unwrap()];
-    assert_eq!(upper, lower);
-    assert!(upper.groove_depth > 0.0 && pass.energy_gap < 0.05, "{pass:?}");
+    assert_eq!(passes(&found).upper, passes(&found).lower);
+    assert!(found[Name::TrackDepth] > 0.0 && found[Name::EnergyGap] < 0.05);
     job["load"]["rolling"]["friction"] = json!(0.1);
     let sliding = step(&job);
-    let pass = &rolling(&sliding).passes[0];
-    let [upper, lower] = [pass.bodies.upper.unwrap(), pass.bodies.lower.unwrap()];
-    assert!(upper.forward < lower.forward, "{upper:?} {lower:?}");
-    near(upper.groove_depth, lower.groove_depth, 0.05);
+    let both =
+        |name: Name| [Side::Upper, Side::Lower].map(|side| sliding.body(name, side).unwrap());
+    let [upper, lower] = both(Name::ForwardDisplacement);
+    assert!(upper < lower, "{upper} {lower}");
+    let [upper, lower] = both(Name::TrackDepth);
+    near(upper, lower, 0.05);
 }
 
 #[test]
@@ -236,21 +228,21 @@ fn a_track_is_written_as_a_table_and_as_its_section() {
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     let column = |name: &str| rows[0].iter().position(|heading| *heading == name).unwrap();
     assert_eq!(rows.len(), 3, "{table}");
-    for (pass, row) in rolling(step).passes.iter().zip(&rows[1..]) {
+    for (pass, row) in (1..).zip(&rows[1..]) {
         let found = |name: &str| row[column(name)].parse::<f64>().unwrap();
-        let left = pass.bodies.lower.unwrap();
-        assert_eq!(row[2], "lower");
-        assert_eq!(found("pass"), pass.number as f64);
-        assert_eq!(found("groove_depth [mm]"), left.groove_depth);
-        assert_eq!(found("pile_up [mm]"), left.pile_up);
-        assert_eq!(found("net_strain"), left.net_strain);
-        assert_eq!(found("least_sigma_z [MPa]"), left.least_sigma_z);
-        assert_eq!(found("rolling_force [N]"), pass.rolling_force);
+        assert_eq!(found("pass"), f64::from(pass));
+        let left = |name: Name| of_body(step, name).value[pass as usize - 1];
+        assert_eq!(found("lower_track_depth [mm]"), left(Name::TrackDepth));
+        assert_eq!(found("lower_pile_up [mm]"), left(Name::PileUp));
+        assert_eq!(found("lower_net_strain"), left(Name::NetStrain));
+        assert_eq!(found("lower_least_sigma_z [MPa]"), left(Name::LeastSigmaZ));
+        let force = of_contact(step, Name::RollingForce).value[pass as usize - 1];
+        assert_eq!(found("rolling_force [N]"), force);
     }
 
     let section = step.layers.as_ref().unwrap().lower.as_ref().unwrap();
     let (across, deep) = (section.y.len(), section.z.len());
-    assert_eq!([section.x.len(), across], [1, 2 * rolling(step).rows]);
+    assert_eq!([section.x.len(), across], [1, 2 * report.mesh.cells.unwrap()[1]]);
     assert_eq!(section.z_faces.len(), deep + 1);
     let cell = |layer: usize, j: usize| layer * across + j;
     let on_axis = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
@@ -283,17 +275,13 @@ fn limits_over_friction_begin_with_that_of_free_rolling() {
     let mut asked = ball(0.0, &json!({"force": 20.0}));
     asked["mesh"] = json!({"elements_per_half_width": 5});
     let step = step(&asked);
-    let limits = &rolling(&step).limits;
-    let curve = &limits.over_friction;
-    assert_eq!(curve.len(), 10);
-    assert_eq!(curve[0].perfect_pressure, limits.perfect.map(|limit| limit.peak_pressure));
-    let k = limits.shear_yield_stress.unwrap();
-    near(curve[0].elastic_pressure / k, 2.77, 0.02);
-    for pair in curve.windows(2) {
-        assert!(pair[1].elastic_pressure <= pair[0].elastic_pressure, "{curve:?}");
-        assert!(pair[1].kinematic_pressure < 1.001 * pair[0].kinematic_pressure, "{curve:?}");
-        assert_eq!(pair[1].perfect_pressure, None);
-    }
+    let map = step.shakedown.as_ref().unwrap();
+    assert_eq!(map.friction.len(), 10);
+    assert_eq!(map.perfect[0], step.value(Name::ShakedownPressure));
+    assert!(map.perfect[1..].iter().all(Option::is_none), "{map:?}");
+    near(map.elastic[0] / step[Name::ShearYieldStress], 2.77, 0.02);
+    assert!(map.elastic.is_sorted_by(|a, b| b <= a), "{map:?}");
+    assert!(map.kinematic.is_sorted_by(|a, b| *b < 1.001 * a), "{map:?}");
 }
 
 /// A curve without an elastic limit yields wherever there is stress: the track grows until its
@@ -307,11 +295,8 @@ fn a_track_that_outgrows_its_ring_has_a_reason() {
     });
     asked["mesh"] = json!({"elements_per_half_width": 6});
     let step = step(&asked);
-    let found = rolling(&step);
-    assert_eq!(
-        found.reason.is_some(),
-        step.status != SolveStatus::Converged || found.verdict == TrackVerdict::Undecided
-    );
+    let is_open = verdict(&step).0 == TrackVerdict::Undecided;
+    assert_eq!(reason(&step).is_some(), step.status != SolveStatus::Converged || is_open);
 }
 
 /// 100 jobs with all laws, both senses of friction, strength over depth, initial stress, one or
@@ -333,32 +318,33 @@ fn random_tracks_have_an_answer_or_a_reason() {
             continue;
         }
         let step = run(&job, &mut Unobserved).unwrap().steps.remove(0);
-        let found = rolling(&step);
-        ends[found.verdict as usize] += 1;
-        let is_open =
-            found.verdict == TrackVerdict::Undecided || step.status != SolveStatus::Converged;
-        assert_eq!(is_open, found.reason.is_some(), "{number} {:?}", found.reason);
+        let (word, _) = verdict(&step);
+        ends[word as usize] += 1;
+        let is_open = word == TrackVerdict::Undecided || step.status != SolveStatus::Converged;
+        let reasons: Vec<_> = step.rules.iter().filter_map(|rule| rule.reason.as_ref()).collect();
+        assert_eq!(is_open, !reasons.is_empty(), "{number} {reasons:?}");
         for answer in &step.answers {
-            assert!(answer.error.is_none_or(|error| error < 1.0), "{number} {answer:?}");
+            assert!(answer.error.bound().is_none_or(|error| error < 1.0), "{number} {answer:?}");
         }
         // A number that is none would be null, and not read again.
-        let text = serde_json::to_string(found).unwrap();
-        let again: RollingReport = serde_json::from_str(&text).unwrap();
-        if let Some(first) = again.passes.first() {
+        let text = serde_json::to_string(&step).unwrap();
+        let again: StepReport = serde_json::from_str(&text).unwrap();
+        if !passes(&again).number.is_empty() {
             first_passes += 1;
-            gaps += usize::from(first.energy_gap > 0.03);
-        }
-        for pass in &again.passes {
-            assert!(pass.plastic_work >= 0.0 && pass.half_width > 0.0, "{number} {pass:?}");
-            assert!(pass.half_width_across.unwrap() > 0.0, "{number} {pass:?}");
+            gaps += usize::from(of_contact(&again, Name::EnergyGap).value[0] > 0.03);
+            let column = |name: Name| of_contact(&again, name).value.iter();
+            assert!(column(Name::PassWork).all(|work| *work >= 0.0), "{number}");
+            for name in [Name::HalfWidth, Name::HalfWidthAcross] {
+                assert!(column(name).all(|width| *width > 0.0), "{number} {name:?}");
+            }
         }
         if step.status == SolveStatus::NotConverged {
             stalled += 1;
             println!(
                 "{number}: {:?}, friction {}, Hertz's peak {:.0} MPa, {}",
-                found.reason,
+                reasons,
                 value["load"]["rolling"]["friction"],
-                step.hertz.as_ref().unwrap().peak_pressure,
+                step.elastic(Name::PeakPressure).unwrap(),
                 value["lower"]["material"]["plasticity"]
             );
         }

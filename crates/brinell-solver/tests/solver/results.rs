@@ -5,7 +5,9 @@ use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, FieldsReport, LoadReport, Report, Side, StepReport};
+use brinell_solver::report::{
+    self, AnswerBody, FieldsReport, LoadReport, Name, Report, StepReport,
+};
 use brinell_solver::solver::{
     Held, Interrupt, IterationRecord, Observer, Options, SolveStatus, Unobserved,
 };
@@ -98,18 +100,18 @@ fn fields_are_in_one_frame_for_both_bodies() {
             body.elements.iter().map(|e| signed_area(&e.map(|node| body.nodes[node as usize])));
         assert!(areas.fold(f64::INFINITY, f64::min) > 0.0);
         let (_, at_origin) = nearest(body, [0.0, 0.0]);
-        assert_within(-body.sigma_y[at_origin], step.contact.peak_pressure, 0.03);
+        assert_within(-body.sigma_y[at_origin], step[Name::PeakPressure], 0.03);
     }
     // The bodies approach each other by α on the axis, where they touch.
     let (_, u) = nearest(upper, [0.0, 0.0]);
     let (_, l) = nearest(lower, [0.0, 0.0]);
     assert_within(
         upper.displacement[u][1] - lower.displacement[l][1],
-        step.approach.unwrap(),
+        step.approach().unwrap(),
         1e-9,
     );
     for (a, b) in upper.tau_xy.iter().zip(&lower.tau_xy) {
-        assert!((a + b).abs() <= 1e-9 * step.contact.peak_pressure);
+        assert!((a + b).abs() <= 1e-9 * step[Name::PeakPressure]);
     }
 }
 
@@ -170,14 +172,14 @@ fn fields_in_si_are_the_same_numbers_in_other_units() {
 fn the_outline_of_the_plastic_zone_encloses_its_area() {
     for force in [FORCE, 1089.0855] {
         let step = step(&cylinders(&bilinear(), force));
-        for zone in
-            [step.plasticity.upper.as_ref().unwrap(), step.plasticity.lower.as_ref().unwrap()]
-        {
-            let points: usize = zone.outline.iter().map(Vec::len).sum();
+        let zones = &step.plasticity;
+        for zone in [&zones.upper, &zones.lower] {
+            let zone = &zone.as_ref().unwrap().outline;
+            let points: usize = zone.iter().map(Vec::len).sum();
             assert!((3..=400).contains(&points), "{points} points");
-            let enclosed: f64 = zone.outline.iter().map(|polygon| signed_area(polygon)).sum();
-            assert_within(enclosed, zone.area, 0.03);
-            let xs = || zone.outline.iter().flatten().map(|point| point[0]);
+            let enclosed: f64 = zone.iter().map(|polygon| signed_area(polygon)).sum();
+            assert_within(enclosed, step[Name::PlasticArea], 0.03);
+            let xs = || zone.iter().flatten().map(|point| point[0]);
             let (left, right) =
                 (xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max));
             assert!((left + right).abs() < 1e-9, "{left} to {right}");
@@ -187,22 +189,26 @@ fn the_outline_of_the_plastic_zone_encloses_its_area() {
 
 #[test]
 fn the_plastic_zone_reaches_the_surface_only_under_high_loads() {
-    let zone = |force: f64| step(&cylinders(&bilinear(), force)).plasticity.lower.unwrap();
-    let buried = zone(270.0);
-    assert!(buried.yielded && !buried.reached_surface);
-    assert!(buried.outline.iter().flatten().all(|point| point[1] > 0.0));
-    assert!(zone(1701.696).reached_surface);
-    let elastic = zone(100.0);
-    assert!(elastic.outline.is_empty() && !elastic.reached_surface);
+    let pressed = |force: f64| step(&cylinders(&bilinear(), force));
+    let buried = pressed(270.0);
+    let outline = &buried.plasticity.lower.as_ref().unwrap().outline;
+    let highest = outline.iter().flatten().map(|point| point[1]).fold(f64::INFINITY, f64::min);
+    assert!(highest > 0.0);
+    assert_eq!(buried[Name::PlasticCover], highest);
+    assert_eq!(pressed(1701.696)[Name::PlasticCover], 0.0);
+    let elastic = pressed(100.0);
+    assert!(elastic.plasticity.lower.as_ref().unwrap().outline.is_empty());
+    assert!(elastic.row(Name::PlasticCover).is_none());
 }
 
 #[test]
 fn a_law_without_a_yield_point_is_outlined_where_it_counts_as_yielded() {
     let law = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3,
         "exponent": 5.0});
-    let zone = step(&cylinders(&law, FORCE)).plasticity.lower.unwrap();
-    let enclosed: f64 = zone.outline.iter().map(|polygon| signed_area(polygon)).sum();
-    assert_within(enclosed, zone.area, 0.05);
+    let step = step(&cylinders(&law, FORCE));
+    let zone = &step.plasticity.lower.as_ref().unwrap().outline;
+    let enclosed: f64 = zone.iter().map(|polygon| signed_area(polygon)).sum();
+    assert_within(enclosed, step[Name::PlasticArea], 0.05);
 }
 
 #[test]
@@ -215,7 +221,7 @@ fn the_stiffness_of_a_sweep_is_the_slope_of_its_curve_and_that_of_its_steps() {
     assert_eq!(curve.force.len(), 7);
     assert!(curve.approach.windows(2).all(|pair| pair[1] > pair[0]));
     for (slope, step) in curve.stiffness.iter().zip(&report.steps) {
-        assert_within(*slope, step.contact_stiffness.unwrap(), 1e-12);
+        assert_within(*slope, step[Name::ContactStiffness], 1e-12);
     }
     for (k, slope) in curve.stiffness.iter().enumerate().take(6).skip(1) {
         let secant = (curve.force[k + 1] - curve.force[k - 1])
@@ -230,29 +236,26 @@ fn the_onset_of_yield_is_reported_with_its_place() {
     let mut job = paper();
     job["load"] = json!({"onset": true});
     let step = step(&job);
-    let onset = step.yield_onset.as_ref().unwrap();
-    let hertz = step.hertz.as_ref().unwrap();
-    assert_eq!(step.load, LoadReport::Force(onset.force));
-    assert_within(onset.force, hertz.yield_onset_force.unwrap(), 0.01);
-    assert_within(onset.depth, hertz.yield_onset_depth.unwrap(), 0.1);
-    assert_within(onset.peak_pressure, 1.794 * 500.0, 5e-3);
-    assert!(onset.position.abs() < 0.1 * step.contact.half_width);
+    let onset = step.row(Name::FirstYieldForce).unwrap();
+    let place = onset.place.unwrap();
+    assert_eq!(step.load, LoadReport::Force(onset.value.unwrap()));
+    assert_within(onset.value.unwrap(), onset.elastic.unwrap(), 0.01);
+    // 0.705 half-widths below a line contact.
+    assert_within(place.depth, 0.705 * step.elastic(Name::HalfWidth).unwrap(), 0.1);
+    assert_within(step[Name::FirstYieldPeakPressure], 1.794 * 500.0, 5e-3);
+    assert!(place.x.abs() < 0.1 * step[Name::HalfWidth]);
     job["upper"]["material"]["plasticity"]["yield_stress"] = json!(300.0);
-    let softer = run(&job).steps.remove(0).yield_onset.unwrap();
-    assert_eq!(softer.body, Side::Upper);
-    assert!(run(&paper()).steps[0].yield_onset.is_none());
+    let softer = run(&job).steps.remove(0);
+    assert_eq!(softer.row(Name::FirstYieldForce).unwrap().body, Some(AnswerBody::Upper));
+    assert!(run(&paper()).steps[0].row(Name::FirstYieldPeakPressure).is_none());
 }
 
 #[test]
 #[ignore = "full"]
 fn several_contacts_are_several_patches() {
-    let single = step(&paper()).contact;
-    assert_eq!(single.patches.len(), 1);
-    assert_within(
-        single.patches[0].right - single.patches[0].left,
-        2.0 * single.half_width,
-        1e-12,
-    );
+    let single = step(&paper());
+    let [part] = single.contact.patches.as_slice() else { panic!("not one part") };
+    assert_within(part.right - part.left, 2.0 * single[Name::HalfWidth], 1e-12);
 
     let bumps: Vec<[f64; 2]> = (-60..=60)
         .map(|k| f64::from(k) * 0.1)

@@ -3,20 +3,16 @@
 
 use brinell_solver::job::Job;
 use brinell_solver::report::{
-    BodyPassReport, RunError, SolvedHardening, StepReport, TrackVerdict, VerdictLevel, preflight,
-    run,
+    Name, RunError, SolvedHardening, StepReport, TrackVerdict, VerdictLevel, preflight, run,
 };
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
+use super::rolling::{body, of_body, of_contact, passes, verdict};
+
 fn step(job: &Value) -> StepReport {
     let job = Job::from_value(job).unwrap();
     run(&job, &mut Unobserved).unwrap().steps.remove(0)
-}
-
-fn passes(step: &StepReport) -> Vec<BodyPassReport> {
-    let passes = &step.rolling.as_ref().unwrap().passes;
-    passes.iter().map(|pass| pass.bodies.lower.unwrap()).collect()
 }
 
 #[track_caller]
@@ -60,10 +56,9 @@ fn residual(step: &StepReport) -> f64 {
 fn assert_sound(step: &StepReport, bound: f64) {
     assert_eq!(step.status, SolveStatus::Converged, "{:?}", step.validity);
     assert!(residual(step) < bound, "{}", residual(step));
-    for pass in &step.rolling.as_ref().unwrap().passes {
-        assert!(pass.energy_gap < 0.03, "{}", pass.energy_gap);
-        assert!(pass.estimated_error.is_some());
-    }
+    let gaps = &of_contact(step, Name::EnergyGap).value;
+    assert!(gaps.iter().all(|gap| *gap < 0.03), "{gaps:?}");
+    assert!(of_contact(step, Name::PeakPressure).error.iter().all(Option::is_some));
 }
 
 /// A twin-disc test near the limit of its traction: σ_y + C/γ is 687 MPa. A ring on which its join
@@ -72,10 +67,10 @@ fn assert_sound(step: &StepReport, bound: f64) {
 fn twin_discs_near_their_traction_keep_no_stress_beyond_yield() {
     let braked = step(&discs(206_000.0, &chaboche(), &three(733.79, 0.25), 10));
     assert_sound(&braked, 687.0);
-    near(passes(&braked)[2].least_sigma_x, -319.0, 0.05);
+    near(body(&braked, 3, Name::LeastSigmaX), -319.0, 0.05);
     let driven = step(&discs(206_000.0, &chaboche(), &three(733.79, -0.25), 10));
     assert_sound(&driven, 687.0);
-    let along: Vec<f64> = passes(&driven).iter().map(|body| body.least_sigma_x).collect();
+    let along = &of_body(&driven, Name::LeastSigmaX).value;
     assert!(along.iter().all(|sigma| *sigma < -300.0), "{along:?}");
     near(along[2], along[1], 0.05);
 }
@@ -86,10 +81,10 @@ fn twin_discs_near_their_traction_keep_no_stress_beyond_yield() {
 fn isotropic_discs_have_the_strain_of_the_load_alone() {
     let braked = step(&discs(210_000.0, &bilinear(300.0, 1981.132), &three(192.5482, 0.1431), 8));
     assert_sound(&braked, f64::INFINITY);
-    near(passes(&braked)[2].largest_strain, 0.00428, 0.03);
+    near(body(&braked, 3, Name::PassStrain), 0.00428, 0.03);
     let driven = step(&discs(210_000.0, &bilinear(500.0, 1981.132), &three(423.9761, -0.3038), 8));
     assert_sound(&driven, f64::INFINITY);
-    near(passes(&driven)[2].least_sigma_x, -592.0, 0.08);
+    near(body(&driven, 3, Name::LeastSigmaX), -592.0, 0.08);
 }
 
 /// A join that has no equilibrium of its own ended this job without an answer.
@@ -97,7 +92,7 @@ fn isotropic_discs_have_the_strain_of_the_load_alone() {
 fn perfectly_plastic_discs_have_an_answer() {
     let step = step(&discs(210_000.0, &bilinear(700.0, 0.0), &three(1189.1972, 0.1969), 8));
     assert_sound(&step, 700.0);
-    assert_eq!(passes(&step).len(), 3);
+    assert_eq!(passes(&step).number, [1, 2, 3]);
 }
 
 /// A free ball: forward was 9.4e-4 ± 16 % and the rolling force 0.666 N.
@@ -113,10 +108,9 @@ fn a_free_ball_moves_its_track_forward() {
                 "plasticity": bilinear(500.0, 10_500.0)}},
         "load": {"rolling": load}, "solver": {"theory": "flow"}}));
     assert_sound(&step, f64::INFINITY);
-    near(passes(&step)[0].forward, 1.32e-3, 0.05);
-    near(step.rolling.as_ref().unwrap().passes[0].rolling_force, 0.744, 0.03);
-    let errors = step.rolling.as_ref().unwrap().passes[0].estimated_error.as_ref().unwrap();
-    assert!(errors.bodies.lower.unwrap().pile_up.unwrap() > 0.04);
+    near(body(&step, 1, Name::ForwardDisplacement), 1.32e-3, 0.05);
+    near(of_contact(&step, Name::RollingForce).value[0], 0.744, 0.03);
+    assert!(of_body(&step, Name::PileUp).error[0].unwrap() > 0.04);
 }
 
 /// Ten passes of 1.3 to 1.7 % in one direction are no small strain.
@@ -124,7 +118,7 @@ fn a_free_ball_moves_its_track_forward() {
 fn strains_that_passes_add_up_are_large() {
     let load = json!({"force": 733.79, "friction": -0.25, "passes": 5, "until": "passes"});
     let step = step(&discs(206_000.0, &chaboche(), &load, 6));
-    assert!(passes(&step).iter().all(|body| body.largest_strain < 0.05));
+    assert!(of_body(&step, Name::PassStrain).value.iter().all(|strain| *strain < 0.05));
     assert!(step.validity.iter().any(|note| note.code == "large_strain"), "{:?}", step.validity);
 }
 
@@ -172,8 +166,7 @@ fn a_verdict_names_the_rule_that_decides() {
         job
     };
     let both = step(&job("both"));
-    let rolling = both.rolling.as_ref().unwrap();
-    let rules: Vec<_> = rolling.rules.iter().map(|of| (of.hardening, of.verdict)).collect();
+    let rules: Vec<_> = both.rules.iter().map(|of| (of.hardening, of.verdict)).collect();
     assert_eq!(
         rules,
         [
@@ -181,11 +174,9 @@ fn a_verdict_names_the_rule_that_decides() {
             (SolvedHardening::Kinematic, TrackVerdict::ClosedCycle),
         ]
     );
-    let verdict = both.verdict.as_ref().unwrap();
-    assert_eq!(
-        (verdict.level, rolling.verdict),
-        (VerdictLevel::ClosedCycle, TrackVerdict::ClosedCycle)
-    );
+    let (word, rate) = verdict(&both);
+    let verdict = &both.verdict;
+    assert_eq!((verdict.level, word), (VerdictLevel::ClosedCycle, TrackVerdict::ClosedCycle));
     for part in [
         "with kinematic hardening",
         "with isotropic hardening it shakes down within",
@@ -193,11 +184,14 @@ fn a_verdict_names_the_rule_that_decides() {
     ] {
         assert!(verdict.text.contains(part), "{}", verdict.text);
     }
-    near(rolling.rate.unwrap(), 0.0208, 0.1);
+    near(rate.unwrap(), 0.0208, 0.1);
+    let rates = both.answers.iter().filter(|row| row.is(Name::StrainPerPass));
+    let rules: Vec<_> = rates.map(|row| row.at.unwrap().hardening.unwrap()).collect();
+    assert_eq!(rules, [SolvedHardening::Kinematic, SolvedHardening::Isotropic]);
     // One rule alone: never better than the limits of the same answer.
     let alone = step(&job("isotropic"));
-    assert_eq!(alone.verdict.as_ref().unwrap().level, VerdictLevel::AboveShakedownLimit);
-    assert_eq!(alone.rolling.as_ref().unwrap().rules.len(), 1);
+    assert_eq!(alone.verdict.level, VerdictLevel::AboveShakedownLimit);
+    assert_eq!(alone.rules.len(), 1);
     let kinematic = step(&job("kinematic"));
-    assert_eq!(kinematic.verdict.as_ref().unwrap().level, VerdictLevel::ClosedCycle);
+    assert_eq!(kinematic.verdict.level, VerdictLevel::ClosedCycle);
 }

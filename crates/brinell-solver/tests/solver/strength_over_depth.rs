@@ -15,6 +15,7 @@ use brinell_solver::material::{
     DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity, Inhomogeneous,
     OutOfPlane, ReturnMapping,
 };
+use brinell_solver::report::Name;
 use brinell_solver::solver::{BodySolution, SolveStatus};
 use serde_json::{Value, json};
 
@@ -142,7 +143,7 @@ fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
         let found = report(&job);
         assert_eq!(found.status, SolveStatus::Converged);
         let step = &found.steps[0];
-        let hertz = HertzLine::new(step.contact.force, 5.0, modulus);
+        let hertz = HertzLine::new(step[Name::Force], 5.0, modulus);
         let profile =
             OverDepth::Factors(serde_json::from_value(over_depth).unwrap()).profile(35.0);
         let least = (0..20_000)
@@ -156,13 +157,9 @@ fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
         // And the closed form of the report is that as well.
         let limit = DepthLimit::line_onset(0.3, 10.0 / modulus, |z| 35.0 * profile.factor(z));
         assert_within(hertz.peak_pressure(), limit.peak_pressure, 5e-3);
-        let reference = step.hertz.as_ref().unwrap();
-        assert!((reference.yield_onset_depth.unwrap() - limit.depth).abs() < 1e-12);
-        let onset = step.yield_onset.as_ref().unwrap();
-        assert!(
-            (onset.depth - limit.depth).abs() < 0.15 * hertz.half_width(),
-            "{onset:?} {limit:?}"
-        );
+        let onset = step.row(Name::FirstYieldForce).unwrap();
+        let depth = onset.place.unwrap().depth;
+        assert!((depth - limit.depth).abs() < 0.15 * hertz.half_width(), "{onset:?} {limit:?}");
     }
 }
 
@@ -341,7 +338,7 @@ fn hardness_scales_any_curve_of_the_same_shape() {
         let hardness = json!({"hardness": {"profile": [[0.0, 300.0], [2.0, 200.0]]}});
         let mut job = with_factor("deformation", Some(hardness), law);
         job["mesh"] = json!({"elements_per_half_width": 6});
-        report(&job).steps[0].contact.peak_pressure
+        report(&job).steps[0][Name::PeakPressure]
     };
     let usual = peak(700.0);
     for yield_stress in [2.0, 1e5] {
@@ -375,7 +372,7 @@ fn the_strangest_profiles_end_in_an_answer_or_say_so() {
             let report = report(&with_factor(theory, Some(profile.clone()), law.clone()));
             for step in &report.steps {
                 assert!(
-                    step.approach.unwrap().is_finite() && step.contact.peak_pressure.is_finite()
+                    step.approach().unwrap().is_finite() && step[Name::PeakPressure].is_finite()
                 );
                 let is_told = step.status == SolveStatus::Converged
                     || step.validity.iter().any(|note| note.code == "not_converged");

@@ -1,5 +1,6 @@
 //! Sweeps: every step is what a job of its own would give.
 
+use brinell_solver::report::Name;
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
@@ -42,8 +43,8 @@ fn every_step_equals_a_job_of_its_own() {
                     step.history.len(),
                     alone.history.len()
                 );
-                assert_within(step.contact.peak_pressure, alone.contact.peak_pressure, tolerance);
-                assert_within(step.approach.unwrap(), alone.approach.unwrap(), tolerance);
+                assert_within(step[Name::PeakPressure], alone[Name::PeakPressure], tolerance);
+                assert_within(step.approach().unwrap(), alone.approach().unwrap(), tolerance);
             }
         }
     }
@@ -53,11 +54,11 @@ fn every_step_equals_a_job_of_its_own() {
 fn a_sweep_of_approaches_gives_the_forces_back() {
     for (analysis, forces, tolerance) in CASES {
         let by_force = report(&sweep(analysis, json!({"forces": forces}))).steps;
-        let approaches: Vec<f64> = by_force.iter().map(|step| step.approach.unwrap()).collect();
+        let approaches: Vec<f64> = by_force.iter().map(|step| step.approach().unwrap()).collect();
         let by_approach = report(&sweep(analysis, json!({"approaches": approaches}))).steps;
         for (step, force) in by_approach.iter().zip(forces) {
             assert_eq!(step.status, SolveStatus::Converged, "{analysis} {force}");
-            assert_within(step.contact.force, force, 1.5 * tolerance);
+            assert_within(step[Name::Force], force, 1.5 * tolerance);
         }
     }
 }

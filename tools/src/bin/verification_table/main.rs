@@ -20,7 +20,7 @@ use brinell_solver::analytical::{
 };
 use brinell_solver::inputs::elliptic_reference;
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, StepReport};
+use brinell_solver::report::{self, Name, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
@@ -93,15 +93,15 @@ fn equal(analysis: &str, body: &Value, load: &Value, elements: u32) -> Value {
 }
 
 fn peak(step: &StepReport) -> f64 {
-    step.contact.peak_pressure
+    step[Name::PeakPressure]
 }
 
 fn half_width(step: &StepReport) -> f64 {
-    step.contact.half_width
+    step[Name::HalfWidth]
 }
 
 fn approach(step: &StepReport) -> f64 {
-    step.approach.unwrap_or(f64::NAN)
+    step.approach().unwrap_or(f64::NAN)
 }
 
 fn line_contacts(cases: &mut Vec<Case>) {
@@ -187,7 +187,7 @@ fn point_contacts(cases: &mut Vec<Case>) {
 }
 
 fn longer_semi_axis(step: &StepReport) -> f64 {
-    step.three_dimensional.as_ref().map_or(f64::NAN, |whole| whole.b)
+    step[Name::SemiAxisB]
 }
 
 /// A rigid ellipsoid of radii 10 mm and so many times that on a half-space, under a Hertz peak of
@@ -259,7 +259,7 @@ fn onsets(cases: &mut Vec<Case>) {
                 elements,
             ),
             checks: vec![check("p0/σ_y", 1.794, "McEwen", |step| {
-                HertzLine::new(step.contact.force, 5.0, PLANE_STRAIN).peak_pressure() / 350.0
+                HertzLine::new(step[Name::Force], 5.0, PLANE_STRAIN).peak_pressure() / 350.0
             })],
         });
         cases.push(Case {
@@ -271,7 +271,7 @@ fn onsets(cases: &mut Vec<Case>) {
                 elements,
             ),
             checks: vec![check("p0/σ_y", 1.613, "Johnson 3.45", |step| {
-                HertzPoint::new(step.contact.force, 5.0, PLANE_STRAIN).peak_pressure() / 100.0
+                HertzPoint::new(step[Name::Force], 5.0, PLANE_STRAIN).peak_pressure() / 100.0
             })],
         });
     }
@@ -334,7 +334,7 @@ fn plastic_contacts(cases: &mut Vec<Case>) {
             "mean pressure [MPa]",
             prandtl_mean_pressure(shear_yield_von_mises(200.0)),
             "Prandtl, a ceiling",
-            |step| step.contact.mean_pressure,
+            |step| step[Name::MeanPressure],
         )],
     });
 }

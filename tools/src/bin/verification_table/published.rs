@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 use brinell_solver::analytical::YieldOnset;
 use brinell_solver::job::Job;
-use brinell_solver::report::{self, HardnessReport, Report, StepReport};
+use brinell_solver::report::{self, Answer, Report, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
@@ -51,18 +51,19 @@ struct Published {
     why: &'static str,
 }
 
-/// An answer of a step.
+/// A row of this name.
+fn row(rows: &[Answer], name: &str) -> Option<Found> {
+    let row = rows.iter().find(|row| row.name == name)?;
+    Some(Found { value: row.value?, error: row.error.bound() })
+}
+
+/// A figure of a step.
 fn answer(step: &StepReport, name: &str) -> Option<Found> {
-    let answer = step.answers.iter().find(|answer| answer.name == name)?;
-    Some(Found { value: answer.value?, error: answer.error })
+    row(&step.answers, name)
 }
 
 fn last(report: &Report) -> Option<&StepReport> {
     report.steps.last()
-}
-
-fn hardness(report: &Report) -> Option<&HardnessReport> {
-    report.hardness.as_ref()
 }
 
 fn force(report: &Report) -> Option<Found> {
@@ -91,15 +92,16 @@ fn left_over(report: &Report) -> Option<Found> {
 
 /// F/h² of a cone \[MPa\].
 fn curvature(report: &Report) -> Option<Found> {
-    let test = hardness(report)?;
-    let error = test.depth_error.map(|error| 2.0 * error);
-    Some(Found { value: test.force / (test.depth * test.depth), error })
+    let depth = row(&report.answers, "indentation_depth")?;
+    let force = answer(report.steps.first()?, "force")?;
+    let error = depth.error.map(|error| 2.0 * error);
+    Some(Found { value: force.value / (depth.value * depth.value), error })
 }
 
 fn number(report: &Report) -> Option<Found> {
-    let test = hardness(report)?;
-    let bias = test.bias.map_or(0.0, f64::abs);
-    Some(Found { value: test.number?, error: test.relative_error.map(|error| error + bias) })
+    let number = row(&report.answers, "hardness")?;
+    let bias = row(&report.answers, "large_strain_bias").map_or(0.0, |bias| bias.value.abs());
+    Some(Found { error: number.error.map(|error| error + bias), ..number })
 }
 
 /// Hertz's peak pressure under the force of the first step \[MPa\], with a third of its error.
@@ -107,7 +109,8 @@ fn nominal_pressure(report: &Report) -> Option<Found> {
     let step = report.steps.first()?;
     let force = answer(step, "force")?;
     let error = force.error.map(|error| error / 3.0);
-    Some(Found { value: step.hertz.as_ref()?.peak_pressure, error })
+    let peak = step.answers.iter().find(|row| row.name == "peak_pressure")?;
+    Some(Found { value: peak.elastic?, error })
 }
 
 /// A ball of 10 mm of a soft steel \[mm, MPa\].

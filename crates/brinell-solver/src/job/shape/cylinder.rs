@@ -4,7 +4,7 @@ use crate::job::fields::{Field, record};
 use crate::job::{Domain, PositiveF64};
 
 record! {
-    /// Half a cylinder, a sphere in axisymmetry, held at its diametral plane.
+    /// Half a cylinder, held at its diametral plane. In axisymmetry it is read as a `sphere`.
     #[derive(Copy)]
     pub struct Cylinder("cylinder", "Cylinder") {
         /// Radius.

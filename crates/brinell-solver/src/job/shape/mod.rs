@@ -39,6 +39,16 @@ tagged! {
 }
 
 impl Shape {
+    /// Returns the radius of a cylinder or a ball \[mm\]; `None` for other shapes.
+    pub fn round_radius(&self) -> Option<f64> {
+        match self {
+            Self::Cylinder(Cylinder { radius }) | Self::Sphere(Sphere { radius, .. }) => {
+                Some(radius.get())
+            }
+            _ => None,
+        }
+    }
+
     /// Returns the name of the shape in an analysis: a cylinder of revolution is a sphere.
     pub fn label(&self, analysis: Analysis) -> &'static str {
         match (analysis, self) {

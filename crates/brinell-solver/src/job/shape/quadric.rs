@@ -1,5 +1,5 @@
 //! Surfaces of half-spaces: the ball, the surface with two curvatures and the plane. They exist
-//! only in three dimensions.
+//! only in three dimensions, but for the ball, which is a body of revolution too.
 //!
 //! Both bodies share the x and y of the contact plane.
 
@@ -14,12 +14,14 @@ const MIN_RADIUS: f64 = Domain::Length.range().0;
 const ROTATION: Field = Field::pure(-360.0..=360.0).label("Rotation", "φ");
 
 record! {
-    /// A ball on a half-space; only in three dimensions.
+    /// A ball: in axisymmetry half a sphere, held at its diametral plane; in three dimensions a
+    /// half-space with its curvature.
     #[derive(Copy)]
     pub struct Sphere("sphere", "Sphere") {
         /// Radius.
         pub radius: PositiveF64 = Field::quantity(Domain::Length).label("Radius", "R").example(20.0),
         /// Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out.
+        /// Only in three dimensions.
         pub rotation: Option<f64> = ROTATION,
     }
 }

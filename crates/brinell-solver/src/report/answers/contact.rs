@@ -1,198 +1,260 @@
-//! Answers on the contact: pressure, size, force; heights and rollers.
+//! Rows of the contact: pressure, size, force; heights and rollers.
 
-use super::{Answer, AnswerBody, AnswerPlace, Facts};
-use crate::job::{Analysis, Load, Quantity};
-use crate::report::LoadReport;
+use super::{Answer, AnswerBody, AnswerPlace, Bar, Facts, Name, ROUNDING};
+use crate::contact::ContactLoad;
+use crate::job::{Analysis, Load, Shape};
+use crate::report::known::{Hertz, RollerFigures, Rough, Whole};
 use crate::solver::SolveStatus;
 use crate::solver::method::figures::Figure;
 use crate::units::about;
 
 impl Facts<'_> {
+    fn whole(&self) -> Option<&Whole> {
+        self.known.whole.as_ref()
+    }
+
+    pub fn rough(&self) -> Option<Rough> {
+        self.whole()?.rough
+    }
+
+    fn roller(&self) -> Option<RollerFigures> {
+        self.whole()?.roller
+    }
+
+    fn on_surface(&self, [x, y]: [f64; 2]) -> Option<AnswerPlace> {
+        Some(self.place(AnswerBody::Both, [x, y, 0.0]))
+    }
+
     pub(super) fn of_heights(&self) -> Vec<Answer> {
-        let whole = self.step.three_dimensional.as_ref();
-        let Some(rough) = whole.and_then(|whole| whole.surface.as_ref()) else {
-            return Vec::new();
-        };
-        let mut answers = vec![
-            self.answer(
-                "contact_ratio",
-                "Real contact area",
-                Quantity::Ratio,
-                rough.contact_ratio,
-            )
-            .text("cells in contact over the area of all heights"),
-            self.answer(
-                "nominal_pressure",
-                "Nominal pressure",
-                Quantity::Stress,
-                rough.nominal_pressure,
-            )
-            .text("force over the area of all heights"),
+        let Some(rough) = self.rough() else { return Vec::new() };
+        let of_force = self.bar(&[(Figure::Force, 0)], self.bar_of(Figure::Force, 0));
+        let is_given = self.given_force().is_some();
+        let mut rows = vec![
+            self.row(Name::ContactRatio, rough.contact_ratio)
+                .text("cells in contact over the area of all heights"),
+            self.row(Name::NominalPressure, rough.nominal_pressure)
+                .bar(if is_given { Bar::Exact } else { of_force })
+                .text("force over the area of all heights"),
         ];
-        answers.extend(rough.plastic_part.map(|part| {
-            self.answer("yielded_part", "Area that yields", Quantity::Ratio, part)
+        rows.extend(rough.yielded_part.map(|part| {
+            self.row(Name::YieldedPart, part)
                 .text("of the area in contact, below which a body has yielded")
         }));
-        answers
+        rows
     }
 
     pub(super) fn of_roller(&self) -> Vec<Answer> {
-        let whole = self.step.three_dimensional.as_ref();
-        let roller = whole.and_then(|whole| Some((whole, whole.roller.as_ref()?)));
-        let Some((whole, roller)) = roller.filter(|_| self.touches()) else {
-            return Vec::new();
-        };
+        let Some((whole, roller)) = self.whole().zip(self.roller()) else { return Vec::new() };
         let [low, high] = roller.end_pressure;
         let edge = low.max(high);
-        let text = if edge <= 0.0 {
+        let text = if !self.touches() {
+            String::new()
+        } else if edge <= 0.0 {
             "the contact ends before the roller".to_owned()
         } else if roller.middle_pressure > 0.0 {
             format!("{} times the pressure in the middle", about(edge / roller.middle_pressure))
         } else {
             "the middle of the roller does not touch".to_owned()
         };
-        let mut answers =
-            vec![self.answer("edge_pressure", "Edge pressure", Quantity::Stress, edge).text(text)];
-        if roller.moment.abs() > 1e-6 * self.step.contact.force * whole.b {
-            answers.push(
-                self.answer("moment", "Moment", Quantity::Energy, roller.moment)
-                    .text("of the pressure about the middle, positive towards y"),
-            );
-            answers.push(
-                self.answer("tilt", "Tilt", Quantity::Angle, roller.tilt)
-                    .text("positive where the surfaces are closer at positive y"),
-            );
+        let end = roller.ends[usize::from(high >= low)];
+        let place = self.on_surface([0.0, end]).filter(|_| edge > 0.0);
+        let mut rows = vec![self.row(Name::EdgePressure, edge).place(place).text(text)];
+        let [_, longer] = whole.semi_axes;
+        let part = roller.moment.abs() / (self.known.figures.force * longer);
+        let is_even = part.is_nan() || part <= 1e-6;
+        let moment = if part > ROUNDING { roller.moment } else { 0.0 };
+        let moment = self
+            .row(Name::Moment, moment)
+            .text("of the pressure about the middle, positive towards y");
+        let tilt = self
+            .row(Name::Tilt, roller.tilt)
+            .text("positive where the surfaces are closer at positive y");
+        let (moment, tilt) = if self.is_moment_given() {
+            (moment.bar(Bar::Given), tilt)
+        } else {
+            (moment, tilt.bar(Bar::Given))
+        };
+        let both = [moment, tilt];
+        rows.extend(if is_even { both.map(Answer::detail) } else { both });
+        rows
+    }
+
+    /// Returns whether the job gives the moment of a roller; it gives the tilt otherwise.
+    fn is_moment_given(&self) -> bool {
+        let bodies = [&self.job.upper, &self.job.lower];
+        bodies.iter().any(|body| match &body.shape {
+            Shape::Roller(roller) => roller.moment.is_some(),
+            _ => false,
+        })
+    }
+
+    /// Returns the force that the job gives.
+    pub fn given_force(&self) -> Option<f64> {
+        let is_sought = matches!(self.job.load, Load::Target(_) | Load::Onset);
+        match self.known.load {
+            ContactLoad::Force(force) if !is_sought => Some(force),
+            _ => None,
         }
-        answers
+    }
+
+    /// Returns the force. One that is given is known, whatever the mesh tells.
+    fn force(&self) -> Answer {
+        let given = self.given_force().filter(|_| self.known.status == SolveStatus::Converged);
+        let force = given.unwrap_or(self.known.figures.force);
+        let row = self.meshed(Name::Force, force, (Figure::Force, 0));
+        match self.job.load {
+            // The job has it as `force_found`, with the bar of the search.
+            Load::Target(_) => row.detail(),
+            _ if given.is_some() => row.bar(Bar::Given),
+            _ => row,
+        }
     }
 
     pub fn of_contact(&self) -> Vec<Answer> {
-        let (step, bars) = (self.step, self.bars());
-        let contact = &step.contact;
-        let hertz = step.hertz.as_ref().filter(|_| self.touches() && !self.is_rough());
-        let whole = step.three_dimensional.as_ref();
-        let beside = if self.measured.is_dented { "elastic bodies without a dent" } else { "" };
-        let of_surface = |x: f64, y: Option<f64>| {
-            Some(AnswerPlace { body: AnswerBody::Both, x, y, depth: 0.0 })
-        };
-        let mut answers = Vec::new();
-        let peak = |value: f64| self.figure(Figure::PeakPressure, value);
-        let middle = self.middle_pressure();
-        let unknown = || self.answer("peak_pressure", "Peak pressure", Quantity::Stress, None);
-        answers.push(match self.measured.inside_rim {
-            _ if self.measured.bearable.is_some() => {
-                unknown().text("not known: above what the flow stress carries")
+        let mut rows = vec![self.peak()];
+        rows.extend(self.middle_pressure());
+        rows.extend(self.sizes());
+        if !self.is_unloaded() && self.known.rolled.is_none() {
+            rows.push(self.approach());
+        }
+        rows.extend([self.force(), self.mean_pressure()]);
+        rows
+    }
+
+    /// Returns a note on elastic figures beside those of a dent.
+    fn of_dent(&self) -> &'static str {
+        let has_elastic = self.measured.is_dented && self.hertz().is_some();
+        if has_elastic { "elastic bodies without a dent" } else { "" }
+    }
+
+    fn peak(&self) -> Answer {
+        let known = self.known;
+        let unknown = |why: &str| self.row(Name::PeakPressure, None).not_known(why);
+        let meshed = |core: f64| self.meshed(Name::PeakPressure, core, (Figure::PeakPressure, 0));
+        match self.measured.inside_rim {
+            _ if self.measured.bearable.is_some() => unknown("above what the flow stress carries"),
+            Some((pressure, _)) if pressure <= 0.0 => unknown("only cells of the rim touch"),
+            Some((pressure, _)) if pressure < known.mean_pressure => {
+                unknown("cells of the rim bear the most")
             }
-            Some((pressure, _)) if pressure <= 0.0 => {
-                unknown().text("not known: only cells of the rim touch")
-            }
-            Some((pressure, _)) if self.write.stress(pressure) < contact.mean_pressure => {
-                unknown().text("not known: cells of the rim bear the most")
-            }
-            Some((pressure, [x, y])) => peak(self.write.stress(pressure))
-                .place(of_surface(self.write.length(x), Some(self.write.length(y))))
+            Some((pressure, place)) => meshed(pressure)
+                .bar(Bar::none("remark `surface_end`"))
+                .place(self.on_surface(place))
                 .text("largest pressure of a cell, without the cells of the rim"),
-            None => peak(contact.peak_pressure)
-                .error(bars.and_then(|bars| bars.peak_pressure))
-                .elastic(hertz.map(|hertz| hertz.peak_pressure))
-                .place(of_surface(contact.peak_position, whole.map(|whole| whole.peak_position_y)))
-                .at_least(self.least_peak(), beside),
-        });
-        answers.extend(middle);
-        let half_width = self
-            .figure(Figure::HalfWidth, contact.half_width)
-            .error(bars.and_then(|bars| bars.half_width))
-            .elastic(hertz.map(|hertz| hertz.half_width))
-            .text(beside);
-        match whole {
-            Some(_) if self.is_rough() => {}
-            Some(whole) => {
-                answers.push(half_width.named("semi_axis_a", "Shorter semi-axis"));
-                answers.push(
-                    self.figure(Figure::SemiAxisY, whole.b)
-                        .named("semi_axis_b", "Longer semi-axis")
-                        .error(
-                            whole
-                                .estimated_error
-                                .as_ref()
-                                .filter(|_| bars.is_some())
-                                .and_then(|errors| errors.b),
-                        )
-                        .elastic(whole.hertz.filter(|_| self.touches()).map(|hertz| hertz.b))
-                        .text(beside),
-                );
-            }
-            None if self.job.analysis == Analysis::Axisymmetric => {
-                answers.push(half_width.labelled("Contact radius").of_width(self.touches()));
-            }
             None => {
-                let text = contact.half_angle.map_or_else(
-                    || beside.to_owned(),
-                    |angle| format!("along the arc, {}° to each side", about(angle)),
-                );
-                answers.push(half_width.text(text).of_width(self.touches()));
+                let elastic = self.hertz().map(|hertz| self.write.stress(hertz.peak_pressure));
+                let least = self.least_peak().map(|least| self.write.stress(least));
+                meshed(known.figures.peak_pressure)
+                    .elastic(elastic)
+                    .place(self.on_surface(known.peak_place))
+                    .at_least(least, self.of_dent())
             }
         }
-        answers.push(self.approach());
-        let force = self.figure(Figure::Force, contact.force);
-        // A force that is asked for is known, whatever the mesh tells.
-        let is_asked = step.status == SolveStatus::Converged
-            && matches!(step.load, LoadReport::Force(_))
-            && !matches!(self.job.load, Load::Target(_) | Load::Onset);
-        let bar = if is_asked { Some(0.0) } else { bars.and_then(|bars| bars.force) };
-        answers.push(force.error(bar));
+    }
+
+    /// Returns Hertz's contact, where it is beside this one.
+    fn hertz(&self) -> Option<Hertz> {
+        self.known.hertz.filter(|_| self.touches() && !self.is_rough())
+    }
+
+    /// Returns the half-width, or both semi-axes.
+    fn sizes(&self) -> Vec<Answer> {
+        let length = |core: f64| self.write.length(core);
+        let size = |name: Name, core: f64, figure: Figure, elastic: Option<f64>| {
+            let row = self.meshed(name, core, (figure, 0));
+            row.elastic(elastic.map(length)).text(self.of_dent())
+        };
+        let shorter = self.hertz().map(|hertz| hertz.half_width);
+        if let Some(whole) = self.whole() {
+            let longer = self.hertz().and_then(|hertz| hertz.longer);
+            let [a, b] = whole.semi_axes;
+            let both = [
+                size(Name::SemiAxisA, a, Figure::HalfWidth, shorter),
+                size(Name::SemiAxisB, b, Figure::SemiAxisY, longer),
+            ];
+            return if self.is_rough() { both.map(Answer::detail) } else { both }.to_vec();
+        }
+        let half_width = self.known.figures.half_width;
+        let row = size(Name::HalfWidth, half_width, Figure::HalfWidth, shorter);
+        if self.job.analysis == Analysis::Axisymmetric {
+            return vec![row.labelled("Contact radius").of_width(self.touches())];
+        }
+        let Some(angle) = self.known.half_angle else {
+            return vec![row.of_width(self.touches())];
+        };
+        let row = row.text(format!("along the arc, {}° to each side", about(angle)));
+        let angle = self.meshed(Name::HalfAngle, angle, (Figure::HalfWidth, 0));
+        [row, angle].map(|row| row.of_width(self.touches())).to_vec()
+    }
+
+    fn mean_pressure(&self) -> Answer {
+        let hertz = self.hertz().map(|hertz| self.write.stress(hertz.peak_pressure));
         // A roller that touches from end to end has Hertz's line contact.
-        let is_roller = whole.is_some_and(|whole| whole.roller.is_some());
-        let over_peak = if is_roller {
+        let over_peak = if self.roller().is_some() {
             None
         } else if self.is_whole() {
             Some(2.0 / 3.0)
         } else {
             Some(std::f64::consts::FRAC_PI_4)
         };
-        answers.push(
-            self.answer("mean_pressure", "Mean pressure", Quantity::Stress, contact.mean_pressure)
-                .error(self.mean_pressure_bar())
-                .elastic(hertz.zip(over_peak).map(|(hertz, part)| part * hertz.peak_pressure))
-                .labelled(if whole.is_none() && contact.patches.len() > 1 {
-                    "Mean pressure, gaps included"
-                } else {
-                    "Mean pressure"
-                })
-                .text(if self.is_rough() { "over the cells in contact" } else { beside })
-                .of_width(self.touches()),
-        );
-        answers
+        let has_gaps = self.known.parts > 1 && self.whole().is_none();
+        let row = self.row(Name::MeanPressure, self.known.mean_pressure);
+        let row = if has_gaps { row.labelled("Mean pressure, gaps included") } else { row };
+        let of = [(Figure::HalfWidth, 0), (Figure::ContactArea, 0), (Figure::Force, 0)];
+        row.bar(self.bar(&of, self.mean_pressure_bar()))
+            .elastic(hertz.zip(over_peak).map(|(peak, part)| part * peak))
+            .text(if self.is_rough() { "over the cells in contact" } else { self.of_dent() })
+            .of_width(self.touches())
     }
 
-    /// Returns the pressure in the middle where it has a bar and the peak has none.
+    /// Returns the pressure in the middle, before the details where it has a bar and the peak has
+    /// none.
     fn middle_pressure(&self) -> Option<Answer> {
-        let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
-        let pressure = self.step.contact.middle_pressure.filter(|pressure| *pressure > 0.0)?;
-        let bar = bars.middle_pressure?;
-        Some(self.figure(Figure::MiddlePressure, pressure).error(Some(bar)))
+        let pressure = self.known.figures.middle_pressure?;
+        let row = self.meshed(Name::MiddlePressure, pressure, (Figure::MiddlePressure, 0));
+        let is_ahead = self.bar_of(Figure::MiddlePressure, 0).is_some()
+            && self.bar_of(Figure::PeakPressure, 0).is_none()
+            && pressure > 0.0;
+        Some(if is_ahead { row } else { row.detail() })
     }
 
     /// Returns what a peak without a bar is at least: the larger of the pressures in the middle and
     /// in the mean, less their bars.
     fn least_peak(&self) -> Option<f64> {
-        let bars = self.bars().filter(|bars| bars.peak_pressure.is_none())?;
-        let contact = &self.step.contact;
+        if self.bars().is_none() || self.bar_of(Figure::PeakPressure, 0).is_some() {
+            return None;
+        }
         let less =
             |pressure: f64, bar: Option<f64>| pressure * (1.0 - bar.unwrap_or(1.0)).max(0.0);
-        let least = less(contact.middle_pressure.unwrap_or_default(), bars.middle_pressure)
-            .max(less(contact.mean_pressure, self.mean_pressure_bar()));
+        let middle = self.known.figures.middle_pressure.unwrap_or_default();
+        let least = less(middle, self.bar_of(Figure::MiddlePressure, 0))
+            .max(less(self.known.mean_pressure, self.mean_pressure_bar()));
         (least > 0.0).then_some(least)
     }
 
     /// Returns the bar of the mean pressure: under a given force that of the contact area.
     fn mean_pressure_bar(&self) -> Option<f64> {
-        let bars = self.bars().filter(|_| !self.is_rough())?;
-        let of_area = match &self.step.three_dimensional {
-            Some(whole) => whole.estimated_error.as_ref()?.area,
-            None if self.is_whole() => 2.0 * bars.half_width?,
-            None => bars.half_width?,
+        if self.is_rough() {
+            return None;
+        }
+        let of = |figure: Figure| self.bar_of(figure, 0);
+        let of_area = match self.whole() {
+            Some(_) => of(Figure::ContactArea)?,
+            None if self.is_whole() => 2.0 * of(Figure::HalfWidth)?,
+            None => of(Figure::HalfWidth)?,
         };
-        Some(of_area + bars.force?)
+        Some(of_area + of(Figure::Force)?)
+    }
+
+    /// Returns area, orientation and the largest cell of a contact in three dimensions.
+    pub(super) fn of_place(&self) -> Vec<Answer> {
+        let Some(whole) = self.whole() else { return Vec::new() };
+        let rows = [
+            self.meshed(Name::ContactArea, whole.area, (Figure::ContactArea, 0)),
+            self.row(Name::LargestCellPressure, whole.largest_cell_pressure),
+            self.row(Name::Orientation, whole.orientation)
+                .text("from the x of the job to this x, towards the y of the job"),
+        ];
+        rows.map(Answer::detail).to_vec()
     }
 }

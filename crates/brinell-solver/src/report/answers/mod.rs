@@ -1,99 +1,27 @@
-//! Answers: the figures of a load step in the order in which the job asks for them, and a verdict.
-//! Terminal, page, printed report and Python draw them and compute nothing.
+//! Answers: the figures of a load step as rows, in the order in which the job asks for them, and a
+//! verdict. Terminal, page, printed report and Python draw them and compute nothing.
 
+mod bodies;
 mod contact;
+mod names;
+mod row;
 mod strength;
 
-use serde::{Deserialize, Serialize};
+pub use names::{BarKind, Name, table_of_names};
+pub(super) use row::Bar;
+pub use row::{Answer, AnswerAt, AnswerBody, AnswerPlace, ErrorBar, ErrorWord};
 
 use super::datum::Datum;
-use super::findings::Finding;
-use super::{ErrorEstimate, FlowReport, LoadReport, PerBody, PlasticityReport, StepReport};
-use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory, label_of};
+use super::findings::{Finding, Voids};
+use super::known::{ErrorEstimate, FlowFigures, Known, Zone};
+use crate::contact::ContactLoad;
+use crate::job::{Analysis, Job, Load, Material, Quantity, Side, Theory};
 use crate::solver::SolveStatus;
-use crate::solver::method::figures::{Figure, Values};
+use crate::solver::method::figures::Figure;
 use crate::units::{UnitConverter, about};
 
 /// Relative difference of forces that are alike.
 const ROUNDING: f64 = 1e-9;
-
-/// One figure of a load step, made to be shown.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct Answer {
-    /// Stable identifier, such as `peak_pressure`. An identifier may occur once for each body.
-    pub name: String,
-    /// Name for a person.
-    pub label: String,
-    /// Whose figure it is: `upper`, `lower` or, of bodies that are alike, `both`; `null` of the
-    /// contact.
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub body: Option<AnswerBody>,
-    /// The figure in `unit`; `null` where it is not known, and `text` says why.
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub value: Option<f64>,
-    /// Its physical quantity. A `strain` and a `ratio` are shown in per cent.
-    pub quantity: Quantity,
-    /// Symbol of its unit in the units of the job; empty of a strain, a ratio and a number.
-    pub unit: String,
-    /// Estimated bound of its relative error by the mesh, as in `estimated_error`; 0 where it is
-    /// prescribed, `null` where it is not known or as large as the figure, whose bound `text`
-    /// then says \[1 >= 0\].
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub error: Option<f64>,
-    /// What a figure without an error is at least. Unit: `unit`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub at_least: Option<f64>,
-    /// What a figure without an error is at most, one below zero by its size. Unit: `unit`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub at_most: Option<f64>,
-    /// The figure by Hertz's elastic theory, where that has one.
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub elastic: Option<f64>,
-    /// Where it is; `null` of a figure without a place.
-    #[cfg_attr(feature = "openapi", schema(required))]
-    pub place: Option<AnswerPlace>,
-    /// A note for a person: over which points a maximum was taken, or against what the figure
-    /// counts.
-    pub text: String,
-}
-
-/// Whose figure an answer is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum AnswerBody {
-    /// The upper body.
-    Upper,
-    /// The lower body.
-    Lower,
-    /// Both bodies, which are alike.
-    Both,
-}
-
-impl From<Side> for AnswerBody {
-    fn from(side: Side) -> Self {
-        match side {
-            Side::Upper => Self::Upper,
-            Side::Lower => Self::Lower,
-        }
-    }
-}
-
-/// The place of an answer, in the coordinates of `contact` and `plasticity`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct AnswerPlace {
-    /// In which body.
-    pub body: AnswerBody,
-    /// x, or the radius \[length\].
-    pub x: f64,
-    /// y; only in three dimensions \[length\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub y: Option<f64>,
-    /// Depth below the surface \[length\].
-    pub depth: f64,
-}
 
 /// A largest value of a field, and its place. Lengths in mm, stresses in MPa.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,6 +38,8 @@ pub(super) struct Largest {
 pub(super) struct Measured {
     /// Largest elastic von Mises stress over the yield stress, and where.
     pub utilization: Option<Largest>,
+    /// Whether that is of the field and not of a closed form.
+    pub is_of_field: bool,
     /// The force of first yield.
     pub first_yield: Option<f64>,
     /// Largest von Mises stress over the yield stress below the hardened cases.
@@ -123,8 +53,6 @@ pub(super) struct Measured {
     pub inside_rim: Option<(f64, [f64; 2])>,
     /// The largest pressure that the flow stress carries, where the peak of heights is above it.
     pub bearable: Option<f64>,
-    /// All figures.
-    pub figures: Values,
     /// Between what the approach is measured.
     pub datum: Datum,
     /// Over which points the fields were searched.
@@ -143,104 +71,32 @@ pub(super) fn is_dented(dented_under: f64, force: f64) -> bool {
 /// What the answers and the verdict of a load step are made of.
 pub(super) struct Facts<'a> {
     pub job: &'a Job,
-    pub step: &'a StepReport,
+    pub known: &'a Known,
     pub measured: &'a Measured,
     pub findings: &'a [Finding],
     pub write: UnitConverter,
 }
 
-impl StepReport {
-    /// Adds answers and verdict to a report that is complete but for them.
-    pub(super) fn answered(
-        mut self,
-        job: &Job,
-        measured: &Measured,
-        findings: &[Finding],
-        write: UnitConverter,
-    ) -> Self {
-        let facts = Facts { job, step: &self, measured, findings, write };
-        let answers = facts.answers().into_iter().map(|answer| facts.bounded(answer)).collect();
-        (self.answers, self.verdict) = (answers, Some(facts.verdict()));
-        self
-    }
-}
-
-impl Answer {
-    pub(super) fn error(self, error: Option<f64>) -> Self {
-        Self { error, ..self }
-    }
-
-    /// Sets what the figure is at least, or else a note.
-    fn at_least(self, at_least: Option<f64>, note: &str) -> Self {
-        let said = at_least.map(|least| format!("at least {} {}", about(least), self.unit));
-        Self { at_least, ..self.text(said.unwrap_or_else(|| note.to_owned())) }
-    }
-
-    fn elastic(self, elastic: Option<f64>) -> Self {
-        Self { elastic, ..self }
-    }
-
-    pub(super) fn place(self, place: Option<AnswerPlace>) -> Self {
-        Self { place, ..self }
-    }
-
-    fn named(self, name: &str, label: &str) -> Self {
-        Self { name: name.to_owned(), ..self.labelled(label) }
-    }
-
-    fn labelled(self, label: &str) -> Self {
-        Self { label: label.to_owned(), ..self }
-    }
-
-    pub(super) fn of(self, body: AnswerBody) -> Self {
-        let label = match body {
-            AnswerBody::Upper => format!("{}, upper body", self.label),
-            AnswerBody::Lower => format!("{}, lower body", self.label),
-            AnswerBody::Both => self.label,
-        };
-        Self { body: Some(body), label, ..self }
-    }
-
-    pub(super) fn text(self, text: impl Into<String>) -> Self {
-        Self { text: text.into(), ..self }
-    }
-
-    /// A width of 0 of bodies that touch is not known, nor is the mean pressure over it.
-    fn of_width(self, touches: bool) -> Self {
-        if touches && self.value == Some(0.0) {
-            let unknown = Self { value: None, error: None, ..self };
-            unknown.text("not known: narrower than an element")
-        } else {
-            self
-        }
-    }
-}
-
-/// Returns the name of a figure for a person: its identifier where nothing else is usual.
-pub(super) fn label(figure: Figure) -> String {
-    match figure {
-        Figure::HalfWidth => "Half-width".to_owned(),
-        Figure::MaxPlasticStrain => "Largest plastic strain".to_owned(),
-        Figure::PileUp => "Pile-up".to_owned(),
-        other => {
-            let words = other.name().replace('_', " ");
-            words[..1].to_uppercase() + &words[1..]
-        }
-    }
-}
-
 impl Facts<'_> {
-    fn is_three_dimensional(&self) -> bool {
+    /// Returns the rows, those with details last.
+    pub fn rows(&self) -> Vec<Answer> {
+        let rows = self.answers().into_iter().map(|row| self.bounded(row));
+        let (details, mut rows): (Vec<_>, Vec<_>) = rows.partition(|row| row.detail);
+        rows.extend(details);
+        rows
+    }
+
+    pub fn is_three_dimensional(&self) -> bool {
         self.job.analysis == Analysis::ThreeDimensional
     }
 
     /// Returns whether a force is that of the whole contact and not of a unit of thickness.
-    fn is_whole(&self) -> bool {
+    pub fn is_whole(&self) -> bool {
         self.is_three_dimensional() || self.job.analysis == Analysis::Axisymmetric
     }
 
     pub fn is_rough(&self) -> bool {
-        self.step.three_dimensional.as_ref().is_some_and(|whole| whole.surface.is_some())
+        self.rough().is_some()
     }
 
     /// Returns whether every second pass goes back.
@@ -253,7 +109,7 @@ impl Facts<'_> {
     }
 
     pub fn touches(&self) -> bool {
-        self.step.contact.force > 0.0
+        self.known.figures.force > 0.0
     }
 
     /// Returns whether the load of a history is taken away.
@@ -286,10 +142,9 @@ impl Facts<'_> {
 
     /// Returns the zones that have yielded; under a law without a yield point those with plastic
     /// strain.
-    fn strained_zones(&self) -> impl Iterator<Item = (Side, &PlasticityReport)> {
+    fn strained_zones(&self) -> impl Iterator<Item = (Side, &Zone)> {
         self.zones().filter(|(side, zone)| {
-            let strain = zone.max_equivalent_plastic_strain;
-            zone.yielded || strain > Some(0.0) && self.yield_point(*side) == Some(0.0)
+            zone.yielded || zone.largest > Some(0.0) && self.yield_point(*side) == Some(0.0)
         })
     }
 
@@ -301,72 +156,91 @@ impl Facts<'_> {
         })
     }
 
-    fn zones(&self) -> impl Iterator<Item = (Side, &PlasticityReport)> {
-        let PerBody { upper, lower } = &self.step.plasticity;
-        [(Side::Upper, upper), (Side::Lower, lower)]
-            .into_iter()
-            .filter_map(|(side, zone)| Some((side, zone.as_ref()?)))
+    fn zones(&self) -> impl Iterator<Item = (Side, &Zone)> {
+        let zones = Side::BOTH.into_iter().zip(&self.known.zones);
+        zones.filter_map(|(side, zone)| Some((side, zone.as_ref()?)))
     }
 
-    /// Returns the zone with the largest plastic strain, or with the largest mean of strains
+    /// Returns the body with the largest plastic strain, or with the largest mean of strains
     /// without limit.
-    pub fn most_strained(&self) -> Option<(AnswerBody, &PlasticityReport)> {
-        let strain = |zone: &PlasticityReport| {
-            zone.max_equivalent_plastic_strain.unwrap_or(zone.mean_equivalent_plastic_strain)
-        };
-        let (side, zone) =
-            self.strained_zones().max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
-        Some((self.body(side), zone))
+    fn most_strained(&self) -> Option<AnswerBody> {
+        let strain = |zone: &Zone| zone.largest.unwrap_or(zone.mean);
+        let zones = self.strained_zones();
+        let (side, _) = zones.max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
+        Some(self.body(side))
     }
 
     pub fn body(&self, side: Side) -> AnswerBody {
         if self.is_alike() { AnswerBody::Both } else { side.into() }
     }
 
+    /// Returns a place `[x, y, depth]` in the units of the job; y only in three dimensions.
+    pub fn place(&self, body: AnswerBody, place: [f64; 3]) -> AnswerPlace {
+        let [x, y, depth] = place.map(|length| self.write.length(length));
+        AnswerPlace { body, x, y: self.is_three_dimensional().then_some(y), depth }
+    }
+
     pub fn place_of(&self, largest: &Largest) -> AnswerPlace {
-        let [x, y, depth] = largest.place.map(|length| self.write.length(length));
-        AnswerPlace {
-            body: self.body(Side::of(largest.side)),
-            x,
-            y: self.is_three_dimensional().then_some(y),
-            depth,
+        self.place(self.body(Side::of(largest.side)), largest.place)
+    }
+
+    /// Returns the row of a figure in N–mm–MPa.
+    pub fn row(&self, name: Name, core: impl Into<Option<f64>>) -> Answer {
+        let quantity = self.quantity(name);
+        let value = core.into().map(|core| self.write.of(quantity, core));
+        let row = Answer::new(name, quantity, self.unit(quantity), value);
+        match name.bar() {
+            BarKind::Mesh => row.bar(Bar::none(self.why(&[]))),
+            BarKind::Exact | BarKind::None => row,
         }
     }
 
-    pub fn answer(
+    /// Returns the row of a figure with the bar of two meshes, of a body that of one side.
+    pub fn meshed(
         &self,
-        name: &str,
-        label: &str,
-        quantity: Quantity,
-        value: impl Into<Option<f64>>,
+        name: Name,
+        core: impl Into<Option<f64>>,
+        (figure, side): (Figure, usize),
     ) -> Answer {
-        Answer {
-            name: name.to_owned(),
-            label: label.to_owned(),
-            body: None,
-            value: value.into().filter(|value| value.is_finite()),
-            quantity,
-            unit: self.unit(quantity).to_owned(),
-            error: None,
-            at_least: None,
-            at_most: None,
-            elastic: None,
-            place: None,
-            text: String::new(),
+        let bar = self.bar_of(figure, side);
+        self.row(name, core).bar(self.bar(&[(figure, side)], bar))
+    }
+
+    /// Returns the bar of a figure, of a body that of one side.
+    pub fn bar_of(&self, figure: Figure, side: usize) -> Option<f64> {
+        self.bars()?.of_figure(figure, side)
+    }
+
+    /// Returns a bar, or why one of the figures on which it depends has none.
+    pub fn bar(&self, of: &[(Figure, usize)], bar: Option<f64>) -> Bar {
+        bar.map_or_else(|| Bar::none(self.why(of)), Bar::Relative)
+    }
+
+    /// Returns why figures have no bar.
+    fn why(&self, of: &[(Figure, usize)]) -> String {
+        if self.known.status != SolveStatus::Converged {
+            return "the load has not converged".to_owned();
+        }
+        let takes = |finding: &&Finding| match finding.voids() {
+            Voids::Estimate => true,
+            Voids::Figures(set) => of.iter().any(|(figure, side)| set.has(*figure, *side)),
+        };
+        match self.findings.iter().find(takes) {
+            Some(finding) => format!("remark `{}`", finding.code()),
+            None if self.bars().is_none() => "no coarser mesh to compare with".to_owned(),
+            None => "two meshes do not bound it".to_owned(),
         }
     }
 
-    /// Returns the answer of a figure, whose name, label and quantity are those of its row.
-    pub fn figure(&self, figure: Figure, value: impl Into<Option<f64>>) -> Answer {
-        let quantity = match figure.quantity() {
-            Quantity::Force => self.force_quantity(),
+    /// Returns the quantity of a row: forces, slopes and energies of a plane are those of unit
+    /// thickness.
+    fn quantity(&self, name: Name) -> Quantity {
+        match name.quantity() {
+            Quantity::Force if !self.is_whole() => Quantity::LineForce,
+            Quantity::Stiffness if !self.is_whole() => Quantity::LineStiffness,
+            Quantity::Energy if !self.is_whole() => Quantity::LineEnergy,
             quantity => quantity,
-        };
-        self.answer(figure.name(), &label(figure), quantity, value)
-    }
-
-    pub fn force_quantity(&self) -> Quantity {
-        if self.is_whole() { Quantity::Force } else { Quantity::LineForce }
+        }
     }
 
     pub fn unit(&self, quantity: Quantity) -> &'static str {
@@ -379,251 +253,156 @@ impl Facts<'_> {
         format!("{} {}", digits(value), self.unit(quantity))
     }
 
-    /// Returns an answer with the bound of its size in place of an error as large as itself.
-    fn bounded(&self, answer: Answer) -> Answer {
-        let (Some(value), Some(error)) = (answer.value, answer.error) else { return answer };
-        if error < 1.0 || value == 0.0 {
-            return answer;
+    /// Returns a row with the bound of its size in place of an error as large as itself, and
+    /// without a relative error of zero.
+    fn bounded(&self, row: Answer) -> Answer {
+        let (Some(value), ErrorBar::Relative(error)) = (row.value, row.error) else { return row };
+        if value == 0.0 {
+            return row.bar(Bar::none("a figure of zero has no relative error"));
+        }
+        if error < 1.0 {
+            return row;
         }
         let size = value.abs() * (1.0 + error);
-        let most = match answer.quantity {
+        let most = match row.quantity {
             Quantity::Strain | Quantity::Ratio => format!("{} %", about(100.0 * size)),
             quantity => self.with_unit(about, quantity, size),
         };
-        let note =
-            if answer.text.is_empty() { String::new() } else { format!("; {}", answer.text) };
+        let note = if row.text.is_empty() { String::new() } else { format!("; {}", row.text) };
         let sign = if value < 0.0 { " either way" } else { "" };
-        Answer { at_most: Some(size), ..answer.error(None) }
+        Answer { at_most: Some(size), ..row.bar(Bar::none("the error is as large as the figure")) }
             .text(format!("at most {most}{sign}{note}"))
     }
 
     /// Returns the error estimate of a step that has converged.
     fn bars(&self) -> Option<&ErrorEstimate> {
-        let bars = self.step.estimated_error.as_ref();
-        bars.filter(|_| self.step.status == SolveStatus::Converged)
+        let bars = self.known.bars.as_ref();
+        bars.filter(|_| self.known.status == SolveStatus::Converged)
     }
 
-    fn body_bar(&self, side: Side, bar: fn(&super::BodyErrors) -> Option<f64>) -> Option<f64> {
-        let of_ellipse = self
-            .step
-            .three_dimensional
-            .as_ref()
-            .and_then(|whole| whole.estimated_error.as_ref())
-            .map(|errors| errors.bodies);
-        let PerBody { upper, lower } = of_ellipse.or(self.bars()?.bodies)?;
-        let errors = if side == Side::Upper { upper } else { lower };
-        errors.as_ref().and_then(bar)
-    }
-
-    /// Returns the answers in their order.
+    /// Returns the rows in their order, but for details, which may be anywhere.
     fn answers(&self) -> Vec<Answer> {
-        if self.step.status.is_stopped() {
+        if self.known.status.is_stopped() {
             return Vec::new();
         }
-        if let Some(rolling) = &self.step.rolling {
-            return self.of_track(rolling);
+        if let Some(rolled) = &self.known.rolled {
+            return self.of_track(rolled);
         }
-        let mut answers = self.asked();
-        let is_graded = self.step.profiles().any(|(_, profile)| profile.yield_stress.is_some());
+        let mut rows = self.asked();
+        let is_graded = self.known.is_graded;
         if self.is_unloaded() {
-            answers.extend(self.surfaces("dent_depth", &label(Figure::Dent)));
-            // Apart, a given approach tells nothing of what is left.
-            let is_given = matches!(self.step.load, LoadReport::Approach(_));
-            let approach = self.approach();
-            answers.push(if is_given {
-                approach
-            } else {
-                approach.named("permanent_approach", "Permanent approach")
-            });
-            answers.extend(self.tension());
-            answers.extend(self.core());
-            answers.extend(self.strain());
-            answers.extend(self.without_member());
-            answers.extend(self.work());
-            return answers;
+            rows.extend(self.surfaces(Name::DentDepth));
+            rows.push(self.approach());
+            rows.extend(self.tension());
+            rows.extend(self.core());
+            rows.extend(self.strains());
+            rows.extend(self.plastic_depths());
+            rows.extend(self.work());
+            let behind = [self.of_contact(), self.of_heights(), self.of_roller()];
+            rows.extend(behind.into_iter().flatten().map(Answer::detail));
+        } else {
+            rows.extend(self.of_heights());
+            rows.extend(self.of_roller());
+            if is_graded {
+                rows.extend(self.strength());
+            }
+            rows.extend(self.of_contact());
+            rows.extend(self.strains());
+            if !is_graded {
+                rows.extend(self.strength());
+            }
+            rows.extend(self.plastic_depths());
+            rows.extend(self.of_shapes());
+            rows.extend(self.stiffness());
+            rows.extend(self.surfaces(Name::SurfaceDepth));
+            rows.extend(self.work());
         }
-        answers.extend(self.of_heights());
-        answers.extend(self.of_roller());
-        if is_graded {
-            answers.extend(self.strength());
-        }
-        answers.extend(self.of_contact());
-        answers.extend(self.strain());
-        if !is_graded {
-            answers.extend(self.strength());
-        }
-        answers.extend(self.without_member());
-        answers.extend(self.of_shapes());
-        answers.extend(self.stiffness());
-        if self.step.flow.is_some() {
-            answers.extend(self.surfaces("surface_depth", "Surface depth"));
-            answers.extend(self.work());
-        }
-        answers
+        rows.extend(self.of_bodies());
+        rows.extend(self.of_place());
+        rows
     }
 
-    /// Returns what the load of the job asks for: a force, or the onset of yield.
+    /// Returns the onset of yield: sought, or in closed form.
     fn asked(&self) -> Vec<Answer> {
-        let step = self.step;
-        let mut answers = Vec::new();
-        if let (Load::Target(target), true) = (&self.job.load, self.touches()) {
-            let figure = self.write.target_text(target.figure, target.value.get());
-            answers.push(
-                self.answer(
-                    "force_found",
-                    "Force found",
-                    self.force_quantity(),
-                    step.contact.force,
-                )
-                .error(self.bars().and_then(|bars| bars.force))
-                .text(format!("for a {} of {figure}", label_of(target.figure))),
-            );
+        let closed = self.known.hertz.and_then(|hertz| hertz.first_yield);
+        let name = Name::FirstYieldForce;
+        if let Some(onset) = &self.known.onset {
+            let body = self.body(Side::of(onset.side));
+            let place = self.place(body, [onset.position, 0.0, onset.depth]);
+            let first = self.meshed(name, onset.force, (Figure::Force, 0));
+            let elastic = closed.map(|[force, _]| self.write.force(force));
+            let first = first.elastic(elastic).place(Some(place));
+            let first = first.text("the force under which a body begins to yield, on this mesh");
+            let peak = (Figure::PeakPressure, 0);
+            let peak = self.meshed(Name::FirstYieldPeakPressure, onset.peak_pressure, peak);
+            return vec![first, peak.detail()];
         }
-        if let Some(onset) = &step.yield_onset {
-            let body = self.body(onset.body);
-            let error = self.bars().and_then(|bars| bars.force);
-            answers.push(
-                self.answer(
-                    "first_yield_force",
-                    "First yield",
-                    self.force_quantity(),
-                    onset.force,
-                )
-                .error(error)
-                .elastic(step.hertz.as_ref().and_then(|hertz| hertz.yield_onset_force))
-                .place(Some(AnswerPlace { body, x: onset.position, y: None, depth: onset.depth }))
-                .text("the force under which a body begins to yield, on this mesh"),
-            );
-        }
-        answers
+        // A closed form that is not of these bodies is no figure of theirs.
+        let Some((force, [_, depth])) = self.first_yield().filter(|_| self.touches()).zip(closed)
+        else {
+            return Vec::new();
+        };
+        let used = self.measured.utilization.as_ref();
+        let body = used.map_or(AnswerBody::Both, |used| self.body(Side::of(used.side)));
+        let row = self.row(name, force).place(Some(self.place(body, [0.0, 0.0, depth])));
+        vec![row.text("closed form of half-spaces").detail()]
     }
 
-    /// Returns depth and pile-up of each surface.
-    fn surfaces(&self, name: &str, label: &str) -> Vec<Answer> {
-        let Some(FlowReport { surfaces, .. }) = &self.step.flow else { return Vec::new() };
-        let both = [(Side::Upper, &surfaces.upper), (Side::Lower, &surfaces.lower)];
-        let both = both.into_iter().filter(|(side, _)| !self.is_alike() || *side == Side::Lower);
-        let both: Vec<_> =
-            both.filter_map(|(side, surface)| Some((side, surface.as_ref()?))).collect();
-        let mut answers = Vec::new();
-        // Under load the surfaces of half-spaces have an elastic deflection, which has no bar.
-        let has_bar = self.is_unloaded() || !self.is_three_dimensional();
-        for (side, surface) in &both {
-            let bar = self.body_bar(*side, |errors| errors.depth).filter(|_| has_bar);
-            let reversed = if surface.yielded_in_reverse { "; yielded in reverse" } else { "" };
-            answers.push(
-                self.figure(Figure::Dent, surface.depth)
-                    .named(name, label)
-                    .of(self.body(*side))
-                    .error(bar)
-                    .text(format!("deepest point below the undeformed surface{reversed}")),
-            );
-        }
-        for (side, surface) in &both {
-            let bar = self.body_bar(*side, |errors| errors.pile_up).filter(|_| has_bar);
-            let body = self.body(*side);
-            answers.push(self.figure(Figure::PileUp, surface.pile_up).of(body).error(bar).text(
-                if surface.pile_up > 0.0 {
-                    format!(
-                        "highest point above the undeformed surface, {} from the middle",
-                        self.with_unit(about, Quantity::Length, surface.pile_up_position)
-                    )
-                } else {
-                    String::new()
-                },
-            ));
-        }
-        answers
-    }
-
-    fn approach(&self) -> Answer {
-        let step = self.step;
-        let hertz = step.three_dimensional.as_ref().and_then(|whole| whole.hertz);
-        self.figure(Figure::Approach, step.approach)
-            .error(self.bars().and_then(|bars| bars.approach))
-            .elastic(hertz.filter(|_| self.touches()).map(|hertz| hertz.approach))
+    /// Returns the approach; without force, and unless it is given, the permanent one.
+    pub fn approach(&self) -> Answer {
+        let hertz = self.known.hertz.filter(|_| self.touches());
+        let hertz = hertz.and_then(|hertz| hertz.approach);
+        let given = match self.known.load {
+            ContactLoad::Approach(approach) => Some(approach),
+            ContactLoad::Force(_) => None,
+        };
+        // Apart, a given approach tells nothing of what is left.
+        let is_left = self.is_unloaded() && given.is_none();
+        let name = if is_left { Name::PermanentApproach } else { Name::Approach };
+        let approach = given.unwrap_or(self.known.figures.approach);
+        let row = self.meshed(name, approach, (Figure::Approach, 0));
+        let row = if given.is_some() { row.bar(Bar::Given) } else { row };
+        row.elastic(hertz.map(|approach| self.write.length(approach)))
             .text(format!("between {}", self.measured.datum.between()))
     }
 
     fn tension(&self) -> Option<Answer> {
         let largest = self.measured.tension.as_ref().filter(|most| most.value > 0.0)?;
         let place = self.place_of(largest);
-        Some(
-            self.answer(
-                "residual_tension",
-                "Residual tension",
-                Quantity::Stress,
-                self.write.stress(largest.value),
-            )
-            .of(place.body)
-            .place(Some(place))
-            .text(format!("largest principal stress of all {}", self.measured.points)),
-        )
+        let row = self.row(Name::ResidualTension, largest.value);
+        let text = format!("largest principal stress of all {}", self.measured.points);
+        Some(row.of(place.body).place(Some(place)).text(text))
     }
 
-    fn work(&self) -> Option<Answer> {
-        let energy = &self.step.flow.as_ref()?.energy;
-        let quantity = if self.is_whole() { Quantity::Energy } else { Quantity::LineEnergy };
-        (energy.dissipated > 0.0).then(|| {
-            self.answer("dissipated_work", "Dissipated work", quantity, energy.dissipated)
-                .text("since the bodies were at rest")
-        })
-    }
-
-    fn strain(&self) -> Option<Answer> {
-        let (body, zone) = self.most_strained()?;
-        let side = if body == AnswerBody::Upper { Side::Upper } else { Side::Lower };
-        let is_limited =
-            self.zones().all(|(_, zone)| zone.max_equivalent_plastic_strain.is_some());
-        let answer = if is_limited {
-            let place =
-                AnswerPlace { body, x: zone.position, y: zone.position_y, depth: zone.depth };
-            self.figure(Figure::MaxPlasticStrain, zone.max_equivalent_plastic_strain)
-                .error(self.body_bar(side, |errors| errors.max_equivalent_plastic_strain))
-                .elastic(Some(0.0).filter(|_| self.touches()))
-                .place(Some(place))
-                .text(format!("of all {}", self.measured.points))
-        } else {
-            self.figure(Figure::MeanPlasticStrain, zone.mean_equivalent_plastic_strain)
-                .error(self.body_bar(side, |errors| errors.mean_equivalent_plastic_strain))
-                .text("over the area that has yielded; the largest has no limit on finer meshes")
-        };
-        Some(Answer { body: Some(body), ..answer })
-    }
-
-    /// Returns the figures that have no member of their own.
-    pub(super) fn without_member(&self) -> Vec<Answer> {
-        let mut answers = Vec::new();
-        for figure in Figure::ALL.iter().filter(|figure| !figure.has_member()) {
-            let sides: &[Side] =
-                if figure.is_of_body() && !self.is_alike() { &Side::BOTH } else { &[Side::Lower] };
-            for side in sides {
-                let Some(core) = self.measured.figures.get(*figure, side.member()) else {
-                    continue;
-                };
-                let answer = self.figure(*figure, self.write.of(figure.quantity(), core));
-                answers.push(if figure.is_of_body() {
-                    answer.of(self.body(*side))
-                } else {
-                    answer
-                });
-            }
-        }
-        answers
+    /// Returns the works of flow theory; of bodies without plastic strain all are details.
+    fn work(&self) -> Vec<Answer> {
+        let Some(FlowFigures { energy, .. }) = &self.known.flow else { return Vec::new() };
+        let since = "since the bodies were at rest";
+        let lost = self.row(Name::DissipatedWork, energy.dissipated()).text(since);
+        let is_lost = energy.dissipated() > 0.0;
+        let mut rows = vec![if is_lost { lost } else { lost.detail() }];
+        let details = [
+            (Name::Work, energy.work()),
+            (Name::ElasticEnergy, energy.elastic),
+            (Name::PlasticWork, energy.plastic_work),
+            (Name::StoredEnergy, energy.backstress),
+        ];
+        rows.extend(details.map(|(name, value)| self.row(name, value).detail()));
+        rows
     }
 
     fn stiffness(&self) -> Vec<Answer> {
-        let quantity = if self.is_whole() { Quantity::Stiffness } else { Quantity::LineStiffness };
-        let contact = self.step.contact_stiffness.filter(|_| self.touches());
+        let contact = self.known.stiffness.filter(|_| self.touches());
         let contact = contact.map(|slope| {
-            self.answer("contact_stiffness", "Contact stiffness", quantity, slope)
-                .error(self.bars().and_then(|bars| bars.contact_stiffness))
+            let bar = self.bars().and_then(|bars| bars.contact_stiffness);
+            self.row(Name::ContactStiffness, slope)
+                .bar(self.bar(&[(Figure::HalfWidth, 0)], bar))
                 .text("slope of the force over the approach")
         });
-        let unloading = self.step.flow.as_ref().map(|flow| flow.unloading_stiffness);
+        let unloading = self.known.flow.as_ref().map(|flow| flow.unloading_stiffness);
         let unloading = unloading.filter(|slope| *slope > 0.0).map(|slope| {
-            self.answer("unloading_stiffness", "Unloading stiffness", quantity, slope)
-                .text("slope where the load begins to fall")
+            let row = self.row(Name::UnloadingStiffness, slope);
+            row.text("slope where the load begins to fall")
         });
         contact.into_iter().chain(unloading).collect()
     }

@@ -1,9 +1,12 @@
 //! Answers on the strength of the bodies: utilization, margin, core, shakedown.
 
-use super::{Answer, Facts};
-use crate::job::Quantity;
+use super::{Answer, AnswerBody, Bar, Facts, Name};
+use crate::job::Load;
 use crate::report::findings::Finding;
-use crate::units::{about, rounded};
+use crate::units::about;
+
+/// Why a utilization of the field has no bar.
+const MESH: &str = "it is that of the mesh";
 
 impl Facts<'_> {
     /// Returns utilization and margin, which every loaded job has.
@@ -13,106 +16,88 @@ impl Facts<'_> {
         }
         let none = "no yield stress is given";
         let reason = if self.flows_from_the_first() {
-            Some("not known: a body has plastic strain under any stress")
+            Some("a body has plastic strain under any stress")
         } else {
             let is_dented = self.measured.is_dented;
-            is_dented.then_some("not known: an earlier load has dented the bodies")
+            is_dented.then_some("an earlier load has dented the bodies")
         };
         let used = self.measured.utilization.as_ref().filter(|_| reason.is_none());
-        let place = used.map(|used| self.place_of(used));
-        let utilization = self
-            .answer("utilization", "Utilization", Quantity::Ratio, used.map(|used| used.value))
-            .place(place)
-            .text(if used.is_some() {
-                "largest von Mises stress of elastic bodies over the yield stress there"
-            } else if let Some(reason) = reason {
-                reason
-            } else if self.can_yield() {
-                "not known: closed forms do not have these shapes, and the bodies yield or the \
-                 mesh does not tell the onset of yield"
-            } else {
-                none
-            });
-        let utilization = Answer { body: place.map(|place| place.body), ..utilization };
+        let utilization = self.row(Name::Utilization, used.map(|used| used.value));
+        let utilization = match used {
+            Some(used) => {
+                let place = self.place_of(used);
+                let row = Answer { body: Some(place.body), ..utilization };
+                let row = if self.measured.is_of_field { row.bar(Bar::none(MESH)) } else { row };
+                row.place(Some(place))
+                    .text("largest von Mises stress of elastic bodies over the yield stress there")
+            }
+            None if !self.can_yield() => utilization.not_known(none),
+            None => utilization.not_known(reason.unwrap_or(
+                "closed forms do not have these shapes, and the bodies yield or the mesh does not \
+                 tell the onset of yield",
+            )),
+        };
         let first = self.first_yield().filter(|_| reason.is_none());
-        let margin = self
-            .answer(
-                "margin",
-                "Margin to first yield",
-                Quantity::Number,
-                first.map(|first| first / self.step.contact.force),
-            )
-            .text(match (first, reason) {
-                (Some(first), _) => format!(
-                    "force of first yield, {}, over this force",
-                    self.with_unit(rounded, self.force_quantity(), first)
-                ),
-                (None, Some(reason)) => reason.to_owned(),
-                (None, None) if self.is_rough() => "not known of rough surfaces".to_owned(),
-                (None, None) if self.can_yield() => {
-                    "not known: `load.onset` looks for the force of first yield".to_owned()
-                }
-                (None, None) => none.to_owned(),
-            });
+        let margin = first.map(|first| first / self.known.figures.force);
+        let margin = self.row(Name::Margin, margin);
+        let margin = match first {
+            Some(first) => {
+                let first = self.write.force_text(first);
+                let text = format!("force of first yield, {first}, over this force");
+                let row =
+                    if self.job.load == Load::Onset { margin.bar(Bar::Given) } else { margin };
+                row.text(text)
+            }
+            None if self.is_rough() => margin.not_known("rough surfaces have no closed form"),
+            None if !self.can_yield() => margin.not_known(none),
+            None => margin
+                .not_known(reason.unwrap_or("`load.onset` looks for the force of first yield")),
+        };
         [utilization, margin].into_iter().chain(self.core()).collect()
     }
 
     pub(super) fn core(&self) -> Option<Answer> {
         let core = self.measured.core.as_ref()?;
         let place = self.place_of(core);
-        Some(
-            self.answer("core_utilization", "Core utilization", Quantity::Ratio, core.value)
-                .of(place.body)
-                .place(Some(place))
-                .text(format!(
-                    "von Mises stress over the yield stress below the case, largest of all {}",
-                    self.measured.points
-                )),
-        )
+        let text = format!(
+            "von Mises stress over the yield stress below the case, largest of all {}",
+            self.measured.points
+        );
+        let row = self.row(Name::CoreUtilization, core.value);
+        Some(row.of(place.body).place(Some(place)).text(text))
     }
 
     pub(super) fn of_shapes(&self) -> Vec<Answer> {
-        let mut answers = Vec::new();
-        if let Some((peak, limit)) = self.shakedown() {
-            answers.push(
-                self.answer(
-                    "shakedown_pressure",
-                    "Shakedown pressure",
-                    Quantity::Stress,
-                    limit,
-                )
-                .text(format!(
-                    "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
-                    about(peak / limit)
-                )),
-            );
+        let mut rows = Vec::new();
+        if let Some([peak, limit, depth]) = self.shakedown() {
+            let place = self.place(AnswerBody::Both, [0.0, 0.0, depth]);
+            let row = self.row(Name::ShakedownPressure, limit).place(Some(place));
+            rows.push(row.text(format!(
+                "of a perfectly plastic body that rolls freely; Hertz's peak is {} times that",
+                about(peak / limit)
+            )));
         }
-        answers.extend(self.measured.effective_radius.map(|radius| {
-            self.answer(
-                "effective_radius",
-                "Effective radius",
-                Quantity::Length,
-                self.write.length(radius),
-            )
-            .text(
+        let radius = self.measured.effective_radius;
+        rows.extend(radius.map(|radius| {
+            self.row(Name::EffectiveRadius, radius).text(
                 "reciprocal of the sum of both curvatures across the shorter side of the contact",
             )
         }));
-        answers
+        rows
     }
 
-    /// Returns Hertz's peak pressure and the shakedown limit, where both are those of the contact.
-    /// Beyond the end of a roller the pressure is larger: a peak below the limit tells nothing. In
-    /// a dent the contact is wider.
-    pub fn shakedown(&self) -> Option<(f64, f64)> {
+    /// Returns Hertz's peak pressure, the shakedown limit and the depth that decides, where they are
+    /// those of the contact. Beyond the end of a roller the pressure is larger: a peak below the
+    /// limit tells nothing. In a dent the contact is wider.
+    pub fn shakedown(&self) -> Option<[f64; 3]> {
         let is_of_contact = self.touches() && !self.measured.is_dented;
-        let hertz = self.step.hertz.as_ref().filter(|_| is_of_contact)?;
-        let (peak, limit) = (hertz.peak_pressure, hertz.shakedown_pressure?);
+        let hertz = self.known.hertz.filter(|_| is_of_contact)?;
+        let (peak, [limit, depth]) = (hertz.peak_pressure, hertz.shakedown?);
         let is_known = self.findings.iter().all(|finding| match finding {
             Finding::NearSupport => false,
             Finding::RollerEnd { .. } | Finding::Kinks => peak > limit,
             _ => true,
         });
-        (is_known && !self.flows_from_the_first()).then_some((peak, limit))
+        (is_known && !self.flows_from_the_first()).then_some([peak, limit, depth])
     }
 }

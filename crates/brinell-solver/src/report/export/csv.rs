@@ -1,17 +1,19 @@
 //! CSV tables with a header row that names the units, and a block of rows for each load step.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
+
+use strum::VariantArray as _;
 
 use super::{Export, ExportError};
 use crate::job::{Analysis, Job, Named, Quantity, Units};
 use crate::report::{
-    AnswerBody, BodyPassReport, FlowReport, PassReport, Report, StepReport, SubsurfaceReport,
-    ThreeDimensionalReport,
+    Answer, AnswerBody, Course, Name, PassesReport, Report, SolvedHardening, StepReport,
+    SubsurfaceReport,
 };
-use crate::solver::method::figures::Figure;
 
 /// A table of all load steps, written one by one.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Table {
     form: Export,
     units: Units,
@@ -19,11 +21,41 @@ pub struct Table {
     /// Names of the directions along the surface, along the normal and across the section.
     /// Stresses use all three names; positions along the surface use the first name.
     directions: [&'static str; 3],
-    /// Whether the table has the columns of an ellipse and of flow theory.
-    has_ellipse: bool,
-    has_flow: bool,
+    /// Columns of the summary.
+    columns: Vec<Column>,
+    /// Columns of the passes: of the contact, the upper and the lower body.
+    passes: [Vec<String>; 3],
     of_depth: ColumnsOfDepth,
 }
+
+/// A column of figures of one name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Column {
+    name: String,
+    body: Option<AnswerBody>,
+    hardening: Option<SolvedHardening>,
+    quantity: Quantity,
+}
+
+impl Column {
+    fn of(row: &Answer) -> Self {
+        let hardening = row.at.and_then(|at| at.hardening);
+        Self { name: row.name.clone(), body: row.body, hardening, quantity: row.quantity }
+    }
+
+    fn heading(&self, unit: &str) -> String {
+        let body = match self.body {
+            Some(AnswerBody::Upper) => "upper_",
+            Some(AnswerBody::Lower) => "lower_",
+            Some(AnswerBody::Both) | None => "",
+        };
+        let rule = self.hardening.map(|rule| format!("_{}", rule.name())).unwrap_or_default();
+        format!("{body}{}{rule}{}", self.name, in_brackets(unit))
+    }
+}
+
+/// Figures that an unloaded step has and a loaded one has not.
+const WITHOUT_FORCE: [Name; 3] = [Name::DentDepth, Name::PermanentApproach, Name::ResidualTension];
 
 /// Columns that a table over depth has where a body needs them.
 #[derive(Debug, Clone, Copy)]
@@ -47,13 +79,13 @@ impl Table {
             Export::SubsurfaceCsv if first.subsurface.is_none() => {
                 return Err(ExportError::NoSubsurface);
             }
-            Export::IncrementsCsv | Export::SurfaceCsv if first.flow.is_none() => {
+            Export::IncrementsCsv | Export::SurfaceCsv if first.increments.is_none() => {
                 return Err(ExportError::without_flow(first));
             }
-            Export::HardnessCsv if job.load.hardness().is_none() || first.flow.is_none() => {
+            Export::HardnessCsv if job.load.hardness().is_none() || first.increments.is_none() => {
                 return Err(ExportError::NoHardness);
             }
-            Export::PassesCsv if first.rolling.is_none() => return Err(ExportError::NotRolling),
+            Export::PassesCsv if first.passes.is_none() => return Err(ExportError::NotRolling),
             _ => {}
         }
         let profiles = || first.profiles().map(|(_, body)| body);
@@ -66,8 +98,8 @@ impl Table {
                 Analysis::ThreeDimensional => ["xx", "zz", "yy"],
                 Analysis::PlaneStrain | Analysis::PlaneStress => ["x", "y", "z"],
             },
-            has_ellipse: first.three_dimensional.is_some(),
-            has_flow: first.flow.is_some(),
+            columns: columns(first),
+            passes: first.passes.as_ref().map(names_of).unwrap_or_default(),
             of_depth: ColumnsOfDepth {
                 is_graded: profiles().any(|body| body.yield_stress.is_some()),
                 is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
@@ -75,7 +107,7 @@ impl Table {
         })
     }
 
-    fn is_three_dimensional(&self) -> bool {
+    fn has_cells(&self) -> bool {
         self.directions[0] == "xx"
     }
 
@@ -85,7 +117,7 @@ impl Table {
         let (force, length, stress) =
             (symbol(self.force), symbol(Quantity::Length), symbol(Quantity::Stress));
         match self.form {
-            Export::PressureCsv if self.has_ellipse => {
+            Export::PressureCsv if self.has_cells() => {
                 format!("step,x [{length}],y [{length}],pressure [{stress}],gap [{length}]\n")
             }
             Export::PressureCsv => {
@@ -109,7 +141,7 @@ impl Table {
                     if self.of_depth.is_graded { strength.as_str() } else { "" },
                     if self.of_depth.is_stressed { initial.as_str() } else { "" },
                     if self.directions[0] == "r" { "r" } else { "x" },
-                    if self.is_three_dimensional() { across.as_str() } else { "" },
+                    if self.has_cells() { across.as_str() } else { "" },
                 )
             }
             Export::IncrementsCsv => format!(
@@ -123,133 +155,120 @@ impl Table {
             Export::PassesCsv => self.heading_of_passes(),
             Export::SurfaceCsv => format!("step,body,x [{length}],height [{length}]\n"),
             _ => {
-                let ellipse = format!(
-                    ",semi_axis_b [{length}],area [{length}2],orientation [degree],plastic_volume \
-                     [{length}3]"
-                );
-                let flow = format!(
-                    ",unloading_stiffness [{force}/{length}],upper_dent [{length}],upper_pile_up \
-                     [{length}],lower_dent [{length}],lower_pile_up [{length}],work [{force} \
-                     {length}],dissipated [{force} {length}],increments"
-                );
-                format!(
-                    "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],\
-                     mean_pressure [{stress}],half_width [{length}],contact_stiffness \
-                     [{force}/{length}],\
-                     max_equivalent_plastic_strain{}{}{}\n",
-                    if self.has_flow { flow.as_str() } else { "" },
-                    if self.has_ellipse { ellipse.as_str() } else { "" },
-                    self.answers_alone(),
-                )
+                let column = |column: &Column| {
+                    format!(",{}", column.heading(self.units.symbol(column.quantity)))
+                };
+                let columns: String = self.columns.iter().map(column).collect();
+                format!("step,status{columns}\n")
             }
         }
     }
 
     /// Returns the heading of a table of passes.
     fn heading_of_passes(&self) -> String {
-        let column = |(name, quantity): (&str, Option<Quantity>)| {
-            let unit = quantity.map(|quantity| format!(" [{}]", self.unit(quantity)));
-            format!(",{name}{}", unit.unwrap_or_default())
+        let of = |(body, names): (&str, &Vec<String>)| {
+            let column = |name: &String| {
+                let known = Name::VARIANTS.iter().find(|known| known.name() == name);
+                let quantity = known.map_or(Quantity::Number, |name| name.quantity());
+                let unit = match quantity {
+                    Quantity::Force => self.units.symbol(self.force),
+                    quantity => self.units.symbol(quantity),
+                };
+                format!(",{body}{name}{}", in_brackets(unit))
+            };
+            names.iter().map(column).collect::<String>()
         };
-        let columns = OF_PASS.iter().map(|(name, quantity, _)| (*name, *quantity));
-        let columns = columns.chain(OF_BODY.iter().map(|(name, quantity, _)| (*name, *quantity)));
-        format!("step,pass,body{}\n", columns.map(column).collect::<String>())
-    }
-
-    /// Returns the unit of a quantity, without characters beyond ASCII.
-    fn unit(&self, quantity: Quantity) -> String {
-        match quantity {
-            Quantity::Area => format!("{}2", self.units.symbol(Quantity::Length)),
-            Quantity::Force => self.units.symbol(self.force).to_owned(),
-            quantity => self.units.symbol(quantity).to_owned(),
-        }
-    }
-
-    /// Returns the columns of the figures that are answers and have no member.
-    fn answers_alone(&self) -> String {
-        let column = |(body, figure): (&str, Figure)| {
-            let unit = Some(self.unit(figure.quantity())).filter(|unit| !unit.is_empty());
-            let unit = unit.map(|unit| format!(" [{unit}]")).unwrap_or_default();
-            format!(",{body}{}{unit}", figure.name())
-        };
-        answers_alone().map(|(body, figure, _)| column((body, figure))).collect()
+        let columns = ["", "upper_", "lower_"].into_iter().zip(&self.passes).map(of);
+        format!("step,pass,iterations{}\n", columns.collect::<String>())
     }
 
     /// Returns the rows of a load step, counted from 1.
     pub fn rows(&self, number: usize, step: &StepReport) -> String {
         let mut text = String::new();
         match self.form {
-            Export::PressureCsv => match &step.three_dimensional {
-                Some(whole) => cells(&mut text, number, step, whole),
-                None => pressure(&mut text, number, step),
-            },
+            Export::PressureCsv if self.has_cells() => cells(&mut text, number, step),
+            Export::PressureCsv => pressure(&mut text, number, step),
             Export::SubsurfaceCsv => self.subsurface(&mut text, number, step),
             Export::IncrementsCsv => increments(&mut text, number, step),
             Export::HardnessCsv => hardness(&mut text, number, step),
-            Export::PassesCsv => passes(&mut text, number, step),
+            Export::PassesCsv => self.passes(&mut text, number, step),
             Export::SurfaceCsv => surfaces(&mut text, number, step),
             _ => self.summary(&mut text, number, step),
         }
         text
     }
 
-    /// Writes one row with the figures of a load step, and with dents and energies under flow
-    /// theory.
+    /// Writes one row with the figures of a load step. A column of another step is empty.
     fn summary(&self, text: &mut String, number: usize, step: &StepReport) {
-        let status = Named::name(step.status);
-        let strain =
-            step.max_plastic_strain().map_or_else(String::new, |strain| strain.to_string());
-        let contact = &step.contact;
-        let _ = write!(
-            text,
-            "{number},{status},{},{},{},{},{},{},{strain}",
-            contact.force,
-            step.approach.map_or_else(String::new, |approach| approach.to_string()),
-            contact.peak_pressure,
-            contact.mean_pressure,
-            contact.half_width,
-            step.contact_stiffness.map_or_else(String::new, |slope| slope.to_string()),
-        );
-        if self.has_flow {
-            write_flow(text, step.flow.as_ref());
-        }
-        if let Some(whole) = &step.three_dimensional {
-            let zones = [&step.plasticity.upper, &step.plasticity.lower];
-            let volume: f64 = zones.into_iter().flatten().filter_map(|zone| zone.volume).sum();
-            let _ = write!(text, ",{},{},{},{volume}", whole.b, whole.area, whole.orientation);
-        }
-        for (_, figure, sides) in answers_alone() {
-            let mut found = step.answers.iter().filter(|answer| answer.name == figure.name());
-            let value =
-                found.find(|answer| sides.contains(&answer.body)).and_then(|found| found.value);
+        let _ = write!(text, "{number},{}", Named::name(step.status));
+        for column in &self.columns {
+            let row = step.answers.iter().find(|row| Column::of(row) == *column);
+            let value = row.and_then(|row| row.value);
             let _ = write!(text, ",{}", value.map_or_else(String::new, |value| value.to_string()));
         }
         text.push('\n');
+    }
+
+    /// Writes a row for each pass.
+    fn passes(&self, text: &mut String, number: usize, step: &StepReport) {
+        let Some(passes) = &step.passes else { return };
+        let [of_contact, of_upper, of_lower] = &self.passes;
+        let parts =
+            [(&passes.contact, of_contact), (&passes.upper, of_upper), (&passes.lower, of_lower)];
+        for (k, (pass, iterations)) in passes.number.iter().zip(&passes.iterations).enumerate() {
+            let _ = write!(text, "{number},{pass},{iterations}");
+            for (columns, names) in parts {
+                for name in names {
+                    let value = columns.get(name).and_then(|course| course.value.get(k));
+                    let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
+                }
+            }
+            text.push('\n');
+        }
     }
 
     /// Writes stresses and plastic strain along the normals below the middle of the contact and
     /// below the peak pressure, with the position of the normal at the end of each row.
     fn subsurface(&self, text: &mut String, number: usize, step: &StepReport) {
         for (name, body) in step.profiles() {
-            write_profile(text, (number, name, step.place_of(body)), body, self.of_depth);
+            write_profile(text, (number, name), body, self.of_depth);
         }
     }
 }
 
-/// Returns the figures that are answers and have no member: the beginning of their column, and
-/// whose answer it may be.
-fn answers_alone() -> impl Iterator<Item = (&'static str, Figure, [Option<AnswerBody>; 2])> {
-    let both = Some(AnswerBody::Both);
-    let alone = Figure::ALL.iter().filter(|figure| !figure.has_member());
-    alone.flat_map(move |figure| {
-        let of_bodies = [
-            ("upper_", *figure, [Some(AnswerBody::Upper), both]),
-            ("lower_", *figure, [Some(AnswerBody::Lower), both]),
-        ];
-        let of_contact = [("", *figure, [None; 2])];
-        let columns: &[_] = if figure.is_of_body() { &of_bodies } else { &of_contact };
-        columns.to_vec()
-    })
+/// Returns the columns of a summary: those of the first step, and those of a step without force.
+fn columns(first: &StepReport) -> Vec<Column> {
+    let mut columns: Vec<Column> = first.answers.iter().map(Column::of).collect();
+    if first.increments.is_some() {
+        let bodies = |name: Name| match name {
+            Name::DentDepth => {
+                let depths = first.answers.iter().filter(|row| row.is(Name::SurfaceDepth));
+                depths.map(|row| row.body).collect()
+            }
+            _ => vec![None],
+        };
+        for name in WITHOUT_FORCE {
+            columns.extend(bodies(name).into_iter().map(|body| Column {
+                name: name.name().to_owned(),
+                body,
+                hardening: None,
+                quantity: name.quantity(),
+            }));
+        }
+    }
+    columns
+}
+
+/// Returns the names of the columns of passes.
+fn names_of(passes: &PassesReport) -> [Vec<String>; 3] {
+    let names = |columns: &BTreeMap<String, Course>| columns.keys().cloned().collect();
+    [&passes.contact, &passes.upper, &passes.lower].map(names)
+}
+
+/// Returns a unit as the end of a heading, without characters beyond ASCII.
+fn in_brackets(unit: &str) -> String {
+    let unit = unit.replace('²', "2").replace('³', "3").replace('°', "degree");
+    if unit.is_empty() { unit } else { format!(" [{unit}]") }
 }
 
 /// Returns the table of a report.
@@ -271,30 +290,34 @@ fn pressure(text: &mut String, number: usize, step: &StepReport) {
 
 /// Writes `step, x, y, pressure, gap` of all cells if the job asks for fields, else of the cells
 /// of the sections y = 0 and x = 0.
-fn cells(text: &mut String, number: usize, step: &StepReport, whole: &ThreeDimensionalReport) {
+fn cells(text: &mut String, number: usize, step: &StepReport) {
     let mut row = |x: f64, y: f64, pressure: f64, gap: f64| {
         let _ = writeln!(text, "{number},{x},{y},{pressure},{gap}");
     };
-    if let Some(maps) = &whole.maps {
+    let contact = &step.contact;
+    if let Some(maps) = &contact.maps {
         let places = maps.x.iter().flat_map(|x| maps.y.iter().map(move |y| (*x, *y)));
         for ((x, y), (pressure, gap)) in places.zip(maps.pressure.iter().zip(&maps.gap)) {
             row(x, y, *pressure, *gap);
         }
         return;
     }
-    let (nodes, section) = (&step.contact.nodes, &whole.section);
+    let nodes = &contact.nodes;
     for (x, (pressure, gap)) in nodes.x.iter().zip(nodes.pressure.iter().zip(&nodes.gap)) {
         row(*x, 0.0, *pressure, *gap);
     }
-    for (y, (pressure, gap)) in section.y.iter().zip(section.pressure.iter().zip(&section.gap)) {
-        row(0.0, *y, *pressure, *gap);
+    if let Some(section) = &contact.section {
+        let values = section.pressure.iter().zip(&section.gap);
+        for (y, (pressure, gap)) in section.y.iter().zip(values) {
+            row(0.0, *y, *pressure, *gap);
+        }
     }
 }
 
 /// Writes `step, increment, force, approach, peak_pressure, half_width, iterations` of every
 /// increment.
 fn increments(text: &mut String, number: usize, step: &StepReport) {
-    let Some(ends) = step.flow.as_ref().map(|flow| &flow.increments) else { return };
+    let Some(ends) = &step.increments else { return };
     let columns = ends.force.iter().zip(&ends.approach).zip(&ends.peak_pressure);
     let columns = columns.zip(&ends.half_width).zip(&ends.iterations);
     for (n, ((((force, approach), peak), half_width), iterations)) in columns.enumerate() {
@@ -309,7 +332,7 @@ fn increments(text: &mut String, number: usize, step: &StepReport) {
 /// Writes `step, displacement, force, diameter, mean_pressure` of a hardness test from rest on. The
 /// pressure is empty without contact.
 fn hardness(text: &mut String, number: usize, step: &StepReport) {
-    let Some(ends) = step.flow.as_ref().map(|flow| &flow.increments) else { return };
+    let Some(ends) = &step.increments else { return };
     if number == 1 {
         text.push_str("1,0,0,0,\n");
     }
@@ -321,72 +344,11 @@ fn hardness(text: &mut String, number: usize, step: &StepReport) {
     }
 }
 
-/// A column: its name, its quantity if it has a unit, and the figure; `None` of one that is empty.
-type Column<T> = (&'static str, Option<Quantity>, fn(&T) -> Option<f64>);
-
-/// Columns of a pass.
-const OF_PASS: [Column<PassReport>; 11] = [
-    ("iterations", None, |pass| Some(pass.iterations as f64)),
-    ("peak_pressure", Some(Quantity::Stress), |pass| Some(pass.peak_pressure)),
-    ("half_width", Some(Quantity::Length), |pass| Some(pass.half_width)),
-    ("half_width_across", Some(Quantity::Length), |pass| pass.half_width_across),
-    ("approach", Some(Quantity::Length), |pass| pass.approach),
-    ("rolling_force", Some(Quantity::Force), |pass| Some(pass.rolling_force)),
-    ("loss", None, |pass| Some(pass.loss)),
-    ("plastic_work", Some(Quantity::Force), |pass| Some(pass.plastic_work)),
-    ("stored_energy", Some(Quantity::Force), |pass| Some(pass.stored_energy)),
-    ("traction_work", Some(Quantity::Force), |pass| Some(pass.traction_work)),
-    ("energy_gap", None, |pass| Some(pass.energy_gap)),
-];
-
-/// Columns of what a pass leaves in a body.
-const OF_BODY: [Column<BodyPassReport>; 14] = [
-    ("groove_depth", Some(Quantity::Length), |body| Some(body.groove_depth)),
-    ("pile_up", Some(Quantity::Length), |body| Some(body.pile_up)),
-    ("forward", Some(Quantity::Length), |body| Some(body.forward)),
-    ("largest_strain", None, |body| Some(body.largest_strain)),
-    ("largest_strain_depth", Some(Quantity::Length), |body| Some(body.largest_strain_depth)),
-    ("largest_strain_across", Some(Quantity::Length), |body| Some(body.largest_strain_across)),
-    ("net_strain", None, |body| Some(body.net_strain)),
-    ("net_strain_depth", Some(Quantity::Length), |body| Some(body.net_strain_depth)),
-    ("net_strain_across", Some(Quantity::Length), |body| Some(body.net_strain_across)),
-    ("accumulated_strain", None, |body| Some(body.accumulated_strain)),
-    ("least_sigma_x", Some(Quantity::Stress), |body| Some(body.least_sigma_x)),
-    ("largest_sigma_x", Some(Quantity::Stress), |body| Some(body.largest_sigma_x)),
-    ("least_sigma_z", Some(Quantity::Stress), |body| Some(body.least_sigma_z)),
-    ("largest_sigma_z", Some(Quantity::Stress), |body| Some(body.largest_sigma_z)),
-];
-
-/// Writes a row for each pass and each body that can yield; one without a body where none can.
-fn passes(text: &mut String, number: usize, step: &StepReport) {
-    let value = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-    for pass in step.rolling.iter().flat_map(|rolling| &rolling.passes) {
-        let sides = [("upper", &pass.bodies.upper), ("lower", &pass.bodies.lower)];
-        let mut bodies: Vec<(&str, Option<&BodyPassReport>)> = sides
-            .into_iter()
-            .filter_map(|(name, body)| Some((name, Some(body.as_ref()?))))
-            .collect();
-        if bodies.is_empty() {
-            bodies.push(("", None));
-        }
-        for (name, body) in bodies {
-            let _ = write!(text, "{number},{},{name}", pass.number);
-            for (_, _, of) in &OF_PASS {
-                let _ = write!(text, ",{}", value(of(pass)));
-            }
-            for (_, _, of) in &OF_BODY {
-                let _ = write!(text, ",{}", value(body.and_then(of)));
-            }
-            text.push('\n');
-        }
-    }
-}
-
 /// Writes `step, body, x, height` of the surfaces. Heights are outward from the undeformed
 /// surface: without force they show the dent and its pile-up.
 fn surfaces(text: &mut String, number: usize, step: &StepReport) {
-    let Some(flow) = &step.flow else { return };
-    for (name, surface) in [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)] {
+    let Some(surfaces) = &step.surfaces else { return };
+    for (name, surface) in [("upper", &surfaces.upper), ("lower", &surfaces.lower)] {
         for (x, height) in surface.iter().flat_map(|surface| surface.x.iter().zip(&surface.height))
         {
             let _ = writeln!(text, "{number},{name},{x},{height}");
@@ -394,30 +356,11 @@ fn surfaces(text: &mut String, number: usize, step: &StepReport) {
     }
 }
 
-/// Writes the columns of flow theory. The columns of a rigid body are empty.
-fn write_flow(text: &mut String, flow: Option<&FlowReport>) {
-    let Some(flow) = flow else {
-        text.push_str(",,,,,,,,");
-        return;
-    };
-    let _ = write!(text, ",{}", flow.unloading_stiffness);
-    for surface in [&flow.surfaces.upper, &flow.surfaces.lower] {
-        match surface {
-            Some(surface) => {
-                let _ = write!(text, ",{},{}", surface.depth, surface.pile_up);
-            }
-            None => text.push_str(",,"),
-        }
-    }
-    let energy = &flow.energy;
-    let _ = write!(text, ",{},{},{}", energy.work, energy.dissipated, flow.increments.force.len());
-}
-
 /// Writes the rows of one body along one normal. Columns of varying strength or of initial stress
 /// are empty for a body that has none.
 fn write_profile(
     text: &mut String,
-    (step, name, place): (usize, &str, f64),
+    (step, name): (usize, &str),
     body: &SubsurfaceReport,
     ColumnsOfDepth { is_graded, is_stressed }: ColumnsOfDepth,
 ) {
@@ -441,9 +384,10 @@ fn write_profile(
             let value = column.as_ref().and_then(|column| column.get(k));
             let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
         }
-        let _ = write!(text, ",{place}");
-        if let Some(y) = body.position_y {
-            let _ = write!(text, ",{y}");
+        for place in &body.position {
+            let _ = write!(text, ",{place}");
+        }
+        if body.position.len() > 1 {
             for column in [&body.sigma_xy, &body.sigma_xz, &body.sigma_yz].into_iter().flatten() {
                 let _ = write!(text, ",{}", column.get(k).copied().unwrap_or(0.0));
             }

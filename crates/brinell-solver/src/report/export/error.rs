@@ -57,6 +57,6 @@ pub enum ExportError {
 impl ExportError {
     /// Returns why a step has no increments and no surfaces.
     pub(super) const fn without_flow(step: &StepReport) -> Self {
-        if step.rolling.is_some() { Self::Rolling } else { Self::NoFlow }
+        if step.passes.is_some() { Self::Rolling } else { Self::NoFlow }
     }
 }

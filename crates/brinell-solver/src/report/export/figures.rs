@@ -8,7 +8,7 @@ use super::chart::{Chart, Curve, Stroke};
 use super::map;
 use crate::analytical::HertzLine;
 use crate::job::{Analysis, Body, Job, Material, Quantity};
-use crate::report::{HertzReport, Report, StepReport, SubsurfaceReport, ThreeDimensionalReport};
+use crate::report::{Name, Report, StepReport, SubsurfaceReport};
 
 // Okabe and Ito's palette, distinguishable with every kind of colour vision.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
@@ -34,11 +34,9 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
         colour: BLUE,
         stroke: Stroke::Solid,
     }];
-    curves.extend(step.hertz.as_ref().map(|hertz| hertz_curve(job, hertz)));
-    curves.extend(
-        step.three_dimensional.iter().flat_map(|whole| sections_along_y(job, step, whole)),
-    );
-    if step.three_dimensional.is_some() {
+    curves.extend(hertz(step).map(|hertz| hertz_curve(job, hertz)));
+    curves.extend(sections_along_y(job, step));
+    if step.contact.section.is_some() {
         "this contact, over x at y = 0".clone_into(&mut curves[0].name);
     }
     let highest = curves.iter().flat_map(|curve| &curve.points).map(|p| p.1).fold(0.0, f64::max);
@@ -56,7 +54,7 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
         legend_below: false,
         band: None,
     };
-    let maps = step.three_dimensional.as_ref().and_then(|whole| whole.maps.as_ref());
+    let maps = step.contact.maps.as_ref();
     maps.map_or_else(|| chart.svg(), |maps| map::svg(maps, "Contact pressure", length, &chart))
 }
 
@@ -69,9 +67,16 @@ fn abscissa(job: &Job) -> &'static str {
     }
 }
 
+/// Returns half-width and peak pressure of Hertz's contact.
+fn hertz(step: &StepReport) -> Option<[f64; 2]> {
+    let elastic = |name: Name| step.row(name)?.elastic;
+    let half_width = elastic(Name::HalfWidth).or_else(|| elastic(Name::SemiAxisA));
+    Some([half_width?, elastic(Name::PeakPressure)?])
+}
+
 /// Returns the pressure over y at x = 0 and Hertz's pressure.
-fn sections_along_y(job: &Job, step: &StepReport, whole: &ThreeDimensionalReport) -> Vec<Curve> {
-    let section = &whole.section;
+fn sections_along_y(job: &Job, step: &StepReport) -> Vec<Curve> {
+    let Some(section) = &step.contact.section else { return Vec::new() };
     let mut curves = vec![Curve {
         name: "over y at x = 0".to_owned(),
         points: section.y.iter().copied().zip(section.pressure.iter().copied()).collect(),
@@ -79,17 +84,16 @@ fn sections_along_y(job: &Job, step: &StepReport, whole: &ThreeDimensionalReport
         stroke: Stroke::Solid,
     }];
     // Along a roller the pressure of Hertz's line contact is constant.
-    if let Some((ellipse, hertz)) =
-        whole.hertz.zip(step.hertz.as_ref()).filter(|_| whole.roller.is_none())
-    {
-        let longer = HertzReport { half_width: ellipse.b, ..hertz.clone() };
-        curves.push(Curve { name: String::new(), ..hertz_curve(job, &longer) });
+    let longer = step.row(Name::SemiAxisB).and_then(|row| row.elastic);
+    let longer = longer.filter(|_| step.contact.along.is_none());
+    if let Some((half_width, [_, peak])) = longer.zip(hertz(step)) {
+        let curve = hertz_curve(job, [half_width, peak]);
+        curves.push(Curve { name: String::new(), ..curve });
     }
     curves
 }
 
-fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
-    let (a, p0) = (hertz.half_width, hertz.peak_pressure);
+fn hertz_curve(job: &Job, [a, p0]: [f64; 2]) -> Curve {
     let from = if job.analysis == Analysis::Axisymmetric { 0.0 } else { -1.0 };
     let points = (0..=SAMPLES).map(|k| {
         let s = from + (1.0 - from) * f64::from(k) / f64::from(SAMPLES);
@@ -155,7 +159,7 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     let (length, stress) =
         (job.units.symbol(Quantity::Length), job.units.symbol(Quantity::Stress));
     Chart {
-        title: if step.contact.force > 0.0 {
+        title: if step.value(Name::Force) > Some(0.0) {
             "Stresses below the contact"
         } else {
             "Residual stresses"
@@ -163,7 +167,7 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
         .to_owned(),
         x_label: format!(
             "depth [{length}] below {abscissa} = {} {length}",
-            short(step.place_of(profile))
+            short(profile.position.first().copied().unwrap_or_default())
         ),
         y_label: format!("stress, tension positive [{stress}]"),
         x_range: (0.0, reach),
@@ -184,7 +188,8 @@ fn short(value: f64) -> f64 {
 /// the plastic region; at most the depth of the profile.
 fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
     let deepest = profile.depth.last().copied().unwrap_or(1.0);
-    let half_width = step.contact.half_width;
+    let half_width = step.value(Name::HalfWidth).or_else(|| step.value(Name::SemiAxisA));
+    let half_width = half_width.unwrap_or_default();
     let wanted = if half_width > 0.0 {
         Some(4.0 * half_width)
     } else {
@@ -264,7 +269,7 @@ fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
 /// [`ExportError::Rolling`] of a load that rolls.
 pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
     let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
-    let surfaces = &step.flow.as_ref().ok_or_else(|| ExportError::without_flow(step))?.surfaces;
+    let surfaces = step.surfaces.as_ref().ok_or_else(|| ExportError::without_flow(step))?;
     let curves: Vec<Curve> =
         [("upper body", &surfaces.upper, VERMILION), ("lower body", &surfaces.lower, BLUE)]
             .into_iter()
@@ -281,7 +286,7 @@ pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, Ex
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let (x_range, y_range) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
     let length = job.units.symbol(Quantity::Length);
-    let is_dent = step.contact.force == 0.0;
+    let is_dent = step.value(Name::Force) == Some(0.0);
     Chart {
         title: if is_dent { "Residual profile" } else { "Surfaces under load" }.to_owned(),
         x_label: format!("{} [{length}]", abscissa(job)),
@@ -316,7 +321,8 @@ fn plastic_band(profile: &SubsurfaceReport) -> Option<(f64, f64)> {
 }
 
 fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<Curve> {
-    let (Some(hertz), Material::Deformable(material)) = (&step.hertz, &body.material) else {
+    let (Some([half_width, peak]), Material::Deformable(material)) = (hertz(step), &body.material)
+    else {
         return Vec::new();
     };
     let poisson = match job.analysis {
@@ -325,11 +331,7 @@ fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<
         Analysis::Axisymmetric | Analysis::ThreeDimensional => return Vec::new(),
     };
     // a = 2 R p0 / E*, so that R = a and E* = 2 p0 give this half-width and peak pressure.
-    let field = HertzLine::from_peak_pressure(
-        hertz.peak_pressure,
-        hertz.half_width,
-        2.0 * hertz.peak_pressure,
-    );
+    let field = HertzLine::from_peak_pressure(peak, half_width, 2.0 * peak);
     let sample = |k: u32| {
         let depth = reach * f64::from(k) / f64::from(SAMPLES);
         (depth, field.stress_on_axis(depth, poisson))

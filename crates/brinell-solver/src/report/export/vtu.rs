@@ -33,14 +33,14 @@ use crate::report::{FieldLayout, Report, Side, encode_fields};
 pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     let place = [step, report.steps.len()];
-    if let Some(whole) = &shown.three_dimensional {
-        let maps = whole.maps.as_ref().ok_or(ExportError::NoFields)?;
+    if shown.contact.section.is_some() {
+        let maps = shown.contact.maps.as_ref().ok_or(ExportError::NoFields)?;
         return Ok(surface_vtu(report, place, maps.clone()).collect());
     }
     let fields = shown.fields.as_ref().ok_or(ExportError::NoFields)?;
     let bytes = encode_fields(fields).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
-    let approach = shown.approach.unwrap_or_default();
+    let approach = shown.approach().unwrap_or_default();
     Ok(VtuFile::new(report, place, approach, &layout)?.whole(&bytes))
 }
 

@@ -18,10 +18,11 @@ use crate::solver::half_spaces::figure_of;
 use crate::solver::method::figures::{Figure, FigureSet};
 
 pub(super) use guesses::guesses;
+pub(super) use kinds::Voids;
 pub(super) use kinds::{
     Advice, CasePlace, Deformation, FinerBy, MANY_MESHES, OnsetUnknown, Unconverged, Wide, Work,
 };
-use kinds::{BELOW, Row, Section, Takes, Voids};
+use kinds::{BELOW, Row, Section, Takes};
 pub(super) use sentences::CONFORMING_ADVICE;
 pub(super) use table::Finding;
 use table::ROWS;

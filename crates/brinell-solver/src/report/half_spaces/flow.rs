@@ -1,11 +1,12 @@
-//! Report of flow theory for half-spaces: increments, surfaces, energies.
+//! What flow theory knows of half-spaces: surfaces, energies.
 
 use std::sync::Arc;
 
 use super::sections::section_along_x;
 use crate::job::{Job, Material};
 use crate::report::flow::NOTICEABLE;
-use crate::report::{EnergyReport, FlowReport, IncrementsReport, PerBody, SurfaceReport};
+use crate::report::known::{FlowFigures, SurfaceFigures};
+use crate::report::{PerBody, SurfaceReport};
 use crate::solver::half_spaces::{EllipticReference, HalfSpaceBody, HalfSpaceStep};
 use crate::units::UnitConverter;
 
@@ -20,14 +21,14 @@ pub(in crate::report) struct FlowState {
 }
 
 impl FlowState {
-    /// Returns the report of the next load, or `None` under deformation theory.
-    pub fn report(
+    /// Returns what flow theory knows of the next load, with the height of each surface in every
+    /// cell, or `None` under deformation theory.
+    pub fn next(
         &mut self,
         job: &Job,
         step: &HalfSpaceStep,
         reference: &EllipticReference,
-        write: UnitConverter,
-    ) -> Option<FlowReport> {
+    ) -> Option<(FlowFigures, [Option<Vec<f64>>; 2])> {
         if !job.has_memory() {
             return None;
         }
@@ -39,35 +40,30 @@ impl FlowState {
         }
         self.force = step.figures.force;
         self.bodies.clone_from(&step.field.bodies);
-        Some(FlowReport {
-            unloading_stiffness: write.stiffness(reference.stiffness(step)),
-            energy: EnergyReport::of(step.path.energy.unwrap_or_default(), write),
-            increments: IncrementsReport::of(&step.path.increments, write),
-            surfaces: if step.status.is_stopped() {
-                PerBody::default()
-            } else {
-                let deflection = elastic_deflection(reference, step);
-                PerBody::of(&step.field.bodies, |body, side| {
-                    self.surface(job, step, (body, side), &deflection, write)
-                })
-            },
-        })
+        let deflection = elastic_deflection(reference, step);
+        let is_shown = !step.status.is_stopped();
+        let heights = [0, 1].map(|side| {
+            let body = step.field.bodies[side].as_deref().filter(|_| is_shown)?;
+            Some(heights(job, (body, side), &deflection))
+        });
+        let surfaces = [0, 1].map(|side| {
+            let body = step.field.bodies[side].as_deref()?;
+            Some(self.surface(step, (body, side), heights[side].as_deref()?))
+        });
+        let flow = FlowFigures {
+            unloading_stiffness: reference.stiffness(step),
+            energy: step.path.energy.unwrap_or_default(),
+            surfaces,
+        };
+        Some((flow, heights))
     }
 
     fn surface(
         &self,
-        job: &Job,
         step: &HalfSpaceStep,
         (body, side): (&HalfSpaceBody, usize),
-        deflection: &[f64],
-        write: UnitConverter,
-    ) -> SurfaceReport {
-        let share = compliance(job, side) / (compliance(job, 0) + compliance(job, 1));
-        let heights: Vec<f64> = deflection
-            .iter()
-            .zip(&body.plastic_displacement)
-            .map(|(elastic, plastic)| -(share * elastic + plastic))
-            .collect();
+        heights: &[f64],
+    ) -> SurfaceFigures {
         let map = &step.field.surface;
         let extreme = |sign: f64| heights.iter().map(|height| sign * height).fold(0.0, f64::max);
         let highest =
@@ -76,21 +72,36 @@ impl FlowState {
         let before = self.before_unloading.as_ref().and_then(|bodies| bodies[side].as_deref());
         let gains = before.map_or_else(Vec::new, |before| gains(before, body));
         let most = gains.iter().copied().fold(0.0, f64::max);
-        let has_reversed = most > NOTICEABLE;
-        SurfaceReport {
-            x: (0..map.grid.nx()).map(|i| write.length(map.grid.x(i))).collect(),
-            height: section_along_x(map, &heights)
-                .iter()
-                .map(|height| write.length(*height))
-                .collect(),
-            depth: write.length(extreme(-1.0)),
-            pile_up: write.length(extreme(1.0)),
-            pile_up_position: if extreme(1.0) > 0.0 { write.length(x.hypot(y)) } else { 0.0 },
-            yielded_in_reverse: has_reversed,
-            reverse_area: write.area(reverse_area(body, &gains)),
-            max_reverse_strain: if has_reversed { most } else { 0.0 },
+        SurfaceFigures {
+            depth: extreme(-1.0),
+            pile_up: extreme(1.0),
+            pile_up_from: if extreme(1.0) > 0.0 { x.hypot(y) } else { 0.0 },
+            reverse: (most > NOTICEABLE).then(|| [most, reverse_area(body, &gains)]),
         }
     }
+}
+
+/// Returns the height of the surface of a body in every cell.
+fn heights(job: &Job, (body, side): (&HalfSpaceBody, usize), deflection: &[f64]) -> Vec<f64> {
+    let share = compliance(job, side) / (compliance(job, 0) + compliance(job, 1));
+    let displacements = deflection.iter().zip(&body.plastic_displacement);
+    displacements.map(|(elastic, plastic)| -(share * elastic + plastic)).collect()
+}
+
+/// Returns the sections of surfaces along x, in the units of the job.
+pub(super) fn surfaces(
+    step: &HalfSpaceStep,
+    heights: &[Option<Vec<f64>>; 2],
+    write: UnitConverter,
+) -> PerBody<Option<SurfaceReport>> {
+    let map = &step.field.surface;
+    let lengths = |values: &[f64]| values.iter().map(|value| write.length(*value)).collect();
+    let x: Vec<f64> = (0..map.grid.nx()).map(|i| map.grid.x(i)).collect();
+    let [upper, lower] = heights.each_ref().map(|heights| {
+        let height = section_along_x(map, heights.as_ref()?);
+        Some(SurfaceReport { x: lengths(&x), height: lengths(&height) })
+    });
+    PerBody { upper, lower }
 }
 
 /// Returns the elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`, or

@@ -24,7 +24,6 @@ pub(super) fn measured(
     let at_rest = Measured {
         effective_radius: Some(radius).filter(|radius| is_smooth && radius.is_finite()),
         points: "cells",
-        figures: step.figures.values(),
         ..Measured::default()
     };
     if step.status.is_stopped() {
@@ -50,8 +49,10 @@ pub(super) fn measured(
         Some(Largest { value: found.ratio, side: found.side, place: found.position })
     };
     let first_yield = if is_sought { Some(force) } else { reference.onset_force() };
+    let closed = closed();
     Measured {
-        utilization: closed().or_else(of_field).filter(|_| !at_end),
+        is_of_field: closed.is_none(),
+        utilization: closed.or_else(of_field).filter(|_| !at_end),
         first_yield: first_yield.filter(|_| is_smooth && (is_sought || !at_end)),
         core,
         bearable: super::spots::unbearable(problem, step),

@@ -14,9 +14,6 @@ mod step;
 #[cfg(test)]
 mod tests;
 
-pub use document::{
-    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
-    SectionReport, ThreeDimensionalReport,
-};
+pub use document::{MapsReport, PressureQuantiles, RollerReport, SectionReport};
 pub use findings::unknown_figures;
 pub(super) use step::HalfSpaces;

@@ -1,12 +1,9 @@
 //! Steps of half-spaces as a report shows them.
 
-use super::document::{
-    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
-    SectionReport, ThreeDimensionalReport,
-};
+use super::document::{MapsReport, PressureQuantiles, RollerReport, SectionReport};
 use super::estimate::estimate;
 use super::findings::{findings, largest_strain};
-use super::flow::FlowState;
+use super::flow::{FlowState, surfaces};
 use super::layers::layers;
 use super::measured::measured;
 use super::sections::{middle, section_along_x, section_along_y};
@@ -17,10 +14,12 @@ use crate::job::{Deformable, Job, Load, Material, Quantity};
 use crate::report::cost::JobEstimate;
 use crate::report::error_bars::BESIDE;
 use crate::report::findings::{Finding, Known};
+use crate::report::known::ErrorEstimate;
+use crate::report::known::{self, Hertz, Onset, RollerFigures, Rough, Whole, Zone};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::{
-    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, HertzReport, MeshReport, Patch,
-    PerBody, PlasticityReport, Side, SubsurfaceReport, YieldOnsetReport,
+    ContactNodes, ContactReport, IncrementsReport, MeshReport, Patch, PerBody, PlasticityReport,
+    SubsurfaceReport,
 };
 use crate::solver::half_spaces::{
     self, ColumnPoint, EllipticReference, HalfSpaceBody, HalfSpaceField, HalfSpaceProblem,
@@ -32,6 +31,8 @@ use crate::units::UnitConverter;
 
 /// Relative error of an onset of yield in closed form, which is sought over some hundred depths.
 const CLOSED_FORM: f64 = 1e-3;
+/// Relative difference of semi-axes that are one radius.
+const ALIKE: f64 = 1e-9;
 /// Fractions of the contact area for which the quantile of the pressure is reported.
 const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
@@ -74,7 +75,8 @@ impl Shown for HalfSpaces<'_> {
         Ok(Arrays {
             subsurface,
             below_peak,
-            plasticity: PerBody::of(bodies, |body, side| self.plasticity(body, side)),
+            plasticity: PerBody::of(bodies, |_, _| PlasticityReport::default()),
+            covers: [None; 2],
             fields: None,
             layers: (self.job.output.fields)
                 .then(|| PerBody::of(bodies, |body, _| layers(body, self.write))),
@@ -90,16 +92,42 @@ impl Shown for HalfSpaces<'_> {
         let known = Known::of_job(job, findings);
         let stiffness = self.elastic_stiffness(step).or(step.contact_stiffness);
         let stiffness = stiffness.filter(|_| !step.status.is_stopped());
+        let (flow, heights) = memory.next(job, step, reference).unzip();
+        let touches = step.figures.force > 0.0;
         Parts {
+            known: known::Known {
+                load: step.load,
+                status: step.status,
+                figures: step.figures,
+                peak_place: step.field.peak_position,
+                mean_pressure: self.mean_pressure(step),
+                half_angle: None,
+                parts: usize::from(touches),
+                stiffness,
+                flow,
+                zones: [0, 1].map(|side| {
+                    step.field.bodies[side].as_deref().map(|body| self.zone(body, side))
+                }),
+                hertz: self.hertz(step),
+                onset: self.onset(step, known),
+                bars: self.estimated_error(step, stiffness, known),
+                whole: self.whole(step),
+                rolled: None,
+                is_graded: problem
+                    .materials
+                    .iter()
+                    .flatten()
+                    .any(|material| material.strength().is_some() && material.can_yield()),
+            },
             contact: self.contact(step),
-            stiffness,
+            increments: job
+                .has_memory()
+                .then(|| IncrementsReport::of(&step.path.increments, self.write)),
+            surfaces: heights.map(|heights| surfaces(step, &heights, self.write)),
+            passes: None,
+            rules: Vec::new(),
+            shakedown: None,
             spacing: Some(step.field.surface.grid.hx()),
-            flow: memory.report(job, step, reference, self.write),
-            hertz: self.hertz(step),
-            yield_onset: self.yield_onset(step, known),
-            bars: self.estimated_error(step, stiffness, known),
-            three_dimensional: self.three_dimensional(step, known),
-            rolling: None,
             measured: measured(job, problem, reference, step, findings),
             target: self.target(step),
             indentation: None,
@@ -118,6 +146,11 @@ impl Shown for HalfSpaces<'_> {
             elements: bodies().map(|body| cells * body.layers.len()).sum(),
             equations: cells
                 + bodies().map(|body| 5 * body.equivalent_plastic_strain.len()).sum::<usize>(),
+            cells: Some([
+                cells / grid.ny(),
+                grid.ny(),
+                bodies().map(|body| body.layers.len()).max().unwrap_or(0),
+            ]),
             max_aspect_ratio: (grid.hy() / grid.hx()).max(grid.hx() / grid.hy()),
             ..MeshReport::default()
         }
@@ -131,17 +164,16 @@ impl<'a> HalfSpaces<'a> {
     }
 
     /// Returns the elastic contact of the same bodies.
-    fn hertz(&self, step: &HalfSpaceStep) -> Option<HertzReport> {
-        let (write, reference) = (self.write, &self.reference);
-        let (hertz, limit) = (step.field.hertz?, reference.rolling());
-        Some(HertzReport {
-            half_width: write.length(hertz.semi_axis_x),
-            peak_pressure: write.stress(hertz.peak_pressure),
-            yield_onset_force: reference.onset_force().map(|force| write.force(force)),
-            yield_onset_depth: reference.onset_depth().map(|depth| write.length(depth)),
-            shakedown_pressure: limit.map(|limit| write.stress(limit.peak_pressure)),
-            shakedown_depth: limit.map(|limit| write.length(limit.depth)),
-            shakedown_over_friction: Vec::new(),
+    fn hertz(&self, step: &HalfSpaceStep) -> Option<Hertz> {
+        let (hertz, reference) = (step.field.hertz?, &self.reference);
+        let first_yield = reference.onset_force().zip(reference.onset_depth());
+        Some(Hertz {
+            half_width: hertz.semi_axis_x,
+            longer: Some(hertz.semi_axis_y),
+            peak_pressure: hertz.peak_pressure,
+            approach: Some(hertz.approach),
+            first_yield: first_yield.map(|(force, depth)| [force, depth]),
+            shakedown: reference.rolling().map(|limit| [limit.peak_pressure, limit.depth]),
         })
     }
 
@@ -154,47 +186,61 @@ impl<'a> HalfSpaces<'a> {
         Some((target_figure(&step.figures, target.figure), error))
     }
 
-    fn contact(&self, step: &HalfSpaceStep) -> ContactReport {
-        let (write, figures, map) = (self.write, &step.figures, &step.field.surface);
-        let [a, _] = ordered(figures.semi_axes());
-        let touches = figures.force > 0.0;
-        let area = figures.contact_area.filter(|_| touches);
-        let pressure = section_along_x(map, &map.pressure);
-        let cell = map.grid.cell_area();
-        // Of inclined forces the force is a part.
+    /// Returns the force over the contact area; of inclined forces the force is a part.
+    fn mean_pressure(&self, step: &HalfSpaceStep) -> f64 {
+        let (figures, map) = (&step.figures, &step.field.surface);
         let borne = if self.problem.conformity.is_conforming() {
-            cell * map.pressure.iter().sum::<f64>()
+            map.grid.cell_area() * map.pressure.iter().sum::<f64>()
         } else {
             figures.force
         };
-        let places = (0..map.grid.nx()).map(|i| write.length(map.grid.x(i)));
+        let area = figures.contact_area.filter(|_| figures.force > 0.0);
+        area.map_or(0.0, |area| borne / area)
+    }
+
+    fn contact(&self, step: &HalfSpaceStep) -> ContactReport {
+        let (write, figures, map) = (self.write, &step.figures, &step.field.surface);
+        let [a, _] = ordered(figures.semi_axes());
+        let pressure = section_along_x(map, &map.pressure);
+        let cell = map.grid.cell_area();
+        let lengths =
+            |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
+        let stresses =
+            |values: &[f64]| -> Vec<f64> { values.iter().map(|p| write.stress(*p)).collect() };
+        let x: Vec<f64> = (0..map.grid.nx()).map(|i| write.length(map.grid.x(i))).collect();
+        let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
+        let part = || Patch { left: write.length(-a), right: write.length(a) };
         ContactReport {
-            force: write.force(figures.force),
-            half_width: write.length(a),
-            half_angle: None,
-            peak_pressure: write.stress(figures.peak_pressure),
-            peak_position: write.length(step.field.peak_position[0]),
-            middle_pressure: figures.middle_pressure.map(|pressure| write.stress(pressure)),
-            mean_pressure: area.map_or(0.0, |area| write.stress(borne / area)),
-            patches: touches
-                .then(|| Patch { left: write.length(-a), right: write.length(a) })
-                .into_iter()
-                .collect(),
+            patches: (figures.force > 0.0).then(part).into_iter().collect(),
             nodes: ContactNodes {
-                x: places.collect(),
+                x: x.clone(),
                 force: pressure.iter().map(|pressure| write.force(pressure * cell)).collect(),
-                pressure: pressure.iter().map(|pressure| write.stress(*pressure)).collect(),
-                gap: section_along_x(map, &map.gap).iter().map(|gap| write.length(*gap)).collect(),
+                pressure: stresses(&pressure),
+                gap: lengths(&section_along_x(map, &map.gap)),
             },
+            section: Some(SectionReport {
+                y: y.clone(),
+                pressure: stresses(&section_along_y(map, &map.pressure)),
+                gap: lengths(&section_along_y(map, &map.gap)),
+            }),
+            along: self.along(step),
+            quantiles: step.figures.contact_ratio.map(|_| quantiles(step, write)),
+            maps: (self.job.output.fields && !step.status.is_stopped()).then(|| MapsReport {
+                x,
+                y,
+                pressure: stresses(&map.pressure),
+                gap: lengths(&map.gap),
+                dent: dent(step).map(|dent| lengths(&dent)),
+            }),
         }
     }
 
     /// Returns the onset of yield if the job asks for it.
-    fn yield_onset(&self, step: &HalfSpaceStep, known: Known) -> Option<YieldOnsetReport> {
+    fn onset(&self, step: &HalfSpaceStep, known: Known) -> Option<Onset> {
         if self.job.load != Load::Onset || !known.has_estimate() {
             return None;
         }
-        let (write, force) = (self.write, step.figures.force);
+        let force = step.figures.force;
         let closed = self.problem.onset.and_then(|_| self.reference.utilization(force));
         let (side, [x, depth]) = if let Some((_, depth, side)) = closed {
             (side, [0.0, depth])
@@ -202,14 +248,8 @@ impl<'a> HalfSpaces<'a> {
             let first = self.problem.highest_utilization(step)?;
             (first.side, [first.position[0], first.position[2]])
         };
-        Some(YieldOnsetReport {
-            force: write.force(force),
-            approach: write.length(step.figures.approach),
-            peak_pressure: write.stress(step.figures.peak_pressure),
-            body: if side == 0 { Side::Upper } else { Side::Lower },
-            position: write.length(x),
-            depth: write.length(depth),
-        })
+        let peak_pressure = step.figures.peak_pressure;
+        Some(Onset { force, peak_pressure, side, position: x, depth })
     }
 
     /// Returns dP/dα at a constant contact area \[N/mm\] of bodies that do not flow.
@@ -218,116 +258,72 @@ impl<'a> HalfSpaces<'a> {
         is_known.then(|| self.reference.stiffness(step))
     }
 
-    fn three_dimensional(
-        &self,
-        step: &HalfSpaceStep,
-        known: Known,
-    ) -> Option<ThreeDimensionalReport> {
-        let (write, figures, map) = (self.write, &step.figures, &step.field.surface);
-        let lengths =
-            |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
-        let stresses =
-            |values: &[f64]| -> Vec<f64> { values.iter().map(|p| write.stress(*p)).collect() };
-        let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
-        Some(ThreeDimensionalReport {
-            orientation: self.orientation.to_degrees(),
-            a: write.length(ordered(figures.semi_axes())[0]),
-            b: write.length(ordered(figures.semi_axes())[1]),
-            area: write.area(figures.contact_area?),
-            largest_cell_pressure: write.stress(step.field.largest_cell_pressure),
-            peak_position_y: write.length(step.field.peak_position[1]),
-            hertz: step.field.hertz.map(|hertz| EllipticHertzReport {
-                a: write.length(hertz.semi_axis_x),
-                b: write.length(hertz.semi_axis_y),
-                approach: write.length(hertz.approach),
-            }),
-            roller: self.roller(step),
-            surface: self.rough_contact(step),
-            section: SectionReport {
-                y: y.clone(),
-                pressure: stresses(&section_along_y(map, &map.pressure)),
-                gap: lengths(&section_along_y(map, &map.gap)),
-            },
-            maps: (self.job.output.fields && !step.status.is_stopped()).then(|| MapsReport {
-                x: (0..map.grid.nx()).map(|i| write.length(map.grid.x(i))).collect(),
-                y,
-                pressure: stresses(&map.pressure),
-                gap: lengths(&map.gap),
-                dent: dent(step).map(|dent| lengths(&dent)),
-            }),
-            estimated_error: self.ellipse_errors(step, known),
-        })
-    }
-
-    /// Returns the report of a contact of heights.
-    fn rough_contact(&self, step: &HalfSpaceStep) -> Option<RoughContactReport> {
-        let contact_ratio = step.figures.contact_ratio?;
-        let (write, map) = (self.write, &step.field.surface);
+    fn whole(&self, step: &HalfSpaceStep) -> Option<Whole> {
+        let (figures, map) = (&step.figures, &step.field.surface);
         let all = map.grid.cell_area() * map.grid.n_cells() as f64;
-        let mut pressures: Vec<f64> = map.pressure.iter().copied().filter(|p| *p > 0.0).collect();
-        pressures.sort_by(f64::total_cmp);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a part of a length"
-        )]
-        let at = |part: f64| pressures.get((part * pressures.len() as f64) as usize).copied();
-        let quantiles = QUANTILES.iter().filter_map(|part| at(*part));
-        Some(RoughContactReport {
-            contact_ratio,
-            nominal_pressure: write.stress(step.figures.force / all),
-            parts: QUANTILES.to_vec(),
-            pressure_quantiles: quantiles.map(|pressure| write.stress(pressure)).collect(),
-            plastic_part: plastic_part(step),
+        Some(Whole {
+            orientation: self.orientation.to_degrees(),
+            semi_axes: ordered(figures.semi_axes()),
+            area: figures.contact_area?,
+            largest_cell_pressure: step.field.largest_cell_pressure,
+            roller: self.roller(step),
+            rough: figures.contact_ratio.map(|contact_ratio| Rough {
+                contact_ratio,
+                nominal_pressure: figures.force / all,
+                yielded_part: plastic_part(step),
+            }),
         })
     }
 
-    /// Returns the rows of cells between the ends of a roller.
-    fn roller(&self, step: &HalfSpaceStep) -> Option<RollerReport> {
-        let (half_length, write) = (self.problem.half_length()?, self.write);
-        let map = &step.field.surface;
+    /// Returns the rows of cells between the ends of a roller, each with its y.
+    fn rows(&self, step: &HalfSpaceStep) -> Option<Vec<(f64, Row)>> {
+        let (half_length, map) = (self.problem.half_length()?, &step.field.surface);
         let rows = Row::all(&map.grid, &map.pressure).into_iter().enumerate();
-        let rows =
-            rows.map(|(j, row)| (map.grid.y(j), row)).filter(|(y, _)| y.abs() < half_length);
-        let (y, rows): (Vec<f64>, Vec<Row>) = rows.unzip();
-        let pressure: Vec<f64> =
-            rows.iter().map(|row| write.stress(row.largest_pressure)).collect();
-        let [low, high] = middle(rows.len());
-        let reaches_ends = half_length - y.last()? < map.grid.hy();
-        let moment =
-            y.iter().zip(&rows).map(|(y, row)| y * row.line_load * map.grid.hy()).sum::<f64>();
-        let at_end = |end: Option<&f64>| end.copied().filter(|_| reaches_ends).unwrap_or_default();
+        let rows = rows.map(|(j, row)| (map.grid.y(j), row));
+        Some(rows.filter(|(y, _)| y.abs() < half_length).collect())
+    }
+
+    fn along(&self, step: &HalfSpaceStep) -> Option<RollerReport> {
+        let (rows, write) = (self.rows(step)?, self.write);
+        let line_load = |row: &Row| write.figure(Quantity::LineForce, row.line_load);
         Some(RollerReport {
-            y: y.iter().map(|y| write.length(*y)).collect(),
-            line_load: rows
-                .iter()
-                .map(|row| write.figure(Quantity::LineForce, row.line_load))
-                .collect(),
-            half_width: rows.iter().map(|row| write.length(row.half_width)).collect(),
-            moment: write.length(write.force(moment)),
-            tilt: 1e3 * step.field.tilt,
-            middle_pressure: pressure[low].max(pressure[high]),
-            end_pressure: [at_end(pressure.first()), at_end(pressure.last())],
-            pressure,
+            y: rows.iter().map(|(y, _)| write.length(*y)).collect(),
+            line_load: rows.iter().map(|(_, row)| line_load(row)).collect(),
+            half_width: rows.iter().map(|(_, row)| write.length(row.half_width)).collect(),
+            pressure: rows.iter().map(|(_, row)| write.stress(row.largest_pressure)).collect(),
         })
     }
 
-    fn plasticity(&self, body: &HalfSpaceBody, side: usize) -> PlasticityReport {
-        let write = self.write;
+    fn roller(&self, step: &HalfSpaceStep) -> Option<RollerFigures> {
+        let (half_length, rows) = (self.problem.half_length()?, self.rows(step)?);
+        let width = step.field.surface.grid.hy();
+        let pressure = |row: usize| rows[row].1.largest_pressure;
+        let [low, high] = middle(rows.len());
+        let (first, last) = (rows.first()?.0, rows.last()?.0);
+        let reaches_ends = half_length - last < width;
+        let at_end = |row: usize| if reaches_ends { pressure(row) } else { 0.0 };
+        Some(RollerFigures {
+            end_pressure: [at_end(0), at_end(rows.len() - 1)],
+            ends: [first, last],
+            middle_pressure: pressure(low).max(pressure(high)),
+            moment: rows.iter().map(|(y, row)| y * row.line_load * width).sum(),
+            tilt: 1e3 * step.field.tilt,
+        })
+    }
+
+    fn zone(&self, body: &HalfSpaceBody, side: usize) -> Zone {
         let most = body.largest_strain;
-        let [x, y, depth] = most.map_or([0.0; 3], |most| most.position);
         let section = body.plastic_section;
-        PlasticityReport {
+        let first = body.equivalent_plastic_strain.iter().position(|strain| *strain > 0.0);
+        let top = first.map(|cell| body.layers.faces()[cell / body.grid.n_cells()]);
+        Zone {
             yielded: most.is_some(),
-            max_equivalent_plastic_strain: largest_strain(self.job, body, side),
-            mean_equivalent_plastic_strain: section.mean_strain,
-            position: write.length(x),
-            depth: write.length(depth),
-            area: write.area(section.area),
-            reached_surface: section.reaches_surface,
-            outline: Vec::new(),
-            position_y: Some(write.length(y)),
-            volume: Some(write.length(write.area(body.plastic_volume))),
+            largest: largest_strain(self.job, body, side),
+            mean: section.mean_strain,
+            place: most.map_or([0.0; 3], |most| most.position),
+            area: section.area,
+            volume: Some(body.plastic_volume),
+            cover: if section.reaches_surface { Some(0.0) } else { top },
         }
     }
 
@@ -365,8 +361,7 @@ impl<'a> HalfSpaces<'a> {
         let initial = initial.map(|material| self.initial_stress(material, &points));
         let of_initial = |k: usize| initial.as_ref().map(|columns| columns[k].clone());
         SubsurfaceReport {
-            position: Some(write.length(place[0])),
-            position_y: Some(write.length(place[1])),
+            position: place.map(|length| write.length(length)).to_vec(),
             depth: points.iter().map(|point| write.length(point.depth)).collect(),
             sigma_x: component(0),
             sigma_y: component(2),
@@ -428,7 +423,7 @@ impl<'a> HalfSpaces<'a> {
     ) -> Option<ErrorEstimate> {
         let errors = self.relative_errors(step, known)?;
         let of = |figure: Figure| errors.get(figure, 0);
-        let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
+        let contact_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies is proportional to the contact size.
             (Some(_), _) => of(Figure::ContactArea).map(|error| 0.5 * error),
             (None, Some(_)) => Some(SLOPE_ERROR),
@@ -447,32 +442,58 @@ impl<'a> HalfSpaces<'a> {
             ContactLoad::Approach(_) => [0.0, of_spots],
         };
         let approach = of(Figure::Approach).map(|error| error + of_spots[0]);
-        Some(ErrorEstimate {
-            peak_pressure: peak,
-            middle_pressure: middle,
-            half_width: self.semi_axis_error(step, Figure::HalfWidth),
-            approach: match step.load {
-                ContactLoad::Force(_) => known.bar(Figure::Approach, 0, approach),
-                ContactLoad::Approach(_) => Some(0.0),
-            },
-            // The stress at the onset of yield is proportional to the cube root of the force.
-            force: match self.job.load {
-                Load::Onset if self.problem.onset.is_some() => {
-                    Some(CLOSED_FORM + seats::error_of_onset(self.job, self.orientation, step))
-                }
-                Load::Onset => peak.map(|peak| 3.0 * peak),
-                _ => of(Figure::Force).map(|error| error + of_spots[1]),
-            },
-            contact_stiffness: of_stiffness,
-            bodies: None,
-        })
+        let approach = match step.load {
+            ContactLoad::Force(_) => known.bar(Figure::Approach, 0, approach),
+            ContactLoad::Approach(_) => Some(0.0),
+        };
+        // The stress at the onset of yield is proportional to the cube root of the force.
+        let force = match self.job.load {
+            Load::Onset if self.problem.onset.is_some() => {
+                Some(CLOSED_FORM + seats::error_of_onset(self.job, self.orientation, step))
+            }
+            Load::Onset => peak.map(|peak| 3.0 * peak),
+            _ => of(Figure::Force).map(|error| error + of_spots[1]),
+        };
+        let mut figures = Values::default();
+        for (figure, bar) in [
+            (Figure::PeakPressure, peak),
+            (Figure::MiddlePressure, middle),
+            (Figure::HalfWidth, self.semi_axis_error(step, Figure::HalfWidth)),
+            (Figure::SemiAxisY, self.semi_axis_error(step, Figure::SemiAxisY)),
+            (Figure::ContactArea, of(Figure::ContactArea)),
+            (Figure::Approach, approach),
+            (Figure::Force, force),
+        ] {
+            figures.set(figure, 0, bar);
+        }
+        // Under load the surfaces have an elastic deflection, which has no bar.
+        let without_load: &[Figure] = if step.figures.force > 0.0 {
+            &[]
+        } else {
+            &[Figure::Dent, Figure::PileUp, Figure::LeastStress]
+        };
+        for side in (0..2).filter(|side| step.field.bodies[*side].is_some()) {
+            for figure in [Figure::MaxPlasticStrain].iter().chain(without_load) {
+                let bar = known.bar(*figure, side, errors.get(*figure, side));
+                figures.set(*figure, side, bar);
+            }
+        }
+        Some(ErrorEstimate { figures, contact_stiffness })
     }
 
     /// Returns the relative error of a semi-axis, or `None` for heights: single asperities bound
-    /// their contact.
+    /// their contact. A circle has one radius, with the larger error of both.
     fn semi_axis_error(&self, step: &HalfSpaceStep, axis: Figure) -> Option<f64> {
         let errors = self.errors(step).filter(|_| self.problem.heights.is_none())?;
-        errors.zip(&step.figures.values(), relative).get(axis, 0)
+        let errors = errors.zip(&step.figures.values(), relative);
+        let is_circle = step.field.hertz.is_some_and(|hertz| {
+            (hertz.semi_axis_x - hertz.semi_axis_y).abs() <= ALIKE * hertz.semi_axis_x
+        });
+        let of = |axis: Figure| errors.get(axis, 0);
+        if is_circle && self.problem.rollers.is_empty() {
+            return of(Figure::HalfWidth).zip(of(Figure::SemiAxisY)).map(|(a, b)| a.max(b));
+        }
+        of(axis)
     }
 
     /// Returns the relative errors of the figures; `None` where a finding takes the estimate away.
@@ -480,27 +501,23 @@ impl<'a> HalfSpaces<'a> {
         let errors = self.errors(step).filter(|_| known.has_estimate())?;
         Some(errors.zip(&step.figures.values(), relative))
     }
+}
 
-    fn ellipse_errors(&self, step: &HalfSpaceStep, known: Known) -> Option<EllipseErrors> {
-        let errors = self.relative_errors(step, known)?;
-        let of = |side: usize| {
-            let part = |figure: Figure| known.bar(figure, side, errors.get(figure, side));
-            let without_load = |figure: Figure| part(figure).filter(|_| step.figures.force <= 0.0);
-            step.field.bodies[side].as_ref().map(|_| BodyErrors {
-                max_equivalent_plastic_strain: part(Figure::MaxPlasticStrain),
-                mean_equivalent_plastic_strain: None,
-                area: None,
-                depth: without_load(Figure::Dent),
-                pile_up: without_load(Figure::PileUp),
-                least_stress: without_load(Figure::LeastStress),
-                utilization: None,
-            })
-        };
-        Some(EllipseErrors {
-            b: self.semi_axis_error(step, Figure::SemiAxisY),
-            area: errors.get(Figure::ContactArea, 0)?,
-            bodies: PerBody { upper: of(0), lower: of(1) },
-        })
+/// Returns the pressures below which parts of the cells in contact are.
+fn quantiles(step: &HalfSpaceStep, write: UnitConverter) -> PressureQuantiles {
+    let pressures = step.field.surface.pressure.iter().copied();
+    let mut pressures: Vec<f64> = pressures.filter(|pressure| *pressure > 0.0).collect();
+    pressures.sort_by(f64::total_cmp);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a part of a length"
+    )]
+    let at = |part: &f64| pressures.get((part * pressures.len() as f64) as usize);
+    let quantiles = QUANTILES.iter().filter_map(at);
+    PressureQuantiles {
+        part: QUANTILES.to_vec(),
+        pressure: quantiles.map(|pressure| write.stress(*pressure)).collect(),
     }
 }
 

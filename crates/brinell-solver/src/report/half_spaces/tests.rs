@@ -1,7 +1,7 @@
 //! Reports of small jobs in three dimensions.
 
 use crate::job::Job;
-use crate::report::{Report, Side, StepReport, run as solved};
+use crate::report::{AnswerBody, Name, Report, StepReport, run as solved};
 use crate::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
@@ -43,13 +43,15 @@ fn the_onset_of_yield_is_reported_beside_that_of_the_closed_form() {
         &json!({"load": {"onset": true}, "mesh": {"elements_per_half_width": 10}}),
     );
     let step = &report.steps[0];
-    let (found, closed) = (step.yield_onset.as_ref().unwrap(), step.hertz.as_ref().unwrap());
-    let off = (found.force / closed.yield_onset_force.unwrap() - 1.0).abs();
-    let bar = step.estimated_error.unwrap().force.unwrap();
+    let found = step.row(Name::FirstYieldForce).unwrap();
+    let (force, closed) = (found.value.unwrap(), found.elastic.unwrap());
+    let (off, bar) = ((force / closed - 1.0).abs(), found.error.bound().unwrap());
     assert!(off < bar && bar < 0.05, "{off} {bar}");
-    assert!((found.depth / closed.yield_onset_depth.unwrap() - 1.0).abs() < 0.15);
-    assert_eq!(found.body, Side::Lower);
-    assert!((found.force / step.contact.force - 1.0).abs() < 1e-12);
+    // 0.48 of the radius below a ball.
+    let depth = found.place.unwrap().depth / step.elastic(Name::SemiAxisA).unwrap();
+    assert!((depth / 0.48 - 1.0).abs() < 0.15, "{depth}");
+    assert_eq!(found.body, Some(AnswerBody::Lower));
+    assert!((force / step[Name::Force] - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -58,26 +60,26 @@ fn a_force_is_reported_by_the_dent_that_it_leaves() {
         "load": {"target": {"dent_depth": 3e-4}},
         "solver": {"theory": "flow", "increments": 3}});
     let report = ball(&hardening(), &changes);
-    let target = report.target.as_ref().unwrap();
-    assert_eq!((report.steps.len(), target.figure.as_str()), (2, "dent_depth"));
-    assert!((target.reached / 3e-4 - 1.0).abs() < 1e-2 && target.sensitivity > 1.0);
-    assert!((target.force / report.steps[0].contact.force - 1.0).abs() < 1e-12);
-    let depth = report.steps[1].flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap().depth;
-    assert!((depth / target.reached - 1.0).abs() < 1e-9);
-    // The force has one error: as an answer without what was missed.
-    let missed = (target.reached / 3e-4 - 1.0).abs() / target.sensitivity;
-    let bar = report.steps[0].estimated_error.unwrap().force.unwrap();
-    let error = target.relative_error.unwrap();
+    let [found, sensitivity] = &report.answers[..] else { panic!("{:?}", report.answers) };
+    let sensitivity = sensitivity.value.unwrap();
+    assert!(report.steps.len() == 2 && sensitivity > 1.0);
+    assert!((found.value.unwrap() / report.steps[0][Name::Force] - 1.0).abs() < 1e-12);
+    let reached = report.steps[1][Name::DentDepth];
+    assert!((reached / 3e-4 - 1.0).abs() < 1e-2, "{reached}");
+    // The force has one error: as a row of its step without what was missed.
+    let missed = (reached / 3e-4 - 1.0).abs() / sensitivity;
+    let bar = report.steps[0].bar(Name::Force).unwrap();
+    let error = found.error.bound().unwrap();
     assert!(bar > 0.0 && (error - bar - missed).abs() < 1e-9, "{error} {bar} {missed}");
 }
 
 #[test]
 fn a_strain_without_limit_is_not_given() {
     let step = &ball(&perfect(), &json!({})).steps[0];
-    assert_eq!(step.plasticity.lower.as_ref().unwrap().max_equivalent_plastic_strain, None);
+    assert_eq!(step.value(Name::MaxPlasticStrain), None);
     assert!(message(step, "unbounded_strain").is_some());
     let step = &ball(&hardening(), &json!({})).steps[0];
-    assert!(step.plasticity.lower.as_ref().unwrap().max_equivalent_plastic_strain.unwrap() > 1e-3);
+    assert!(step[Name::MaxPlasticStrain] > 1e-3);
     assert!(message(step, "unbounded_strain").is_none() && message(step, "no_contact").is_none());
 }
 
@@ -87,7 +89,7 @@ fn what_did_not_converge_has_no_bars_and_a_cause() {
         json!({"load": {"force": 70}, "solver": {"theory": "deformation", "max_iterations": 3}});
     let step = &ball(&perfect(), &changes).steps[0];
     assert_eq!(step.status, SolveStatus::NotConverged);
-    assert_eq!(step.estimated_error, None);
+    assert_eq!(step.bar(Name::PeakPressure), None);
     let said = message(step, "not_converged").unwrap();
     assert!(said.contains("after 3 iterations") && said.contains("max_iterations"), "{said}");
 }
@@ -99,11 +101,11 @@ fn loads_of_no_force_begin_at_no_approach() {
         "solver": {"theory": "flow"}});
     let report = ball(&hardening(), &changes);
     for step in [&report.steps[0], &report.steps[2]] {
-        assert_eq!((step.approach, step.contact.force), (Some(0.0), 0.0));
+        assert_eq!((step.value(Name::PermanentApproach), step[Name::Force]), (Some(0.0), 0.0));
         assert!(message(step, "no_contact").is_none());
     }
     let loaded = &report.steps[1];
-    assert!(loaded.approach > Some(0.0) && loaded.estimated_error.unwrap().force == Some(0.0));
+    assert!(loaded[Name::Approach] > 0.0 && loaded.bar(Name::Force) == Some(0.0));
     let nodes = &loaded.contact.nodes;
     assert!(nodes.pressure.iter().zip(&nodes.gap).all(|(p, gap)| (*p > 0.0) == (*gap == 0.0)));
 }

@@ -1,63 +1,178 @@
-//! The number of a hardness test among the answers of its steps.
+//! The rows of a hardness test, and its number in the verdict of its steps.
 
-use super::HardnessSeen;
-use crate::job::{Job, Quantity, TestScale};
-use crate::report::{Answer, StepReport};
+use super::found::{Found, OliverPharr};
+use super::{BALL_STRAIN, DAO_STRAIN, HardnessSeen, PYRAMID_STRAIN, dao_curvature};
+use crate::job::{Job, Material, TestScale};
+use crate::report::answers::{Answer, AnswerAt, Bar, Name};
+use crate::report::findings::Finding;
+use crate::report::{ValidityNote, Verdict, validity};
 use crate::units::{UnitConverter, about, percent};
 
-impl StepReport {
-    /// Adds the hardness that the loads so far have found: the first answer, and the first sentence
-    /// of the verdict.
-    pub(in crate::report) fn with_hardness(
-        mut self,
-        job: &Job,
-        seen: &HardnessSeen,
-        write: UnitConverter,
-    ) -> Self {
-        let Some(test) = job.load.hardness() else { return self };
-        let Some(found) = seen.clone().finish(job, write) else { return self };
-        let (value, quantity, unit) = match (found.number, test.scale) {
-            (Some(number), _) => (number, Quantity::Number, ""),
-            (None, TestScale::Berkovich | TestScale::Sphere) => {
-                let unit = job.units.symbol(Quantity::Stress);
-                (found.mean_pressure, Quantity::Stress, unit)
-            }
-            (None, _) => return self,
+/// Why a figure of the indentation has no bar.
+const NO_BAR: &str = "too few increments, or no coarser mesh, to bound it";
+
+/// The answer to a test.
+#[derive(Debug, Default)]
+struct Answered {
+    rows: Vec<Answer>,
+    findings: Vec<Finding>,
+}
+
+impl HardnessSeen {
+    /// Returns the rows of the test; none of another job and where the largest force has no answer.
+    pub fn rows(&self, job: &Job, write: UnitConverter) -> Vec<Answer> {
+        self.answered(job, write).unwrap_or_default().rows
+    }
+
+    /// Returns what to keep in mind about the test.
+    pub fn remarks(&self, job: &Job, write: UnitConverter) -> Vec<ValidityNote> {
+        validity::remarks(&self.answered(job, write).unwrap_or_default().findings, write)
+    }
+
+    /// Puts the number that the loads so far have found before a verdict.
+    pub fn before(&self, verdict: Verdict, job: &Job, write: UnitConverter) -> Verdict {
+        let rows = self.rows(job, write);
+        let Some(number) = rows.first().filter(|row| row.is(Name::Hardness)) else {
+            return verdict;
         };
-        if let Some(verdict) = &mut self.verdict {
-            let space = if unit.is_empty() { "" } else { " " };
-            let points = || found.number_error.map(|points| format!(" ± {}", about(points)));
-            let bar = found.relative_error.map(|part| format!(" ± {}", percent(part)));
-            let bar = bar.or_else(points);
-            let (value, bar) = (about(value), bar.unwrap_or_default());
-            verdict.text = format!("{}: {value}{space}{unit}{bar}. {}", found.test, verdict.text);
+        let value = number.value.unwrap_or_default();
+        let points = || number.at_most.map(|most| format!(" ± {}", about(most - value)));
+        let bar = number.error.bound().map(|part| format!(" ± {}", percent(part)));
+        let bar = bar.or_else(points).unwrap_or_default();
+        let figure = format!("{} {}", about(value), number.unit);
+        let figure = figure.trim_end();
+        Verdict { text: format!("{}: {figure}{bar}. {}", number.label, verdict.text), ..verdict }
+    }
+
+    fn answered(&self, job: &Job, write: UnitConverter) -> Option<Answered> {
+        let test = job.load.hardness()?;
+        let loaded = self.0.iter().position(|seen| seen.force >= 0.999 * test.force())?;
+        let Material::Deformable(specimen) = &job.lower.material else { return None };
+        let modulus = 1.0
+            / (1.0 / specimen.elastic().plane_strain_modulus()
+                + 1.0 / test.elastic()?.plane_strain_modulus());
+        let found = Found::of(test, job, &self.0, loaded)?;
+        let law = specimen.hardening_law();
+        let strain = match test.slope() {
+            None => BALL_STRAIN * found.radius / test.radius(),
+            Some(_) => PYRAMID_STRAIN,
+        };
+        let curve = law.as_ref().map(|law| [strain, law.stress(strain)]);
+        let curvature = law.as_ref().filter(|_| found.is_pyramid());
+        let curvature = curvature.and_then(|law| dao_curvature(modulus, law.stress(DAO_STRAIN)));
+        let published = found.published(modulus, curve.map(|[_, stress]| stress));
+        let findings = found.findings(published.is_some());
+        let at = AnswerAt { load: Some(loaded + 1), ..AnswerAt::default() };
+        let shown = Shown { job, write, found: &found };
+        let rows = shown.rows(modulus, curve, curvature, published);
+        Some(Answered { rows: rows.into_iter().map(|row| row.at(at)).collect(), findings })
+    }
+}
+
+/// A test in the units of its job.
+struct Shown<'a> {
+    job: &'a Job,
+    write: UnitConverter,
+    found: &'a Found<'a>,
+}
+
+impl Shown<'_> {
+    fn row(&self, name: Name, core: f64) -> Answer {
+        let quantity = name.quantity();
+        let value = Some(self.write.of(quantity, core));
+        Answer::new(name, quantity, self.job.units.symbol(quantity), value).text(name.meaning())
+    }
+
+    /// Returns a row with an error of the mesh.
+    fn meshed(&self, name: Name, core: f64, error: Option<f64>) -> Answer {
+        self.row(name, core).bar(error.map_or_else(|| Bar::none(NO_BAR), Bar::Relative))
+    }
+
+    /// `curve` is Tabor's strain and its stress, `curvature` Dao's, `published` the mean pressure of
+    /// a published result and its source.
+    fn rows(
+        &self,
+        modulus: f64,
+        curve: Option<[f64; 2]>,
+        curvature: Option<f64>,
+        published: Option<(f64, &'static str)>,
+    ) -> Vec<Answer> {
+        let (found, load) = (self.found, self.found.load());
+        let of_area = found.relative_error();
+        // Twice that of the radius.
+        let of_radius = of_area.map(|error| 0.5 * error);
+        let pressure = found.pressure();
+        let bias = published.map(|(published, source)| (pressure / published - 1.0, source));
+        let mut rows: Vec<Answer> = self.number(bias.map(|(bias, _)| bias)).into_iter().collect();
+        rows.extend([
+            self.meshed(Name::MeyerHardness, pressure, of_area),
+            self.meshed(Name::Diameter, found.diameter(), of_radius),
+            self.meshed(Name::IndentationDepth, load.dent, found.depth_error()),
+        ]);
+        let unloaded = found.unloaded();
+        rows.extend(unloaded.map(|seen| self.row(Name::PermanentDepth, seen.dent)));
+        let rim = unloaded.filter(|seen| seen.highest[1] > 0.0);
+        rows.extend(rim.map(|seen| self.row(Name::RimDiameter, 2.0 * seen.highest[0].abs())));
+        rows.push(self.row(Name::EdgeHeight, found.edge_height()));
+        if let Some([strain, stress]) = curve {
+            rows.extend([
+                self.meshed(Name::RepresentativeStrain, strain, of_radius),
+                self.meshed(Name::FlowStress, stress, of_radius),
+                self.meshed(Name::ConstraintFactor, pressure / stress, of_area),
+            ]);
         }
+        rows.extend(found.fit.map(|fit| self.row(Name::MeyerExponent, fit.exponent)));
+        rows.extend(bias.map(|(bias, source)| self.row(Name::LargeStrainBias, bias).text(source)));
+        rows.extend(curvature.map(|curvature| {
+            let bias = load.force / load.approach.powi(2) / curvature - 1.0;
+            self.row(Name::CurvatureBias, bias)
+        }));
+        rows.extend(found.least_thickness().map(|least| self.row(Name::LeastThickness, least)));
+        rows.extend(found.oliver_pharr().into_iter().flat_map(|pharr| self.pharr(&pharr)));
+        rows.push(self.row(Name::ReducedModulus, modulus).detail());
+        rows
+    }
+
+    /// Returns the number, or the pressure that stands for it.
+    fn number(&self, bias: Option<f64>) -> Option<Answer> {
+        let found = self.found;
+        let row = match (found.number(), found.test.scale) {
+            (Some(number), _) => self.row(Name::Hardness, number),
+            (None, TestScale::Berkovich | TestScale::Sphere) => {
+                let pressure = self.row(Name::MeyerHardness, found.pressure());
+                Answer { name: self.row(Name::Hardness, 0.0).name, ..pressure }
+            }
+            (None, _) => return None,
+        };
         let beside = |bias: f64| {
             let side = if bias < 0.0 { "below" } else { "above" };
             format!("its mean pressure is {} {side} that with large strains", percent(bias.abs()))
         };
-        let points = found.number_error.filter(|_| found.relative_error.is_none());
-        self.answers.insert(
-            0,
-            Answer {
-                name: "hardness".to_owned(),
-                label: found.test,
-                body: None,
-                value: Some(value),
-                quantity,
-                unit: unit.to_owned(),
-                error: found.relative_error,
-                at_least: points.map(|points| value - points),
-                at_most: points.map(|points| value + points),
-                elastic: None,
-                place: None,
-                text: {
-                    let points = points.map(|points| format!("± {} points", about(points)));
-                    let clauses = points.into_iter().chain(found.bias.map(beside));
-                    clauses.collect::<Vec<_>>().join("; ")
-                },
-            },
-        );
-        self
+        let relative = found.relative_error();
+        let points = found.number_error().filter(|_| relative.is_none());
+        let said = points.map(|points| format!("± {} points", about(points)));
+        let clauses: Vec<_> = said.into_iter().chain(bias.map(beside)).collect();
+        let bar = match (relative, points) {
+            (Some(error), _) => Bar::Relative(error),
+            (None, Some(_)) => Bar::none("its zero is a convention"),
+            (None, None) => Bar::none(NO_BAR),
+        };
+        let row = row.labelled(&found.test.name()).bar(bar).text(clauses.join("; "));
+        let value = row.value?;
+        let at = |sign: f64| points.map(|points| value + sign * points);
+        Some(Answer { at_least: at(-1.0), at_most: at(1.0), ..row })
+    }
+
+    /// Returns what an instrument would find, beside the true contact.
+    fn pharr(&self, pharr: &OliverPharr) -> [Answer; 6] {
+        let OliverPharr { modulus, hardness, stiffness, depth, area, errors } = *pharr;
+        [
+            self.meshed(Name::OliverPharrModulus, modulus, errors[0]),
+            self.meshed(Name::OliverPharrHardness, hardness, errors[1]),
+            self.row(Name::OliverPharrStiffness, stiffness).detail(),
+            self.row(Name::OliverPharrDepth, depth).detail(),
+            self.row(Name::OliverPharrArea, area).detail(),
+            self.row(Name::IndentationArea, self.found.area()).detail(),
+        ]
     }
 }

@@ -1,9 +1,7 @@
 //! What the loads of a hardness test tell.
 
-use super::result::OliverPharrReport;
 use super::seen::{Seen, is_pyramid};
 use crate::job::{Block, HardnessTest, Job, Shape, TestScale};
-use crate::units::UnitConverter;
 
 /// Part of the force from which on Meyer's law is fitted.
 const FITTED_FROM: f64 = 0.25;
@@ -67,6 +65,21 @@ impl MeyerFit {
     }
 }
 
+/// Oliver and Pharr's figures (J. Mater. Res. 7 (1992) 1564) of the unloading curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OliverPharr {
+    /// `√π S / (2 √A)`, and the force over A.
+    pub modulus: f64,
+    pub hardness: f64,
+    /// Slope S of the unloading curve at its beginning.
+    pub stiffness: f64,
+    /// Contact depth `h_c = h − 0.75 F/S`, and the area A of the indenter there.
+    pub depth: f64,
+    pub area: f64,
+    /// Relative errors of modulus and hardness by the mesh.
+    pub errors: [Option<f64>; 2],
+}
+
 /// What the loads of a test tell.
 pub(super) struct Found<'a> {
     pub test: &'a HardnessTest,
@@ -107,7 +120,7 @@ impl<'a> Found<'a> {
         self.loads.len() > last && self.loads[..=last].iter().all(|seen| seen.is_converged)
     }
 
-    fn area(&self) -> f64 {
+    pub fn area(&self) -> f64 {
         std::f64::consts::PI * self.radius * self.radius
     }
 
@@ -293,7 +306,7 @@ impl<'a> Found<'a> {
         std::f64::consts::PI * at
     }
 
-    pub fn oliver_pharr(&self, modulus: f64, write: UnitConverter) -> Option<OliverPharrReport> {
+    pub fn oliver_pharr(&self) -> Option<OliverPharr> {
         let Seen { force, approach, stiffness, half_width, .. } = *self.load();
         if self.test.scale.is_rockwell() || stiffness <= 0.0 || half_width <= 0.0 {
             return None;
@@ -316,16 +329,11 @@ impl<'a> Found<'a> {
                 Some(most.max((at[k] / nominal - 1.0).abs()))
             })
         };
-        Some(OliverPharrReport {
-            stiffness: write.stiffness(stiffness),
-            contact_depth: write.length(depth),
-            area: write.area(area),
-            true_area: write.area(self.area()),
-            reduced_modulus: write.stress(reduced_modulus),
-            modulus_error: error(2, reduced_modulus),
-            true_reduced_modulus: write.stress(modulus),
-            indentation_hardness: write.stress(hardness),
-            hardness_error: error(3, hardness),
-        })
+        let errors = [error(2, reduced_modulus), error(3, hardness)];
+        Some(OliverPharr { modulus: reduced_modulus, hardness, stiffness, depth, area, errors })
+    }
+
+    pub fn is_pyramid(&self) -> bool {
+        is_pyramid(self.test)
     }
 }

@@ -13,19 +13,14 @@
 mod answer;
 mod found;
 mod remarks;
-mod result;
 mod seen;
 
-use self::found::Found;
-pub use self::result::{HardnessReport, OliverPharrReport};
 pub(super) use self::seen::Seen;
-use self::seen::is_pyramid;
 use super::error_bars::under_its_force;
 use super::findings::Finding;
-use super::validity;
-use crate::job::{Job, Material};
+use crate::job::Job;
+use crate::solver::method::figures::Figure;
 use crate::solver::{SolveStatus, StepSolution};
-use crate::units::UnitConverter;
 
 /// Tabor's strains of a ball over a/R and of a pyramid.
 const BALL_STRAIN: f64 = 0.2;
@@ -42,58 +37,6 @@ impl HardnessSeen {
     pub fn see(&mut self, load: Option<Seen>) {
         self.0.extend(load);
     }
-
-    /// Returns the report, or `None` of another job and where the largest force has no answer.
-    pub fn finish(self, job: &Job, write: UnitConverter) -> Option<HardnessReport> {
-        let test = job.load.hardness()?;
-        let loaded = self.0.iter().position(|seen| seen.force >= 0.999 * test.force())?;
-        let Material::Deformable(specimen) = &job.lower.material else { return None };
-        let indenter = test.elastic()?;
-        let modulus = 1.0
-            / (1.0 / specimen.elastic().plane_strain_modulus()
-                + 1.0 / indenter.plane_strain_modulus());
-        let law = specimen.hardening_law();
-        let found = Found::of(test, job, &self.0, loaded)?;
-        let strain = match test.slope() {
-            None => BALL_STRAIN * found.radius / test.radius(),
-            Some(_) => PYRAMID_STRAIN,
-        };
-        let flow_stress = law.as_ref().map(|law| law.stress(strain));
-        let published = found.published(modulus, flow_stress);
-        let curvature = law
-            .as_ref()
-            .filter(|_| is_pyramid(test))
-            .and_then(|law| dao_curvature(modulus, law.stress(DAO_STRAIN)));
-        let curvature_bias = curvature
-            .map(|curvature| found.load().force / found.load().approach.powi(2) / curvature - 1.0);
-        Some(HardnessReport {
-            test: test.name(),
-            number: found.number(),
-            relative_error: found.relative_error(),
-            number_error: found.number_error(),
-            bias: published.map(|(pressure, _)| found.pressure() / pressure - 1.0),
-            bias_source: published.map(|(_, source)| source.to_owned()),
-            force: write.force(found.load().force),
-            diameter: write.length(found.diameter()),
-            depth: write.length(found.load().dent),
-            depth_error: found.depth_error(),
-            permanent_depth: found.unloaded().map(|seen| write.length(seen.dent)),
-            rim_diameter: found
-                .unloaded()
-                .filter(|seen| seen.highest[1] > 0.0)
-                .map(|seen| write.length(2.0 * seen.highest[0].abs())),
-            pile_up: write.length(found.edge_height()),
-            mean_pressure: write.stress(found.pressure()),
-            meyer_exponent: found.fit.map(|fit| fit.exponent),
-            representative_strain: law.as_ref().map(|_| strain),
-            flow_stress: flow_stress.map(|stress| write.stress(stress)),
-            constraint: flow_stress.map(|stress| found.pressure() / stress),
-            oliver_pharr: found.oliver_pharr(modulus, write),
-            curvature_bias,
-            least_thickness: found.least_thickness().map(|least| write.length(least)),
-            remarks: validity::remarks(&found.findings(published.is_some()), write),
-        })
-    }
 }
 
 /// Returns what is seen of a load of a hardness test; `None` of another job.
@@ -107,7 +50,8 @@ pub(super) fn indentation(job: &Job, step: &StepSolution, findings: &[Finding]) 
     Some(Seen {
         force: step.figures.force,
         approach: step.figures.approach,
-        approach_bar: under_its_force(step, findings).and_then(|bars| bars.approach),
+        approach_bar: under_its_force(step, findings)
+            .and_then(|bars| bars.of_figure(Figure::Approach, 0)),
         half_width: step.figures.half_width,
         spacing: step.field.spacing,
         stiffness: step.field.unloading_stiffness,

@@ -1,38 +1,34 @@
-//! Answers and verdict of a load that rolls.
+//! Rows and verdict of a load that rolls.
 
-use super::document::{
-    BodyPassReport, PassReport, RollingReport, RuleVerdict, SolvedHardening, TrackVerdict,
-};
-use crate::job::Load;
-use crate::report::answers::{Answer, AnswerBody, AnswerPlace, Facts};
-use crate::report::{PerBody, Quantity, Side, VerdictLevel};
-use crate::solver::method::figures::Figure;
-use crate::units::{about, rounded};
+use super::document::{SolvedHardening, TrackVerdict};
+use super::known::{PassFigure, Rolled, Ruled};
+use crate::job::{Load, Side};
+use crate::report::answers::{Answer, AnswerAt, AnswerBody, Bar, Facts, Name};
+use crate::report::{ErrorBar, VerdictLevel};
+use crate::solver::rolling::Limit;
+use crate::units::{about, to_digits};
 
-type ErrorOf = fn(&super::document::BodyPassErrorReport) -> Option<f64>;
+/// Why a figure of a pass has no bar.
+const NO_BAR: &str = "the pass on half the columns does not bound it";
 
 impl Facts<'_> {
     /// Returns level and sentence of the verdict on a track.
-    pub(in crate::report) fn track_verdict(
-        &self,
-        rolling: &RollingReport,
-    ) -> (VerdictLevel, String) {
-        let is_worst =
-            |rule: &&RuleVerdict| (rule.verdict, rule.rate) == (rolling.verdict, rolling.rate);
-        let worst = rolling.rules.iter().rev().find(is_worst);
-        let rule = worst.map_or("", |worst| by_rule(worst.hardening));
-        let passes = self.passes_of(worst.map_or(rolling.passes.len(), |worst| worst.passes));
-        let body = in_body(rolling.body);
-        let rate = strain(rolling.rate, rolling.rate_error);
-        let at = match rolling.rate_depth {
+    pub(in crate::report) fn track_verdict(&self, rolled: &Rolled) -> (VerdictLevel, String) {
+        let worst = rolled.worst();
+        let verdict = worst.map_or(TrackVerdict::Undecided, Ruled::verdict);
+        let rule = worst.map_or("", |worst| by_rule(worst.hardening()));
+        let passes = self.passes_of(worst.map_or(0, |worst| worst.passes));
+        let body = in_body(worst.and_then(|worst| worst.body));
+        let rate = worst.map_or_else(String::new, strain);
+        let at = match worst.and_then(|worst| worst.depth) {
             Some(depth) if depth > 0.0 => {
-                format!(" at a depth of {}", self.with_unit(about, Quantity::Length, depth))
+                format!(" at a depth of {}", self.write.length_about(depth))
             }
             Some(_) => " at the surface".to_owned(),
             None => String::new(),
         };
         let each = if self.is_alternating() { "each pass there and back" } else { "each pass" };
-        let (level, text) = match rolling.verdict {
+        let (level, text) = match verdict {
             TrackVerdict::Elastic if !self.can_yield() => (
                 VerdictLevel::NotKnown,
                 "No yield stress is given: elastic by assumption".to_owned(),
@@ -41,7 +37,7 @@ impl Facts<'_> {
                 (VerdictLevel::Elastic, "Elastic: nothing yields as the load rolls".to_owned())
             }
             TrackVerdict::ShakesDown => (
-                if self.is_beyond(rolling) {
+                if self.is_beyond(rolled) {
                     VerdictLevel::AboveShakedownLimit
                 } else {
                     VerdictLevel::ShakesDown
@@ -66,33 +62,31 @@ impl Facts<'_> {
                 (VerdictLevel::NotKnown, format!("Not decided after {passes}{rule}"))
             }
         };
-        let other = rolling.rules.iter().find(|rule| {
-            rolling.rules.len() > 1 && worst.is_some_and(|worst| worst.hardening != rule.hardening)
-        });
-        let other = other.map_or_else(String::new, |rule| self.beside(rule));
-        let perfect = rolling.limits.perfect.zip(self.step.hertz.as_ref());
+        let other = rolled.rules.iter().enumerate().find(|(place, _)| *place != rolled.worst);
+        let other = other.map_or_else(String::new, |(_, rule)| self.beside(rule));
+        let perfect = rolled.limits[0].zip(self.known.hertz);
         let limit = perfect.map_or_else(String::new, |(limit, hertz)| {
             format!(
                 "; Hertz's peak is {} times the limit of shakedown of a perfectly plastic body, {}",
                 about(hertz.peak_pressure / limit.peak_pressure),
-                self.with_unit(rounded, Quantity::Stress, limit.peak_pressure)
+                self.write.stress_text(limit.peak_pressure)
             )
         });
         (level, format!("{text}{other}{limit}."))
     }
 
     /// Returns what a second rule of hardening says.
-    fn beside(&self, rule: &RuleVerdict) -> String {
-        let rate = strain(rule.rate, rule.rate_error);
+    fn beside(&self, rule: &Ruled) -> String {
+        let rate = strain(rule);
         let passes = self.passes_of(rule.passes);
-        let says = match rule.verdict {
+        let says = match rule.verdict() {
             TrackVerdict::Elastic => "nothing yields".to_owned(),
             TrackVerdict::ShakesDown => format!("it shakes down within {passes}"),
             TrackVerdict::ClosedCycle => format!("it closes a cycle of {rate}"),
             TrackVerdict::Ratchets => format!("it ratchets by {rate} a pass"),
             TrackVerdict::Undecided => format!("it is not decided after {passes}"),
         };
-        format!(";{} {says}", by_rule(rule.hardening))
+        format!(";{} {says}", by_rule(rule.hardening()))
     }
 
     /// Returns a number of passes, of those asked for where fewer were enough.
@@ -110,47 +104,47 @@ impl Facts<'_> {
 
     /// Returns whether the pressure is above the limit of bodies whose backstress has no bound,
     /// which no rule but isotropic hardening exceeds.
-    fn is_beyond(&self, rolling: &RollingReport) -> bool {
-        let limit = rolling.limits.kinematic.zip(self.step.hertz.as_ref());
+    fn is_beyond(&self, rolled: &Rolled) -> bool {
+        let limit = rolled.limits[1].zip(self.known.hertz);
         limit.is_some_and(|(limit, hertz)| hertz.peak_pressure > limit.peak_pressure)
     }
 
-    /// Returns the answers of the last pass.
-    pub(in crate::report) fn of_track(&self, rolling: &RollingReport) -> Vec<Answer> {
-        let Some(last) = rolling.passes.last() else { return Vec::new() };
-        let mut answers = vec![self.rate(rolling)];
-        let sides = [(Side::Upper, &last.bodies.upper), (Side::Lower, &last.bodies.lower)];
-        let is_shared = rolling.body.is_none() && last.bodies.upper == last.bodies.lower;
-        let sides = sides.into_iter().filter(|(side, _)| !is_shared || *side == Side::Lower);
-        for (side, body) in sides.filter_map(|(side, body)| Some((side, body.as_ref()?))) {
-            let of = if is_shared { AnswerBody::Both } else { side.into() };
-            answers.extend(self.of_body(last, (side, of), body));
+    /// Returns the rows of the last pass.
+    pub(in crate::report) fn of_track(&self, rolled: &Rolled) -> Vec<Answer> {
+        let Some(last) = &rolled.last else { return Vec::new() };
+        let mut rows = self.rates(rolled);
+        let sides: &[Side] = if rolled.is_shared { &[Side::Lower] } else { &Side::BOTH };
+        for side in sides {
+            let of = if rolled.is_shared { AnswerBody::Both } else { (*side).into() };
+            let figures = &last.bodies[side.member()];
+            rows.extend(figures.iter().map(|figure| self.of_pass(figure, Some(of)).of(of)));
         }
-        let work = last.estimated_error.as_ref().and_then(|errors| errors.plastic_work);
-        let force = self.force_quantity();
-        answers.push(
-            self.answer("rolling_force", "Rolling force", force, last.rolling_force)
-                .error(work)
-                .text("against which the load is pushed in the last pass, without friction"),
-        );
-        answers.push(
-            self.answer("loss", "Rolling resistance", Quantity::Ratio, last.loss)
-                .error(work)
-                .text("rolling force over the load"),
-        );
-        answers.extend(self.without_member());
-        answers.extend(self.limits(rolling));
-        let contact = self.of_contact().into_iter();
-        let has_approach = self.step.approach.is_some();
-        answers.extend(
-            contact.filter(|answer| has_approach || answer.name != Figure::Approach.name()),
-        );
-        answers
+        rows.extend(last.works.iter().map(|figure| self.of_pass(figure, None)));
+        rows.extend(self.plastic_depths());
+        rows.extend(self.limits(rolled));
+        rows.extend(self.of_contact());
+        let has = |name: Name| last.contact.iter().find(|figure| figure.name == name);
+        rows.extend(has(Name::HalfWidthAcross).map(|figure| self.of_pass(figure, None)));
+        rows.extend(has(Name::Approach).map(|_| self.approach()));
+        let at = AnswerAt { pass: Some(last.number), ..AnswerAt::default() };
+        let of_pass = |row: Answer| if row.at.is_none() { row.at(at) } else { row };
+        rows.into_iter().map(of_pass).collect()
     }
 
-    /// Returns the strain that a steady pass adds or moves.
-    fn rate(&self, rolling: &RollingReport) -> Answer {
-        let text = match rolling.verdict {
+    /// Returns the row of a figure of a pass.
+    fn of_pass(&self, figure: &PassFigure, body: Option<AnswerBody>) -> Answer {
+        let bar = figure.bar().map_or_else(|| Bar::none(NO_BAR), Bar::Relative);
+        let row = self.row(figure.name, figure.core).bar(bar).text(figure.name.meaning());
+        let place = figure.place.zip(body);
+        let place = place.map(|([across, depth], body)| self.place(body, [0.0, across, depth]));
+        let row = row.place(place);
+        if figure.is_detail { row.detail() } else { row }
+    }
+
+    /// Returns the strain that a steady pass adds or moves, by each rule of hardening; that of the
+    /// verdict first.
+    fn rates(&self, rolled: &Rolled) -> Vec<Answer> {
+        let text = |verdict: TrackVerdict| match verdict {
             TrackVerdict::Elastic => "nothing yields",
             TrackVerdict::ShakesDown => "plastic flow dies out",
             TrackVerdict::ClosedCycle => {
@@ -159,133 +153,54 @@ impl Facts<'_> {
             TrackVerdict::Ratchets => "added by each pass, or pair of passes, for good",
             TrackVerdict::Undecided => "not known: more passes are needed",
         };
-        let of_rate = |(error, rate): (f64, f64)| if rate > 0.0 { error / rate } else { 0.0 };
-        let error = rolling.rate_error.zip(rolling.rate).map(of_rate);
-        let rate = self.answer("rate", "Strain of a steady pass", Quantity::Strain, rolling.rate);
-        let body = rolling.body.map(AnswerBody::from);
-        let place = |depth: f64| AnswerPlace {
-            body: body.unwrap_or(AnswerBody::Both),
-            x: 0.0,
-            y: None,
-            depth,
+        let of = |(k, rule): (usize, &Ruled)| {
+            let bar = rule.rate.zip(rule.rate_error).map(|(rate, error)| error / rate);
+            let bar = match (rule.rate, bar.filter(|bar| bar.is_finite())) {
+                (Some(0.0), _) => Bar::none("a figure of zero has no relative error"),
+                (_, Some(bar)) => Bar::Relative(bar),
+                (_, None) => Bar::none(NO_BAR),
+            };
+            let hardening = (rolled.rules.len() > 1).then_some(rule.hardening());
+            let at = AnswerAt { pass: Some(rule.passes), hardening, load: None };
+            let label = Name::StrainPerPass.label();
+            let label = format!("{label}{}", by_rule(rule.hardening()));
+            let row = self.row(Name::StrainPerPass, rule.rate).bar(bar).at(at);
+            let row = row.labelled(&label).text(text(rule.verdict()));
+            let body = rule.body.map(AnswerBody::from);
+            let of = body.unwrap_or(AnswerBody::Both);
+            let place = rule.depth.map(|depth| self.place(of, [0.0, 0.0, depth]));
+            let row = Answer { body, ..row.place(place) };
+            if k == rolled.worst { row } else { row.detail() }
         };
-        let rate = rate.place(rolling.rate_depth.map(place));
-        Answer { body, ..rate.error(error.filter(|error| error.is_finite())).text(text) }
+        rolled.rules.iter().enumerate().map(of).collect()
     }
 
-    fn of_body(
-        &self,
-        last: &PassReport,
-        (side, of): (Side, AnswerBody),
-        body: &BodyPassReport,
-    ) -> Vec<Answer> {
-        let error = |figure: ErrorOf| {
-            let errors = &last.estimated_error.as_ref()?.bodies;
-            let PerBody { upper, lower } = errors;
-            if side == Side::Upper { upper } else { lower }.as_ref().and_then(figure)
+    fn limits(&self, rolled: &Rolled) -> Vec<Answer> {
+        let row = |name: Name, limit: Option<Limit>| {
+            let limit = limit?;
+            let place = self.place(Side::of(limit.side).into(), [0.0, 0.0, limit.depth]);
+            Some(self.row(name, limit.peak_pressure).place(Some(place)).text(name.meaning()))
         };
-        let of_stress = |stress: f64| {
-            error(|errors| errors.residual)
-                .map(|error| error * body.largest_residual() / stress.abs())
-                .filter(|error| error.is_finite())
-        };
-        let below = |depth: f64, across: f64| {
-            let y = last.half_width_across.map(|_| across);
-            Some(AnswerPlace { body: of, x: 0.0, y, depth })
-        };
-        let stress = Quantity::Stress;
-        let mut answers = vec![
-            self.answer("groove_depth", "Depth of the track", Quantity::Length, body.groove_depth)
-                .error(error(|errors| errors.groove_depth))
-                .of(of)
-                .text("how far all passes have sunk the surface, on the axis"),
-            self.answer("forward", "Forward displacement", Quantity::Length, body.forward)
-                .error(error(|errors| errors.forward))
-                .of(of)
-                .text("of the surface along the travel, by the last pass"),
-            self.answer("pass_strain", "Strain, last pass", Quantity::Strain, body.largest_strain)
-                .error(error(|errors| errors.largest_strain))
-                .of(of)
-                .place(
-                    below(body.largest_strain_depth, body.largest_strain_across)
-                        .filter(|_| body.largest_strain > 0.0),
-                )
-                .text("accumulated, largest of all layers"),
-            self.answer("net_strain", "Net strain, last pass", Quantity::Strain, body.net_strain)
-                .error(error(|errors| errors.net_strain))
-                .of(of)
-                .place(
-                    below(body.net_strain_depth, body.net_strain_across)
-                        .filter(|_| body.net_strain > 0.0),
-                )
-                .text(if error(|errors| errors.net_strain).is_some_and(|error| error >= 1.0) {
-                    "below its error; what the pass has not taken back, largest of all layers"
-                } else {
-                    "what the pass has not taken back, largest of all layers"
-                }),
-            self.figure(Figure::MaxPlasticStrain, body.accumulated_strain)
-                .of(of)
-                .text("accumulated by all passes, largest of all layers"),
-            self.answer("least_sigma_x", "Residual σ_x", stress, body.least_sigma_x)
-                .error(of_stress(body.least_sigma_x))
-                .of(of)
-                .text("along the travel, the least over depth after the last pass"),
-            self.answer("least_sigma_z", "Residual σ_z", stress, body.least_sigma_z)
-                .error(of_stress(body.least_sigma_z))
-                .of(of)
-                .text("across the travel, the least over depth after the last pass"),
+        let [perfect, kinematic] = rolled.limits;
+        let limits = [
+            row(Name::ShakedownPressure, perfect),
+            row(Name::KinematicShakedownPressure, kinematic),
         ];
-        if last.half_width_across.is_some() {
-            let pile_up = self.answer("pile_up", "Pile-up", Quantity::Length, body.pile_up);
-            let pile_up = pile_up.error(error(|errors| errors.pile_up)).of(of);
-            answers.insert(
-                1,
-                pile_up.text("how far all passes have raised the surface beside the track"),
-            );
-        }
-        answers
-    }
-
-    fn limits(&self, rolling: &RollingReport) -> Vec<Answer> {
-        let stress = Quantity::Stress;
-        let place = |limit: &super::TrackLimitReport| {
-            Some(AnswerPlace { body: limit.body.into(), x: 0.0, y: None, depth: limit.depth })
-        };
-        let perfect = rolling.limits.perfect.as_ref().map(|limit| {
-            self.answer("shakedown_pressure", "Shakedown pressure", stress, limit.peak_pressure)
-                .place(place(limit))
-                .text("Hertz's peak up to which perfectly plastic bodies shake down")
-        });
-        let kinematic = rolling.limits.kinematic.as_ref().map(|limit| {
-            self.answer(
-                "kinematic_shakedown_pressure",
-                "Kinematic shakedown",
-                stress,
-                limit.peak_pressure,
-            )
-            .place(place(limit))
-            .text("of bodies whose backstress has no bound, on these layers")
-        });
-        let peak = self.answer(
-            "elastic_peak_pressure",
-            "Peak pressure of Hertz",
-            stress,
-            self.step.hertz.as_ref().map(|hertz| hertz.peak_pressure),
-        );
-        perfect
-            .into_iter()
-            .chain(kinematic)
-            .chain([peak.text("to be held beside the limits")])
-            .collect()
+        let shear = rolled.shear_yield_stress;
+        let shear = shear.map(|shear| self.row(Name::ShearYieldStress, shear).detail());
+        let friction = self.row(Name::Friction, rolled.friction).bar(Bar::Given).detail();
+        limits.into_iter().flatten().chain(shear).chain([friction]).collect()
     }
 }
 
-/// Returns a strain with its error, both in per cent.
-fn strain(rate: Option<f64>, error: Option<f64>) -> String {
-    let Some(rate) = rate else { return String::new() };
-    let error = error.filter(|error| error.is_finite());
-    let error = error.map(|error| format!(" ± {}", about(100.0 * error)));
-    format!("{}{} %", about(100.0 * rate), error.unwrap_or_default())
+/// Returns the strain of a steady pass in the digits of its error, and the error, both in per cent.
+fn strain(rule: &Ruled) -> String {
+    let Some(rate) = rule.rate else { return String::new() };
+    let Some(error) = rule.rate_error.filter(|error| error.is_finite() && rate > 0.0) else {
+        return format!("{} %", about(100.0 * rate));
+    };
+    let digits = ErrorBar::Relative(error / rate).digits(rate);
+    format!("{} ± {} %", to_digits(100.0 * rate, digits), to_digits(100.0 * error, 2))
 }
 
 /// Returns the rule that a verdict is said under.

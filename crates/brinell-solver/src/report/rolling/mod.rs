@@ -4,13 +4,13 @@ mod answers;
 mod cost;
 mod document;
 mod findings;
+mod known;
 mod section;
 mod step;
 mod verdicts;
 
 pub use document::{
-    BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
-    RollingReport, RuleVerdict, ShakedownLimit, SolvedHardening, TrackLimitReport,
-    TrackLimitsReport, TrackVerdict,
+    Course, PassesReport, RuleVerdict, ShakedownMap, SolvedHardening, TrackVerdict,
 };
+pub(super) use known::Rolled;
 pub(super) use step::Track;

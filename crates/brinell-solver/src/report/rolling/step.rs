@@ -3,44 +3,35 @@
 use brinell_halfspace::track::SteadyState;
 
 use super::cost::cost;
-use super::document::{
-    BodyPassErrorReport, BodyPassReport, FrictionLimits, PassErrorReport, PassReport,
-    RollingReport, RuleVerdict, SolvedHardening, TrackLimitReport, TrackLimitsReport,
-    TrackVerdict,
-};
+use super::document::{PassesReport, RuleVerdict, ShakedownMap, SolvedHardening};
 use super::findings::findings;
+use super::known::{PassFigure, PassFigures, Rolled, Ruled};
 use super::section::section;
 use super::verdicts::{word, worst};
 use crate::inputs::{RollingInput, SolveError};
-use crate::job::Job;
+use crate::job::{Job, Named as _};
 use crate::report::answers::Measured;
 use crate::report::cost::JobEstimate;
 use crate::report::datum::Datum;
 use crate::report::findings::Finding;
-use crate::report::hertz::{line, over_friction};
+use crate::report::hertz::line;
+use crate::report::known::ErrorEstimate;
+use crate::report::known::{Hertz, Known};
 use crate::report::shown::{Arrays, Parts, Shown, Solved};
 use crate::report::solve_error::track_text;
 use crate::report::{
-    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LayersReport, MeshReport, Patch,
-    PerBody, Side, SubsurfaceReport,
+    ContactNodes, ContactReport, LayersReport, MeshReport, Patch, PerBody, Side, SubsurfaceReport,
 };
+use crate::solver::method::figures::{Figure, Values};
 use crate::solver::rolling::{
-    self, BodyPass, BodyPassErrors, FrictionLimit, HardeningRules, Limit, Pass, PassErrors,
-    RollingProblem, TrackField, TrackRun, TrackStep,
+    self, FrictionLimit, HardeningRules, Pass, PassErrors, RollingProblem, TrackField, TrackRun,
+    TrackStep,
 };
 use crate::solver::{Interrupt, Observer, Options, SolveStatus, StepReceiver};
 use crate::units::UnitConverter;
 
 /// Difference below which two frictions are one.
 const SAME_FRICTION: f64 = 1e-9;
-
-/// The verdict by one rule of hardening, the body of which it is said, and the depth of its rate.
-#[derive(Clone)]
-struct Ruled {
-    verdict: RuleVerdict,
-    body: Option<Side>,
-    depth: Option<f64>,
-}
 
 /// A load that rolls.
 pub(in crate::report) struct Track<'a> {
@@ -96,25 +87,40 @@ impl Shown for Track<'_> {
 
     fn parts(&self, (): &mut (), step: &TrackStep, _: &[Finding]) -> Parts {
         let (shown, reference) = (self.shown(step), self.input.reference());
-        let hertz = reference.as_ref().map(|reference| {
-            let limits = over_friction(&self.input.over_friction(reference), self.write);
-            line(reference, &limits, self.write)
-        });
-        let hertz = hertz.or_else(|| shown.ellipse());
+        let hertz = reference.as_ref().map(line).or_else(|| shown.ellipse());
+        let perfect = reference.as_ref().map(|reference| self.input.over_friction(reference));
         let is_line = self.input.problem.is_line();
+        let last = &step.field.last;
+        let touches = last.half_width() > 0.0;
+        let area = step.figures.contact_area.unwrap_or(2.0 * last.half_width());
         Parts {
+            known: Known {
+                load: step.load,
+                status: step.status,
+                figures: step.figures,
+                peak_place: [last.peak_position, 0.0],
+                mean_pressure: if touches { step.figures.force / area } else { 0.0 },
+                half_angle: None,
+                parts: usize::from(touches),
+                stiffness: None,
+                flow: None,
+                zones: [None; 2],
+                hertz,
+                onset: None,
+                bars: shown.estimated_error(),
+                whole: None,
+                rolled: Some(shown.rolled()),
+                is_graded: false,
+            },
             contact: shown.contact(),
-            stiffness: None,
+            increments: None,
+            surfaces: None,
+            passes: Some(shown.passes()),
+            rules: shown.rules().into_iter().map(|rule| rule.said).collect(),
+            shakedown: shown.over_friction(hertz, perfect.as_deref()),
             spacing: None,
-            flow: None,
-            rolling: Some(shown.rolling(hertz.as_ref())),
-            hertz,
-            yield_onset: None,
-            bars: shown.estimated_error(),
-            three_dimensional: None,
             measured: Measured {
                 first_yield: reference.and_then(|reference| reference.yield_onset_force),
-                figures: step.figures.values(),
                 datum: if is_line { Datum::None } else { Datum::FarPoints },
                 ..Measured::default()
             },
@@ -134,6 +140,7 @@ impl Shown for Track<'_> {
             nodes: columns * rows,
             elements: cells * self.input.problem.yielding().count(),
             equations: x.len() * rows + components * cells,
+            cells: Some([*columns, *rows, *layers]),
             ..MeshReport::default()
         }
     }
@@ -149,37 +156,26 @@ struct Passes<'a> {
 
 impl Passes<'_> {
     /// Returns the contact of elastic bodies, if it is an ellipse.
-    fn ellipse(&self) -> Option<HertzReport> {
-        let write = self.write;
+    fn ellipse(&self) -> Option<Hertz> {
         let [along, across] = self.problem.semi_axes();
         let limit = self.field.limits[0];
-        (!self.problem.is_line()).then(|| HertzReport {
-            half_width: write.length(along.min(across)),
-            peak_pressure: write.stress(self.problem.elastic_peak()),
-            yield_onset_force: None,
-            yield_onset_depth: None,
-            shakedown_pressure: limit.map(|limit| write.stress(limit.peak_pressure)),
-            shakedown_depth: limit.map(|limit| write.length(limit.depth)),
-            shakedown_over_friction: Vec::new(),
+        (!self.problem.is_line()).then(|| Hertz {
+            half_width: along.min(across),
+            longer: None,
+            peak_pressure: self.problem.elastic_peak(),
+            approach: None,
+            first_yield: None,
+            shakedown: limit.map(|limit| [limit.peak_pressure, limit.depth]),
         })
     }
 
     fn contact(&self) -> ContactReport {
-        let (write, field, figures) = (self.write, self.field, &self.step.figures);
+        let (write, field) = (self.write, self.field);
         let last = &field.last;
-        let [left, right] = last.ends.map(|x| write.length(x));
         let touches = last.half_width() > 0.0;
-        let area = figures.contact_area.unwrap_or(2.0 * last.half_width());
-        let mean = if touches { figures.force / area } else { 0.0 };
+        let [left, right] = last.ends.map(|x| write.length(x));
         let forces = field.pressure.iter().map(|p| write.force(p * field.cell));
         ContactReport {
-            force: write.force(figures.force),
-            half_width: write.length(last.half_width()),
-            half_angle: None,
-            peak_pressure: write.stress(last.peak_pressure),
-            peak_position: write.length(last.peak_position),
-            middle_pressure: figures.middle_pressure.map(|pressure| write.stress(pressure)),
-            mean_pressure: write.stress(mean),
             patches: touches.then_some(Patch { left, right }).into_iter().collect(),
             nodes: ContactNodes {
                 x: field.x.iter().map(|x| write.length(*x)).collect(),
@@ -187,6 +183,7 @@ impl Passes<'_> {
                 pressure: field.pressure.iter().map(|p| write.stress(*p)).collect(),
                 gap: field.gap.iter().map(|gap| write.length(*gap)).collect(),
             },
+            ..ContactReport::default()
         }
     }
 
@@ -197,70 +194,103 @@ impl Passes<'_> {
         }
         let errors = self.field.errors.last()?.as_ref()?;
         let last = &self.field.last;
-        Some(ErrorEstimate {
-            peak_pressure: relative(errors.peak_pressure, last.peak_pressure),
-            half_width: relative(errors.half_width, last.half_width()),
-            approach: last.approach.and_then(|approach| relative(errors.approach, approach)),
-            force: Some(0.0),
-            ..ErrorEstimate::default()
-        })
+        let mut figures = Values::default();
+        let mut set = |figure: Figure, error: f64, value: f64| {
+            let bar = Some(error / value.abs()).filter(|bar| bar.is_finite());
+            figures.set(figure, 0, bar);
+        };
+        set(Figure::PeakPressure, errors.peak_pressure, last.peak_pressure);
+        set(Figure::HalfWidth, errors.half_width, last.half_width());
+        if let Some(approach) = last.approach {
+            set(Figure::Approach, errors.approach, approach);
+        }
+        figures.set(Figure::Force, 0, 0.0);
+        Some(ErrorEstimate { figures, contact_stiffness: None })
     }
 
-    fn rolling(&self, hertz: Option<&HertzReport>) -> RollingReport {
-        let (write, field) = (self.write, self.field);
+    fn rolled(&self) -> Rolled {
         let rules = self.rules();
         // Of equal words the larger rate.
-        let worst = rules.iter().max_by(|a, b| {
-            let rate = |rule: &Ruled| rule.verdict.rate.unwrap_or(0.0);
-            a.verdict.verdict.cmp(&b.verdict.verdict).then(rate(a).total_cmp(&rate(b)))
+        let worst = rules.iter().enumerate().max_by(|(_, a), (_, b)| {
+            let rate = |rule: &Ruled| rule.rate.unwrap_or(0.0);
+            a.verdict().cmp(&b.verdict()).then(rate(a).total_cmp(&rate(b)))
         });
-        let worst = worst.cloned();
-        let limit = |limit: &Limit| TrackLimitReport {
-            peak_pressure: write.stress(limit.peak_pressure),
-            depth: write.length(limit.depth),
-            body: Side::of(limit.side),
-        };
-        let [perfect, kinematic] = &field.limits;
-        RollingReport {
-            verdict: worst.as_ref().map_or(TrackVerdict::Undecided, |of| of.verdict.verdict),
-            body: worst.as_ref().and_then(|of| of.body),
-            rate: worst.as_ref().and_then(|of| of.verdict.rate),
-            rate_error: worst.as_ref().and_then(|of| of.verdict.rate_error),
-            rate_depth: worst.as_ref().and_then(|of| of.depth),
-            reason: worst.and_then(|of| of.verdict.reason),
-            rules: rules.into_iter().map(|of| of.verdict).collect(),
+        let worst = worst.map_or(0, |(place, _)| place);
+        Rolled {
+            worst,
+            rules,
             friction: self.problem.load.friction,
-            passes: self.passes(),
-            limits: TrackLimitsReport {
-                perfect: perfect.as_ref().filter(|limit| limit.peak_pressure > 0.0).map(limit),
-                kinematic: kinematic.as_ref().filter(|limit| limit.peak_pressure > 0.0).map(limit),
-                shear_yield_stress: self.problem.shear_yield_stress().map(|k| write.stress(k)),
-                over_friction: self.over_friction(hertz),
-            },
-            columns: field.grid[0],
-            layers: field.grid[1],
-            rows: field.grid[2],
+            limits: self.field.limits.map(|limit| limit.filter(|limit| limit.peak_pressure > 0.0)),
+            shear_yield_stress: self.problem.shear_yield_stress(),
+            last: self.all_passes().last(),
+            is_shared: self.problem.is_shared(),
         }
     }
 
-    /// Returns the limits over friction.
-    fn over_friction(&self, hertz: Option<&HertzReport>) -> Vec<FrictionLimits> {
+    /// Returns the limits over friction; of a line perfect plasticity is known for all of them.
+    fn over_friction(
+        &self,
+        hertz: Option<Hertz>,
+        of_line: Option<&[(f64, crate::analytical::DepthLimit)]>,
+    ) -> Option<ShakedownMap> {
         let write = self.write;
         let perfect = |friction: f64| {
-            let mut limits = hertz?.shakedown_over_friction.iter();
-            let of_line = limits.find(|limit| (limit.friction - friction).abs() < SAME_FRICTION);
+            let mut limits = of_line.unwrap_or_default().iter();
+            let of_line = limits.find(|(at, _)| (at - friction).abs() < SAME_FRICTION);
             // Of an ellipse the limit of free rolling alone is known.
-            let of_ellipse = || hertz?.shakedown_pressure.filter(|_| friction <= 0.0);
-            of_line.map(|limit| limit.pressure).or_else(of_ellipse)
+            let free = || hertz?.shakedown.map(|[limit, _]| limit).filter(|_| friction <= 0.0);
+            of_line.map(|(_, limit)| limit.peak_pressure).or_else(free)
         };
-        let limits = self.problem.limits_over_friction().into_iter();
-        let of_friction = |limit: FrictionLimit| FrictionLimits {
-            friction: limit.friction,
-            elastic_pressure: write.stress(limit.elastic),
-            perfect_pressure: perfect(limit.friction),
-            kinematic_pressure: write.stress(limit.kinematic),
+        let limits = self.problem.limits_over_friction();
+        let stresses = |of: fn(&FrictionLimit) -> f64| {
+            limits.iter().map(|limit| write.stress(of(limit))).collect::<Vec<f64>>()
         };
-        limits.map(of_friction).collect()
+        let map = ShakedownMap {
+            friction: limits.iter().map(|limit| limit.friction).collect(),
+            elastic: stresses(|limit| limit.elastic),
+            perfect: limits
+                .iter()
+                .map(|limit| perfect(limit.friction).map(|limit| write.stress(limit)))
+                .collect(),
+            kinematic: stresses(|limit| limit.kinematic),
+            perfect_depth: Vec::new(),
+        };
+        (!map.friction.is_empty()).then_some(map)
+    }
+
+    fn all_passes(&self) -> impl Iterator<Item = PassFigures> {
+        let passes = self.field.passes.iter().zip(&self.field.errors).enumerate();
+        passes.map(|(k, (pass, errors))| {
+            let accumulated = [0, 1].map(|side| {
+                if pass.bodies[side].is_some() { self.field.accumulated(side, k + 1) } else { 0.0 }
+            });
+            let force = self.problem.load.force;
+            PassFigures::of((k + 1, pass), errors.as_ref(), force, accumulated)
+        })
+    }
+
+    fn passes(&self) -> PassesReport {
+        let mut report = PassesReport::default();
+        let write = self.write;
+        for pass in self.all_passes() {
+            report.number.push(pass.number);
+            report.iterations.push(pass.iterations);
+            let [upper, lower] = &pass.bodies;
+            let contact: Vec<_> = pass.contact.iter().chain(&pass.works).copied().collect();
+            for (columns, figures) in [
+                (&mut report.contact, &contact),
+                (&mut report.upper, upper),
+                (&mut report.lower, lower),
+            ] {
+                for figure in figures {
+                    let PassFigure { name, core, .. } = *figure;
+                    let course = columns.entry(name.name().to_owned()).or_default();
+                    course.value.push(write.of(name.quantity(), core));
+                    course.error.push(figure.bar());
+                }
+            }
+        }
+        report
     }
 
     /// Returns the verdicts by the rules of hardening that were solved.
@@ -313,16 +343,16 @@ impl Passes<'_> {
         let to_surface = place.map_or(0.0, |at| at.to_surface);
         let of_columns = of_columns.map(|bar| (bar - to_surface).max(to_surface));
         Ruled {
-            body: side.filter(|_| !self.problem.is_shared()).map(Side::of),
-            depth: depth.map(|depth| self.write.length(depth)),
-            verdict: RuleVerdict {
+            said: RuleVerdict {
                 hardening,
                 verdict: word(verdict),
-                rate,
-                rate_error: change.zip(of_columns).map(|(change, columns)| change + columns),
-                passes: passes.len(),
                 reason: self.reason(verdict, passes.len(), last),
             },
+            rate,
+            rate_error: change.zip(of_columns).map(|(change, columns)| change + columns),
+            depth,
+            body: side.filter(|_| !self.problem.is_shared()).map(Side::of),
+            passes: passes.len(),
         }
     }
 
@@ -350,44 +380,6 @@ impl Passes<'_> {
                  more near a limit; {number} were made"
             )
         })
-    }
-
-    fn passes(&self) -> Vec<PassReport> {
-        let passes = self.field.passes.iter().zip(&self.field.errors).enumerate();
-        passes.map(|(k, (pass, errors))| self.pass(k + 1, pass, errors.as_ref())).collect()
-    }
-
-    fn pass(&self, number: usize, pass: &Pass, errors: Option<&PassErrors>) -> PassReport {
-        let write = self.write;
-        let of_side = |side: usize| {
-            let body = pass.bodies[side].as_ref()?;
-            Some(body_report(body, self.field.accumulated(side, number), write))
-        };
-        PassReport {
-            number,
-            iterations: pass.iterations,
-            peak_pressure: write.stress(pass.peak_pressure),
-            half_width: write.length(pass.half_width()),
-            half_width_across: pass.half_width_across.map(|width| write.length(width)),
-            approach: pass.approach.map(|approach| write.length(approach)),
-            rolling_force: write.force(pass.rolling_force),
-            loss: pass.rolling_force / self.problem.load.force,
-            plastic_work: write.force(pass.plastic_work()),
-            stored_energy: write.force(pass.stored_energy()),
-            traction_work: write.force(pass.work_of_traction),
-            energy_gap: pass.energy_gap(),
-            bodies: PerBody { upper: of_side(0), lower: of_side(1) },
-            estimated_error: errors.map(|errors| PassErrorReport {
-                peak_pressure: relative(errors.peak_pressure, pass.peak_pressure),
-                half_width: relative(errors.half_width, pass.half_width()),
-                approach: pass.approach.and_then(|approach| relative(errors.approach, approach)),
-                plastic_work: relative(errors.work, pass.plastic_work()),
-                bodies: PerBody {
-                    upper: errors_report(pass, errors.bodies, 0),
-                    lower: errors_report(pass, errors.bodies, 1),
-                },
-            }),
-        }
     }
 
     /// Returns what the last pass has left in the section of a track of finite width.
@@ -434,7 +426,7 @@ impl Passes<'_> {
             outlet.depths.iter().map(at).collect::<Vec<f64>>()
         });
         Some(SubsurfaceReport {
-            position: Some(0.0),
+            position: if self.problem.is_line() { vec![0.0] } else { vec![0.0; 2] },
             depth: outlet.depths.iter().map(|depth| write.length(*depth)).collect(),
             sigma_x: stress(&|s| s[0]),
             sigma_y: stress(&|s| s[2]),
@@ -450,7 +442,6 @@ impl Passes<'_> {
             initial_sigma_x: before(0),
             initial_sigma_y: before(0).map(|stresses| vec![0.0; stresses.len()]),
             initial_sigma_z: before(1),
-            position_y: (!self.problem.is_line()).then_some(0.0),
             sigma_xx: whole(0),
             sigma_yy: whole(1),
             sigma_zz: whole(2),
@@ -459,50 +450,4 @@ impl Passes<'_> {
             sigma_yz: whole(5),
         })
     }
-}
-
-fn body_report(body: &BodyPass, accumulated: f64, write: UnitConverter) -> BodyPassReport {
-    let outlet = &body.outlet;
-    let stresses = |k: usize| outlet.on_axis(&outlet.residual).map(move |stress| stress[k]);
-    let least = |k: usize| write.stress(stresses(k).fold(f64::INFINITY, f64::min));
-    let most = |k: usize| write.stress(stresses(k).fold(f64::NEG_INFINITY, f64::max));
-    BodyPassReport {
-        groove_depth: write.length(body.outlet.groove_depth),
-        pile_up: write.length(body.outlet.pile_up),
-        forward: write.length(body.outlet.forward),
-        largest_strain: body.strain.largest.value,
-        largest_strain_depth: write.length(body.strain.largest.depth),
-        largest_strain_across: write.length(body.strain.largest.across),
-        net_strain: body.strain.net.value,
-        net_strain_depth: write.length(body.strain.net.depth),
-        net_strain_across: write.length(body.strain.net.across),
-        accumulated_strain: accumulated,
-        least_sigma_x: least(0),
-        largest_sigma_x: most(0),
-        least_sigma_z: least(1),
-        largest_sigma_z: most(1),
-    }
-}
-
-fn errors_report(
-    pass: &Pass,
-    errors: [Option<BodyPassErrors>; 2],
-    side: usize,
-) -> Option<BodyPassErrorReport> {
-    let (body, errors) = (pass.bodies[side].as_ref()?, errors[side]?);
-    let stresses = body.outlet.on_axis(&body.outlet.residual).flat_map(|stress| &stress[..2]);
-    let largest = stresses.fold(0.0, |most: f64, stress| most.max(stress.abs()));
-    Some(BodyPassErrorReport {
-        groove_depth: relative(errors.groove_depth, body.outlet.groove_depth),
-        pile_up: relative(errors.pile_up, body.outlet.pile_up),
-        forward: relative(errors.forward, body.outlet.forward),
-        largest_strain: relative(errors.largest_strain, body.strain.largest.value),
-        net_strain: relative(errors.net_strain, body.strain.net.value),
-        residual: relative(errors.residual, largest),
-    })
-}
-
-/// Returns an error relative to its figure; `None` of a figure that is 0.
-fn relative(error: f64, figure: f64) -> Option<f64> {
-    Some(error / figure.abs()).filter(|error| error.is_finite())
 }

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt::Write;
 
-use brinell_solver::report::{StepReport, SubsurfaceReport};
+use brinell_solver::report::{Name, StepReport, SubsurfaceReport};
 use serde_json::{Value, json};
 
 use super::example::{Computed, Example, answer, solve};
@@ -30,15 +30,16 @@ fn tilt(job: &Value) -> Computed {
             .to_owned();
     for tilt in TILTS {
         let step = tilted(job, tilt, 0.8)?;
-        let whole = step.three_dimensional.as_ref().ok_or("no half-spaces")?;
-        let roller = whole.roller.as_ref().ok_or("no roller")?;
-        let [low, high] = roller.end_pressure;
+        let along = step.contact.along.as_ref().ok_or("no roller")?;
+        let [low, high] =
+            [along.pressure.first(), along.pressure.last()].map(|end| end.copied().unwrap_or(0.0));
+        let place = step.row(Name::PeakPressure).and_then(|row| row.place).ok_or("no place")?;
         writeln!(
             table,
             "| {tilt} | {:.0} | {:.2} | {low:.0}, {high:.0} | {:.0} |",
-            step.contact.peak_pressure,
-            whole.peak_position_y,
-            roller.moment.round() + 0.0
+            step[Name::PeakPressure],
+            place.y.unwrap_or(0.0),
+            step[Name::Moment].round() + 0.0
         )?;
     }
     Ok(table)
@@ -71,7 +72,7 @@ fn depth_of_the_case(job: &Value) -> Computed {
                 shown(largest(middle)),
                 shown(largest(below)),
                 answer(&step, "core_utilization")?,
-                100.0 * step.max_plastic_strain().unwrap_or(0.0)
+                100.0 * step.value(Name::MaxPlasticStrain).unwrap_or(0.0)
             )?;
         }
     }

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::fmt::Write;
 
+use brinell_solver::report::Name;
 use serde_json::{Value, json};
 
 use super::example::{Computed, Example, answer, hertz, pressed, shipped, solve};
@@ -24,9 +25,10 @@ const DIAMETER: f64 = 10.0;
 /// error of the force.
 fn limit(job: &Value) -> Result<([f64; 3], Option<f64>), Box<dyn Error>> {
     let report = solve(job)?;
-    let (target, step) =
-        (report.target.ok_or("no target")?, report.steps.first().ok_or("no step")?);
-    Ok(([target.force, hertz(step)?, step.contact.peak_pressure], target.relative_error))
+    let (found, step) =
+        (report.answers.first().ok_or("no force")?, report.steps.first().ok_or("no step")?);
+    let force = found.value.ok_or("no force")?;
+    Ok(([force, hertz(step)?, step[Name::PeakPressure]], found.error.bound()))
 }
 
 fn limits(_: &Value) -> Computed {
