@@ -12,6 +12,7 @@ import { withoutLoad } from './cut.js';
 import { Renderer } from './gl.js';
 import { axesOf } from '../result/axes.js';
 import { extentSeen } from '../result/extent.js';
+import { approachIn, boundOf, peakIn } from '../result/rows.js';
 import { frameOf } from './frame.js';
 import { carried, locateAll, vectorAt } from './locate.js';
 import { lifts, surfaceOf } from './lift.js';
@@ -116,7 +117,9 @@ export class Scene {
     const [upper, lower] = ['upper', 'lower'].map(
       (name) => framed.find((body) => body.name === name) ?? null,
     );
-    this.#lifts = lifts(upper, lower, step);
+    // In a section of half-spaces the surfaces of both bodies are where they touch.
+    const approach = report.analysis.startsWith('section') ? 0 : approachIn(step);
+    this.#lifts = lifts(upper, lower, step.contact.nodes.x, peakIn(step), approach);
     const body = lower ?? upper;
     if (body) this.#surface = surfaceOf(body, step.contact.nodes.x);
     this.bodies = framed.map((body) => ({
@@ -160,17 +163,16 @@ export class Scene {
     const [answer, end] = SAID[this.quantity] ?? [];
     const found = this.#step()?.answers?.find(({ name, place }) => name === answer && place);
     if (!this.shown || !end || !found?.place || !found.value) return undefined;
-    const { place, value, error } = found;
+    const { place, value } = found;
     const body = this.bodies.find(({ name }) => place.body === 'both' || name === place.body);
-    const solid = this.#step()?.three_dimensional;
-    const axes = solid && axesOf(solid);
-    const axis = axes && this.shown.report.analysis === `section_${axes.y.name}` ? 'y' : 'x';
-    const along = (axes?.[axis].sign ?? 1) * (place[axis] ?? 0);
+    const axes = axesOf(/** @type {import('../types.js').Step} */ (this.#step()));
+    const axis = this.shown.report.analysis === `section_${axes.y.name}` ? 'y' : 'x';
+    const along = axes[axis].sign * (place[axis] ?? 0);
     const at = body?.frame.point(along, place.depth);
     const there = body && at && locateAll(body.mesh, [at])[0];
     if (!body || !at || !there) return undefined;
     const [u, v] = vectorAt(there, body.mesh.displacement);
-    return { end, value, error, name: body.name, x: at[0], y: at[1], u, v };
+    return { end, value, error: boundOf(found), name: body.name, x: at[0], y: at[1], u, v };
   }
 
   /** Of the quantity that is drawn. */
