@@ -312,7 +312,7 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
     /^force N\/mm,peak pressure MPa,half-width mm,mean pressure MPa/,
   );
   // What is prescribed says so, and no card is silent.
-  assert.equal(await page.locator('#headline .bar-of-error', { hasText: 'as given' }).count(), 1);
+  assert.equal(await page.locator('#headline .bar-of-error', { hasText: 'given' }).count(), 1);
   await shown(page, { load: { force: 300 }, output: { contact_stiffness: true } });
   assert.deepEqual(await barred(), [
     'Peak pressure',
@@ -324,7 +324,7 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
   ]);
   assert.match(
     (await columns()).join(),
-    /^approach mm,peak pressure MPa,half-width mm,mean pressure MPa,dP/,
+    /^approach mm,peak pressure MPa,half-width mm,mean pressure MPa,contact stiffness/,
   );
 });
 

@@ -365,7 +365,7 @@ const QUESTIONS = [
     async (user, page) => {
       await user.solve();
       await page
-        .locator('#headline .verdict-text.warning')
+        .locator('#headline .verdict-text.attention')
         .getByText(/^Yields/)
         .waitFor();
     },
