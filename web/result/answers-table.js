@@ -55,7 +55,7 @@ const whyOf = ({ value, reason, at_least: least, at_most: most }) =>
 export function answersTable(sides, whole) {
   const [{ one, at }, ...others] = sides;
   const step = one.report.steps[at];
-  const all = answersOf(one.report, at).filter(({ detail }) => whole || !detail);
+  const all = answersOf(one.report, at, whole);
   const notes = others.length === 0;
   const hasElastic = notes && all.some((answer) => elasticWords(answer));
   const rows = all.map((answer, k) =>

@@ -12,10 +12,11 @@ import { boundOf, valueIn, widthIn } from './rows.js';
 /** @typedef {import('../types.js').Report} Report */
 /** @typedef {import('../wire.js').Answer} Answer */
 
-/** Those of the whole job, then those of a step, details last. @param {Report} report @param {number} at step @returns {Answer[]} */
-export function answersOf({ answers, steps }, at) {
+/** Those of the whole job, then those of a step. @param {Report} report @param {number} at step @param {boolean} [whole] whether details are behind them @returns {Answer[]} */
+export function answersOf({ answers, steps }, at, whole = false) {
   const all = [...answers, ...steps[at].answers];
-  return [...all.filter(({ detail }) => !detail), ...all.filter(({ detail }) => detail)];
+  const first = all.filter(({ detail }) => !detail);
+  return whole ? [...first, ...all.filter(({ detail }) => detail)] : first;
 }
 
 /** Marks of verdicts. @type {Record<import('../wire.js').Mark, string>} */
@@ -133,7 +134,7 @@ export function placeWords({ place, label }, { units, analysis }, step) {
 export function alike(report, at, all, k) {
   const same = (/** @type {Answer} */ one) => one.name === all[k].name && one.body === all[k].body;
   const before = all.slice(0, k).filter(same).length;
-  const others = answersOf(report, at);
+  const others = answersOf(report, at, true);
   return others.filter(same)[before] ?? others.filter(({ name }) => name === all[k].name)[before];
 }
 

@@ -39,10 +39,7 @@ export function showHeadline(shown, at, next, solve) {
   const tiles = h(
     'dl',
     { class: 'figures' },
-    all
-      .filter(({ detail }) => !detail)
-      .slice(0, TILES)
-      .map((answer, k) => tile(answer, all, k, sides)),
+    all.slice(0, TILES).map((answer, k) => tile(answer, all, k, sides)),
   );
   byId('headline').replaceChildren(
     h(
@@ -57,14 +54,16 @@ export function showHeadline(shown, at, next, solve) {
         ),
     ),
     ...(all.length
-      ? [tiles, h('div', { class: 'rest' }, allFigures(all.length, sides))]
+      ? [tiles, h('div', { class: 'rest' }, allFigures(sides))]
       : [h('p', { class: 'quiet' }, 'This step is not an answer.')]),
     remarks(sides),
   );
 }
 
-/** The table of all answers, made when it is looked at. @param {number} many @param {Beside[]} sides */
-function allFigures(many, sides) {
+/** The table of all answers, made when it is looked at. @param {Beside[]} sides */
+function allFigures(sides) {
+  const [{ one, at }] = sides;
+  const { length: many } = answersOf(one.report, at, true);
   const place = h('div', {
     class: 'scroll',
     tabindex: 0,
