@@ -4,6 +4,7 @@
 # 450 s where the factorization, which comes first with its dependencies, takes 82.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+mkdir -p target
 folder=$(mktemp -d target/first-build.XXXXXX)
 trap 'rm -rf "$folder"' EXIT
 TIMEFORMAT='%U %S'

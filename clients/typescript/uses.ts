@@ -39,7 +39,7 @@ export function assertEvents(text: string): void {
 }
 
 export function assertPeak(peak: number | undefined): void {
-  assert.ok(peak !== undefined && Math.abs(peak - 1148.7) < 1, `peak pressure ${peak}`);
+  assert.ok(peak !== undefined && Math.abs(peak - 1150.4) < 1, `peak pressure ${peak}`);
 }
 
 export function assertCsv(text: unknown): void {

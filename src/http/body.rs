@@ -1,7 +1,6 @@
 //! Bodies of submissions: JSON, of bounded size, received in bounded time.
 
 use std::io::Read as _;
-use std::sync::Arc;
 use std::time::Duration;
 
 use axum::body::{Body, Bytes};
@@ -10,87 +9,22 @@ use axum::http::header::{CONTENT_ENCODING, CONTENT_LENGTH, CONTENT_TYPE, EXPECT}
 use axum::http::{HeaderMap, HeaderValue};
 use flate2::read::MultiGzDecoder;
 use http_body_util::BodyExt;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::timeout;
 
 use super::HttpState;
 use super::access::Caller;
+use super::bodies::HeldBody;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
-use crate::jobs::{KeyId, Turn, Turns};
+use crate::jobs::{KeyId, Turn};
 
 /// Time and bytes for which a refused body is read and discarded: a client that is still sending
 /// then receives the answer instead of a broken connection.
 const DISCARD_TIME: Duration = Duration::from_secs(5);
 const DISCARD_BYTES: usize = 256 << 20;
 
-/// Bodies of one key that may be in memory at a time, from their first byte until their jobs are
-/// stored; it is also the most results that are sent to one key at a time. All keys together have
-/// memory for four times as many bodies of the largest size.
-pub(super) const BODIES_OF_KEY: usize = 32;
-const BODIES: usize = 4 * BODIES_OF_KEY;
-
 /// Bytes that are inflated at once.
 const PIECE: usize = 16 << 10;
-
-/// Bounds on bodies in memory.
-#[derive(Debug, Clone)]
-pub(super) struct Bodies {
-    bytes: Arc<Semaphore>,
-    keys: Arc<Turns>,
-}
-
-impl Bodies {
-    /// Allows bodies of at most `largest` bytes.
-    pub(super) fn new(largest: usize) -> Self {
-        let bytes = largest.saturating_mul(BODIES).min(Semaphore::MAX_PERMITS);
-        Self { bytes: Arc::new(Semaphore::new(bytes)), keys: Arc::new(Turns::new(BODIES_OF_KEY)) }
-    }
-
-    /// Starts a body before its first byte.
-    fn open(&self, key: Option<KeyId>) -> Result<HeldBody, Problem> {
-        Ok(HeldBody {
-            text: Vec::new(),
-            room: None,
-            turn: self.keys.try_take(key).ok_or_else(too_many_of_key)?,
-        })
-    }
-
-    fn extend(&self, body: &mut HeldBody, data: &[u8]) -> Result<(), Problem> {
-        let bytes = u32::try_from(data.len()).unwrap_or(u32::MAX);
-        let more =
-            Arc::clone(&self.bytes).try_acquire_many_owned(bytes).map_err(|_| too_many())?;
-        match &mut body.room {
-            Some(room) => room.merge(more),
-            room => *room = Some(more),
-        }
-        body.text.extend_from_slice(data);
-        Ok(())
-    }
-}
-
-fn too_many_of_key() -> Problem {
-    let detail = format!("{BODIES_OF_KEY} bodies of this API key are under way");
-    Problem::new(ProblemType::TooManyJobs, detail)
-}
-
-fn too_many() -> Problem {
-    Problem::new(ProblemType::TooManyBodies, "too many other bodies are held at this moment")
-}
-
-/// A body, complete or partly received. Its memory counts until its last part is dropped.
-#[derive(Debug)]
-struct HeldBody {
-    text: Vec<u8>,
-    room: Option<OwnedSemaphorePermit>,
-    turn: Turn,
-}
-
-impl AsRef<[u8]> for HeldBody {
-    fn as_ref(&self) -> &[u8] {
-        &self.text
-    }
-}
 
 /// The extractor for the body of a submission.
 #[derive(Debug)]
@@ -258,34 +192,5 @@ mod tests {
             assert!(!verdict(name), "{name}");
         }
         assert!(check_content_type(&HeaderMap::new()).is_err());
-    }
-
-    #[test]
-    fn bodies_are_bounded_in_bytes_and_those_of_a_key_in_number() {
-        let bodies = Bodies::new(2);
-        let [one, other] = [(); 2].map(|()| Some(KeyId::generate()));
-        let mut held = Vec::new();
-        for _ in 0..BODIES_OF_KEY {
-            let mut body = bodies.open(one).unwrap();
-            bodies.extend(&mut body, b"ab").unwrap();
-            held.push(Bytes::from_owner(body));
-        }
-        let refused = bodies.open(one).unwrap_err();
-        assert_eq!(refused.kind(), ProblemType::TooManyJobs, "the key's own doing");
-        assert!(bodies.open(other).is_ok());
-        let mut rest = bodies.open(None).unwrap();
-        for _ in BODIES_OF_KEY..BODIES {
-            bodies.extend(&mut rest, b"ab").unwrap();
-        }
-        assert!(bodies.extend(&mut bodies.open(other).unwrap(), b"a").is_err());
-        let part = held[0].slice(1..);
-        held.clear();
-        let mut body = bodies.open(one).unwrap();
-        for _ in 1..BODIES_OF_KEY {
-            bodies.extend(&mut body, b"ab").unwrap();
-        }
-        assert!(bodies.extend(&mut body, b"a").is_err(), "a part of a body holds the whole");
-        drop(part);
-        bodies.extend(&mut body, b"ab").unwrap();
     }
 }

@@ -21,7 +21,7 @@ pub(super) async fn export_file(
     step: Option<usize>,
 ) -> Result<Response, Problem> {
     // From here on, the export holds a step in memory.
-    let turn = state.turn(caller).await;
+    let turn = state.turn(caller.key()).await;
     let body = match state.jobs.export(id, form, step, caller.key()).await {
         Ok(exported) => Body::from_stream(written(ready(turn), |sender| exported.send(sender))),
         Err(ExportFailure::NoResult) => return Err(no_result(&state.jobs.get(id).await?)),

@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
+use std::sync::Arc;
 use std::{fs, io};
 
 use axum::extract::State;
@@ -16,10 +17,9 @@ use base64::engine::general_purpose::STANDARD;
 use bytes::Bytes;
 use sha2::{Digest as _, Sha256};
 
-use super::HttpState;
-use super::page::{Sent, answer};
 use super::problem::Problem;
 use super::problem_type::ProblemType;
+use super::static_file::{Sent, answer};
 
 /// What a file may load, without its own scripts.
 const POLICY: &str = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
@@ -46,6 +46,11 @@ impl Guide {
         let mut guide = Self::default();
         guide.take(folder, "")?;
         Ok(guide)
+    }
+
+    /// Whether there is none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
     fn take(&mut self, folder: &Path, above: &str) -> io::Result<()> {
@@ -91,7 +96,7 @@ pub(super) async fn to_guide() -> Redirect {
 
 /// `GET /guide/` and `GET /guide/{path}`. Names of the guide's files need no escapes.
 pub(super) async fn file(
-    State(state): State<HttpState>,
+    State(guide): State<Arc<Guide>>,
     uri: Uri,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
@@ -99,14 +104,14 @@ pub(super) async fn file(
     if path.is_empty() || path.ends_with('/') {
         path.push_str("index.html");
     }
-    let file = state.guide.0.get(&path).ok_or_else(|| nothing(&state.guide))?;
+    let file = guide.0.get(&path).ok_or_else(|| nothing(&guide))?;
     let File { data, digest, policy } = file;
     let sent = Sent { path: &path, data: data.clone(), digest: *digest, kept: "no-cache", policy };
     answer(sent, &headers)
 }
 
 fn nothing(guide: &Guide) -> Problem {
-    let detail = if guide.0.is_empty() {
+    let detail = if guide.is_empty() {
         "this service has no guide: scripts/site.sh makes one, --guide FOLDER serves it"
     } else {
         "the guide has no such page"

@@ -1,12 +1,14 @@
-//! The HTTP interface. This module lists the routes; one file in `routes` holds each handler and
-//! declares it for [`openapi`].
+//! The HTTP interface. This module builds the router; `routes` lists the routes, and one file in it
+//! holds each handler and declares it for [`openapi`].
 //!
 //! Every error, including errors of the framework and panics, is answered as
 //! `application/problem+json` ([`Problem`]). Every answer carries an `x-request-id`, the client's
 //! own if it sent one.
 
 mod access;
+mod allowed_hosts;
 mod batch;
+mod bodies;
 mod body;
 mod client_address;
 mod docs;
@@ -33,6 +35,8 @@ mod request_log;
 mod result_body;
 mod routes;
 mod selection;
+mod state;
+mod static_file;
 mod streams;
 mod tls;
 pub mod wire;
@@ -42,43 +46,29 @@ use std::any::Any;
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::Router;
 use axum::extract::Request;
 use axum::http::{Extensions, HeaderMap, HeaderValue, Method, Uri};
 use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
-use tokio_util::sync::CancellationToken;
+use axum::{Extension, Router};
 use tower_http::CompressionLevel;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Predicate};
 use tower_http::cors::{AllowHeaders, AllowOrigin, CorsLayer, ExposeHeaders};
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
-use utoipa_axum::router::OpenApiRouter;
-use utoipa_axum::routes;
 
-use crate::jobs::{JobService, OnceKey, Retention, Turn, Turns};
-use crate::webhook::CallbackRules;
-use access::{Caller, authenticate};
-use body::{BODIES_OF_KEY, Bodies};
+use access::authenticate;
 use edge::{check_host, drop_unusable_request_id, guard_response};
 use negotiation::settle_coding;
 use query::refuse_undeclared;
-use rates::Rates;
 use request_log::log_request;
 use result_body::CodingChosen;
-use routes::{
-    batch_cancel, batch_fetch, batch_submit, cancel_job, delete_job, get_capacity, get_events,
-    get_examples, get_export, get_fields, get_job, get_metrics, get_openapi, get_problem,
-    get_request, get_result, health, list_jobs, post_hardening_curve, post_hertz, post_job,
-    post_solve, post_validate,
-};
+use routes::Document;
 
-use streams::EventStreamLimit;
-
+pub use allowed_hosts::AllowedHosts;
 pub use client_address::Network;
-pub use edge::AllowedHosts;
 pub(crate) use examples::EXAMPLES;
 pub use guide::Guide;
 pub use listen::{ConnectionTimeouts, Listening, serve};
@@ -87,132 +77,9 @@ pub use problem::Problem;
 pub use problem_type::ProblemType;
 pub use request_log::REQUEST_DURATION;
 pub(crate) use selection::summary;
+pub use state::{Capacity, HttpSettings, HttpState};
 pub use streams::EVENT_STREAMS;
 pub use tls::{TlsError, TlsIdentity};
-
-/// Bounds on a single request.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HttpSettings {
-    /// Largest body.
-    pub max_body_bytes: usize,
-    /// Longest time a body may take to arrive.
-    pub body_timeout: Duration,
-    /// Timeouts of slow connections.
-    pub timeouts: ConnectionTimeouts,
-    /// Most connections at a time.
-    pub connections: usize,
-    /// Most event streams open at a time.
-    pub event_streams: usize,
-    /// Longest time `POST /v1/solve` waits for its result.
-    pub solve_limit: Duration,
-    /// Longest time `?wait=` waits.
-    pub wait_limit: Duration,
-    /// Whether requests under `/v1` need an API key.
-    pub require_api_key: bool,
-    /// The key of this process, if it has one; the keys of the store are then ignored.
-    pub once_key: Option<OnceKey>,
-    /// Jobs that an API key may submit per second.
-    pub jobs_per_second: Option<f64>,
-    /// Origins whose pages may send requests (CORS); `*` allows all.
-    pub cors_origins: Vec<HeaderValue>,
-    /// Where people reach the page, as far as it is told.
-    pub public_origin: Option<HeaderValue>,
-    /// Proxies whose `X-Forwarded-For` is believed.
-    pub trusted_proxies: Vec<Network>,
-    /// How long finished jobs are kept.
-    pub retention: Retention,
-    /// Capacity of this node.
-    pub capacity: Capacity,
-}
-
-/// Capacity of a node.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Capacity {
-    /// Jobs solved here at the same time.
-    pub solvers: usize,
-    /// Memory \[bytes\] they may need together.
-    pub memory_bytes: u64,
-    /// Most jobs that may wait.
-    pub queued_jobs: usize,
-    /// Longest time \[s\] a job may be solved for.
-    pub job_seconds: f64,
-}
-
-impl Default for HttpSettings {
-    fn default() -> Self {
-        Self {
-            max_body_bytes: 1 << 20,
-            body_timeout: Duration::from_secs(30),
-            timeouts: ConnectionTimeouts {
-                head: Duration::from_secs(30),
-                write: Duration::from_secs(30),
-            },
-            connections: 4000,
-            event_streams: 1000,
-            solve_limit: Duration::from_secs(30),
-            wait_limit: Duration::from_mins(1),
-            require_api_key: false,
-            once_key: None,
-            jobs_per_second: None,
-            cors_origins: Vec::new(),
-            public_origin: None,
-            trusted_proxies: Vec::new(),
-            retention: Retention::default(),
-            capacity: Capacity::default(),
-        }
-    }
-}
-
-/// State that the handlers share.
-#[derive(Clone)]
-pub struct HttpState {
-    /// Operations on jobs.
-    pub jobs: Arc<JobService>,
-    /// Bounds.
-    pub settings: HttpSettings,
-    /// Rules for `callback_url`.
-    pub callbacks: Arc<CallbackRules>,
-    /// Accepted host names.
-    pub hosts: Arc<AllowedHosts>,
-    /// Served at `/guide/`.
-    pub guide: Arc<Guide>,
-    /// Cancelled before connections close, to end event streams.
-    pub closing: CancellationToken,
-    rates: Arc<Rates>,
-    streams: Arc<EventStreamLimit>,
-    bodies: Bodies,
-    sending: Arc<Turns>,
-    metrics: Option<Metrics>,
-}
-
-impl HttpState {
-    /// Makes the shared state of the handlers. `metrics` are served at `/metrics`.
-    pub fn new(jobs: Arc<JobService>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
-        let rates = Arc::new(Rates::new(settings.jobs_per_second));
-        let streams = Arc::new(EventStreamLimit::new(settings.event_streams));
-        let bodies = Bodies::new(settings.max_body_bytes);
-        Self {
-            jobs,
-            settings,
-            bodies,
-            sending: Arc::new(Turns::new(BODIES_OF_KEY)),
-            callbacks: Arc::default(),
-            hosts: Arc::default(),
-            guide: Arc::default(),
-            closing: CancellationToken::new(),
-            rates,
-            streams,
-            metrics,
-        }
-    }
-
-    /// Waits for a turn to send a result. Each turn holds a piece of a result in memory until its
-    /// client has read it.
-    fn turn(&self, caller: Caller) -> impl Future<Output = Turn> + Send + use<> {
-        let sending = Arc::clone(&self.sending);
-        async move { sending.take(caller.key()).await }
-    }
-}
 
 /// Builds the router with all routes and layers.
 pub fn router(state: HttpState) -> Router {
@@ -224,11 +91,11 @@ pub fn router(state: HttpState) -> Router {
         .and(|_, _, _: &HeaderMap, about: &Extensions| about.get::<CodingChosen>().is_none());
     let cors = cors(&state.settings.cors_origins);
     let log = from_fn_with_state(Arc::from(&state.settings.trusted_proxies[..]), log_request);
-    let guarded = guarded_routes();
+    let guarded = routes::guarded();
     let declared = Arc::new(guarded.get_openapi().paths.clone());
     let queries = from_fn_with_state((state.clone(), declared), refuse_undeclared);
     let guarded = guarded.route_layer(queries).route_layer(keys);
-    let (documented, _) = guarded.merge(open_routes()).split_for_parts();
+    let (documented, _) = guarded.merge(routes::open()).split_for_parts();
     let routes = documented
         .route("/docs", get(docs::to_page))
         .route("/docs/", get(docs::page))
@@ -240,6 +107,7 @@ pub fn router(state: HttpState) -> Router {
         .fallback(no_route)
         .method_not_allowed_fallback(no_method)
         .with_state(state)
+        .layer(Extension(Document { value: openapi::document, text: openapi::text }))
         .layer(hosts)
         .layer(CatchPanicLayer::custom(panicked))
         .layer(from_fn(problem::name_request))
@@ -278,43 +146,6 @@ fn cors(origins: &[HeaderValue]) -> Option<CorsLayer> {
         .expose_headers(ExposeHeaders::any())
         .max_age(Duration::from_hours(1));
     (!origins.is_empty()).then_some(layer)
-}
-
-/// Routes in the OpenAPI document.
-fn documented_routes() -> OpenApiRouter<HttpState> {
-    guarded_routes().merge(open_routes())
-}
-
-/// Routes that need an API key if keys are required.
-fn guarded_routes() -> OpenApiRouter<HttpState> {
-    let guarded = OpenApiRouter::default()
-        .routes(routes!(list_jobs::list_jobs, post_job::post_job))
-        .routes(routes!(get_job::get_job, delete_job::delete_job))
-        .routes(routes!(get_events::get_events))
-        .routes(routes!(get_request::get_request))
-        .routes(routes!(get_result::get_result))
-        .routes(routes!(get_fields::get_fields))
-        .routes(routes!(cancel_job::cancel_job))
-        .routes(routes!(batch_submit::batch_submit))
-        .routes(routes!(batch_cancel::batch_cancel))
-        .routes(routes!(batch_fetch::batch_fetch))
-        .routes(routes!(post_solve::post_solve))
-        .routes(routes!(post_validate::post_validate))
-        .routes(routes!(post_hertz::post_hertz))
-        .routes(routes!(post_hardening_curve::post_hardening_curve))
-        .routes(routes!(get_examples::get_examples))
-        .routes(routes!(get_capacity::get_capacity))
-        .routes(routes!(get_metrics::get_metrics));
-    get_export::exports().fold(guarded, OpenApiRouter::routes)
-}
-
-/// Routes that never need a key.
-fn open_routes() -> OpenApiRouter<HttpState> {
-    OpenApiRouter::default()
-        .routes(routes!(get_problem::get_problem))
-        .routes(routes!(get_openapi::get_openapi))
-        .routes(routes!(health::livez))
-        .routes(routes!(health::readyz))
 }
 
 async fn no_route(uri: Uri) -> Problem {

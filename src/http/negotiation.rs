@@ -1,7 +1,8 @@
-//! Negotiation of media type and content coding (RFC 9110, section 12.5).
+//! Negotiation of media type and content coding (RFC 9110, section 12.5), and of what a client
+//! has already (section 13.1.2).
 
 use axum::extract::Request;
-use axum::http::header::{ACCEPT, ACCEPT_ENCODING};
+use axum::http::header::{ACCEPT, ACCEPT_ENCODING, IF_NONE_MATCH};
 use axum::http::{HeaderMap, HeaderName, HeaderValue};
 use axum::middleware::Next;
 use axum::response::Response;
@@ -58,6 +59,15 @@ pub(super) fn prefers_csv(headers: &HeaderMap) -> bool {
     let (csv, json) =
         (preference("text/*", "text/csv"), preference("application/*", "application/json"));
     csv.0 > 0.0 && csv > json
+}
+
+/// Returns whether the client has the bytes of this tag already.
+pub(super) fn is_known(tag: &str, headers: &HeaderMap) -> bool {
+    let known = headers.get_all(IF_NONE_MATCH).iter().filter_map(|value| value.to_str().ok());
+    known.flat_map(|list| list.split(',')).any(|one| {
+        let one = one.trim();
+        one == "*" || one.strip_prefix("W/").unwrap_or(one) == tag
+    })
 }
 
 #[cfg(test)]

@@ -5,43 +5,32 @@
 //! names, and under the digest of another version, files are asked for anew each time; a strong
 //! `ETag` of the content allows the answer 304. Modules are sent [`joined`] as `page.js`, without
 //! their comments, whose lines stay as empty ones; a worker imports its own. Each file is compressed
-//! once. The page loads nothing from other origins, and its `Content-Security-Policy` forbids it.
+//! once. The page loads nothing from other origins, and its `Content-Security-Policy` forbids it;
+//! charts become pictures by way of a `data:` address.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
-use std::io::{self, Write};
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use axum::extract::rejection::PathRejection;
 use axum::extract::{Path, State};
-use axum::http::header::{
-    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, REFERRER_POLICY,
-    VARY, X_CONTENT_TYPE_OPTIONS,
-};
-use axum::http::{HeaderMap, HeaderName, StatusCode};
-use axum::response::{IntoResponse, Response};
+use axum::http::HeaderMap;
+use axum::response::Response;
 use bytes::Bytes;
-use flate2::Compression;
-use flate2::write::GzEncoder;
 use rust_embed::{EmbeddedFile, RustEmbed};
 
 use super::HttpState;
 use super::joined::joined;
-use super::negotiation::takes_gzip;
 use super::prefix::Prefix;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
-use super::result_body::is_known;
+use super::static_file::{Sent, answer, media_type};
 
 #[derive(RustEmbed)]
 #[folder = "web/"]
 struct Web;
 
-pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; \
-                                 form-action 'self'; frame-ancestors 'none'";
-
-/// Compressed files by their tags: in a debug build, files change while the program runs.
-static COMPRESSED: LazyLock<Mutex<HashMap<u128, Bytes>>> = LazyLock::new(Mutex::default);
+pub(super) const POLICY: &str = "default-src 'self'; img-src 'self' data:; object-src 'none'; \
+                                 base-uri 'none'; form-action 'self'; frame-ancestors 'none'";
 
 /// Digest of the folder in the last document that was sent.
 static NAMED: Mutex<Option<String>> = Mutex::new(None);
@@ -55,21 +44,15 @@ const WHOLE: &str = "page.js";
 /// Modules that are none of it: of a worker, and of the reference.
 const APART: [&str; 2] = ["api/result-worker.js", "docs/docs.js"];
 
+/// The link to the interface, and that to the guide, which stands behind it where there is one.
+const API: &str = r#"<a class="button" href="docs/">API</a>"#;
+const GUIDE: &str = r#"<a class="button" href="guide/">Guide</a>"#;
+
 /// Length of the digest in an address.
 const DIGITS: usize = 16;
 
-/// A file as it is sent.
-pub(super) struct Sent<'a> {
-    pub(super) path: &'a str,
-    pub(super) data: Bytes,
-    /// Identifies the bytes.
-    pub(super) digest: u128,
-    pub(super) kept: &'static str,
-    /// What the file may load and run.
-    pub(super) policy: &'a str,
-}
-
-/// `GET /`: with the digest of the folder in every address, and with the address for people.
+/// `GET /`: with the digest of the folder in every address, with the address for people and with a
+/// link to the guide, where there are such.
 pub(super) async fn index(
     State(state): State<HttpState>,
     prefix: Prefix,
@@ -80,13 +63,15 @@ pub(super) async fn index(
     let named = name_of(folder);
     let mut text =
         String::from_utf8_lossy(&file.data).replace("\"web/", &format!("\"web/{named}/"));
-    let mut digest = folder;
     if let Some(origin) = state.settings.public_origin.as_ref().and_then(|one| one.to_str().ok()) {
         let link =
             format!("<link rel=\"canonical\" href=\"{origin}{}/\">\n</head>", prefix.path());
         text = text.replacen("</head>", &link, 1);
-        digest = fnv(digest, link.as_bytes());
     }
+    if !state.guide.is_empty() {
+        text = text.replacen(API, &format!("{API}\n    {GUIDE}"), 1);
+    }
+    let digest = fnv(folder, text.as_bytes());
     *NAMED.lock().unwrap_or_else(PoisonError::into_inner) = Some(named);
     let data = text.into_bytes().into();
     answer(Sent { path: "index.html", data, digest, kept: "no-cache", policy: POLICY }, &headers)
@@ -147,42 +132,6 @@ fn nothing() -> Problem {
 
 fn is_digest(part: &str) -> bool {
     part.len() == DIGITS && part.bytes().all(|one| one.is_ascii_hexdigit())
-}
-
-pub(super) fn answer(file: Sent, headers: &HeaderMap) -> Result<Response, Problem> {
-    let gzip = takes_gzip(headers);
-    // A strong tag identifies bytes, so the compressed file has its own.
-    let tag = format!("\"{:032x}{}\"", file.digest, if gzip { "-gzip" } else { "" });
-    let common: [(HeaderName, &str); 7] = [
-        (ETAG, &tag),
-        (CACHE_CONTROL, file.kept),
-        (VARY, "accept-encoding"),
-        (CONTENT_SECURITY_POLICY, file.policy),
-        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        (REFERRER_POLICY, "no-referrer"),
-        (CONTENT_TYPE, media_type(file.path)),
-    ];
-    if is_known(&tag, headers) {
-        return Ok((StatusCode::NOT_MODIFIED, common).into_response());
-    }
-    if !gzip {
-        return Ok((common, file.data).into_response());
-    }
-    let body = compressed(&file)
-        .map_err(|error| Problem::new(ProblemType::Internal, error.to_string()))?;
-    Ok((common, [(CONTENT_ENCODING, "gzip")], body).into_response())
-}
-
-fn media_type(path: &str) -> &'static str {
-    match path.rsplit('.').next() {
-        Some("html") => "text/html; charset=utf-8",
-        Some("css") => "text/css; charset=utf-8",
-        Some("js") => "text/javascript; charset=utf-8",
-        Some("svg") => "image/svg+xml",
-        Some("png") => "image/png",
-        Some("json" | "ipynb") => "application/json",
-        _ => "text/plain; charset=utf-8",
-    }
 }
 
 fn digest_of(file: &EmbeddedFile) -> u128 {
@@ -246,18 +195,6 @@ fn has_end(text: &[u8]) -> bool {
 
 fn place_of(text: &[u8], part: &[u8]) -> Option<usize> {
     text.windows(part.len()).position(|one| one == part)
-}
-
-fn compressed(file: &Sent) -> io::Result<Bytes> {
-    let known = || COMPRESSED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(body) = known().get(&file.digest) {
-        return Ok(body.clone());
-    }
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    encoder.write_all(&file.data)?;
-    let body = Bytes::from(encoder.finish()?);
-    known().insert(file.digest, body.clone());
-    Ok(body)
 }
 
 #[cfg(test)]

@@ -486,7 +486,7 @@ parameters! { "query", ListFilter {
         ["bearing:NU-210"];
     /// Only jobs with all of these words in their title or the values of their labels, or in the
     /// kinds of their shapes and materials; in lower or upper case, whole words. Jobs taken in
-    /// before version 0.4 are not found.
+    /// before version 0.3 are not found.
     "search": {"type": "string", "maxLength": MAX_SEARCH}, "hardened roller";
     /// Only the job of this id; several times for several, in the order of the list.
     "id": {"type": "array", "maxItems": MAX_PAGE, "items": named("JobId")};

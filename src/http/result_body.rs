@@ -5,9 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use axum::body::Body;
-use axum::http::header::{
-    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, IF_NONE_MATCH, VARY,
-};
+use axum::http::header::{CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, VARY};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, body::Bytes};
@@ -15,7 +13,7 @@ use tokio::sync::mpsc::Sender;
 
 use super::HttpState;
 use super::access::Caller;
-use super::negotiation::takes_gzip;
+use super::negotiation::{is_known, takes_gzip};
 use super::problem::Problem;
 use super::problem_type::ProblemType;
 use super::query::Selection;
@@ -34,15 +32,6 @@ const COMMA: &[u8] = b",";
 /// Marks an answer whose coding no layer may change.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CodingChosen;
-
-/// Returns whether the client has the bytes of this tag already.
-pub(super) fn is_known(tag: &str, headers: &HeaderMap) -> bool {
-    let known = headers.get_all(IF_NONE_MATCH).iter().filter_map(|value| value.to_str().ok());
-    known.flat_map(|list| list.split(',')).any(|one| {
-        let one = one.trim();
-        one == "*" || one.strip_prefix("W/").unwrap_or(one) == tag
-    })
-}
 
 /// The result of a job for a client: all of it, or the requested parts.
 pub(super) struct SentResult {
@@ -127,7 +116,8 @@ impl SentResult {
         let (begin, end) = self.head.around_steps().ok_or_else(|| no_step(0))?;
         let steps = self.steps()?;
         let around = [join([&before, &begin]), join([&end, &behind])];
-        let (turn, is_compressed) = (self.state.turn(self.caller), self.is_compressed(headers));
+        let (turn, is_compressed) =
+            (self.state.turn(self.caller.key()), self.is_compressed(headers));
         let write = move |sender| async move {
             if is_compressed {
                 self.compressed(around, steps, &sender).await

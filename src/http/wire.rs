@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use axum::http::header::RETRY_AFTER;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use brinell_solver::job::{Analysis, Job, Load};
+use brinell_solver::job::{Analysis, Job, Load, Units};
 use jiff::Timestamp;
 use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::HttpState;
-use super::openapi;
+use super::openapi::{tags, units};
 use super::prefix::Prefix;
 use super::problem::{Problem, ProblemDocument};
 use super::request_log::JobIdExtension;
@@ -155,6 +155,18 @@ fn has_curve(job: &Job) -> bool {
 pub struct JobDocument {
     /// Its name.
     pub id: JobId,
+    /// What people call it: the title of the job, or else its description. This and the following
+    /// two are missing of jobs taken in before version 0.3.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(example = "cylinder R 20 on cylinder R 20, 500 N/mm, S355")]
+    pub title: Option<String>,
+    /// Bodies, load and materials in a line, in the units of the job.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
+    /// Units of its figures.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(schema_with = units, required = false)]
+    pub units: Option<Units>,
     /// Where it stands.
     pub status: JobState,
     /// Whether nothing can happen to it any more.
@@ -184,7 +196,7 @@ pub struct JobDocument {
     pub priority: i16,
     /// Labels.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    #[schema(schema_with = openapi::tags, required = false)]
+    #[schema(schema_with = tags, required = false)]
     pub tags: BTreeMap<String, String>,
     /// How far it has come.
     pub progress: Progress,
@@ -234,8 +246,17 @@ impl JobDocument {
     }
 
     fn new(record: JobRecord, job: Option<&Job>, retention: &Retention, prefix: &Prefix) -> Self {
+        let units = record.about.as_ref().map(|about| about.units);
+        let (title, description) = record
+            .about
+            .as_ref()
+            .map(|about| (about.title.clone(), about.description.clone()))
+            .unzip();
         Self {
             id: record.id,
+            title,
+            description,
+            units,
             status: record.state,
             done: record.state.is_finished(),
             has_result: record.has_report,

@@ -14,6 +14,7 @@
 //! [`JobNotifier`] notifies subscribers in this process that a job has changed. The HTTP layer
 //! calls [`JobService`].
 
+mod about;
 mod attended;
 mod callback;
 mod clock;
@@ -37,6 +38,7 @@ mod trace;
 mod turns;
 mod words;
 
+pub use about::About;
 pub use attended::AttendedJob;
 pub use callback::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore};
 pub use clock::{Clock, SystemClock};

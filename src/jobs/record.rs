@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use bytes::Bytes;
 use jiff::Timestamp;
 
-use super::{IterationRecord, JobFailure, JobId, JobState, KeyId, TraceParent};
+use super::{About, IterationRecord, JobFailure, JobId, JobState, KeyId, TraceParent};
 
 /// A checked job, ready for the store: its text parses and its cost is allowed.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +14,8 @@ pub struct NewJob {
     pub id: JobId,
     /// The job as it was submitted (JSON).
     pub request: Bytes,
+    /// What a list says of it.
+    pub about: Option<About>,
     /// Labels to search by.
     pub tags: BTreeMap<String, String>,
     /// Words to search by.
@@ -44,6 +46,7 @@ impl NewJob {
         Self {
             id: JobId::generate(),
             request,
+            about: None,
             tags: BTreeMap::new(),
             words: BTreeSet::new(),
             priority: 0,
@@ -75,6 +78,8 @@ pub struct JobRecord {
     pub id: JobId,
     /// Its state.
     pub state: JobState,
+    /// What a list says of it; `None` of jobs taken in before version 0.3.
+    pub about: Option<About>,
     /// Labels.
     pub tags: BTreeMap<String, String>,
     /// Larger goes first.

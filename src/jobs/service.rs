@@ -17,11 +17,11 @@ use tokio_util::sync::CancellationToken;
 use tracing::Instrument;
 use uuid::Uuid;
 
-use super::words::words_of;
+use super::words::{words, words_of};
 use super::{
-    ApiKey, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader, Idempotency,
-    JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
-    StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
+    About, ApiKey, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader,
+    Idempotency, JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob,
+    ResultHead, StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::tensile::{TensileTest, TestedCurve};
@@ -196,15 +196,18 @@ fn new_job(
     let (job, estimate) = check(solver, limits, &submission.request)?;
     let digest = Sha256::digest(&submission.request).into();
     let id = JobId::generate();
-    let mut words = words_of(&submission.request);
+    let about = About::of(&job);
+    let mut all = words_of(&submission.request);
+    all.extend(words(&about.description));
     // People know a job by the last group of its id.
-    words.extend(
+    all.extend(
         id.to_string().rsplit('-').next().map(|last| last[last.len() - SHORT..].to_owned()),
     );
     Ok(NewJob {
         id,
-        words,
+        words: all,
         request: submission.request,
+        about: Some(about),
         tags: job.tags,
         priority: submission.priority,
         memory: estimate.bytes,

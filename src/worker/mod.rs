@@ -6,11 +6,13 @@
 //! heartbeats of all leases.
 
 mod attempt;
+mod heartbeat;
 mod memory;
 mod message;
 mod observer;
 mod running;
 mod slots;
+mod state;
 mod supervise;
 mod thread;
 
@@ -28,53 +30,16 @@ use memory::WorkerMemory;
 pub use running::Pulse;
 use running::{Outage, Running};
 use slots::{Memory, Reservation, Slots};
+pub use state::WorkerSettings;
+use state::WorkerState;
 
 /// Time that solves have to stop once the grace time is over.
 pub const STOP_TIMEOUT: Duration = Duration::from_secs(2);
-
-/// Settings of a worker.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct WorkerSettings {
-    /// Jobs solved at the same time.
-    pub slots: usize,
-    /// Memory \[bytes\] that large jobs may need together, by their estimates.
-    pub memory: u64,
-    /// Memory \[bytes\] that each place has in addition.
-    pub memory_of_place: u64,
-    /// Longest time a job may be solved for.
-    pub job_timeout: Duration,
-    /// Duration of a lease without a heartbeat. A worker sends three heartbeats in this time.
-    pub lease: Duration,
-    /// Longest time between two claims; new jobs of this process are announced and claimed at
-    /// once.
-    pub poll: Duration,
-    /// Number of lost workers after which a job fails.
-    pub max_attempts: u32,
-    /// Whether to solve all queued jobs before stopping, as a store in memory needs.
-    pub empties_queue: bool,
-}
 
 /// A running pool of solvers.
 pub struct Worker {
     state: Arc<WorkerState>,
     heartbeat: tokio::task::JoinHandle<()>,
-}
-
-/// State that the worker's tasks share.
-pub(crate) struct WorkerState {
-    id: WorkerId,
-    settings: WorkerSettings,
-    store: Arc<dyn JobStore>,
-    notifier: Arc<JobNotifier>,
-    solver: Arc<dyn JobSolver>,
-    slots: Arc<Slots>,
-    running: Running,
-    outage: Outage,
-    pulse: Pulse,
-    memory: Arc<WorkerMemory>,
-    tasks: TaskTracker,
-    drain: CancellationToken,
-    halt: CancellationToken,
 }
 
 impl Worker {

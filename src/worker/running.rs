@@ -1,17 +1,13 @@
-//! The running jobs of a worker, and the heartbeat that extends their leases.
+//! The running jobs of a worker, and when the store last answered it.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use tokio::time::{Instant, sleep};
+use tokio::time::Instant;
 
-use super::WorkerState;
 use super::observer::StopFlag;
-use crate::jobs::{Lease, LeaseStatus};
-
-/// Pause behind a heartbeat that the store did not answer.
-const RETRY: Duration = Duration::from_secs(1);
+use crate::jobs::Lease;
 
 /// Leases of the running jobs, each with the flag that stops its solve. Without a flag, the solve
 /// has ended and its outcome is being written.
@@ -97,7 +93,8 @@ impl Pulse {
         Self(Arc::new(Mutex::new(Beats { ended: now, answered: now })))
     }
 
-    fn beat(&self, is_answered: bool) {
+    /// Records the end of a heartbeat.
+    pub(super) fn beat(&self, is_answered: bool) {
         let mut beats = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         beats.ended = Instant::now();
         if is_answered {
@@ -118,49 +115,5 @@ impl Pulse {
     /// Returns the time since the store last answered a heartbeat.
     pub fn age(&self) -> Duration {
         self.beats().answered.elapsed()
-    }
-}
-
-impl WorkerState {
-    /// Extends all leases periodically and stops the solves that were cancelled or whose lease is
-    /// lost. An idle worker beats as well: its connection is there when a job comes.
-    pub(super) async fn beat(self: Arc<Self>) {
-        let mut pause = Duration::ZERO;
-        loop {
-            sleep(pause).await;
-            pause = self.settings.lease / 3;
-            let leases = self.running.leases();
-            let answer = self.store.heartbeat(&leases, self.settings.lease).await;
-            self.pulse.beat(answer.is_ok());
-            match answer {
-                Ok(statuses) => {
-                    for (lease, status) in leases.iter().zip(statuses) {
-                        self.apply_status(lease, status);
-                    }
-                }
-                Err(error) => {
-                    self.outage.begin();
-                    pause = pause.min(RETRY);
-                    tracing::error!(
-                        error = &error as &dyn std::error::Error,
-                        "cannot extend leases"
-                    );
-                }
-            }
-        }
-    }
-
-    fn apply_status(&self, lease: &Lease, status: LeaseStatus) {
-        match status {
-            LeaseStatus::Held { cancel_requested: false } => {}
-            LeaseStatus::Held { cancel_requested: true } => {
-                self.running.stop(lease);
-            }
-            LeaseStatus::Lost => {
-                if self.running.stop(lease) {
-                    tracing::warn!(job = %lease.job, attempt = lease.attempt, "lease lost");
-                }
-            }
-        }
     }
 }

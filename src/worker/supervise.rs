@@ -8,11 +8,11 @@ use tokio::time::{Instant, sleep, sleep_until};
 use tracing::Instrument;
 use tracing::field::Empty;
 
-use super::WorkerState;
 use super::attempt::attempt;
 use super::message::Message;
 use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
+use super::state::WorkerState;
 use super::thread;
 use crate::jobs::{
     Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, NumberedIteration, Outcome,

@@ -5,6 +5,12 @@ use std::fs;
 use crate::server::{Scratch, Server};
 
 const PAGE: &str = "<!doctype html><script>alert(1)</script><p>From a press to a map";
+/// In the header of the page.
+const LINK: &str = r#"href="guide/""#;
+
+fn front(server: &Server) -> String {
+    String::from_utf8(server.target.get("/").body).unwrap()
+}
 
 #[test]
 fn its_files_are_served_and_no_others() {
@@ -22,6 +28,7 @@ fn its_files_are_served_and_no_others() {
     let policy = page.header("content-security-policy").unwrap();
     let (_, scripts) = policy.split_once("script-src ").unwrap();
     assert_eq!(scripts, "'self' 'sha256-bhHHL3z2vDgxUt0W3dWQOrprscmda2Y5pLsLg4GF+pI='");
+    assert!(front(&server).contains(LINK));
     let picture = server.target.get("/guide/docs/press.svg");
     assert_eq!((picture.status, picture.header("content-type")), (200, Some("image/svg+xml")));
     // A file that comes later, and files beside the folder.
@@ -34,6 +41,7 @@ fn its_files_are_served_and_no_others() {
 #[test]
 fn without_one_it_is_said_how_to_get_one() {
     let server = Server::start();
+    assert!(!front(&server).contains(LINK));
     let problem = server.target.get("/guide/").problem(404, "not-found");
     assert!(problem["detail"].as_str().unwrap().contains("--guide"), "{problem}");
 }

@@ -59,6 +59,24 @@ fn jobs_are_listed_newest_first_page_by_page() {
 }
 
 #[test]
+fn a_job_without_a_title_is_called_by_what_it_is_about_and_found_by_it() {
+    let server = Server::start();
+    let mut named = example();
+    named["title"] = "Press 7".into();
+    named["tags"] = json!({"bench": "north"});
+    let [plain, named] = [example(), named].map(|job| server.target.submit(&job));
+    let description = "cylinder R 20 on cylinder R 20, 612.61 N/mm, bilinear";
+    let look = |job: &str| server.target.get(job).json();
+    let said = |job: &str| [&look(job)["title"], &look(job)["description"]].map(Value::to_string);
+    assert_eq!(said(&plain), [description; 2].map(|text| json!(text).to_string()));
+    assert_eq!(said(&named), ["Press 7", description].map(|text| json!(text).to_string()));
+    assert_eq!(look(&plain)["units"], "mm_N_MPa");
+    assert_eq!(look(&named)["tags"], json!({"bench": "north"}));
+    assert_eq!(page(&server.target, "search=cylinder+612").0, [named.clone(), plain]);
+    assert_eq!(page(&server.target, "search=press+R").0, [named]);
+}
+
+#[test]
 fn a_tag_that_no_job_can_have_is_refused() {
     let server = Server::start();
     for tag in ["a:%00", "%00:a", "a"] {

@@ -124,7 +124,7 @@ const ball = (page) =>
 async function jobs(page) {
   for (const force of [400, 600]) await made(page, { load: { force }, output: {} });
   await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-  await page.locator('#jobs-list .load').nth(1).waitFor();
+  await page.locator('#jobs-list .peak').nth(1).waitFor();
 }
 
 /** @param {Page} page */

@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use brinell::jobs::{
-    ApiKey, ClaimRequest, Clock, JobFilter, JobId, JobNotifier, JobState, KeyId, NewJob, Scope,
-    StoreError, Turn, label_of, words,
+    About, ApiKey, ClaimRequest, Clock, JobFilter, JobId, JobNotifier, JobState, KeyId, NewJob,
+    Scope, StoreError, Turn, label_of, words,
 };
 use brinell::store::{StoreLimits, open_postgres, open_sqlite_in_memory};
+use brinell_solver::job::Units;
 use bytes::Bytes;
 use jiff::SignedDuration;
 
@@ -102,13 +103,22 @@ pub async fn pages_are_newest_first_and_filtered(subject: &Subject) {
 }
 
 pub async fn words_find_their_jobs(subject: &Subject) {
+    let about = Some(About {
+        title: "Press 7".to_owned(),
+        description: "roller R 5 on block, 9000 N, elastic".to_owned(),
+        units: Units::Si,
+    });
     let of = |words: &[&str]| NewJob {
+        about: about.clone(),
         words: words.iter().map(|word| (*word).to_owned()).collect(),
         ..job("x")
     };
     let roller = subject.submit(of(&["hardened", "roller"])).await.unwrap().job;
     let ball = subject.submit(of(&["hardened", "ball"])).await.unwrap().job.id;
-    assert_eq!(roller.tags, job("x").tags, "words are no labels");
+    for record in [subject.get(roller.id).await, roller.clone()] {
+        assert_eq!(record.tags, job("x").tags, "words and titles are no labels");
+        assert_eq!(record.about, about);
+    }
     let search =
         |text: &str| JobFilter { tags: words(text).map(|it| label_of(&it)).collect(), ..ALL };
     assert_eq!(subject.page(search("Hardened")).await.0, [ball, roller.id]);

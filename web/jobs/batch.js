@@ -18,28 +18,22 @@ const pause = (ms, signal) =>
     });
   });
 
+/** A name that no other has. The list has jobs whose tag `run` it is in one row. */
+export const newRun = () =>
+  Array.from(crypto.getRandomValues(new Uint32Array(4)), (word) => word.toString(16)).join('-');
+
 /**
  * @param {Job[]} jobs at most 100
  * @param {AbortSignal} signal
  * @param {(trials: Trial[]) => void} seen called whenever one more has ended
+ * @param {string} [run] that they belong to
  * @returns {Promise<Trial[]>} in the order of the jobs
  * @throws {Problem} where none of them is taken
  */
-export async function solveAll(jobs, signal, seen) {
-  const headers = {
-    'Idempotency-Key': Array.from(crypto.getRandomValues(new Uint32Array(4)), (word) =>
-      word.toString(16),
-    ).join('-'),
-  };
-  // The list of jobs has those of a run in one row.
-  const run = headers['Idempotency-Key'];
-  const tagged = (/** @type {Job} */ job) =>
-    jobs.length > 1 ? { ...job, tags: { ...job.tags, run } } : job;
-  const made = await post(
-    'v1/batch/submit',
-    { jobs: jobs.map((job) => ({ job: tagged(job) })) },
-    { signal, headers },
-  );
+export async function solveAll(jobs, signal, seen, run = newRun()) {
+  const tagged = jobs.map((job) => ({ job: { ...job, tags: { ...job.tags, run } } }));
+  const headers = { 'Idempotency-Key': newRun() };
+  const made = await post('v1/batch/submit', { jobs: tagged }, { signal, headers });
   const trials = /** @type {Trial[]} */ (
     made.jobs.map((/** @type {any} */ { job, problem }, /** @type {number} */ k) => ({
       id: job?.id ?? '',
@@ -74,5 +68,6 @@ export async function solveAll(jobs, signal, seen) {
   return trials;
 }
 
-/** One of them, for who looks for a figure step by step. @param {Job} job @param {AbortSignal} signal @returns {Promise<Trial>} */
-export const solveOne = async (job, signal) => (await solveAll([job], signal, () => {}))[0];
+/** One of them, for who looks for a figure step by step. @param {Job} job @param {AbortSignal} signal @param {string} run @returns {Promise<Trial>} */
+export const solveOne = async (job, signal, run) =>
+  (await solveAll([job], signal, () => {}, run))[0];

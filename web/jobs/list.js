@@ -8,10 +8,8 @@ import { dialogue } from '../lib/dialogue.js';
 import { byId, debounce, h, plainButton, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import { duration, figure, unit, unitsOf } from '../lib/units.js';
-import { asked } from '../result/loads.js';
 import { NAMES, finished, keptWords } from '../result/watch.js';
-import { loadWords } from './load.js';
-import { materialNames, pairOf, titleOf } from './names.js';
+import { labelOf, tagWords } from './names.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 
@@ -37,11 +35,6 @@ export class JobList {
   #pages = 1;
   /** Runs whose jobs are seen, each in a row. @type {Set<string>} */
   #opened = new Set();
-  /**
-   * The request of each job, which does not change.
-   * @type {Map<string, import('../types.js').Job>}
-   */
-  #requests = new Map();
 
   /**
    * @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, colourOf:
@@ -113,33 +106,22 @@ export class JobList {
         this.#next = next;
       }
       this.show();
-      await this.#ask();
     } catch (error) {
       if (!(error instanceof Problem)) throw error;
       byId('jobs-state').textContent = `Could not list the jobs: ${error.message}.`;
     }
   }
 
-  /** Jobs of a run that stand below each other are one row, until it is opened. @returns {JobDocument[][]} */
+  /** Jobs of a run that stand below each other are one row, which opens. @returns {JobDocument[][]} */
   #rows() {
     const rows = /** @type {JobDocument[][]} */ ([]);
     for (const job of this.#jobs) {
       const run = job.tags?.run;
       const last = rows.at(-1);
-      if (run && !this.#opened.has(run) && last?.[0].tags?.run === run) last.push(job);
+      if (run && last?.[0].tags?.run === run) last.push(job);
       else rows.push([job]);
     }
     return rows;
-  }
-
-  /** Fetches what was asked of jobs that have not been seen. */
-  async #ask() {
-    const unknown = this.#rows().flatMap(([job]) => (this.#requests.has(job.id) ? [] : [job]));
-    for (const { id } of unknown) {
-      const request = await ask(`v1/jobs/${id}/request`).catch(() => undefined);
-      if (request) this.#requests.set(id, request);
-    }
-    if (unknown.length) this.show();
   }
 
   /** What is looked for. */
@@ -171,55 +153,47 @@ export class JobList {
     keepFocus(byId('jobs'), () => {
       byId('jobs-list').replaceChildren(
         ...(rows.length
-          ? rows.map((jobs) => (jobs.length > 1 ? this.#run(jobs) : this.#row(jobs[0])))
+          ? rows.flatMap((jobs) => (jobs.length > 1 ? this.#run(jobs) : this.#row(jobs[0])))
           : [h('li', { class: 'empty' }, nothing)]),
       );
       byId('jobs-more').hidden = !this.#next;
     });
   }
 
-  /** A run of several jobs, which opens. @param {JobDocument[]} jobs */
+  /** A run of several jobs, and each of them where it is open. @param {JobDocument[]} jobs */
   #run(jobs) {
     const [job] = jobs;
-    const request = this.#requests.get(job.id);
-    const varied = jobs.flatMap(({ tags }) => (tags?.varied ? [tags.varied] : [])).reverse();
+    const run = job.tags?.run ?? '';
+    const isOpen = this.#opened.has(run);
+    const varied = jobs.flatMap(({ tags }) => (tags?.varied ? [tags.varied] : []));
     const states = [...new Set(jobs.map(({ status }) => NAMES[status].toLowerCase()))];
-    const open = () => {
-      this.#opened.add(job.tags?.run ?? '');
+    const turn = () => {
+      if (!this.#opened.delete(run)) this.#opened.add(run);
       this.show();
-      this.#ask();
     };
-    return h(
+    const row = h(
       'li',
-      { 'data-key': job.tags?.run },
+      { 'data-key': run },
       h(
         'button',
-        { type: 'button', class: 'open', 'aria-expanded': 'false', onclick: open },
+        { type: 'button', class: 'open', 'aria-expanded': String(isOpen), onclick: turn },
         h('span', { class: `dot ${job.status}` }),
-        h('b', { class: 'title' }, `${jobs.length} jobs: ${varied.length ? `${varied[0]} … ${varied.at(-1)}` : states.join(', ')}`), // prettier-ignore
-        request && h('span', {}, titleOf(request)),
+        h(
+          'b',
+          { class: 'title' },
+          `${jobs.length} jobs: ${varied.length ? spanOf(varied) : job.title}`,
+        ),
         h('span', {}, states.join(', ')),
         h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
       ),
     );
-  }
-
-  /** Load and peak pressure. @param {JobDocument} job */
-  #words({ id, progress, status }) {
-    const request = this.#requests.get(id);
-    if (!request) return '';
-    const units = unitsOf(request);
-    const peak =
-      status === 'succeeded' && progress.latest && progress.latest.peak_pressure > 0
-        ? `, ${asked(request) > 1 ? 'last peak' : 'peak'} ${figure(progress.latest.peak_pressure, 4)} ${unit('stress', units)}`
-        : '';
-    return `${loadWords(request)}${peak}`;
+    return isOpen ? [row, ...jobs.map((one) => this.#row(one))] : [row];
   }
 
   /** @param {JobDocument} job */
   #row(job) {
-    const request = this.#requests.get(job.id);
-    const label = titleOf({ ...request, tags: job.tags }) || job.id.slice(-8);
+    const { title, description } = job;
+    const label = labelOf(job);
     const current = this.on.current() === job.id;
     const colour = this.on.colourOf(job.id);
     const box = h('input', {
@@ -231,9 +205,6 @@ export class JobList {
       onchange: () => this.on.compare(job.id, box.checked),
     });
     if (colour) box.style.setProperty('accent-color', `var(${colour})`);
-    const tags = Object.entries(job.tags ?? {}).flatMap(([name, text]) =>
-      name === 'run' ? [] : [h('span', { class: 'tag' }, `${name}: ${text}`)],
-    );
     const open = h(
       'button',
       {
@@ -243,18 +214,17 @@ export class JobList {
         onclick: () => this.on.open(job.id),
       },
       h('span', { class: `dot ${job.status}` }),
-      request && h('b', { class: 'title' }, titleOf({ ...request, tags: undefined })),
+      h('b', { class: 'title' }, title),
       h('span', {}, NAMES[job.status]),
-      h('span', { class: 'load' }, this.#words(job)),
+      h('span', { class: 'peak' }, peakOf(job)),
       h(
         'time',
         { datetime: job.created_at, class: 'quiet', title: keptWords(job) },
         age(job.created_at),
       ),
       h('code', { class: 'quiet' }, job.id.slice(-8)),
-      request &&
-        h('span', { class: 'quiet bodies' }, `${pairOf(request)}, ${materialNames(request)}`),
-      tags,
+      title !== description && h('span', { class: 'quiet bodies' }, description),
+      tagWords(job.tags).map((words) => h('span', { class: 'tag' }, words)),
     );
     return h(
       'li',
@@ -304,6 +274,19 @@ export class JobList {
     }
     await this.refresh();
   }
+}
+
+/** The first and the last value of a run, without the words that both have: `Radius 10 … 40 mm`. @param {string[]} varied the newest first */
+function spanOf(varied) {
+  const [last, first] = [varied[0], varied.at(-1) ?? ''].map((words) => words.split(' '));
+  const other = last.findIndex((word, k) => word !== first[k]);
+  return other < 0 ? first.join(' ') : `${first.join(' ')} … ${last.slice(other).join(' ')}`;
+}
+
+/** Peak pressure of the last load. @param {JobDocument} job */
+function peakOf({ progress, status, units }) {
+  const peak = status === 'succeeded' && progress.latest?.peak_pressure;
+  return peak ? `peak ${figure(peak, 4)} ${unit('stress', unitsOf({ units }))}` : '';
 }
 
 /** An id as the address of a job has it. */

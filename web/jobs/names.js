@@ -2,7 +2,7 @@
 
 import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, LAWS, allFields, lawOf, shapeLabel } from '../setup/fields.js';
-import { exact, forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
 import { lowered } from '../setup/field.js';
 import { historyFigures } from '../setup/history.js';
 import { sweepWords } from '../setup/list.js';
@@ -87,32 +87,25 @@ export function materialName(job, body) {
   return material?.name ? String(material.name) : lowered(LAWS[lawOf(material)]?.label ?? '');
 }
 
-/** First length of a body, by which people call it. @param {any} body */
-function sizeOf(body) {
-  const { radius, radius_x: across } = body?.shape ?? {};
-  const size = radius ?? across;
-  return typeof size === 'number' ? ` R ${plain(Math.abs(size), 4)}` : '';
-}
+/** Tags by which the page knows its jobs, which say nothing to people. */
+const OWN = new Set(['run', 'slider']);
 
-/** Tags that the page gives. */
-const GIVEN = new Set(['run', 'varied', 'slider']);
-
-/** What a job is called: its title, its first tag, or else what is pressed on what, and how. @param {Job} job @returns {string} */
-export function titleOf(job) {
-  const [, tag] = Object.entries(job.tags ?? {}).find(([name]) => !GIVEN.has(name)) ?? [];
-  if (job.title || tag || !job.load) return String(job.title || (tag ?? '')).slice(0, 80);
-  const test = job.load.hardness;
-  if (test) return `${writeValue(test.scale ?? test)} of ${materialName(job, 'lower')}`;
-  const [above, below] = [job.upper, job.lower].map(
-    (body) => shapeLabel(body?.shape?.type, job.analysis).toLowerCase() + sizeOf(body),
+/** The tags of a job in words. @param {Record<string, string> | null} [tags] */
+export const tagWords = (tags) =>
+  Object.entries(tags ?? {}).flatMap(([name, text]) =>
+    OWN.has(name) ? [] : [`${name}: ${text}`],
   );
-  return `${above} on ${below}, ${loadWords(job).replace(/^P /, '')}`;
+
+/** The title that a job is given, or else the first of its tags. @param {{title?: string | null, tags?: Record<string, string> | null}} job @returns {string} */
+export function titleOf({ title, tags }) {
+  const [, tag] = Object.entries(tags ?? {}).find(([name]) => !OWN.has(name)) ?? [];
+  return String(title || (tag ?? '')).slice(0, 80);
 }
 
-/** The title or the tag that it is given, as a part of the names of files. @param {Job} job @param {string} id @returns {string} */
+/** The same as a part of the names of files. @param {Job} job @param {string} id @returns {string} */
 export const stemOf = (job, id) =>
   [
-    titleOf({ ...job, load: undefined })
+    titleOf(job)
       .normalize('NFC')
       .replace(/[^\p{L}\p{N}.-]+/gu, '-')
       .replace(/^-+|-+$/g, '')
@@ -122,11 +115,10 @@ export const stemOf = (job, id) =>
     .filter(Boolean)
     .join('-');
 
-/** Both materials, or the one of both bodies. @param {Job} job */
-export function materialNames(job) {
-  const [upper, lower] = [materialName(job, 'upper'), materialName(job, 'lower')];
-  return upper === lower ? upper : `${upper} on ${lower}`;
-}
+/** A job of the list by words that no other has: as it is called, or else by what it is about and its id. @param {import('../types.js').JobDocument} job */
+export const labelOf = ({ id, title, description, tags }) =>
+  titleOf({ title: title === description ? '' : title, tags }) ||
+  [title, id.slice(-8)].filter(Boolean).join(', ');
 
 /** Counts the values that differ as JSON. @param {unknown[]} values */
 const distinct = (values) =>

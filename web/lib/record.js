@@ -9,7 +9,10 @@ import { hasDecimalComma, parted, quoted, readNumber } from './number.js';
 import { inJobUnits, isUnit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
-/** @typedef {import('./table.js').Row} Row */
+/**
+ * @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted
+ *   from 1
+ */
 /** @typedef {{name: string, unit: string, role: string}} Column */
 /**
  * @typedef {object} Choice what is pointed at where the names do not tell, or tell something else
@@ -100,7 +103,7 @@ function roleOf(name, unit) {
 }
 
 /** Columns as the lines above the figures name them. @param {Row[]} headers @returns {Column[]} */
-export function columnsOf(headers) {
+function columnsOf(headers) {
   const isTaken = (/** @type {string[]} */ cells) =>
     cells.length > 1 && !/^[-+]?[.,\d]/.test(cells[1]);
   const named = headers.findLast(
@@ -121,7 +124,7 @@ export function columnsOf(headers) {
  * Figures of the specimen, `Diameter (mm);10.00`, `Diameter;10.00;mm`, `Diameter: 10 mm`.
  * @param {Row[]} headers @returns {{[fact: string]: number}} in mm and mm²
  */
-export function factsOf(headers) {
+function factsOf(headers) {
   const facts = /** @type {{[fact: string]: number}} */ ({});
   for (const { cells } of headers) {
     const [whole, figure, behind] = cells.length > 1 ? cells : cells[0].split(/[:=]\s*/);
@@ -149,7 +152,7 @@ export const beginsAtNothing = (points) =>
  * hundredth of it.
  * @param {number[][]} points [?, MPa] @param {number} modulus [MPa] @returns {string} nothing where neither is
  */
-export function strainUnit(points, modulus) {
+function strainUnit(points, modulus) {
   const most = Math.max(...points.map(([, stress]) => stress));
   const first = points.filter(([strain, stress], k) => k > 0 && strain > 0 && stress > 0 && stress < 0.5 * most); // prettier-ignore
   const slopes = first.map(([strain, stress]) => stress / strain).sort((a, b) => a - b);
@@ -200,6 +203,9 @@ export function recordOf(headers, body, modulus, choice = {}) {
   }
   const less = body.length - rows.length;
   if (less) record.notes.push(`${less} line${less > 1 ? 's' : ''} without a figure in these columns left out`); // prettier-ignore
+  // Without a word of what they are, figures that begin at yield are a hardening curve.
+  const isSure = choice.columns || columns.some(({ role }) => role.startsWith('engineering'));
+  if (!isForce && !isSure && !beginsAtNothing(record.points)) return undefined;
   if (kinds[0] === 'strain' && !(units[0] && units[1])) {
     const one = inJobUnits(1, units[1] || 'MPa', 'stress', 'mm_N_MPa') ?? NaN;
     const told = strainUnit(record.points.map(([e, s]) => [e, s * one]), modulus); // prettier-ignore
@@ -225,9 +231,7 @@ export function recordOf(headers, body, modulus, choice = {}) {
     for (const point of record.points) point[axis] = Number((point[axis] * one).toPrecision(12));
     record.notes.push(`${['along', 'up'][axis]}: ${quoted(name)}${units[axis] ? ` in ${units[axis]}` : ''}`); // prettier-ignore
   }
-  // Without a word of what they are, figures that begin at yield are a hardening curve.
-  const isSure = choice.columns || columns.some(({ role }) => role.startsWith('engineering'));
-  if (!isForce) return isSure || beginsAtNothing(record.points) ? record : undefined;
+  if (!isForce) return record;
   const facts = factsOf(headers);
   const { section = facts.section, gauge_length: length = facts.gauge_length } = choice;
   const reach = Math.max(...record.points.map(([travel]) => Math.abs(travel)));

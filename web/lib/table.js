@@ -17,10 +17,7 @@ import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
 /** @typedef {import('./units.js').Units} Units */
-/**
- * @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted
- *   from 1
- */
+/** @typedef {import('./record.js').Row} Row */
 /** @typedef {import('./record.js').Record} Record */
 /**
  * @typedef {{points: number[][], notes: string[], record?: Record, scale?: string} |

@@ -2,7 +2,7 @@
  * A chart as SVG: on the page, and by itself with title and legend in the light colours of paper.
  */
 
-import { svg, uniqueId } from '../lib/dom.js';
+import { h, pngOf, svg, uniqueId } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
 import { plain } from '../lib/units.js';
 import { placeWords } from './labels.js';
@@ -196,8 +196,21 @@ const squeezed = (text, room) =>
   BOLD * text.length > room ? { textLength: room, lengthAdjust: 'spacingAndGlyphs' } : {};
 
 /** @param {SVGSVGElement} picture @returns {Blob} */
-export const svgFile = (picture) =>
-  new Blob([new XMLSerializer().serializeToString(picture)], { type: 'image/svg+xml' });
+export const svgFile = (picture) => new Blob([textOf(picture)], { type: 'image/svg+xml' });
+
+/** @param {SVGSVGElement} picture @param {number} ratio of pixels @returns {Promise<Blob | null>} */
+export async function pngFile(picture, ratio) {
+  const image = new Image();
+  image.src = `data:image/svg+xml,${encodeURIComponent(textOf(picture))}`;
+  await image.decode();
+  const [width, height] = [image.width, image.height].map((size) => Math.round(size * ratio));
+  const canvas = h('canvas', { width, height });
+  canvas.getContext('2d')?.drawImage(image, 0, 0, width, height);
+  return pngOf(canvas);
+}
+
+/** @param {SVGSVGElement} picture */
+const textOf = (picture) => new XMLSerializer().serializeToString(picture);
 
 /**
  * @param {Plot} plot

@@ -6,8 +6,7 @@
 import { h, svg } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
 import { figure } from '../lib/units.js';
-import { chartPng } from './chart-png.js';
-import { chartSvg, dashOf, laidOut, rangesOf } from './chart-svg.js';
+import { chartSvg, dashOf, laidOut, pngFile, rangesOf } from './chart-svg.js';
 
 /** @typedef {import('./chart-svg.js').Curve} Curve */
 /** @typedef {import('./chart-svg.js').Plot} Plot */
@@ -100,7 +99,7 @@ export class Chart {
   async picture(title) {
     if (!this.#plot) return null;
     const plot = this.#seen(this.#plot);
-    return chartPng(
+    return pngFile(
       chartSvg(plot, title, this.canvas.clientWidth || UNSEEN, this.height, colour),
       devicePixelRatio,
     );

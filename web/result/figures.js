@@ -94,7 +94,7 @@ export const hasCommas = () => browser.get(KEPT) === 'comma';
 export const setCommas = (commas) => browser.set(KEPT, commas ? 'comma' : 'point');
 
 /** @param {import('../lib/tabular.js').Table} table @returns {string} */
-export function csvOf(table) {
+function csvOf(table) {
   if (!hasCommas()) return toCsv(table);
   const cell = (/** @type {string} */ text) =>
     /^-?\d+(\.\d+)?(e[+-]?\d+)?$/.test(text)

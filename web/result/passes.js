@@ -102,7 +102,7 @@ const CHARTS = { passes: strains, groove, shakedown: map };
 /** @type {Record<keyof typeof CHARTS, string>} */
 const TITLES = { passes: 'Passes', groove: 'Groove', shakedown: 'Shakedown map' };
 
-export class PassesPanel {
+class PassesPanel {
   /** @param {keyof typeof CHARTS} kind */
   constructor(kind) {
     this.kind = kind;

@@ -32,7 +32,15 @@ import {
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
 import { here } from '../jobs/link.js';
-import { materialName, pairOf, stemOf, titleOf, writeValue, writeWhole } from '../jobs/names.js';
+import {
+  materialName,
+  pairOf,
+  stemOf,
+  tagWords,
+  titleOf,
+  writeValue,
+  writeWhole,
+} from '../jobs/names.js';
 import { browser, isObject, kept } from '../lib/kept.js';
 import { answersTable, verdict } from './answers-table.js';
 import { differencesTable } from './differences.js';
@@ -121,11 +129,11 @@ export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
       h(
         'p',
         {},
-        `${job.title ? `${bodies}, ` : ''}${ANALYSES[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${Object.entries(
-          job.tags ?? {},
+        `${job.title ? `${bodies}, ` : ''}${ANALYSES[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${tagWords(
+          job.tags,
         )
-          .filter(([name]) => !HEADINGS.some((one) => one === name))
-          .map(([name, text]) => `, ${name}: ${text}`)
+          .filter((words) => !HEADINGS.some((one) => words.startsWith(`${one}: `)))
+          .map((words) => `, ${words}`)
           .join('')}`,
       ),
     ),
@@ -264,7 +272,7 @@ function saveSheet({ id, job, report, raw = report }) {
   const data = JSON.stringify({ job, result: { ...raw, steps: raw.steps.map(plainStep) } });
   const page = [
     '<!doctype html><html lang="en" data-colours="light" data-view="sheet"><meta charset="utf-8">',
-    h('title', {}, titleOf(job)).outerHTML,
+    h('title', {}, titleOf(job) || pairOf(job)).outerHTML,
     `<style>${rules.map(({ cssText }) => cssText).join('\n')}</style>`,
     sheet.outerHTML,
     `<script type="application/json" id="data">${data.replaceAll('<', '\\u003c')}</script></html>`,

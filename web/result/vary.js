@@ -260,9 +260,10 @@ export class VaryPanel {
     this.#clear();
     this.#varied = number;
     const points = /** @type {Point[]} */ ([]);
-    const { solveOne } = await batch();
+    const { newRun, solveOne } = await batch();
+    const run = newRun();
     const look = async (/** @type {number} */ at) => {
-      const { id, report } = await solveOne(this.#jobOf(number, at), signal);
+      const { id, report } = await solveOne(this.#jobOf(number, at), signal, run);
       const [point] = pointOf(at, id, report);
       if (point) points.push(point);
       this.#points = [...points].sort((a, b) => a.at - b.at);

@@ -9,7 +9,7 @@ import { duration, loaded } from '../lib/units.js';
 import { pause, sentence } from '../setup/send.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
-import { titleOf } from '../jobs/names.js';
+import { tagWords } from '../jobs/names.js';
 import { solvedWords } from './loads.js';
 import { progressOf } from './progress.js';
 
@@ -265,7 +265,7 @@ export class Watch {
     const bar = `${id} ${status} ${document.cancel_requested} ${Boolean(report)} ${loading}`;
     // Buttons stay where they are while figures change: a click takes longer than an iteration.
     if (this.#bar !== bar) this.#put(bar, this.#build(document, loading));
-    this.on.titled([titleOf(this.on.job()), NAMES[status]].filter(Boolean).join(', '));
+    this.on.titled(`${document.title ?? id.slice(-8)}, ${NAMES[status]}`);
     this.#say(loading ? 'loading the result' : words(document, report, this.on.job()));
   }
 
@@ -277,7 +277,7 @@ export class Watch {
 
   /** @param {JobDocument} document @param {boolean} loading */
   #build(document, loading) {
-    const { id, status, tags = {} } = document;
+    const { id, status, tags } = document;
     const title = String(this.on.job().title ?? '');
     const word = document.cancel_requested ? 'Stopping…' : 'Cancel';
     const cancel = button(word, () => this.#cancel(id));
@@ -298,7 +298,7 @@ export class Watch {
       h(title ? 'span' : 'b', {}, NAMES[status]),
       h('span', { class: 'words' }),
       finished(document) ? h('span', { class: 'quiet' }, keptWords(document)) : null,
-      Object.entries(tags).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`)),
+      tagWords(tags).map((words) => h('span', { class: 'tag' }, words)),
       h(
         'span',
         { class: 'actions' },

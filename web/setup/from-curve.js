@@ -4,7 +4,7 @@
  */
 
 import { Problem } from '../api/client.js';
-import { solveOne } from '../jobs/batch.js';
+import { newRun, solveOne } from '../jobs/batch.js';
 import { dialogue } from '../lib/dialogue.js';
 import { h } from '../lib/dom.js';
 import { readNumber } from '../lib/number.js';
@@ -26,8 +26,13 @@ const [BEGIN, HARDENING] = [500, 0.01];
  */
 export function askMaterial(points, material, units, use) {
   const [depth, force] = points.reduce((most, point) => (point[1] > most[1] ? point : most));
-  const indenter = h('select', {}, ['Berkovich', 'Ball of diameter'].map((one) => h('option', {}, one))); // prettier-ignore
   const ball = h('input', { type: 'text', inputmode: 'decimal', size: 7 });
+  const size = h('label', { hidden: true }, 'Diameter ', ball, ` ${unit('length', units)}`);
+  const indenter = h(
+    'select',
+    { onchange: () => (size.hidden = indenter.selectedIndex === 0) },
+    ['Berkovich', 'Ball'].map((one) => h('option', {}, one)),
+  );
   const said = h('p', { role: 'status' });
   const running = new AbortController();
   const before = material.plasticity;
@@ -36,14 +41,14 @@ export function askMaterial(points, material, units, use) {
     : { law: 'bilinear', yield_stress: convert(BEGIN, 'stress', 'mm_N_MPa', units), tangent_modulus: HARDENING * material.young_modulus }; // prettier-ignore
   /** @type {Record<string, any> | undefined} */
   let found;
-  dialogue(
+  const box = dialogue(
     'Material from an indentation',
     [
       h('p', {}, `${points.length} points: ${figure(force, 4)} ${unit('force', units)} at a depth of ${figure(depth, 4)} ${unit('length', units)}. Found is the yield stress with which the indenter goes as deep; Young’s modulus and hardening are those of the form. What the frame of the machine gives way is to be taken off before.`), // prettier-ignore
-      h('p', { class: 'bar' }, h('label', {}, 'Indenter ', indenter), h('label', {}, ball, ` ${unit('length', units)}`)), // prettier-ignore
+      h('p', { class: 'bar' }, h('label', {}, 'Indenter ', indenter), size),
       said,
     ],
-    'Find, then use',
+    'Find',
     () => {
       if (found) {
         use(found);
@@ -55,13 +60,14 @@ export function askMaterial(points, material, units, use) {
         return 'The ball has a diameter.';
       const scale = isBall ? { scale: 'sphere', ball: 'value' in diameter && diameter.value } : { scale: 'berkovich' }; // prettier-ignore
       let count = 0;
+      const run = newRun();
       let reason = '';
       const look = async (/** @type {number} */ at) => {
         count += 1;
         said.textContent = `Look ${count}: yield stress ${figure(at, 4)} ${unit('stress', units)}…`;
         const { report, problem } = await solveOne(
           {
-            title: `Indentation with yield stress ${figure(at, 4)} ${unit('stress', units)}`,
+            tags: { varied: `Yield stress ${figure(at, 4)} ${unit('stress', units)}` },
             units,
             lower: {
               shape: { type: 'block', width: WIDE * depth, depth: DEEP * depth },
@@ -71,6 +77,7 @@ export function askMaterial(points, material, units, use) {
             output: { subsurface: false },
           },
           running.signal,
+          run,
         );
         reason ||= problem ?? '';
         return (report && valueIn(report, 'indentation_depth')) ?? NaN;
@@ -78,8 +85,9 @@ export function askMaterial(points, material, units, use) {
       search(look, law.yield_stress, depth, () => running.signal.aborted || reason !== '').then(
         ({ best, found: isFound }) => {
           said.textContent = isFound
-            ? `Yield stress ${figure(best.at, 4)} ${unit('stress', units)} after ${count} looks: press again to use it.`
+            ? `Yield stress ${figure(best.at, 4)} ${unit('stress', units)} after ${count} looks.`
             : `Not found: ${inWords(reason) || `the nearest depth is ${figure(best.value, 4)} ${unit('length', units)}`}.`; // prettier-ignore
+          if (isFound) box.querySelector('.primary')?.replaceChildren('Use it');
           if (isFound) found = { ...law, yield_stress: Number(best.at.toPrecision(4)) };
         },
         (error) => {

@@ -10,7 +10,7 @@ import { ROCKWELL } from './tables.js';
  * Perform. 17 (2008) 888, a line through some 150 steels from 300 to 1700 MPa. [MPa]
  * @param {number} hardness
  */
-export const strengthOf = (hardness) => -90.7 + 2.876 * hardness;
+const strengthOf = (hardness) => -90.7 + 2.876 * hardness;
 
 /** Hardnesses for which the line stands. */
 const [SOFTEST, HARDEST] = [136, 622];

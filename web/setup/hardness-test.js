@@ -23,7 +23,6 @@ export function askTests(material, units) {
   let running = new AbortController();
   const [width, depth] = [80, 40].map((size) => convert(size, 'length', 'mm_N_MPa', units));
   const jobOf = (/** @type {string} */ scale) => ({
-    title: `${scale} of ${material.name ?? 'a material'}`.slice(0, 80),
     units,
     lower: { shape: { type: 'block', width, depth }, material },
     load: { hardness: scale },

@@ -4,7 +4,7 @@ import { h, uniqueId } from '../lib/dom.js';
 import { described } from './words.js';
 
 /** By the key of a field or figure. @type {Record<string, string>} */
-export const TEXTS = {
+const TEXTS = {
   analysis:
     'Plane strain: long rollers and rails, which cannot stretch along the line of contact; loads are per length. Plane stress: thin discs and sheets, free to bulge sideways. Axisymmetric: balls and indenters; loads are whole forces, and cylinders become spheres. Three dimensions: balls in grooves, rollers that end and tilt, measured heights; loads are whole forces on half-spaces.',
   support:

@@ -12,7 +12,7 @@ const WITHOUT = new Set(['profile', 'wedge', 'cone', 'punch']);
 const HOLLOW = new Set(['block', 'groove']);
 
 /** @param {import('../types.js').Job} job @returns {string} why the theory does not apply, which the shapes tell */
-export function whyNot(job) {
+function whyNot(job) {
   const shapes = [job.upper?.shape?.type, job.lower?.shape?.type];
   if (shapes.includes('hole'))
     return `one body lies within the other, and they touch over a wide arc`;

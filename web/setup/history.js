@@ -15,7 +15,7 @@ const MOST = 1000;
 const APPROACH = /^[αa]=?(.+)$/i;
 
 /** @param {unknown} history @returns {string} as it is typed */
-export const writeHistory = (history) =>
+const writeHistory = (history) =>
   Array.isArray(history)
     ? history
         .map((load) =>

@@ -95,7 +95,8 @@ export function pointsControl(field, id, change, { units, parent, beside, inMate
       const again = (/** @type {Choice} */ other) => take(text, other);
       const ways = points.length ? waysOf(record.measure, points) : [];
       const more = [...ways, ...pointing(record, again)];
-      if ('problem' in result) put(text, [`Not taken yet: ${result.problem}`], more);
+      // Why it is not taken yet is said of the value.
+      if ('problem' in result) put(text, [], more);
       else put(textOfRecord(record.measure, points, units()), [`${points.length} points read`, ...result.notes], more); // prettier-ignore
       return true;
     }
@@ -151,8 +152,9 @@ export function pointsControl(field, id, change, { units, parent, beside, inMate
       return say(`Not converted: ${result.problem}`, waysOf(measure, points));
     const stress = unit('stress', units());
     const { slope, proof } = result;
+    const first = Number(slope.toPrecision(4));
     put(result.points, [result.note], [
-      plainButton(`Take E = ${figure(slope, 4)} ${stress}`, () => inMaterial({ young_modulus: Number(slope.toPrecision(4)) }), { title: 'Young’s modulus becomes the first slope of the test' }), // prettier-ignore
+      plainButton(`Take E = ${figure(first, 4)} ${stress}`, () => inMaterial({ young_modulus: first }), { title: 'Young’s modulus becomes the first slope of the test' }), // prettier-ignore
       proof && plainButton(`Take R_p0.2 = ${figure(proof, 4)} ${stress}`, () => inMaterial({ plasticity: bilinear(result.points, proof, modulus() || slope) }), { title: 'A bilinear law with this yield stress in place of the curve' }), // prettier-ignore
     ].filter((one) => one instanceof Node)); // prettier-ignore
   };
@@ -213,7 +215,7 @@ const MEASURES = { engineering: 'engineering', true: 'true', force: 'engineering
 const textOfRecord = (measure, points, units) =>
   [
     measure === 'indentation'
-      ? `penetration [${unit('length', units)}]\tforce [${unit('force', units)}]`
+      ? `penetration depth [${unit('length', units)}]\tforce [${unit('force', units)}]`
       : `${measure} strain [1]\t${measure} stress [${unit('stress', units)}]`,
     ...points.map((point) => point.map((one) => Number(one.toPrecision(8))).join('\t')),
   ].join('\n');

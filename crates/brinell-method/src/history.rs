@@ -20,7 +20,7 @@ use super::couplings::Coupling;
 use super::couplings::iteration::{Controls, Outcome};
 use super::figures::{Figures, Values};
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
-use super::increments::{Division, Growth, IncrementEnds, Leg};
+use super::increments::{Division, Growth, IncrementEnds, LastIncrement, Leg};
 use super::loads::Stretch;
 use super::observer::{Held, IncrementNumber, Interrupt, IterationRecord, SolveStatus};
 use super::progress::Progress;
@@ -224,6 +224,64 @@ impl<M, S> Found<M, S> {
     }
 }
 
+/// How far a history on one system has come.
+struct HistoryState<M, S> {
+    found: Found<M, S>,
+    progress: Progress,
+    rising: Rising,
+    /// Largest half-width so far \[mm\].
+    widest: f64,
+    /// The worst status so far: a load after an increment that has not converged inherits its
+    /// error.
+    status: SolveStatus,
+}
+
+impl<M, S> HistoryState<M, S> {
+    /// The state before the first load.
+    fn at_rest(memory: M) -> Self {
+        Self {
+            found: Found::at_rest(memory),
+            progress: Progress::at_rest(),
+            rising: Rising::default(),
+            widest: 0.0,
+            status: SolveStatus::Converged,
+        }
+    }
+
+    fn inherits_error(&self) -> bool {
+        self.status != SolveStatus::Converged
+    }
+}
+
+/// The load that a history solves.
+struct CurrentLoad {
+    /// Its number, from 0.
+    number: usize,
+    load: ContactLoad,
+    leg: Leg,
+    ends: IncrementEnds,
+    /// Whether the bodies follow the path of the coarser history within its increments.
+    follows: bool,
+    /// Iterations of all increments, or of the last one of a preliminary history.
+    history: Vec<IterationRecord>,
+    increments: Vec<IncrementRecord>,
+}
+
+impl CurrentLoad {
+    fn record_iterations(&mut self, outcome: &Outcome, are_final: bool) {
+        if !are_final {
+            self.history.clear();
+        }
+        self.history.extend_from_slice(&outcome.history);
+    }
+
+    /// Bytes of its records.
+    fn bytes(&self) -> usize {
+        self.history.capacity() * size_of::<IterationRecord>()
+            + self.increments.capacity() * size_of::<IncrementRecord>()
+    }
+}
+
 /// A history by one engine and one division of its loads.
 struct History<'a, E: Memory> {
     engine: &'a E,
@@ -243,9 +301,9 @@ impl<E: Memory> History<'_, E> {
     /// Solves the history with these increments and then with those of the finer history, about
     /// half as large; a single one that is given is compared with two.
     ///
-    /// Errors fall at least like the increments, and like their square up to an elastic peak of
-    /// four yield stresses, so that half of the difference is more than the error there, and holds
-    /// that of a path that is followed.
+    /// Errors fall at least like the increments, so that the difference is at least the error of all
+    /// increments. Up to an elastic peak of four yield stresses they fall like the square: there it
+    /// also holds the error of a path that is followed with half of them.
     fn compare_increments(
         &self,
         design: E::Design,
@@ -297,111 +355,169 @@ impl<E: Memory> History<'_, E> {
         steps: &mut HistorySteps<'_, E::Field>,
         run: &mut Run<'_>,
     ) -> Result<FoundOf<E>, LeaveOf<E>> {
-        let engine = self.engine;
-        let mut found = Found::at_rest(engine.begin(&system));
-        self.hold(&found.memory, 0, run)?;
-        let mut progress = Progress::at_rest();
-        let is_given = matches!(division, Division::Fixed(_));
-        let mut rising = Rising::default();
-        let mut widest: f64 = 0.0;
-        // The worst status so far: a load after an increment that has not converged inherits its
-        // error.
-        let mut status = SolveStatus::Converged;
-        for (number, &load) in self.stretch.loads.iter().enumerate() {
-            let leg = self.leg(load, &progress);
-            let mut ends = IncrementEnds::of(&leg, *division);
-            let is_finest = ends.count() == leg.ends(division.finer()).len();
-            found.is_finest &= is_finest;
-            let follows = *division == Division::Followed && !is_finest;
-            let (mut history, mut increments) = (Vec::new(), Vec::new());
-            let mut k = 0;
-            while k < ends.count() {
-                let (count, end) = (ends.count(), ends.measure(k));
-                let time = number as f64 + if k + 1 == count { 1.0 } else { leg.part(end) };
-                let target = leg.load(end);
-                progress.number = self.number(number, k, count);
-                let guide = self.guide;
-                let next =
-                    NextIncrement { target, time, leg: &leg, progress: &progress, guide, follows };
-                let mut answer = self.increment(on, system, &next, run)?;
-                let interrupted = E::outcome_mut(&mut answer).status.interrupt();
-                if !steps.are_final() {
-                    history.clear();
-                }
-                history.extend_from_slice(&E::parts(&answer).1.history);
-                let start = progress.reached_measure(&leg);
-                let may_halve =
-                    status == SolveStatus::Converged && !is_given && self.fails(&answer);
-                if may_halve && follows {
+        let mut state = HistoryState::at_rest(self.engine.begin(&system));
+        self.hold(&state.found.memory, 0, run)?;
+        for number in 0..self.stretch.loads.len() {
+            let next = self.solve_load(number, (on, system), division, &mut state, steps, run)?;
+            let Some(next) = next else { return Ok(state.found) };
+            system = next;
+        }
+        state.found.system = Some(system);
+        Ok(state.found)
+    }
+
+    /// Solves the increments of a load; `None` where the history ends there.
+    fn solve_load(
+        &self,
+        number: usize,
+        (on, mut system): (&OnSystem<'_, E>, E::System),
+        division: &mut Division,
+        state: &mut HistoryState<E::Record, E::System>,
+        steps: &mut HistorySteps<'_, E::Field>,
+        run: &mut Run<'_>,
+    ) -> Result<Option<E::System>, LeaveOf<E>> {
+        let mut current = self.begin_load(number, *division, state);
+        let mut k = 0;
+        while k < current.ends.count() {
+            let (count, end) = (current.ends.count(), current.ends.measure(k));
+            let is_last = k + 1 == count;
+            let target = current.leg.load(end);
+            let time = number as f64 + if is_last { 1.0 } else { current.leg.part(end) };
+            state.progress.number = self.number(number, k, count);
+            let (leg, guide, follows) = (&current.leg, self.guide, current.follows);
+            let progress = &state.progress;
+            let next = NextIncrement { target, time, leg, progress, guide, follows };
+            let mut answer = self.increment(on, system, &next, run)?;
+            current.record_iterations(E::parts(&answer).1, steps.are_final());
+            let start = state.progress.reached_measure(&current.leg);
+            let is_given = matches!(division, Division::Fixed(_));
+            if !state.inherits_error() && !is_given && self.fails(&answer) {
+                if current.follows {
                     *division = division.finer();
-                    return Err(Leave::Again(Box::new(engine.design_after(&found.memory))));
+                    let design = self.engine.design_after(&state.found.memory);
+                    return Err(Leave::Again(Box::new(design)));
                 }
-                if may_halve && ends.halve(k, start) {
+                if current.ends.halve(k, start) {
                     system = E::into_parts(answer).0;
                     continue;
                 }
-                // After an increment that has not converged, only a coupling with Newton's method
-                // ends in a state that shows a collapse.
-                let inherits_error = status != SolveStatus::Converged;
-                let is_accelerated = engine.coupling().uses_tangent_moduli();
-                let outcome = E::outcome_mut(&mut answer);
-                outcome.is_conclusive &= !inherits_error || is_accelerated;
-                status = worse(status, outcome.status);
-                if interrupted.is_none() {
-                    let (system, outcome) = E::parts(&answer);
-                    progress.accept(system, outcome, target, time, &leg);
-                    engine.remember(&mut answer, &mut found.memory, time, leg.falls());
-                    let records = history.capacity() * size_of::<IterationRecord>()
-                        + increments.capacity() * size_of::<IncrementRecord>();
-                    self.hold(&found.memory, records, run)?;
-                }
-                let figures = E::figures(&answer);
-                increments.push(IncrementRecord::of(figures, E::parts(&answer).1));
-                rising.extend(&increments);
-                widest = widest.max(figures.half_width);
-                found.has_collapsed = E::has_collapsed(&answer);
-                found.interrupted = interrupted;
-                if let (false, Some(interrupt)) = (steps.are_final(), interrupted) {
-                    return Err(Error::Interrupted(interrupt).into());
-                }
-                if k + 1 == count || interrupted.is_some() || found.has_collapsed {
-                    let measure = || engine.measure(&answer, &found.memory);
-                    found.figures.push((!steps.are_final()).then(measure));
-                    let shown = rising.strays(&leg);
-                    let outcome = E::outcome_mut(&mut answer);
-                    (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
-                    let last_increment = leg.increment(start, end, inherits_error);
-                    // A preliminary step keeps its last increment alone: a coarse history may have
-                    // a thousand loads of thousands of increments.
-                    let kept = if steps.are_final() { 0 } else { increments.len() - 1 };
-                    let increments = increments.split_off(kept);
-                    let reached = [progress.reached[1], widest];
-                    let mut step = if steps.are_final() {
-                        engine.step(&mut answer, target, &mut found.memory, &progress, run)
-                    } else {
-                        engine.step_as_iterated(&answer, target)
-                    };
-                    // The observer may stop the solve while the fields are computed.
-                    found.interrupted = step.status.interrupt();
-                    step.load = load;
-                    step.path = Path { increments, last_increment, reached, shown, ..step.path };
-                    steps.take(number, step, run.observer);
-                    if found.interrupted.is_some() {
-                        return Ok(found);
-                    }
-                }
-                if found.has_collapsed {
-                    steps.end_before(number);
-                    return Ok(found);
-                }
-                let outcome;
-                (system, outcome) = E::into_parts(answer);
-                system.commit(outcome.state.response.displacement);
-                k += 1;
             }
+            let last_increment = current.leg.increment(start, end, state.inherits_error());
+            self.accept(&mut answer, (target, time), &mut current, state, run)?;
+            if let (false, Some(interrupt)) = (steps.are_final(), state.found.interrupted) {
+                return Err(Error::Interrupted(interrupt).into());
+            }
+            if is_last || state.found.interrupted.is_some() || state.found.has_collapsed {
+                self.end_load(
+                    &mut answer,
+                    (target, last_increment),
+                    &mut current,
+                    state,
+                    steps,
+                    run,
+                );
+                if state.found.interrupted.is_some() {
+                    return Ok(None);
+                }
+            }
+            if state.found.has_collapsed {
+                steps.end_before(number);
+                return Ok(None);
+            }
+            let outcome;
+            (system, outcome) = E::into_parts(answer);
+            system.commit(outcome.state.response.displacement);
+            k += 1;
         }
-        found.system = Some(system);
-        Ok(found)
+        Ok(Some(system))
+    }
+
+    /// Divides a load into increments.
+    fn begin_load(
+        &self,
+        number: usize,
+        division: Division,
+        state: &mut HistoryState<E::Record, E::System>,
+    ) -> CurrentLoad {
+        let load = self.stretch.loads[number];
+        let leg = self.leg(load, &state.progress);
+        let ends = IncrementEnds::of(&leg, division);
+        let is_finest = ends.count() == leg.ends(division.finer()).len();
+        state.found.is_finest &= is_finest;
+        let follows = division == Division::Followed && !is_finest;
+        CurrentLoad {
+            number,
+            load,
+            leg,
+            ends,
+            follows,
+            history: Vec::new(),
+            increments: Vec::new(),
+        }
+    }
+
+    /// Takes up the outcome of an increment.
+    fn accept(
+        &self,
+        answer: &mut E::Answer,
+        (target, time): (ContactLoad, f64),
+        current: &mut CurrentLoad,
+        state: &mut HistoryState<E::Record, E::System>,
+        run: &mut Run<'_>,
+    ) -> Result<(), Error> {
+        // After an increment that has not converged, only a coupling with Newton's method ends in
+        // a state that shows a collapse.
+        let is_accelerated = self.engine.coupling().uses_tangent_moduli();
+        let outcome = E::outcome_mut(answer);
+        outcome.is_conclusive &= !state.inherits_error() || is_accelerated;
+        state.status = worse(state.status, outcome.status);
+        state.found.interrupted = outcome.status.interrupt();
+        if state.found.interrupted.is_none() {
+            let (system, outcome) = E::parts(answer);
+            state.progress.accept(system, outcome, target, time, &current.leg);
+            let memory = &mut state.found.memory;
+            self.engine.remember(answer, memory, time, current.leg.falls());
+            self.hold(memory, current.bytes(), run)?;
+        }
+        let figures = E::figures(answer);
+        current.increments.push(IncrementRecord::of(figures, E::parts(answer).1));
+        state.rising.extend(&current.increments);
+        state.widest = state.widest.max(figures.half_width);
+        state.found.has_collapsed = E::has_collapsed(answer);
+        Ok(())
+    }
+
+    /// Measures the end of a load and hands over its step. The observer may stop the solve while
+    /// the fields are computed.
+    fn end_load(
+        &self,
+        answer: &mut E::Answer,
+        (target, last_increment): (ContactLoad, LastIncrement),
+        current: &mut CurrentLoad,
+        state: &mut HistoryState<E::Record, E::System>,
+        steps: &mut HistorySteps<'_, E::Field>,
+        run: &mut Run<'_>,
+    ) {
+        let found = &mut state.found;
+        let measure = || self.engine.measure(answer, &found.memory);
+        found.figures.push((!steps.are_final()).then(measure));
+        let shown = state.rising.strays(&current.leg);
+        let outcome = E::outcome_mut(answer);
+        (outcome.history, outcome.status) = (std::mem::take(&mut current.history), state.status);
+        // A preliminary step keeps its last increment alone: a coarse history may have a thousand
+        // loads of thousands of increments.
+        let kept = if steps.are_final() { 0 } else { current.increments.len() - 1 };
+        let increments = current.increments.split_off(kept);
+        let reached = [state.progress.reached[1], state.widest];
+        let mut step = if steps.are_final() {
+            self.engine.step(answer, target, &mut found.memory, &state.progress, run)
+        } else {
+            self.engine.step_as_iterated(answer, target)
+        };
+        found.interrupted = step.status.interrupt();
+        step.load = current.load;
+        step.path = Path { increments, last_increment, reached, shown, ..step.path };
+        steps.take(current.number, step, run.observer);
     }
 
     /// Returns the number of increment `k` of a load of the stretch.

@@ -7,10 +7,10 @@ use brinell_contact::ContactLoad;
 const GROWTH: f64 = 0.25;
 /// Most increments, from which smaller ones do not help what the mesh leaves.
 const MOST: f64 = 32.0;
-/// Increments up to which a finer system follows the path of a coarser one: an elastic peak of 4 to 5
+/// Increments up to which a finer system follows the path of a coarser one: an elastic peak of 4
 /// yield stresses. Beyond, strain gathers at the ends of the contact, where the paths of two meshes
 /// differ.
-const MOST_FOLLOWED: f64 = 9.0;
+const MOST_FOLLOWED: f64 = 8.0;
 /// Assumed onset of plastic flow over the load, where the onset is unknown: that of a ball pressed in
 /// by 100 times the approach at its onset.
 const UNKNOWN_ONSET: f64 = 0.01;

@@ -3,18 +3,13 @@
 use super::number::{short, significant};
 use brinell_solver::job::fields::{Field, FieldKind, FieldValue};
 use brinell_solver::job::{
-    Analysis, Body, Deformable, FarSupport, Job, Material, Quantity, Shape, Units,
+    Analysis, Body, Deformable, FarSupport, Job, Material, Quantity, Units,
 };
 
 /// Shape, material and support, in the units of the job.
 pub(super) fn describe(body: &Body, job: &Job) -> Vec<String> {
     let (shape, units) = (&body.shape, job.units);
-    let label = match (job.analysis, shape) {
-        (Analysis::Axisymmetric, Shape::Cylinder(_)) => "Sphere",
-        (Analysis::Axisymmetric, Shape::Hole(_)) => "Socket",
-        _ => shape.table().label,
-    };
-    let mut items = vec![describe_fields(label, shape.values(), units)];
+    let mut items = vec![describe_fields(shape.label(job.analysis), shape.values(), units)];
     match &body.material {
         Material::Rigid => items.push("rigid".to_owned()),
         Material::Deformable(material) => {

@@ -29,7 +29,7 @@ pub(in crate::http) fn fetched(
     selection: Selection,
     ids: Vec<JobId>,
 ) -> Response {
-    let turn = state.turn(caller);
+    let turn = state.turn(caller.key());
     let write = move |sender| async move {
         let fetch = Fetch { state, caller, prefix, selection, sender };
         fetch.run(ids).await

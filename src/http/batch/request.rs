@@ -9,7 +9,7 @@ use utoipa::ToSchema;
 
 use super::MAX_JOBS;
 use super::members::Members;
-use crate::http::openapi;
+use crate::http::openapi::job;
 use crate::http::preference::is_idempotency_key;
 use crate::http::problem::Problem;
 use crate::http::problem_type::ProblemType;
@@ -34,7 +34,7 @@ pub(in crate::http) struct BatchOfJobs {
 #[expect(dead_code, reason = "declares what `read_jobs` reads")]
 pub(in crate::http) struct BatchedJob {
     /// The job.
-    #[schema(schema_with = openapi::job)]
+    #[schema(schema_with = job)]
     job: serde_json::Value,
     /// As `?priority=`: larger goes first.
     #[schema(minimum = -100, maximum = 100)]

@@ -6,7 +6,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::BASE;
+use super::reference::BASE;
 
 /// Quantities of results, and their units in words.
 const UNITS: [(&str, &str); 13] = [

@@ -8,23 +8,23 @@
 
 mod derived;
 mod problems;
+mod reference;
 
 use std::sync::LazyLock;
 
 use serde_json::{Map, Value, json};
-use utoipa::openapi::schema::Schema;
-use utoipa::openapi::{Ref, RefOr};
 
+use super::examples::EXAMPLES;
 use super::problem_type::ProblemType;
+use super::routes;
 use crate::jobs::{JobState, Quota};
 use brinell_solver::job::FaultCode;
 use brinell_solver::job::fields::words;
 use brinell_solver::job::schema::schemas as schema_of_jobs;
 use brinell_solver::report;
 use brinell_solver::solver::SolveStatus;
-
-/// Path of the schemas within the document.
-const BASE: &str = "#/components/schemas/";
+use reference::BASE;
+pub(super) use reference::{job, named, tags, units};
 
 /// The document, as JSON.
 pub(super) fn text() -> &'static str {
@@ -43,7 +43,7 @@ pub fn pretty(document: &Value) -> String {
 /// Never: a collection of plain data has a JSON form.
 #[expect(clippy::expect_used, reason = "plain data has a JSON form")]
 pub fn document() -> Value {
-    let collected = super::documented_routes().into_openapi();
+    let collected = routes::documented().into_openapi();
     let mut document = serde_json::to_value(collected).expect("plain data has a JSON form");
     document["info"] = info();
     document["servers"] = json!([{"url": "/"}]);
@@ -84,7 +84,7 @@ pub fn document() -> Value {
     for (name, schema) in schema_of_jobs(BASE) {
         schemas[name] = schema;
     }
-    problems::declare(&mut document, &super::guarded_routes().into_openapi().paths);
+    problems::declare(&mut document, &routes::guarded().into_openapi().paths);
     link_jobs(&mut document);
     show_examples(&mut document);
     document["components"]["headers"] = problems::headers();
@@ -122,15 +122,14 @@ fn tags_of_operations() -> Value {
 
 /// Adds the files of `api/examples` to request bodies, and an example of every error.
 fn show_examples(document: &mut Value) {
-    let jobs = super::examples::EXAMPLES.iter().filter_map(|(name, text)| {
+    let jobs = EXAMPLES.iter().filter_map(|(name, text)| {
         let job: Value = serde_json::from_str(text).ok()?;
         Some(((*name).to_owned(), json!({"summary": name.replace('_', " "), "value": job})))
     });
     let all: Map<String, Value> = jobs.chain(problems::examples()).collect();
     document["components"]["examples"] = Value::Object(all);
     let reference = |name: &str| json!({"$ref": format!("#/components/examples/{name}")});
-    let jobs =
-        super::examples::EXAMPLES.iter().map(|(name, _)| ((*name).to_owned(), reference(name)));
+    let jobs = EXAMPLES.iter().map(|(name, _)| ((*name).to_owned(), reference(name)));
     let jobs = Value::Object(jobs.collect());
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate", "/v1/hertz"] {
         document["paths"][path]["post"]["requestBody"]["content"]["application/json"]["examples"] =
@@ -162,21 +161,6 @@ fn link_jobs(document: &mut Value) {
     for path in ["/v1/jobs", "/v1/solve"] {
         document["paths"][path]["post"]["responses"]["202"]["links"] = links.clone();
     }
-}
-
-/// A schema of this document, for types that are declared elsewhere.
-pub(super) fn named(name: &str) -> RefOr<Schema> {
-    RefOr::Ref(Ref::from_schema_name(name))
-}
-
-/// A job.
-pub(super) fn job() -> RefOr<Schema> {
-    named("ContactJob")
-}
-
-/// Labels.
-pub(super) fn tags() -> RefOr<Schema> {
-    named("Tags")
 }
 
 /// Schema of an extensible enumeration: plain text, so that generated clients accept future

@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn handlers_name_problems_that_exist() {
         let document =
-            serde_json::to_value(crate::http::documented_routes().into_openapi()).unwrap();
+            serde_json::to_value(crate::http::routes::documented().into_openapi()).unwrap();
         let mut named = 0;
         for item in document["paths"].as_object().unwrap().values() {
             for operation in METHODS.iter().filter_map(|method| item.get(method)) {

@@ -17,6 +17,7 @@ use zip::{CompressionMethod, ZipWriter};
 
 use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
+use crate::http::negotiation::is_known;
 use crate::http::query::Arrays;
 use crate::http::result_body::{self, Fields, no_result};
 use crate::http::written_body::written;
@@ -69,7 +70,7 @@ pub(in crate::http) async fn get_fields(
     if number >= head.steps {
         return Err(no_step());
     }
-    let turn = state.turn(caller).await;
+    let turn = state.turn(caller.key()).await;
     let Some(fields) = state.jobs.fields(id, number).await? else {
         let detail =
             "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
@@ -89,7 +90,7 @@ pub(in crate::http) async fn get_fields(
         (ETAG, &tag),
         (CACHE_CONTROL, "private, no-cache"),
     ];
-    if result_body::is_known(&tag, &headers) {
+    if is_known(&tag, &headers) {
         return Ok((StatusCode::NOT_MODIFIED, common).into_response());
     }
     let files = fields.layout().npy(wanted.0.as_deref());

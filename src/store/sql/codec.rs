@@ -13,8 +13,8 @@ use sqlx::types::Uuid;
 use thiserror::Error;
 
 use crate::jobs::{
-    Deflated, FailureKind, FieldError, IterationRecord, JobFailure, JobId, JobRecord, JobState,
-    KeyId, NumberedIteration, StoreError,
+    About, Deflated, FailureKind, FieldError, IterationRecord, JobFailure, JobId, JobRecord,
+    JobState, KeyId, NumberedIteration, StoreError,
 };
 
 /// Largest size \[bytes\] of an unpacked text; a damaged row could claim any.
@@ -64,10 +64,12 @@ pub(super) fn job_record(row: JobRow) -> Result<JobRecord, StoreError> {
     let (id, state, tags, priority, submitter, created, started, finished, attempts, cancel, ..) =
         row;
     let (.., iterations, latest, has_report, failure, has_callback, place) = row;
+    let mut tags = from_json(&tags)?;
     Ok(JobRecord {
         id: JobId::from(id),
         state: state_named(&state)?,
-        tags: from_json(&tags)?,
+        about: About::take(&mut tags),
+        tags,
         priority: i16::try_from(priority).map_err(damaged)?,
         submitter: submitter.map(KeyId::from),
         created_at: time(created)?,

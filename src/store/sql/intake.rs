@@ -10,8 +10,8 @@ use super::keys::{SubmitterRow, limits_of};
 use super::message::{Message, Messages, Value};
 use super::reading::Reading;
 use crate::jobs::{
-    Enqueued, JobId, JobRecord, JobState, KeyId, KeyLimits, NewJob, Quota, Retention, SWEEP,
-    StoreError, label_of,
+    About, Enqueued, JobId, JobRecord, JobState, KeyId, KeyLimits, NewJob, Quota, Retention,
+    SWEEP, StoreError, label_of,
 };
 use crate::store::StoreLimits;
 
@@ -215,7 +215,9 @@ fn decide(job: &NewJob, queue: &mut Queue, queued: &mut usize, capacity: usize) 
 /// Appends the statements that insert a job.
 fn push_job(message: &mut Message, job: &NewJob, now: i64) -> Result<(), StoreError> {
     let (id, account) = (Value::Id(job.id.uuid()), Value::Id(account_of(job)));
-    let (tags, trace) = (to_json(&job.tags)?, job.trace.map(|trace| trace.to_string()));
+    let kept: BTreeMap<_, _> =
+        job.tags.clone().into_iter().chain(job.about.iter().flat_map(About::labels)).collect();
+    let (tags, trace) = (to_json(&kept)?, job.trace.map(|trace| trace.to_string()));
     let values = [
         id,
         Value::number(job.priority),
@@ -341,6 +343,7 @@ fn record(job: NewJob, place: u64, now: i64) -> Result<JobRecord, StoreError> {
     Ok(JobRecord {
         id: job.id,
         state: JobState::Queued,
+        about: job.about,
         tags: job.tags,
         priority: job.priority,
         submitter: job.submitter,

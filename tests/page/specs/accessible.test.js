@@ -71,7 +71,7 @@ for (const [size, options] of /** @type {const} */ ([
         await drawn(page);
         await page.getByLabel('Cut', { exact: true }).check();
         await page.getByText('Download', { exact: true }).click();
-        await page.locator('#jobs-list .load').first().waitFor();
+        await page.locator('#jobs-list .peak').first().waitFor();
         found.push(...(await violations(page, 'result')));
         await page.keyboard.press('Escape');
         await page.locator('#form').getByRole('button', { name: 'Explanation' }).first().click();

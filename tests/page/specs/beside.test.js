@@ -44,8 +44,8 @@ for (const locale of ['de-DE', 'fr-FR'])
       await page.locator('#headline').getByText('1234.5').waitFor();
       await page.getByRole('button', { name: 'Jobs', exact: true }).click();
       await page
-        .locator('#jobs-list .load')
-        .getByText(/P 1234\.5 N\/mm, peak \d{4} MPa/)
+        .locator('#jobs-list li', { hasText: '1234.5 N/mm' })
+        .getByText(/^peak \d{4} MPa$/)
         .first()
         .waitFor();
     },

@@ -64,7 +64,7 @@ service.test('the peak of a job in SI is in pascals', async (page) => {
   await page.getByLabel('Search jobs').fill(id);
   await page
     .locator('#jobs-list li')
-    .getByText(/^P 300000 N\/m, peak 9\.\d+·10⁸ Pa$/)
+    .getByText(/^peak 9\.\d+·10⁸ Pa$/)
     .waitFor();
 });
 
@@ -268,6 +268,20 @@ service.test('a search looks through the jobs that are not shown yet', async (pa
     await rows.getByText('bench: north-7').waitFor();
     assert.equal(await rows.count(), 1, word);
   }
+});
+
+service.test('jobs of a run are one row that opens and closes', async (page) => {
+  for (const force of [310, 320])
+    await solved(page, { load: { force }, tags: { run: 'one', varied: `Force ${force} N/mm` } });
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  const run = page.getByRole('button', { name: /^2 jobs: Force 310 N\/mm … 320 N\/mm/ });
+  const jobs = page.locator('#jobs-list li', { hasText: 'varied: Force' });
+  await run.click();
+  await jobs.getByText('cylinder R 20 on cylinder R 20, 310 N/mm, bilinear').waitFor();
+  assert.equal(await jobs.count(), 2);
+  assert.equal(await jobs.getByText('run: one').count(), 0);
+  await run.click();
+  await jobs.first().waitFor({ state: 'detached' });
 });
 
 service.test('the list says why older jobs do not come', async (page) => {

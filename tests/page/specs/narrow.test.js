@@ -60,7 +60,7 @@ service.test(
     await page.getByLabel('Cut', { exact: true }).check();
     for (const part of ['JSON', 'Jobs'])
       await page.getByRole('button', { name: part, exact: true }).click();
-    await page.locator('#jobs-list .load').first().waitFor();
+    await page.locator('#jobs-list .peak').first().waitFor();
     await page.getByText('Units shown').click();
     await page.locator('.remarks > summary').click();
     assert.deepEqual(await beyond(page), []);

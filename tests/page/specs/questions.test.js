@@ -92,8 +92,9 @@ service.test(
     ];
     await page.getByRole('button', { name: 'Jobs', exact: true }).click();
     const rows = page.locator('#jobs-list li');
-    await rows.first().getByText('cylinder on cylinder, bilinear').waitFor();
-    const box = (/** @type {string} */ id) => page.getByLabel(`Compare ${id.slice(-8)}`);
+    await rows.first().getByText('cylinder R 20 on cylinder R 20, 400 N/mm, bilinear').waitFor();
+    const box = (/** @type {string} */ id) =>
+      page.getByLabel(new RegExp(`^Compare .*${id.slice(-8)}`));
     await rows.first().getByText('Compare', { exact: true }).waitFor();
     await box(one).check();
     await page.locator('[data-status=succeeded]').waitFor();

@@ -113,8 +113,8 @@ service.test(
     ]);
     assert.equal(await page.locator('#panel-figures tbody tr').count(), 3);
     await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-    await page.locator('#jobs-list .load').getByText('P 400 N/mm, peak 10').waitFor();
-    await page.getByLabel(`Compare ${ids[2].slice(-8)}`).uncheck();
+    await page.locator('#jobs-list .peak').getByText('peak 10').first().waitFor();
+    await page.getByLabel(new RegExp(`^Compare .*${ids[2].slice(-8)}`)).uncheck();
     assert.equal(new URL(page.url()).hash, `#job=${ids[0]}&with=${ids[1]}`);
   },
 );
@@ -129,7 +129,7 @@ service.test('results are shown in other units than the job has', async (page) =
   const cards = page.locator('#headline .figure');
   const texts = await cards.allTextContents();
   // Digits follow the error.
-  assert.match(texts[0], /^1\.15\d?GPa$/);
+  assert.match(texts[0], /^1\.1[56]\d?GPa$/);
   assert.match(texts[1], /^3[01]\dµm$/);
   assert.match(texts[3], /^0\.61261kN\/mm$/);
   assert.match(
@@ -230,7 +230,7 @@ service.test('a job that did not converge has no error bars', async (page) => {
   await shown(page, { solver: { max_iterations: 2, tolerance: 1e-12 } });
   await page.locator('[data-status=not_converged]').waitFor();
   assert.equal(await page.locator('#headline').getByText('±').count(), 0);
-  assert.match(await page.title(), /^Not converged/);
+  assert.match(await page.title(), /, Not converged · Brinell$/);
 });
 
 service.test('a sweep with one answer has no curve', async (page) => {

@@ -7,10 +7,6 @@ use brinell_method::figures::{Figure, Values};
 use brinell_method::floors::floors;
 use brinell_method::sought::TargetFigure;
 
-/// Part of the change by half as many increments that a bar has: half as much again as an error of
-/// second order.
-const OF_INCREMENTS: f64 = 0.5;
-
 /// Returns the place of an analysis among the floors of a figure.
 const fn class_of(state: StressState) -> usize {
     match state {
@@ -93,7 +89,8 @@ impl Bars {
         }
         let floor = floors(figure)[class_of(self.stress_state)]? * at(&self.scales)?;
         let of_mesh = ((found - coarse).abs() + floor) / found.abs();
-        let of_increments = OF_INCREMENTS * at(&self.increments).unwrap_or_default();
+        // Three times an error of second order, where all increments are solved.
+        let of_increments = at(&self.increments).unwrap_or_default();
         Some(of_mesh.max(at(&self.shown).unwrap_or_default()) + of_increments)
     }
 

@@ -1,20 +1,23 @@
 //! Why a contact of meshed bodies has no solution.
 
-use std::fmt;
-
 use crate::mesh::MeshError;
 use brinell_method::observer::Interrupt;
 use brinell_method::{Interrupted, Limit};
 use sparse_cholesky::FactorizationError;
 
-/// Why a contact of meshed bodies has no solution.
-#[derive(Debug, Clone, PartialEq)]
+/// Why a contact of meshed bodies has no solution. Its texts have lengths in millimetres.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshedError {
     /// The alternation has no answer.
-    Method(brinell_method::Error),
+    #[error(transparent)]
+    Method(#[from] brinell_method::Error),
     /// No mesh.
-    Mesh(MeshError),
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// The load would spread the contact over too much of the bodies.
+    #[error(
+        "the contact would reach {half_width} mm to each side on a surface that spans {available} mm"
+    )]
     TooWide {
         /// Expected half-width \[mm\].
         half_width: f64,
@@ -22,16 +25,21 @@ pub enum MeshedError {
         available: f64,
     },
     /// The load would press a pin round more of its hole than is solved.
+    #[error("the contact would reach {half_angle:.0}° to each side of a hole")]
     TooFarRound {
         /// Expected angle to each side \[degrees\].
         half_angle: f64,
     },
     /// The surfaces do not open away from the contact.
+    #[error("the surfaces do not open within {limit} mm of where they first touch")]
     Conforming {
         /// Distance from the first contact within which contacts are solved \[mm\].
         limit: f64,
     },
     /// The surfaces first touch where one of them is about to end.
+    #[error(
+        "the surfaces first touch at x = {x} mm, but contacts are solved from {left} mm to {right} mm"
+    )]
     TouchesAtEnd {
         /// Abscissa of the first contact \[mm\].
         x: f64,
@@ -41,6 +49,10 @@ pub enum MeshedError {
         right: f64,
     },
     /// A surface that is given by points has details much smaller than the contact.
+    #[error(
+        "within a contact of half-width {half_width} mm, the surfaces have details that only \
+         elements of {spacing} mm resolve, but {finest} mm is the finest that is solved"
+    )]
     TraceTooFine {
         /// Expected half-width \[mm\].
         half_width: f64,
@@ -50,6 +62,10 @@ pub enum MeshedError {
         finest: f64,
     },
     /// A profile has a corner in the contact, and nothing says whether it is one.
+    #[error(
+        "the face turns by {opening} at the point x = {x} mm within the contact, and nothing says \
+         whether this is a corner"
+    )]
     AmbiguousCorner {
         /// The body, 0 for the upper one.
         side: usize,
@@ -59,6 +75,7 @@ pub enum MeshedError {
         opening: f64,
     },
     /// The onset of yield is sought of bodies that do not yield, or do from the first load on.
+    #[error("neither body has a yield stress, so there is no onset of yield to find")]
     NoYieldPoint,
 }
 
@@ -82,66 +99,12 @@ impl MeshedError {
     }
 }
 
-impl fmt::Display for MeshedError {
-    /// Writes lengths in millimetres.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Method(error) => error.fmt(f),
-            Self::Mesh(error) => error.fmt(f),
-            Self::TooWide { half_width, available } => write!(
-                f,
-                "the contact would reach {half_width} mm to each side on a surface that spans \
-                 {available} mm"
-            ),
-            Self::TooFarRound { half_angle } => {
-                write!(f, "the contact would reach {half_angle:.0}° to each side of a hole")
-            }
-            Self::Conforming { limit } => {
-                write!(f, "the surfaces do not open within {limit} mm of where they first touch")
-            }
-            Self::TouchesAtEnd { x, left, right } => write!(
-                f,
-                "the surfaces first touch at x = {x} mm, but contacts are solved from {left} mm \
-                 to {right} mm"
-            ),
-            Self::TraceTooFine { half_width, spacing, finest } => write!(
-                f,
-                "within a contact of half-width {half_width} mm, the surfaces have details that \
-                 only elements of {spacing} mm resolve, but {finest} mm is the finest that is \
-                 solved"
-            ),
-            Self::AmbiguousCorner { x, opening, .. } => write!(
-                f,
-                "the face turns by {opening} at the point x = {x} mm within the contact, and \
-                 nothing says whether this is a corner"
-            ),
-            Self::NoYieldPoint => f.write_str(
-                "neither body has a yield stress, so there is no onset of yield to find",
-            ),
-        }
-    }
-}
-
-impl std::error::Error for MeshedError {}
-
 impl Interrupted for MeshedError {
     fn interrupt(&self) -> Option<Interrupt> {
         match self {
             Self::Method(error) => error.interrupt(),
             _ => None,
         }
-    }
-}
-
-impl From<brinell_method::Error> for MeshedError {
-    fn from(error: brinell_method::Error) -> Self {
-        Self::Method(error)
-    }
-}
-
-impl From<MeshError> for MeshedError {
-    fn from(error: MeshError) -> Self {
-        Self::Mesh(error)
     }
 }
 

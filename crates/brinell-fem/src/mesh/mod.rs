@@ -17,6 +17,7 @@
 //! ```
 
 mod corner;
+mod error;
 mod frame;
 mod half_o_grid;
 mod interpolation;
@@ -24,59 +25,22 @@ mod layer;
 mod locator;
 mod outline;
 mod polar;
+mod quadrilaterals;
 mod quality;
+mod rounding;
 mod smoothing;
 mod zone;
 
 pub use corner::Corner;
+pub use error::{MESHED_SLOPE, MeshError};
 pub use frame::SurfaceFrame;
 pub use half_o_grid::Refinement;
 pub use locator::{Locator, Place};
-pub use outline::MESHED_SLOPE;
 pub use outline::{FarBoundary, Outline, Ring};
+pub use quadrilaterals::Mesh;
 pub use quality::Quality;
+pub use rounding::ROUNDING;
 pub use zone::ContactZone;
-
-use thiserror::Error;
-
-use sparse_cholesky::LatticePoint;
-
-/// Why mesh generation has failed.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum MeshError {
-    /// The contact zone does not fit on the body.
-    #[error(
-        "a contact zone of half-width {half_width:.4} mm does not fit on a surface that spans \
-         {available:.4} mm"
-    )]
-    ZoneBeyondBody {
-        /// Half-width of the zone asked for \[mm\].
-        half_width: f64,
-        /// Largest half-width that the surface offers \[mm\].
-        available: f64,
-    },
-    /// A surface given by points is too steep for the mesh.
-    #[error(
-        "the face has a slope of {slope:.2} at x = {x:.6} mm; a body that deforms is meshed up to \
-         slopes of about {MESHED_SLOPE}, and contact theory with small displacements is not meant \
-         for steeper ones"
-    )]
-    TooSteep {
-        /// Abscissa \[mm\].
-        x: f64,
-        /// Slope there.
-        slope: f64,
-    },
-    /// The interpolation folded over itself.
-    #[error(
-        "element {element} of the mesh is turned inside out; this is a defect of the mesh \
-         generator"
-    )]
-    Inverted {
-        /// Index of the element.
-        element: usize,
-    },
-}
 
 /// Estimates the number of nodes of a mesh.
 pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> usize {
@@ -91,39 +55,9 @@ pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refine
     if layer::is_flat(outline) { in_rings.max(in_columns()) } else { in_rings }
 }
 
-/// Relative difference of two lengths that counts as rounding, so that the numbers of rows and
-/// columns do not depend on units.
-pub const ROUNDING: f64 = 1e-9;
-
 /// Powers with which the shape of the free surface fades into the body; the first one that gives a
 /// valid mesh counts.
 const FADES: [i32; 4] = [1, 2, 4, 8];
-
-/// A mesh of 4-node quadrilaterals with the boundary sets that mechanics needs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Mesh {
-    /// Node coordinates `[x, y]` \[mm\].
-    pub nodes: Vec<[f64; 2]>,
-    /// Nodes of each element, counter-clockwise.
-    pub elements: Vec<[u32; 4]>,
-    /// Candidate contact nodes in order of x.
-    pub contact_nodes: Vec<u32>,
-    /// Outward unit vectors along the normals of the contact at these nodes; none where all of
-    /// them are `[0, 1]`.
-    pub contact_normals: Vec<[f64; 2]>,
-    /// Nodes of the free surface, the contact zone included, in ascending order.
-    pub free_surface_nodes: Vec<u32>,
-    /// Nodes of the far boundary.
-    pub support_nodes: Vec<u32>,
-    /// Nodes on the symmetry axis `x = 0`; empty for a full model.
-    pub axis_nodes: Vec<u32>,
-    /// Place of each node in the structured patches, for the fill-reducing ordering.
-    pub lattice: Vec<LatticePoint>,
-    /// The contact zone the mesh was made for.
-    pub zone: ContactZone,
-    /// How places on and below the surface are described.
-    pub frame: SurfaceFrame,
-}
 
 impl Mesh {
     /// Meshes a body around a contact zone.
@@ -168,39 +102,6 @@ impl Mesh {
             return quality::require_positive_jacobians(&mesh).map(|()| mesh);
         }
         outcome
-    }
-
-    /// Bytes held.
-    pub fn bytes(&self) -> usize {
-        let node_lists =
-            [&self.contact_nodes, &self.free_surface_nodes, &self.support_nodes, &self.axis_nodes];
-        size_of_val(self.nodes.as_slice())
-            + size_of_val(self.elements.as_slice())
-            + size_of_val(self.lattice.as_slice())
-            + size_of_val(self.contact_normals.as_slice())
-            + node_lists.map(|list| size_of_val(list.as_slice())).iter().sum::<usize>()
-    }
-
-    /// Nodes of the grid line that runs from a contact node down to the support, through block and
-    /// rings, in ascending order.
-    pub fn grid_line_below(&self, contact_node: u32) -> Vec<u32> {
-        let column = self.lattice[contact_node as usize].i;
-        let block = || self.lattice.iter().filter(|p| p.patch == 0);
-        let rows = block().map(|p| p.j).max().unwrap_or(0);
-        let columns = block().map(|p| p.i).max().unwrap_or(0);
-        // Rings are numbered from the right end of the zone, down the block's side and back along
-        // its base.
-        let ray = rows + columns - column;
-        (0u32..)
-            .zip(&self.lattice)
-            .filter(|(_, p)| if p.patch == 0 { p.i == column } else { p.i == ray })
-            .map(|(node, _)| node)
-            .collect()
-    }
-
-    /// Coordinates of the four corners of an element \[mm\].
-    pub fn corners(&self, element: usize) -> [[f64; 2]; 4] {
-        self.elements[element].map(|node| self.nodes[node as usize])
     }
 }
 

@@ -2,9 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::Corner;
+use super::corner::Corner;
+use super::error::{MESHED_SLOPE, MeshError};
 use super::interpolation::{MonotoneCubic, Polyline};
-use super::{MeshError, ROUNDING};
+use super::rounding::ROUNDING;
 use brinell_material::Depth;
 
 /// Surface, width and depth of a body in its own frame.
@@ -95,8 +96,6 @@ const CORNER: f64 = 0.05 * (1.0 + ROUNDING);
 /// How much more a face turns at a point than at those beside for that to be a corner and not the
 /// course of a curve.
 const ALONE: f64 = 4.0;
-/// Slope of a surface given by points up to which meshes are made without fail.
-pub const MESHED_SLOPE: f64 = 0.5;
 /// Slope of a surface given by points beyond which a contact on it is not solved where it deforms:
 /// with an angle of 56° vertical gaps say nothing, whatever a mesh can follow.
 const CONTACT_SLOPE: f64 = 1.5;

@@ -165,6 +165,7 @@ impl Operators<4, ROWS> for LineSpace {
     type Work = LineWork;
 
     fn new(ground: Ground, _: bool, stop: &mut Stop<'_>) -> Result<Self, Stopped> {
+        debug_assert!(ground.grid.is_line(), "the track of a line");
         let n = ground.grid.n_columns();
         let mut planner = RealFftPlanner::new();
         let (forward, inverse) = (planner.plan_fft_forward(n), planner.plan_fft_inverse(n));

@@ -52,11 +52,6 @@ impl RacewaySpace {
         0.5 / self.ground.elastic.shear()
     }
 
-    /// Displacements of the surface of a track that is uniform along the travel.
-    pub const fn uniform(&self) -> &UniformTrack {
-        &self.uniform
-    }
-
     /// Bytes of the operators and of one work space.
     pub fn bytes(grid: &TrackGrid, n_layers: usize) -> usize {
         let waves = RingWaves::new(grid, pulp::Arch::new());
@@ -214,6 +209,7 @@ impl Operators<COMPONENTS, DEVIATOR_COMPONENTS> for RacewaySpace {
     type Work = RacewayWork;
 
     fn new(ground: Ground, slides: bool, stop: &mut Stop<'_>) -> Result<Self, Stopped> {
+        debug_assert!(!ground.grid.is_line(), "the track of an ellipse");
         let arch = pulp::Arch::new();
         let Ground { grid, layers, elastic } = &ground;
         let waves = RingWaves::new(grid, arch);

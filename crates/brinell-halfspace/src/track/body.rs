@@ -135,16 +135,6 @@ impl<O: Operators<D, R>, const D: usize, const R: usize> TrackBody<O, D, R> {
         self.gained.len()
     }
 
-    /// Plastic strain, residual stress, groove and energy of the rows at the front.
-    pub const fn settled(&self) -> &Settled {
-        &self.settled
-    }
-
-    /// `2μ ε_p` of the rows at the front \[MPa\].
-    pub fn inlet(&self) -> &[[f64; R]] {
-        &self.inlet
-    }
-
     /// Accumulated plastic strain that the columns of each row have added in the last stream.
     pub fn strains(&self) -> &[f64] {
         &self.strain
@@ -475,20 +465,6 @@ impl<O: Operators<D, R>, const D: usize, const R: usize> TrackBody<O, D, R> {
     /// Root of the thickness of a layer, over all sides for which a cell stands.
     fn weight(&self, layer: usize) -> f64 {
         (self.grid().n_sides() * self.space.ground().layers.thickness(layer)).sqrt()
-    }
-
-    /// Why the body cannot bear the traction of a peak pressure \[MPa\], if it cannot. A pressure
-    /// is known before the first pass as that of Hertz.
-    ///
-    /// # Errors
-    /// [`TrackFault::Traction`].
-    pub fn bears(&self, peak_pressure: f64) -> Result<(), TrackFault> {
-        let traction = self.friction.abs() * peak_pressure;
-        let strength = self.law.largest_stress(0) / 3f64.sqrt();
-        if traction > strength {
-            return Err(TrackFault::Traction { traction, strength });
-        }
-        Ok(())
     }
 
     /// Why the plastic zone of the last stream is cut off, if it is.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use brinell_material::StreamLaw;
 use thiserror::Error;
 
 /// Why a pass has no answer.
@@ -81,6 +82,20 @@ pub enum TrackFault {
         /// Depth of the layers \[mm\].
         depth: f64,
     },
+}
+
+impl TrackFault {
+    /// Checks that the first row of a law bears a traction \[MPa\], after all hardening.
+    ///
+    /// # Errors
+    /// [`Self::Traction`].
+    pub fn require_strength<const D: usize, const R: usize>(
+        law: &dyn StreamLaw<D, R>,
+        traction: f64,
+    ) -> Result<(), Self> {
+        let strength = law.largest_stress(0) / 3f64.sqrt();
+        if traction > strength { Err(Self::Traction { traction, strength }) } else { Ok(()) }
+    }
 }
 
 /// Hertz's peak over the yield stress up to which passes are solved: what deep rolling asks for. The

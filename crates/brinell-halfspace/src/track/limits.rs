@@ -30,13 +30,13 @@ pub struct TrackLimits {
 }
 
 impl TrackLimits {
-    /// Limits of a line under a pressure in the window \[MPa\], with a traction μ p, for a yield stress of
-    /// each layer \[MPa\].
+    /// Limits of a line under a pressure in the window \[MPa\], with a traction μ p, for a yield
+    /// stress of each layer \[MPa\]. Operators of a line are those of three components.
     ///
     /// # Errors
     /// [`Stopped`].
-    pub fn new<const D: usize, const R: usize>(
-        space: &impl Operators<D, R>,
+    pub fn new(
+        space: &impl Operators<4, 3>,
         pressure: &[f64],
         friction: f64,
         yield_stress: impl Fn(usize) -> f64,
@@ -44,11 +44,11 @@ impl TrackLimits {
     ) -> Result<Self, Stopped> {
         let Ground { grid, layers, .. } = space.ground();
         let n = grid.n_columns();
-        let mut stress = vec![0.0; space.ground().field_len::<R>()];
+        let mut stress = vec![0.0; space.ground().field_len::<3>()];
         space.stress(pressure, friction, &mut space.work(), &mut stress, stop)?;
         let none = AtDepth { value: f64::INFINITY, ..AtDepth::default() };
         let mut limits = Self { perfect: none, kinematic: none };
-        for (layer, rows) in stress.chunks_exact(R * n).enumerate() {
+        for (layer, rows) in stress.chunks_exact(3 * n).enumerate() {
             let strength = yield_stress(layer);
             let (xx, rest) = rows.split_at(n);
             let (zz, xz) = rest.split_at(n);

@@ -209,6 +209,7 @@ impl Roller {
         self.grid.holds(&self.pressure).unwrap();
         let work = self.body.work_of_traction(&self.pressure, &mut || false).unwrap();
         let outlet = self.body.accept(&image, &mut trial);
+        let ring_groove = self.ring_groove(&outlet);
         self.body.flow(&trial, &mut image);
         self.increment = image;
         Pass {
@@ -220,7 +221,7 @@ impl Roller {
             approach: self.contact.as_ref().unwrap().approach,
             rolling_force: self.grid.rolling_force(&self.gap, &self.pressure),
             work_of_traction: work,
-            ring_groove: self.ring_groove(),
+            ring_groove,
         }
     }
 
@@ -228,16 +229,16 @@ impl Roller {
         (0..n).map(|_| self.pass()).collect()
     }
 
-    fn ring_groove(&self) -> f64 {
+    fn ring_groove(&self, outlet: &Outlet) -> f64 {
         let (space, grid) = (self.body.space(), &self.grid);
         let (nx, rows) = (grid.n_columns(), grid.n_rows());
-        let inlet = self.body.inlet();
+        let polarization = YOUNG / (1.0 + POISSON);
         let layers = space.ground().layers.len();
         let mut field = Vec::with_capacity(space.ground().field_len::<5>());
-        for of_layer in inlet.chunks_exact(rows) {
+        for of_layer in outlet.strain.chunks_exact(rows) {
             for k in 0..5 {
-                for tau in of_layer {
-                    field.extend(std::iter::repeat_n(tau[k], nx));
+                for strain in of_layer {
+                    field.extend(std::iter::repeat_n(polarization * strain[k], nx));
                 }
             }
         }

@@ -169,12 +169,13 @@ impl March {
                 std::array::from_fn(|k| of(&self.strain, (layer * COMPONENTS + k) * rows + j))
             })
             .collect();
-        let residual = self.space.uniform_stress(&section, &mut self.work);
-        let least = |k: usize| residual.iter().step_by(rows).map(|s| s[k]).fold(0.0, f64::min);
+        let initial = vec![[0.0; 2]; n_rows / rows];
+        let left = self.space.settle(&section, &initial, &mut self.work);
+        let least =
+            |k: usize| left.residual.iter().step_by(rows).map(|s| s[k]).fold(0.0, f64::min);
         let compliance = 0.5 / self.space.ground().elastic.shear();
         let strains: Vec<_> = section.iter().map(|tau| tau.map(|t| compliance * t)).collect();
-        let uniform = self.space.uniform();
-        let outlet = [uniform.groove(&strains)[0], uniform.forward(&strains)[0]];
+        let outlet = [left.groove[0], self.space.forward(&strains)];
         (strain, outlet, [least(0), least(1)])
     }
 }

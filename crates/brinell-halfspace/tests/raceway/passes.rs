@@ -132,6 +132,26 @@ fn a_ball_shakes_down() {
     }
 }
 
+/// Plastic strain of an evaluation does not stay in rows that flow no more in the next one.
+#[test]
+fn rows_that_flow_no_more_carry_nothing() {
+    let [mut fresh, mut used] = [(); 2].map(|()| Roller::new(&Setup::ball(6, 2.5, TWENTIETH)));
+    // A strain xx of the first layer, on the axis, and in the row beside it as well.
+    let (row, column) = (fresh.grid.n_columns(), fresh.grid.window().start);
+    let mut near = vec![0.0; fresh.body.n_numbers()];
+    near[column] = 50.0;
+    let mut wide = near.clone();
+    wide[row + column] = 50.0;
+    let trial = |roller: &mut Roller, increment: &[f64]| {
+        let (mut gap, mut trial) = (roller.gap.clone(), vec![0.0; increment.len()]);
+        roller.body.open(increment, &mut gap, &mut || false).unwrap();
+        roller.body.trial(&roller.pressure, &mut trial, &mut || false).unwrap();
+        trial
+    };
+    assert_ne!(trial(&mut used, &wide), trial(&mut fresh, &near));
+    assert_eq!(trial(&mut used, &near), trial(&mut fresh, &near));
+}
+
 /// A virgin track does not know its direction, a mirrored one does.
 #[test]
 fn a_track_may_be_turned_round() {

@@ -266,6 +266,11 @@ impl Roller {
         rows.filter(|rows| rows.iter().any(|value| *value != 0.0)).count()
     }
 
+    /// Whether the surface bears the traction under a peak pressure.
+    pub fn bears(&self, peak: f64) -> Result<(), TrackFault> {
+        TrackFault::require_strength(self.body.law(), self.setup.friction.abs() * peak)
+    }
+
     /// The other direction, for the passes to come.
     pub fn turn(&mut self) {
         self.body.turn();
@@ -279,7 +284,7 @@ impl Roller {
         let mut anderson = Anderson::default();
         self.body.begin(&increment);
         let (mut end, mut residual, mut evaluations) = (End::Stalled, 0.0, 0);
-        if let Err(fault) = self.body.bears(self.setup.peak) {
+        if let Err(fault) = self.bears(self.setup.peak) {
             end = End::Refused(fault);
         }
         while evaluations < most && end == End::Stalled {

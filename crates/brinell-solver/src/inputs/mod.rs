@@ -16,7 +16,7 @@ pub use half_spaces::{elliptic_reference, half_spaces};
 pub(crate) use input::{Input, of};
 pub use outline::outline_of;
 pub(crate) use plane::meshed_contact;
-pub use plane::{elastic_reference, estimate, run, run_with, support};
+pub use plane::{elastic_reference, run, run_with, support};
 pub(crate) use rolling::RollingInput;
 pub use settings::{loads, settings};
 pub(crate) use slopes::{of_small_mesh, small_solves};

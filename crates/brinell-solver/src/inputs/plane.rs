@@ -10,8 +10,8 @@ use crate::fem::mesh::Outline;
 use crate::job::{Analysis, Body, FarSupport, Job, Material, Shape};
 use crate::material::Solid;
 use crate::solver::{
-    self, Asked, ElasticReference, Estimate, GivenBody, MeshedContact, Observer, Options, Problem,
-    Solution, run_each,
+    Asked, ElasticReference, GivenBody, MeshedContact, Observer, Options, Problem, Solution,
+    run_each,
 };
 
 /// Returns the bodies of a job, their loads, and how they are solved.
@@ -71,15 +71,6 @@ pub fn elastic_reference(job: &Job, force: f64) -> Option<ElasticReference> {
         return None;
     }
     ElasticReference::of(&problem(job), force)
-}
-
-/// Estimates the cost of a job without meshing it, but for steep faces.
-///
-/// # Errors
-/// [`SolveError`] for contacts that are not solved: too wide, conforming, of traces too fine or
-/// faces too steep, with a corner that may be none.
-pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
-    Ok(solver::estimate(&meshed_contact(job))?)
 }
 
 /// Solves a job.

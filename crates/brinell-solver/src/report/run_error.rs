@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::findings::CONFORMING_ADVICE;
+use super::findings::{CONFORMING_ADVICE, guesses};
 use super::solve_error;
 use super::target;
 use super::validity::lies_in_groove;
@@ -36,7 +36,8 @@ fn summary(errors: &[FieldError]) -> String {
 }
 
 impl RunError {
-    /// Returns the error of a job and names the fields that cause it.
+    /// Returns the error of a job, names the fields that cause it, and says what in the job is
+    /// probably not meant.
     pub(super) fn of(job: &Job, error: &SolveError) -> Self {
         let sides = [("upper", &job.upper), ("lower", &job.lower)];
         // Surfaces given by points: of deformable bodies or of all bodies.
@@ -124,6 +125,8 @@ impl RunError {
                 _ => solve_error::text(error, write),
             },
         };
+        let guesses = guesses(job).into_iter().map(|guess| guess.text(write));
+        let detail = guesses.fold(detail, |detail, guess| format!("{detail}. {guess}"));
         if pointers.is_empty() {
             return Self::Failed(detail);
         }

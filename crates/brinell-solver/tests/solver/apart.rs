@@ -242,8 +242,8 @@ fn pins_reach_80_degrees_on_coarse_meshes() {
     );
 }
 
-/// Where no force is the onset of yield, it is said why: a sharp corner, or the stress before the
-/// load.
+/// Where no force is the onset of yield, it is said why: a sharp corner, the stress before the load,
+/// or a curve that begins at next to nothing.
 #[test]
 fn onsets_that_no_force_is() {
     let yielding = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3,
@@ -264,6 +264,18 @@ fn onsets_that_no_force_is() {
         {"depth": 0.5, "sigma_x": 0.0, "sigma_z": 0.0}]);
     job["lower"]["material"] = stressed;
     assert!(fault(&job).contains("stress before the load"), "{}", fault(&job));
+    job["analysis"] = json!("axisymmetric");
+    job["lower"]["material"] = json!({"young_modulus": 70_000.0, "poisson_ratio": 0.33,
+        "plasticity": {"law": "table",
+            "points": [[0, 0.01], [0.004, 280], [0.02, 310], [0.1, 350]]}});
+    let named = "`/lower/material/plasticity/points`: The table looks like total strain";
+    assert!(fault(&job).contains(named), "{}", fault(&job));
+    // In three dimensions there is such a force.
+    job["analysis"] = json!("three_dimensional");
+    job["upper"]["shape"] = json!({"type": "sphere", "radius": 10.0});
+    job["lower"]["shape"] = json!({"type": "flat"});
+    job["mesh"] = json!({"elements_per_half_width": 5});
+    assert!(codes(&step(&job)).contains(&"suspicious_curve"));
 }
 
 /// What touches only where a surface is about to end is refused before it is solved, with what to

@@ -35,9 +35,9 @@ fn a_job_without_a_theory_is_of_flow_theory() {
     assert_eq!(report.theory.as_deref(), Some("flow"));
     let step = &report.steps[0];
     assert!(step.increments.is_some());
-    assert_within(step[Name::PeakPressure], 1148.5, 2e-3);
     let bar = step.bar(Name::PeakPressure).unwrap();
-    assert!((2e-3..1e-2).contains(&bar), "{bar}");
+    assert!(bar < 1e-2, "{bar}");
+    assert_within(step[Name::PeakPressure], 1148.5, bar.min(2e-3));
     let mut asked = job;
     asked["solver"] = json!({"theory": "deformation"});
     let report = answered(&asked);

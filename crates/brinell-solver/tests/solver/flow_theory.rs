@@ -92,20 +92,47 @@ fn one_increment_is_deformation_theory() {
 /// approaches of both.
 #[track_caller]
 fn assert_fine_enough(mut job: Job) {
-    let chosen = solve(&job);
-    let count = 8 * u32::try_from(chosen.steps[0].path.increments.len()).unwrap();
-    job.solver.increments = Some(count);
-    let exact = solve(&job);
-    let [[chosen_peak, peak], [loaded, exact_loaded], [left, exact_left]] = [
-        [&chosen, &exact].map(|solution| solution.steps[0].figures.peak_pressure),
-        [&chosen, &exact].map(|solution| solution.steps[0].figures.approach),
-        [&chosen, &exact].map(|solution| solution.steps[1].figures.approach),
-    ];
-    assert_within(chosen_peak, peak, 3e-3);
-    assert_within(loaded, exact_loaded, 3e-3);
-    assert_within(left, exact_left, 4e-3);
-    let iterations: usize = chosen.steps[0].history.len();
-    assert!(iterations <= 12 * chosen.steps[0].path.increments.len(), "{iterations} iterations");
+    let chosen = report(&job);
+    let increments = chosen.steps[0].increments.as_ref().unwrap();
+    let count = increments.force.len();
+    let iterations: usize = increments.iterations.iter().sum();
+    assert!(iterations <= 12 * count, "{iterations} iterations");
+    job.solver.increments = Some(8 * u32::try_from(count).unwrap());
+    let exact = report(&job);
+    for (found, exact) in chosen.steps.iter().zip(&exact.steps) {
+        let [approach, exact_approach] = [found, exact].map(|step| step.approach().unwrap());
+        let is_loaded = exact[Name::PeakPressure] > 0.0;
+        // An approach that is prescribed has no bar, or 0.
+        let within = |bar: Option<f64>, most: f64| bar.map_or(most, |bar| most.min(bar.max(1e-9)));
+        if is_loaded {
+            let bar = found.bar(Name::PeakPressure);
+            let [peak, exact_peak] = [found, exact].map(|step| step[Name::PeakPressure]);
+            assert_within(peak, exact_peak, within(bar, 3e-3));
+        }
+        let name = if is_loaded { Name::Approach } else { Name::PermanentApproach };
+        let bar = found.bar(name);
+        assert_within(approach, exact_approach, within(bar, 3e-3));
+    }
+}
+
+/// The path of the coarse mesh, which the fine one follows under one load, against 64 increments
+/// that are all solved.
+#[test]
+#[ignore = "full"]
+fn a_path_that_is_followed_errs_within_the_bars() {
+    let perfect = r#"{"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0}"#;
+    for (law, ratio) in [(BILINEAR, 3.0), (BILINEAR, 4.0), (perfect, 3.5), (perfect, 4.0)] {
+        let load = format!(r#"{{"force": {}}}"#, force(ratio));
+        let mut job = cylinders(law, &load, FLOW, 20);
+        let followed = &report(&job).steps[0];
+        let count = followed.increments.as_ref().unwrap().force.len();
+        assert!(count <= 4, "half of eight increments, {count}");
+        job.solver.increments = Some(64);
+        let exact = &report(&job).steps[0];
+        for name in [Name::PeakPressure, Name::HalfWidth, Name::Approach] {
+            assert_within(followed[name], exact[name], followed.bar(name).unwrap());
+        }
+    }
 }
 
 #[test]
@@ -534,7 +561,7 @@ fn a_sharp_cone_is_unloaded() {
     let report = cone(&json!({"history": [{"approach": 0.2}, {"force": 0}]}), 10);
     let dent = &report.steps[1];
     assert_eq!(dent.status, SolveStatus::Converged, "{:?}", dent.validity);
-    assert!((0.15..0.2).contains(&dent.approach().unwrap()), "{:?}", dent.approach);
+    assert!((0.15..0.2).contains(&dent.approach().unwrap()), "{:?}", dent.approach());
 }
 
 /// A contact on few nodes hardly moves between two small steps of the load, on a coarser mesh

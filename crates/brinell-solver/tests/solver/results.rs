@@ -341,8 +341,8 @@ fn a_load_that_takes_much_work_says_why() {
         let note = step.validity.iter().find(|note| note.code == "slow_coupling");
         note.map(|note| note.message.clone())
     };
-    let told = slow(&history(80)).unwrap();
-    assert!(told.contains("80 increments") && told.contains("evaluations"), "{told}");
+    let told = slow(&history(160)).unwrap();
+    assert!(told.contains("160 increments") && told.contains("evaluations"), "{told}");
     assert_eq!(slow(&history(10)), None);
     assert_eq!(slow(&step(&paper())), None);
 }

@@ -2,7 +2,7 @@
 //! sharp profiles.
 
 use brinell_solver::analytical::PowerIndenter;
-use brinell_solver::inputs::{self, SolveError, estimate};
+use brinell_solver::inputs::{self, SolveError};
 use brinell_solver::report::{self, Name, StepReport};
 use brinell_solver::solver::{MeshedError, SolveStatus, Unobserved};
 use serde_json::{Value, json};
@@ -89,7 +89,7 @@ fn a_rough_trace_costs_what_was_estimated() {
         (500, 1e-3, 30.0, 0.4),
     ] {
         let job = with_interpolation(on_block(&rough(n, amplitude), force, 10), "smooth");
-        let expected = estimate(&parse(&job)).unwrap().equations as f64;
+        let expected = report::preflight(&parse(&job)).unwrap().equations as f64;
         let solution = solve(&job);
         let found: usize =
             solution.steps[0].field.bodies.iter().flatten().map(|body| body.equations).sum();
@@ -102,10 +102,11 @@ fn a_rough_trace_costs_what_was_estimated() {
 #[test]
 fn a_very_rough_trace_is_known_to_be_dear() {
     let job = on_block(&rough(4000, 5e-4), 300.0, 20);
-    let asked = estimate(&parse(&job)).unwrap_err();
-    assert!(matches!(asked, SolveError::Meshed(MeshedError::AmbiguousCorner { .. })), "{asked}");
+    let asked = report::preflight(&parse(&job)).unwrap_err().remove(0);
+    assert_eq!(asked.pointer, "/upper/shape/interpolation");
     for interpolation in ["smooth", "linear"] {
-        let cost = estimate(&parse(&with_interpolation(job.clone(), interpolation))).unwrap();
+        let job = with_interpolation(job.clone(), interpolation);
+        let cost = report::preflight(&parse(&job)).unwrap();
         assert!((3_000_000..8_000_000).contains(&cost.equations), "{cost:?}");
     }
 }

@@ -25,6 +25,8 @@ _LOADS = 24
 # Relative steps of differences: of the search, and of the slopes that tell deviations. Meshes
 # change with the parameters by small leaps, which the shorter step takes for slopes.
 _STEP, _WIDE_STEP = 0.02, 0.08
+# Increments of each load, whose number would follow the parameters by leaps.
+_INCREMENTS = 24
 # A parameter is at a bound within this part of its range; a curve is missed by this part of it.
 _AT_BOUND, _MISSED = 0.002, 0.2
 # Forces within this part of the largest are the noise of a machine without contact.
@@ -183,6 +185,10 @@ def identify(
     if measured != "approach" and COMPLIANCE in free:
         raise _fault("free", f"has {COMPLIANCE}, which only an approach has")
     trials = _TRIALS[measured](document, force)
+    for trial in trials:
+        solver = trial.get("solver") or {}
+        if solver.get("theory", "flow") == "flow" and solver.get("method") != "paper":
+            trial["solver"] = {"increments": _INCREMENTS, **solver}
     compliance_scale = float(np.ptp(approach) / np.ptp(force))
     starts = {name: _start(document, name, where) for name, where in places.items()}
     limits = {name: (0.1 * one, 10 * one) for name, one in starts.items()}

@@ -23,19 +23,31 @@ from ._surface import _text_of
 
 Measure: TypeAlias = Literal["engineering", "true", "plastic", "indentation"]
 
-_WORDS = json.loads(files(__package__).joinpath("columns.json").read_text("utf-8"))
+_WORDS: dict[str, dict[str, str]] = json.loads(
+    files(__package__).joinpath("columns.json").read_text("utf-8")
+)
 _ROLES = {name: re.compile(text) for name, text in _WORDS["roles"].items()}
 _FACTS = {name: re.compile(text) for name, text in _WORDS["facts"].items()}
 _STRESSES = {
     **dict.fromkeys(["MPa", "N/mm²"], 1.0),
-    **{"Pa": 1e-6, "kPa": 1e-3, "GPa": 1e3, "bar": 0.1, "kN/mm²": 1e3},
-    **{"psi": 6894.757293168e-6, "ksi": 6.894757293168, "kgf/mm²": 9.80665},
+    "Pa": 1e-6,
+    "kPa": 1e-3,
+    "GPa": 1e3,
+    "bar": 0.1,
+    "kN/mm²": 1e3,
+    "psi": 6894.757293168e-6,
+    "ksi": 6.894757293168,
+    "kgf/mm²": 9.80665,
 }
 _FORCES = {"N": 1.0, "µN": 1e-6, "uN": 1e-6, "mN": 1e-3, "kN": 1e3, "MN": 1e6, "kgf": 9.80665}
 _FORCES["lbf"] = 4.4482216152605
 _STRAINS = {
     **dict.fromkeys(["1", "-", "m/m", "mm/mm", "in/in"], 1.0),
-    **{"%": 1e-2, "‰": 1e-3, "µm/m": 1e-6, "µε": 1e-6, "µstrain": 1e-6},
+    "%": 1e-2,
+    "‰": 1e-3,
+    "µm/m": 1e-6,
+    "µε": 1e-6,
+    "µstrain": 1e-6,
 }
 _KINDS = {"strain": _STRAINS, "stress": _STRESSES, "force": _FORCES, "length": LENGTHS}
 _OF = {
@@ -296,10 +308,16 @@ def _read(
     full = [row for row in body if all(k < len(row) and row[k] for k in at)]
     points = [[_float(row[k], commas) for k in at] for row in full]
     notes = [f"{len(points)} points read"]
-    if pair and pair[0] == "plastic" and max(strain for strain, _ in points) <= 1:
+    is_force = bool(pair and pair[2] == ["force"])
+    is_sure = any(one.role.startswith("engineering") for one in columns)
+    begins_at_nothing = points[0][1] < _BEGINS * max(stress for _, stress in points)
+    # Without a word of what they are, figures that begin at yield are a hardening curve.
+    is_plastic = bool(pair and pair[0] == "plastic") or not (
+        is_force or is_sure or begins_at_nothing
+    )
+    if is_plastic and max(strain for strain, _ in points) <= 1:
         # Plastic strain is a share, as the law has it.
         units[0] = units[0] or "1"
-    is_force = bool(pair and pair[2] == ["force"])
     if not is_force and not (units[0] and units[1]):
         one = _one(units[1] or "MPa", "stress") or math.nan
         told = _strain_unit([[e, s * one] for e, s in points], modulus)
@@ -316,12 +334,8 @@ def _read(
             point[axis] *= factor
     if is_force:
         return _of_force(points, pair, section, gauge_length, _facts(headers, commas), notes)
-    begins = points[0][1] < _BEGINS * max(stress for _, stress in points)
-    if pair and pair[0] == "plastic":
-        return Record(points, "plastic", notes=notes)
-    is_sure = any(one.role.startswith("engineering") for one in columns)
     measure: Measure = "true" if pair and pair[0] == "true" else "engineering"
-    return Record(points, measure if is_sure or begins else "plastic", notes=notes)
+    return Record(points, "plastic" if is_plastic else measure, notes=notes)
 
 
 def _of_force(
@@ -366,7 +380,8 @@ def _profile(
     at = [deep[0], hard[0]]
     unit = columns[at[0]].unit
     if not unit:
-        stray = [" ".join(cells) for cells in headers if any(map(_is_unit, " ".join(cells).split()))]
+        lines = [" ".join(cells) for cells in headers]
+        stray = [line for line in lines if any(map(_is_unit, line.split()))]
         if stray:
             raise _refuse("missing", f"“{stray[0]}” may be the unit of the depths: name it there")
     factor = _one(unit or "mm", "length") or 1.0

@@ -77,17 +77,17 @@ def from_tensile(
         InvalidJob: missing figures, and records that give no curve; every fault is named.
     """
     if stress is None:
+        factor = 1e6 if units == "SI" else 1.0
         record = read_table(
             strain,
             section=section,
             gauge_length=gauge_length,
-            young_modulus=(young_modulus or STEEL) * (1e-6 if units == "SI" and young_modulus else 1),
+            young_modulus=(young_modulus or 0.0) / factor or STEEL,
         )
         if record.measure not in ("engineering", "true"):
             detail = f"it is of {record.measure or 'hardness'}, no strain and stress from rest"
             raise InvalidJob([Fault("#/points", "invalid", detail)])
         measure = measure or record.measure
-        factor = 1e6 if units == "SI" else 1.0
         strain, stress = zip(*((e, s * factor) for e, s in record.points), strict=True)
     columns = [floats_of(one, "#/points").ravel() for one in (strain, stress)]
     if len(columns[0]) != len(columns[1]):

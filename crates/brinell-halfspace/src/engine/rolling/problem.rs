@@ -273,10 +273,7 @@ impl RollingProblem {
         for (_, material) in self.yielding() {
             let law: Option<Box<dyn StreamLaw>> = TrackFrame::law(material, &[0.0], 1);
             let Some(law) = law else { continue };
-            let strength = law.largest_stress(0) / 3f64.sqrt();
-            if traction > strength {
-                return Err(TrackError::Track(TrackFault::Traction { traction, strength }));
-            }
+            TrackFault::require_strength(&*law, traction).map_err(TrackError::Track)?;
         }
         let solids = [0, 1].map(|side| self.materials[side].as_ref());
         let peak = self.elastic_peak();

@@ -53,9 +53,9 @@ pub fn run(
     let mut done = TrackRun::default();
     let mut run = Run { phases: &mut done.phases, passes: &mut done.tracks, observer };
     let step = if problem.is_line() {
-        step_on::<LineSpace, 4, 3>(problem, other, &mut run)?
+        step_on::<LineSpace, 4, 3>(problem, other, Some(kinematic_limit), &mut run)?
     } else {
-        step_on::<RacewaySpace, 6, 5>(problem, other, &mut run)?
+        step_on::<RacewaySpace, 6, 5>(problem, other, None, &mut run)?
     };
     let interrupted = step.status.interrupt();
     receiver.step(step, run.observer);
@@ -65,13 +65,14 @@ pub fn run(
 fn step_on<O: Operators<D, R>, const D: usize, const R: usize>(
     problem: &RollingProblem,
     other: Option<&RollingProblem>,
+    limit: Option<LimitOf<O, D, R>>,
     run: &mut Run<'_>,
 ) -> Result<TrackStep, TrackError> {
     let design = TrackDesign::new(problem, problem.columns);
     let passes = problem.load.passes as usize;
     let engine = TrackEngine::<O, D, R>::new(problem);
     let ends_at_verdict = problem.load.ends_at_verdict;
-    let fine = sequence(&engine, design, (passes, ends_at_verdict), run)?;
+    let fine = sequence(&engine, design, (passes, ends_at_verdict), limit, run)?;
     let coarse = beside::<O, D, R>(problem, &fine, 1.0, run)?;
     let long = beside::<O, D, R>(problem, &fine, 2.0, run)?;
     let other = other.filter(|_| !long.is_stopped() && may_differ(problem, &fine.passes));
@@ -129,7 +130,7 @@ fn beside<O: Operators<D, R>, const D: usize, const R: usize>(
         TrackDesign { length: times * fine.length, enlargements: fine.enlargements, ..half };
     let engine = TrackEngine::<O, D, R>::auxiliary(problem);
     let found =
-        run.preliminarily(|run| sequence(&engine, design, (fine.passes.len(), false), run));
+        run.preliminarily(|run| sequence(&engine, design, (fine.passes.len(), false), None, run));
     found.or_else(|error| stopped_beside(fine, error))
 }
 
@@ -150,7 +151,7 @@ fn kinematic<O: Operators<D, R>, const D: usize, const R: usize>(
     let design = TrackDesign::new(problem, problem.columns);
     let passes = (problem.load.passes as usize, problem.load.ends_at_verdict);
     let engine = TrackEngine::<O, D, R>::new(problem);
-    let fine = run.preliminarily(|run| sequence(&engine, design, passes, run));
+    let fine = run.preliminarily(|run| sequence(&engine, design, passes, None, run));
     let fine = fine.or_else(|error| stopped_beside(given, error))?;
     let coarse = beside::<O, D, R>(problem, &fine, 1.0, run)?;
     let errors = errors(problem, &fine, coarse.passes.iter().map(|pass| [pass; 2]));
@@ -219,6 +220,7 @@ fn sequence<O: Operators<D, R>, const D: usize, const R: usize>(
     engine: &TrackEngine<'_, O, D, R>,
     design: TrackDesign,
     (passes, ends_at_verdict): (usize, bool),
+    limit: Option<LimitOf<O, D, R>>,
     run: &mut Run<'_>,
 ) -> Result<Sequence, TrackError> {
     let (problem, load) = (engine.problem, engine.problem.load);
@@ -226,9 +228,9 @@ fn sequence<O: Operators<D, R>, const D: usize, const R: usize>(
         let grid = &track.grid;
         let layers = |body: &TrackBody<O, D, R>| body.space().ground().layers.len();
         let layers = track.bodies.borrow().iter().map(layers).max();
+        let kinematic = limit.map(|limit| limit(&track, problem, run)).transpose();
         let mut done = Sequence {
-            kinematic: kinematic_limit(&track, problem, run)
-                .map_err(LeaveOf::<TrackEngine<'_, O, D, R>>::Failed)?,
+            kinematic: kinematic.map_err(LeaveOf::<TrackEngine<'_, O, D, R>>::Failed)?.flatten(),
             x: grid.places(),
             column: grid.column(),
             cell: grid.cell_area(),
@@ -267,16 +269,17 @@ fn sequence<O: Operators<D, R>, const D: usize, const R: usize>(
     })
 }
 
-/// The limit of shakedown of bodies on a line that harden kinematically without bound. Across the
-/// travel of an ellipse a residual stress may touch every component: there is no such form.
-fn kinematic_limit<O: Operators<D, R>, const D: usize, const R: usize>(
-    track: &Track<O, D, R>,
+/// The limit of shakedown of bodies that harden kinematically without bound, on their track.
+type LimitOf<O, const D: usize, const R: usize> =
+    fn(&Track<O, D, R>, &RollingProblem, &mut Run<'_>) -> Result<Option<Limit>, TrackError>;
+
+/// The limit of bodies on a line. Across the travel of an ellipse a residual stress may touch every
+/// component: there is no such form.
+fn kinematic_limit(
+    track: &Track<LineSpace, 4, 3>,
     problem: &RollingProblem,
     run: &mut Run<'_>,
 ) -> Result<Option<Limit>, TrackError> {
-    if !problem.is_line() {
-        return Ok(None);
-    }
     let [a, _] = problem.semi_axes();
     let pressure = track.grid.sample(|x, _| (1.0 - (x / a).powi(2)).max(0.0).sqrt());
     let bodies = track.bodies.borrow();

@@ -27,6 +27,7 @@ pub use quadric::{Curved, Flat, Sphere};
 pub use roller::{Roller, RollerProfile};
 pub use wedge::{Cone, Wedge};
 
+use super::Analysis;
 use super::fields::tagged;
 
 tagged! {
@@ -45,6 +46,15 @@ impl Shape {
                 Some(radius.get())
             }
             _ => None,
+        }
+    }
+
+    /// Returns the name of the shape in an analysis: a cylinder of revolution is a sphere.
+    pub fn label(&self, analysis: Analysis) -> &'static str {
+        match (analysis, self) {
+            (Analysis::Axisymmetric, Self::Cylinder(_)) => "Sphere",
+            (Analysis::Axisymmetric, Self::Hole(_)) => "Socket",
+            _ => self.table().label,
         }
     }
 
