@@ -110,16 +110,14 @@ export class Scene {
     const step = this.#step();
     if (!this.shown || !step) return;
     const { job, report } = this.shown;
-    const framed = bodiesOf(step, fields).map((body) => ({
+    const framed = bodiesOf(report, step, fields).map((body) => ({
       ...body,
       frame: frameOf(job, body.name, body.mesh),
     }));
     const [upper, lower] = ['upper', 'lower'].map(
       (name) => framed.find((body) => body.name === name) ?? null,
     );
-    // In a section of half-spaces the surfaces of both bodies are where they touch.
-    const approach = report.analysis.startsWith('section') ? 0 : approachIn(step);
-    this.#lifts = lifts(upper, lower, step.contact.nodes.x, peakIn(step), approach);
+    this.#lifts = lifts(upper, lower, step.contact.nodes.x, peakIn(step), loweredBy(report, step));
     const body = lower ?? upper;
     if (body) this.#surface = surfaceOf(body, step.contact.nodes.x);
     this.bodies = framed.map((body) => ({
@@ -365,11 +363,14 @@ export class Scene {
   }
 }
 
-/** @param {Step} step @param {Fields} fields @returns {import('./read.js').Body[]} */
-export const bodiesOf = (step, fields) =>
+/** How far the upper body is lowered; in a section of half-spaces both surfaces are where they touch. @param {Report} report @param {Step} step */
+const loweredBy = ({ analysis }, step) => (analysis.startsWith('section') ? 0 : approachIn(step));
+
+/** @param {Report} report @param {Step} step @param {Fields} fields @returns {import('./read.js').Body[]} */
+export const bodiesOf = (report, step, fields) =>
   /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
     const mesh = fields[name];
     return mesh
-      ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -(step.approach ?? 0) : 0 }]
+      ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -loweredBy(report, step) : 0 }]
       : [];
   });

@@ -44,7 +44,7 @@ export function verdict({ one, at, label }, named) {
 const whyOf = ({ value, reason, at_least: least, at_most: most }) =>
   value === null || !reason || least !== undefined || most !== undefined
     ? ''
-    : `error not bounded: ${inWords(reason)}`;
+    : `no bound: ${inWords(reason)}`;
 
 /**
  * The answers of one step: how well each is known, what elastic theory says, where it is, and those

@@ -13,7 +13,7 @@ import { boundOf, valueIn, widthIn } from './rows.js';
 /** @typedef {import('../wire.js').Answer} Answer */
 
 /** Those of the whole job, then those of a step. @param {Report} report @param {number} at step @param {boolean} [whole] whether details are behind them @returns {Answer[]} */
-export function answersOf({ answers, steps }, at, whole = false) {
+export function answersOf({ answers = [], steps }, at, whole = false) {
   const all = [...answers, ...steps[at].answers];
   const first = all.filter(({ detail }) => !detail);
   return whole ? [...first, ...all.filter(({ detail }) => detail)] : first;

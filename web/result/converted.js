@@ -82,7 +82,7 @@ export function inUnits(value, of, set) {
       ]),
     );
   };
-  /** The figures of a pass are those of rows. @param {any} passes @param {import('../wire.js').Answer[]} rows */
+  /** The figures of a pass are those of rows. @param {any} passes @param {import('../wire.js').Answer[]} rows @returns {any} */
   const coursesOf = (passes, rows) =>
     Object.fromEntries(
       Object.entries(passes).map(([name, courses]) => {

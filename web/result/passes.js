@@ -72,7 +72,7 @@ const LIMITS = /** @type {const} */ ({
   kinematic: ['shakedown, kinematic hardening', '--curve-4', DASH],
 });
 
-/** Limits over friction, and where this job is. @param {Passes} _passes @param {Shown['report']} report @param {Step} step @returns {import('./chart-svg.js').Plot} */
+/** Limits over friction, and where this job is. @param {Passes} _passes @param {Shown['report']} _report @param {Step} step @returns {import('./chart-svg.js').Plot} */
 function map(_passes, _report, step) {
   const { shakedown } = step;
   const [k, friction] = [

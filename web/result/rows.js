@@ -1,10 +1,10 @@
 /** The figures of a step: rows of its answers, by their names. */
 
-/** @typedef {Pick<import('../types.js').Step, 'answers'>} Rows */
+/** @typedef {Partial<Pick<import('../types.js').Step, 'answers'>>} Rows of a step, or of a whole job */
 /** @typedef {import('../wire.js').Answer} Row */
 
 /** The first row of a name: of bodies that of the one that decides. @param {Rows} step @param {...string} names the first that there is @returns {Row | undefined} */
-export const rowOf = ({ answers }, ...names) =>
+export const rowOf = ({ answers = [] }, ...names) =>
   names
     .map((name) => answers.find((one) => one.name === name))
     .find((found) => found !== undefined);

@@ -29,7 +29,7 @@ import { segments } from './panel.js';
 import { passesPanels } from './passes.js';
 import { PressurePanel } from './pressure.js';
 import { progressOf } from './progress.js';
-import { hasYielded } from './rows.js';
+import { hasYielded, rowOf } from './rows.js';
 import { SpreadPanel } from './spread.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
@@ -399,8 +399,7 @@ function fieldOf({ job, report, raw, fields }, at, axis) {
 }
 
 /** The step that is seen first: that of the force that was looked for, else the last one. @param {Shown} one */
-const askedStep = ({ report: { answers, steps } }) =>
-  answers.some(({ name }) => name === 'force_found') ? 0 : steps.length - 1;
+const askedStep = ({ report }) => (rowOf(report, 'force_found') ? 0 : report.steps.length - 1);
 
 /** Names the sections of half-spaces in the axes of the job, by the place that both go through. @param {HTMLElement} choice @param {import('../types.js').Step} step */
 function namePlanes(choice, step) {

@@ -87,7 +87,8 @@ test('an answer comes in the unit of its own quantity', () => {
   const set = { length: 'µm', per: 'mm', stress: 'GPa', force: 'kN' };
   const of = { analysis: 'plane_strain', units: /** @type {const} */ ('mm_N_MPa') };
   const place = { body: 'both', x: 0.5, depth: 0.25 };
-  const answer = (/** @type {string} */ quantity, /** @type {string} */ unit) => ({
+  /** @param {string} quantity @param {string} unit @returns {any} */
+  const answer = (quantity, unit) => ({
     quantity,
     unit,
     value: 2,
@@ -157,6 +158,7 @@ test('remarks have the words of the form, and no keys', () => {
     ['Raise `solver.max_iterations`.', 'Raise “Iterations at most”.'],
     ['small strains; see `collapse`.', 'small strains; see the remark “Collapse”.'],
     ['see `contact_at_edge`', 'see the remark “Contact at edge”'],
+    ['remark `coarse_mesh`', 'remark “Coarse mesh”'],
     ['`nonsense` is not known', '“nonsense” is not known'],
     ['`load.onset` looks for it', '“Onset of yield” as the load looks for it'],
     ['give `strain_unit`', 'give unit of the strains'],

@@ -84,7 +84,10 @@ service.test(
     assert.ok(loss > 1 && loss < 20, `${loss} %`);
     const card = page.locator('#headline [data-answer=dissipated_work] .figure');
     const said = parseFloat((await card.textContent()) ?? '');
-    assert.ok(Math.abs(said / end.dissipated_work - 1) < 1e-3, `${said} instead of ${end.dissipated_work}`);
+    assert.ok(
+      Math.abs(said / end.dissipated_work - 1) < 1e-3,
+      `${said} instead of ${end.dissipated_work}`,
+    );
     await page
       .locator('#panel-sweep .legend')
       .getByText('force, straight between solved loads')
