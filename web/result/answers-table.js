@@ -73,7 +73,7 @@ export function answersTable(sides, whole) {
           { class: 'text' },
           symbol(
             [placeWords(answer, one.report, step), inWords(answer.text), whyOf(answer)]
-              .filter(Boolean)
+              .filter((text) => text && text !== errorWords(answer))
               .join('; '),
           ),
         ),

@@ -3,7 +3,7 @@
  * All that is worked out here is the ratio to elastic theory and the difference of jobs.
  */
 
-import { figure, percent, unit } from '../lib/units.js';
+import { figure, percent, plain, unit } from '../lib/units.js';
 import { digitsOf, figureOf } from '../lib/digits.js';
 import { axesOf } from './axes.js';
 import { boundOf, valueIn, widthIn } from './rows.js';
@@ -75,10 +75,9 @@ export function errorWords(answer) {
   const { value, error, at_least: least, at_most: most } = answer;
   if (value === null) return '';
   if (typeof error === 'number') return `± ${percent(errorOf(answer) ?? 0)}`;
-  const bound = (/** @type {number} */ one) => figure(one * shareOf(answer), 3);
   if (least === undefined) return error.replace('_', ' ');
   return most === undefined
-    ? `at least ${bound(least)} ${unitOf(answer)}`.trim()
+    ? `at least ${plain(least * shareOf(answer), 3)} ${unitOf(answer)}`.trim()
     : `± ${figure(((most - least) / 2) * shareOf(answer), 2)} ${unitOf(answer)}`.trim();
 }
 
