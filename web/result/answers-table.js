@@ -72,7 +72,11 @@ export function answersTable(sides, whole) {
           'td',
           { class: 'text' },
           symbol(
-            [placeWords(answer, one.report, step), inWords(answer.text), whyOf(answer)]
+            [
+              placeWords(answer, one.report, step),
+              inWords(answer.text),
+              whole ? whyOf(answer) : '',
+            ]
               .filter((text) => text && text !== errorWords(answer))
               .join('; '),
           ),

@@ -330,7 +330,7 @@ const TASKS = [
       await user.type('/load/rolling/passes', '12');
       await user.solve();
       await page.locator('[data-status=succeeded]').waitFor();
-      await page.locator('#headline').getByText('with kinematic hardening').waitFor();
+      await page.locator('#headline').getByText('with kinematic hardening').first().waitFor();
       await page.locator('#panel-passes svg').first().waitFor();
     },
   ],
