@@ -255,11 +255,12 @@ export class View {
   }
 
   #sheet() {
-    // There is one page: of a line that rolls, groove and pressure are figures; one load has neither curve nor dent.
+    // There is one page: of a load that rolls the pressure is in figures, of a line the groove too; one load has neither curve nor dent.
     const [{ report }] = this.#shown;
-    const rolled = report.analysis !== 'three_dimensional' && report.steps[this.#at].passes;
+    const rolled = report.steps[this.#at].passes !== undefined;
     const left = [
-      ...(rolled ? ['groove', 'pressure'] : []),
+      ...(rolled ? ['pressure'] : []),
+      ...(rolled && report.analysis !== 'three_dimensional' ? ['groove'] : []),
       ...(this.#isCurve ? [] : ['sweep', 'dent']),
     ];
     showSheet({
