@@ -389,7 +389,7 @@ service.test(
       await dialog.getByLabel(scale, { exact: true }).uncheck();
     await dialog.getByRole('button', { name: 'Measure' }).click();
     await dialog.getByText('Choose a scale.').waitFor();
-    for (const scale of ['HBW 2.5/187.5', 'HRC'])
+    for (const scale of ['HBW 2.5/187.5', 'HRB'])
       await dialog.getByLabel(scale, { exact: true }).check();
     await dialog.getByRole('button', { name: 'Measure' }).click();
     const rows = dialog.locator('tbody tr');
@@ -397,7 +397,8 @@ service.test(
     await rows.first().getByRole('button', { name: 'Show' }).waitFor();
     const [number, diameter] = await rows.first().locator('td').allTextContents();
     assert.match(number, /^1\d\d(\.\d)? ±/, 'some 1.0 to 1.5 times three of 355 MPa');
-    assert.ok(Number(diameter) > 0.8 && Number(diameter) < 1.5, diameter);
+    const millimetres = Number(diameter.replace(' mm', ''));
+    assert.ok(millimetres > 0.8 && millimetres < 1.5, diameter);
     await rows.nth(1).getByText('The scale HRC is for 20 to 70 by its standard.').waitFor();
     await rows.nth(1).getByRole('button', { name: 'Show' }).click();
     await page
@@ -441,7 +442,6 @@ service.test(
       .waitFor();
     await place.getByRole('button', { name: 'From engineering values' }).click();
     await place.getByText('The test rises with').waitFor();
-    await place.getByRole('button', { name: /^Bilinear law from R_p0.2 = 4\d\d/ }).waitFor();
     await place.getByRole('button', { name: /^Take E = 20[45]\d{3} MPa/ }).click();
     const { young_modulus: modulus } = (await draft(page)).upper.material;
     assert.ok(Math.abs(modulus / 205000 - 1) < 0.002, `${modulus}`);
