@@ -15,8 +15,8 @@ import numpy as np
 from ._errors import BrinellError, ServiceError
 from ._fields import Fields
 from ._plain import need
-from ._rolling import Rolling
-from ._step import Answer, Pressure, Remark, Step, Verdict
+from ._rows import Figures, Row, line_of
+from ._step import Pressure, Remark, Step, Verdict
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 NO_HARDNESS = 'this result is of no hardness test: load={"hardness": "HBW 10/3000"}'
 
 
-class ResultData:
+class ResultData(Figures):
     """A result without its pictures and its words, which are made of it."""
 
     def __init__(
@@ -78,12 +78,6 @@ class ResultData:
         """One for each load."""
         return [Step(step, place, self.units) for place, step in enumerate(self.data["steps"], 1)]
 
-    def __len__(self) -> int:
-        return len(self.steps)
-
-    def __getitem__(self, place: int) -> Step:
-        return self.steps[place]
-
     @property
     def last(self) -> Step:
         """The last step."""
@@ -121,91 +115,17 @@ class ResultData:
         """The state of the bodies in one sentence."""
         return self.last.verdict
 
-    @property
-    def answers(self) -> list[Answer]:
-        """The figures that answer the job, in the order in which it asks for them."""
-        return self.last.answers
-
-    @property
-    def force(self) -> float:
-        """The contact force [N/mm of thickness; N in axisymmetry]."""
-        return self.last.force
-
-    @property
-    def approach(self) -> float:
-        """How far the supports have come together [mm]."""
-        return self.last.approach
-
-    @property
-    def peak_pressure(self) -> float:
-        """The largest contact pressure [MPa]."""
-        return self.last.peak_pressure
-
-    @property
-    def mean_pressure(self) -> float:
-        """The force over the contact [MPa]."""
-        return self.last.mean_pressure
-
-    @property
-    def half_width(self) -> float:
-        """Half the width of the contact; its radius in axisymmetry [mm]."""
-        return self.last.half_width
-
-    @property
-    def contact_stiffness(self) -> float:
-        """The slope of force over approach [N/mm²; N/mm in axisymmetry]; NaN where bodies yield,
-        unless the job asked for it."""
-        return self.last.contact_stiffness
-
-    @property
-    def max_plastic_strain(self) -> float:
-        """The largest equivalent plastic strain of both bodies."""
-        return self.last.max_plastic_strain
-
-    @property
-    def dent_depth(self) -> float:
-        """Depth of the deeper dent [mm] (theory `flow`); NaN unless the load is gone."""
-        return self.last.dent_depth
-
-    @property
-    def hertz(self) -> dict[str, Any]:
-        """The elastic contact under the same force, where there is a closed form; else empty."""
-        return self.last.hertz
-
-    @property
-    def relative_error(self) -> dict[str, float]:
-        """Bounds of the relative discretization errors by figure."""
-        return self.last.relative_error
+    @cached_property
+    def answers(self) -> list[Row]:
+        """The rows that follow from more than one load, then those of the last step."""
+        return [*map(Row.of, self.data["answers"]), *self.last.answers]
 
     @property
     def remarks(self) -> list[Remark]:
         """What to keep in mind about this answer, of all steps, each once."""
-        return list(dict.fromkeys(remark for step in self.steps for remark in step.remarks))
-
-    @property
-    def rolling(self) -> Rolling | None:
-        """The passes of a load that rolls; None of all other loads."""
-        return self.last.rolling
-
-    @property
-    def target(self) -> dict[str, Any]:
-        """Of a job with a target: `force`, `wanted`, `reached`, `relative_error`; else empty."""
-        return self.data.get("target") or {}
-
-    @property
-    def hardness(self) -> dict[str, Any]:
-        """Of a hardness test: `number`, `number_error`, `bias` and what was measured; else
-        empty.
-        """
-        return self.data.get("hardness") or {}
-
-    @property
-    def yield_onset(self) -> dict[str, Any]:
-        """Of a job that asks for the onset of yield: `force`, `approach`, `peak_pressure`, where.
-
-        Else empty.
-        """
-        return self.last.data.get("yield_onset") or {}
+        beside = [Remark(note["code"], note["message"]) for note in self.data.get("validity", [])]
+        all_of_them = [*beside, *(remark for step in self.steps for remark in step.remarks)]
+        return list(dict.fromkeys(all_of_them))
 
     @property
     def pressure(self) -> Pressure:
@@ -228,10 +148,24 @@ class ResultData:
         return self.last.surface
 
     @property
+    def passes(self) -> pd.DataFrame:
+        """A line for each pass of a load that rolls, by its number; empty of other loads."""
+        return self.last.passes
+
+    @property
+    def line(self) -> dict[str, Any]:
+        """Status, figures and remarks as the line of a table."""
+        figures = line_of(self.answers) if self.error is None and self.steps else {}
+        remarks = self.remarks if self._report is not None else []
+        said = " ".join(dict.fromkeys(remark.code for remark in remarks))
+        return {"status": self.status, **figures, "remarks": said}
+
+    @property
     def summary(self) -> pd.DataFrame:
-        """A row of figures for each step, numbered from 1."""
+        """A line of figures for each step, numbered from 1."""
         pandas = need("pandas", "pandas")
-        frame: pd.DataFrame = pandas.DataFrame([step.figures() for step in self.steps])
+        lines = [{"status": step.status, **line_of(step.answers)} for step in self.steps]
+        frame: pd.DataFrame = pandas.DataFrame(lines)
         frame.index = pandas.RangeIndex(1, len(frame) + 1, name="step")
         frame.attrs["units"] = self.units
         return frame
@@ -242,7 +176,7 @@ class ResultData:
         pandas = need("pandas", "pandas")
         curve = self.data.get("load_approach") or {
             "approach": [step.approach for step in self.steps],
-            "force": [step.force for step in self.steps],
+            "force": [step.get("force") for step in self.steps],
         }
         frame: pd.DataFrame = pandas.DataFrame(curve)
         return frame
@@ -254,12 +188,12 @@ class ResultData:
         A row for each increment: `step`, `displacement`, `force`, `diameter` of the contact, and
         `mean_pressure`, which is nan without contact.
         """
-        if not self.hardness:
+        if "hardness" not in self:
             raise BrinellError(NO_HARDNESS)
         pandas = need("pandas", "pandas")
         rows = [(1, 0.0, 0.0, 0.0)]
         for number, step in enumerate(self.steps, start=1):
-            ends = step.data["flow"]["increments"]
+            ends = step.data["increments"]
             columns = (ends["approach"], ends["force"], ends["half_width"])
             rows += [(number, h, f, 2 * a) for h, f, a in zip(*columns, strict=True)]
         frame: pd.DataFrame = pandas.DataFrame(
