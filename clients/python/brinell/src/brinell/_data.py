@@ -15,8 +15,8 @@ import numpy as np
 from ._errors import BrinellError, ServiceError
 from ._fields import Fields
 from ._plain import need
-from ._rows import Figures, Row, line_of
-from ._step import Pressure, Remark, Step, Verdict
+from ._rows import Row, line_of
+from ._step import Parts, Remark, Step
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 NO_HARDNESS = 'this result is of no hardness test: load={"hardness": "HBW 10/3000"}'
 
 
-class ResultData(Figures):
+class ResultData(Parts):
     """A result without its pictures and its words, which are made of it."""
 
     def __init__(
@@ -76,7 +76,7 @@ class ResultData(Figures):
     @cached_property
     def steps(self) -> list[Step]:
         """One for each load."""
-        return [Step(step, place, self.units) for place, step in enumerate(self.data["steps"], 1)]
+        return [Step(step, place) for place, step in enumerate(self.data["steps"], 1)]
 
     @property
     def last(self) -> Step:
@@ -111,9 +111,8 @@ class ResultData(Figures):
         return str(self.data["analysis"])
 
     @property
-    def verdict(self) -> Verdict:
-        """The state of the bodies in one sentence."""
-        return self.last.verdict
+    def _step(self) -> dict[str, Any]:
+        return self.last.data
 
     @cached_property
     def answers(self) -> list[Row]:
@@ -128,37 +127,12 @@ class ResultData(Figures):
         return list(dict.fromkeys(all_of_them))
 
     @property
-    def pressure(self) -> Pressure:
-        """Pressure, nodal force and gap over x, as arrays."""
-        return self.last.pressure
-
-    @property
-    def subsurface(self) -> pd.DataFrame:
-        """Stresses over the depth below the middle of the contact, of both bodies."""
-        return self.last.subsurface
-
-    @property
-    def subsurface_below_peak(self) -> pd.DataFrame:
-        """The same below the peak pressure; empty where that is in the middle."""
-        return self.last.subsurface_below_peak
-
-    @property
-    def surface(self) -> pd.DataFrame:
-        """Height of both surfaces over x (theory `flow`)."""
-        return self.last.surface
-
-    @property
-    def passes(self) -> pd.DataFrame:
-        """A line for each pass of a load that rolls, by its number; empty of other loads."""
-        return self.last.passes
-
-    @property
     def line(self) -> dict[str, Any]:
         """Status, figures and remarks as the line of a table."""
-        figures = line_of(self.answers) if self.error is None and self.steps else {}
-        remarks = self.remarks if self._report is not None else []
-        said = " ".join(dict.fromkeys(remark.code for remark in remarks))
-        return {"status": self.status, **figures, "remarks": said}
+        if self._report is None or not self.steps:
+            return {"status": self.status, "remarks": ""}
+        codes = dict.fromkeys(remark.code for remark in self.remarks)
+        return {"status": self.status, **line_of(self.answers), "remarks": " ".join(codes)}
 
     @property
     def summary(self) -> pd.DataFrame:

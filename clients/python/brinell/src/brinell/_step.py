@@ -39,7 +39,6 @@ class Pressure:
     pressure: Array
     force: Array
     gap: Array
-    units: str
 
     def __repr__(self) -> str:
         return f"<pressure at {len(self.x)} pairs of nodes: x, pressure, force, gap>"
@@ -48,7 +47,6 @@ class Pressure:
         """As a dataset over x."""
         need("xarray", "pandas")
         data: xr.Dataset = self.to_frame().set_index("x").to_xarray()
-        data.attrs["units"] = self.units
         return data
 
     def to_frame(self) -> pd.DataFrame:
@@ -59,35 +57,18 @@ class Pressure:
         return frame
 
 
-class Step(Figures):
-    """One load."""
+class Parts(Figures):
+    """Sentence, figures and arrays of a load."""
 
-    def __init__(self, data: dict[str, Any], place: int, units: str) -> None:
-        self.data = data
+    @property
+    def _step(self) -> dict[str, Any]:
         """The step as the service sends it."""
-        self.place = place
-        """Its number, from 1."""
-        self.units = units
-
-    @cached_property
-    def answers(self) -> list[Row]:
-        """The rows of the step."""
-        return [Row.of(row) for row in self.data["answers"]]
-
-    @property
-    def status(self) -> str:
-        """`converged`, `not_converged`, `cancelled` or `timed_out`."""
-        return str(self.data["status"])
-
-    @property
-    def converged(self) -> bool:
-        """Whether the solution passes every check."""
-        return self.status == "converged"
+        raise NotImplementedError
 
     @property
     def verdict(self) -> Verdict:
         """The state of the bodies in one sentence."""
-        return Verdict(self.data["verdict"]["level"], self.data["verdict"]["text"])
+        return Verdict(self._step["verdict"]["level"], self._step["verdict"]["text"])
 
     @property
     def approach(self) -> float:
@@ -105,18 +86,13 @@ class Step(Figures):
         return self.get("force") == 0.0
 
     @property
-    def remarks(self) -> list[Remark]:
-        """What to keep in mind about this answer."""
-        return [Remark(note["code"], note["message"]) for note in self.data["validity"]]
-
-    @property
     def pressure(self) -> Pressure:
         """Pressure, nodal force and gap over x, as arrays."""
-        nodes = self.data["contact"]["nodes"]
+        nodes = self._step["contact"]["nodes"]
         x, pressure, force, gap = (
             np.asarray(nodes[name], float) for name in ("x", "pressure", "force", "gap")
         )
-        return Pressure(x, pressure, force, gap, self.units)
+        return Pressure(x, pressure, force, gap)
 
     @property
     def subsurface(self) -> pd.DataFrame:
@@ -141,7 +117,7 @@ class Step(Figures):
         """The columns of both bodies, one below the other."""
         pandas = need("pandas", "pandas")
         frames = []
-        for body, values in (self.data.get(member) or {}).items():
+        for body, values in (self._step.get(member) or {}).items():
             if values:
                 columns = {key: one for key, one in values.items() if key != "position"}
                 places = dict(zip("xy", values.get("position", []), strict=False))
@@ -157,7 +133,7 @@ class Step(Figures):
         Figures of a body are `lower_track_depth` and so on, relative errors end with `_error`.
         """
         pandas = need("pandas", "pandas")
-        passes = self.data.get("passes") or {"number": []}
+        passes = self._step.get("passes") or {"number": []}
         columns: dict[str, Any] = {}
         for prefix, part in (("", "contact"), ("upper_", "upper"), ("lower_", "lower")):
             for name, course in passes.get(part, {}).items():
@@ -167,6 +143,40 @@ class Step(Figures):
             columns, index=pandas.Index(passes["number"], name="number")
         )
         return frame
+
+
+class Step(Parts):
+    """One load."""
+
+    def __init__(self, data: dict[str, Any], place: int) -> None:
+        self.data = data
+        """The step as the service sends it."""
+        self.place = place
+        """Its number, from 1."""
+
+    @property
+    def _step(self) -> dict[str, Any]:
+        return self.data
+
+    @cached_property
+    def answers(self) -> list[Row]:
+        """The rows of the step."""
+        return [Row.of(row) for row in self.data["answers"]]
+
+    @property
+    def status(self) -> str:
+        """`converged`, `not_converged`, `cancelled` or `timed_out`."""
+        return str(self.data["status"])
+
+    @property
+    def converged(self) -> bool:
+        """Whether the solution passes every check."""
+        return self.status == "converged"
+
+    @property
+    def remarks(self) -> list[Remark]:
+        """What to keep in mind about this answer."""
+        return [Remark(note["code"], note["message"]) for note in self.data["validity"]]
 
     def __repr__(self) -> str:
         figures = (f"{name} {self.get(name):.5g}" for name in ("force", "peak_pressure"))
