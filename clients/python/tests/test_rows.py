@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from brinell import Result
+from brinell import BrinellError, Result
 
 ROW = {
     "name": "max_plastic_strain",
@@ -92,3 +92,10 @@ def test_a_line_of_a_table_has_every_row_once() -> None:
         "remarks": "half_space",
     }
     assert list(found.summary["force"]) == [0.00312]
+
+
+def test_a_result_of_an_older_version_is_to_be_solved_again() -> None:
+    old = Result({"status": "converged", "version": "0.2.0", "steps": [{"hertz": None}]})
+    assert old.line == {"status": "failed", "remarks": ""}
+    with pytest.raises(BrinellError, match=r"version 0\.2\.0.*solve it again"):
+        _ = old["peak_pressure"]

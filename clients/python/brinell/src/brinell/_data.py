@@ -36,6 +36,10 @@ class ResultData(Parts):
         fetch: Callable[[str, int], bytes] | None = None,
         error: BrinellError | None = None,
     ) -> None:
+        if report is not None and "answers" not in report:
+            version = report.get("version", "an older one")
+            error = BrinellError(f"solved by version {version}, read no longer: solve it again")
+            report = None
         self._report = report
         self._fetch = fetch
         self.id = id
